@@ -1,0 +1,22 @@
+#ifndef BATTEN_BATTEN_H
+#define BATTEN_BATTEN_H
+/**
+ * @file
+ * Everything of libbatten. Pictures and designs have headers and libraries of their own.
+ */
+#include <batten/base.h>
+#include <batten/curve.h>
+#include <batten/exchange.h>
+#include <batten/fair.h>
+#include <batten/geometry.h>
+#include <batten/inspect.h>
+#include <batten/interpolate.h>
+#include <batten/job.h>
+#include <batten/model.h>
+#include <batten/number.h>
+#include <batten/offsets.h>
+#include <batten/skin.h>
+#include <batten/standard.h>
+#include <batten/surface.h>
+#include <batten/text.h>
+#endif

@@ -1,0 +1,199 @@
+#ifndef BATTEN_CURVE_H
+#define BATTEN_CURVE_H
+/**
+ * @file
+ * A NURBS curve of degree 1..25 in 1 to 3 dimensions: immutable, reference counted.
+ *
+ * With degree p and n control points there are n + p + 1 knots U, and the domain is
+ * [U[p], U[n]]. Points are Cartesian and never premultiplied; weights are positive, or NULL.
+ *
+ * A periodic curve is given by one period: m control points and m + 1 knots. It is kept, and seen
+ * through the properties, in the wrapped form: n = m + p points of which the last p repeat the
+ * first p, and all n + p + 1 knots. Functions that change a periodic curve return a periodic curve
+ * where that has a meaning, else the clamped form; each says which.
+ */
+#include <batten/geometry.h>
+#include <batten/job.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct batten_curve batten_curve;
+
+/** From which side a value is taken where a curve is not smooth. */
+typedef enum batten_side { BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT } batten_side;
+
+/* ---- making, keeping ---- */
+
+/**
+ * Make a curve from its control points and knots; the arrays are copied.
+ *
+ * @param dimension    d, 1..3
+ * @param degree       p, 1..25
+ * @param point_count  n, at least p + 1
+ * @param points       [n][d], finite
+ * @param weights      [n], finite and positive; NULL for a polynomial curve
+ * @param knots        [n + p + 1], finite, never decreasing; U[p] < U[n]; no knot inside the
+ *                     domain more than p times, none at all more than p + 1 times
+ * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, BAD_KNOTS, BAD_WEIGHT,
+ *         TOO_LARGE or OUT_OF_MEMORY
+ */
+BATTEN_API batten_status batten_curve_create(int dimension, int degree, int point_count,
+                                             const double *points, const double *weights,
+                                             const double *knots, batten_curve **out);
+
+/** A periodic curve from one period: `point_count` m >= 1 points, `knots` [m + 1] with at least one
+ * positive step; knot j + m is knots[j] + (knots[m] - knots[0]). The domain is
+ * [knots[0], knots[m]]; the basis function of point 0 begins p + 1 knots before its end so that
+ * wrapped point i belongs to the wrapped knots i .. i + p + 1. */
+BATTEN_API batten_status batten_curve_create_periodic(int dimension, int degree, int point_count,
+                                                      const double *points, const double *weights,
+                                                      const double *knots, batten_curve **out);
+
+/** One more reference to the same curve. */
+BATTEN_API batten_curve *batten_curve_ref(const batten_curve *curve);
+/** Give one reference back; NULL is welcome. */
+BATTEN_API void batten_curve_unref(batten_curve *curve);
+
+/* ---- properties ---- */
+
+BATTEN_API int batten_curve_dimension(const batten_curve *curve);
+BATTEN_API int batten_curve_degree(const batten_curve *curve);
+BATTEN_API int batten_curve_point_count(const batten_curve *curve);
+BATTEN_API int batten_curve_knot_count(const batten_curve *curve);
+BATTEN_API const double *batten_curve_points(const batten_curve *curve);  /**< [n][d] */
+BATTEN_API const double *batten_curve_weights(const batten_curve *curve); /**< [n], or NULL */
+BATTEN_API const double *batten_curve_knots(const batten_curve *curve);   /**< [n + p + 1] */
+BATTEN_API bool batten_curve_is_rational(const batten_curve *curve);
+BATTEN_API bool batten_curve_is_periodic(const batten_curve *curve);
+/** Does the first knot stand p + 1 times at both ends of the domain? */
+BATTEN_API bool batten_curve_is_clamped(const batten_curve *curve);
+BATTEN_API batten_interval batten_curve_domain(const batten_curve *curve);
+/** Do the end points lie within `tolerance` of each other? */
+BATTEN_API bool batten_curve_is_closed(const batten_curve *curve, double tolerance);
+/** The box of the control points that bear on the domain: contains the curve. */
+BATTEN_API batten_box batten_curve_box(const batten_curve *curve);
+/** Greville abscissa of control point i: (U[i+1] + ... + U[i+p]) / p. */
+BATTEN_API double batten_curve_greville(const batten_curve *curve, int i);
+/** Distinct knots of the domain, both ends included. @param[out] knots [batten_curve_point_count + 1]
+ * at most, or NULL to count. @return how many */
+BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
+
+/* ---- evaluation ---- */
+
+/**
+ * Evaluate a curve and its derivatives with respect to `u`.
+ *
+ * At a knot the derivatives are those from the right; at the end of the domain, from the left.
+ * A parameter up to 4 ulps outside the domain counts as its end. A periodic curve takes any u.
+ *
+ * @param curve  any curve, of degree p and dimension d
+ * @param u      parameter, in batten_curve_domain(curve)
+ * @param order  highest derivative wanted, >= 0; those above p of a polynomial curve are exactly 0
+ * @param[out] out  [order + 1][d]; row k is the k-th derivative, in model units per u^k
+ * @return BATTEN_OK, NOT_FINITE, BATTEN_OUT_OF_DOMAIN or BATTEN_OVERFLOW
+ */
+BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double u, int order,
+                                               double *out);
+/** The same, with the derivatives taken from the named side at a knot. */
+BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, double u,
+                                                    batten_side side, int order, double *out);
+/** Many parameters at once, in any order: the same bits as one by one, much faster.
+ * @param[out] out [count][order + 1][d]. On failure the message names the index. */
+BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
+                                                    const double *u, int order,
+                                                    const batten_job *job, double *out);
+
+/* ---- exact changes: each makes a new curve of the same shape unless it says otherwise ---- */
+
+BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u, int times,
+                                                  batten_curve **out);
+/** Insert many knots at once. @param knots [count], never decreasing, inside the domain */
+BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int count,
+                                             const double *knots, batten_curve **out);
+/**
+ * Remove a knot up to `times` times as long as the curve moves by no more than `tolerance`.
+ * @param[out] removed  how often it could be removed; may be NULL
+ * @param[out] error    a bound on how far the curve moved; may be NULL
+ */
+BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, double u, int times,
+                                                  double tolerance, int *removed, double *error,
+                                                  batten_curve **out);
+/** Remove every knot that can go while the whole curve moves by no more than `tolerance`. */
+BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, double tolerance,
+                                                   int *removed, double *error,
+                                                   batten_curve **out);
+BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
+                                              batten_curve **out);
+/** Lower the degree to `degree`, moving the curve by at most `tolerance`; fails with
+ * TOLERANCE_NOT_MET (and the error in the message) otherwise. @param[out] error a bound; may be NULL */
+BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degree,
+                                             double tolerance, double *error, batten_curve **out);
+/** Cut at u, inside the domain. Both parts keep their parameters and are clamped at the cut. */
+BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
+                                            batten_curve **left, batten_curve **right);
+/** The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
+ * domain, up to one period from a. */
+BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double a, double b,
+                                               batten_curve **out);
+/** Join end to start. The ends must be within `tolerance`; degrees and rationality are unified, the
+ * second domain is moved to follow the first, the joining knot is kept p times. */
+BATTEN_API batten_status batten_curve_join(const batten_curve *first, const batten_curve *second,
+                                           double tolerance, batten_curve **out);
+BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out);
+/** Map the domain linearly to [a, b]; a > b is an error. */
+BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, double a, double b,
+                                                 batten_curve **out);
+/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots. Rational. */
+BATTEN_API batten_status batten_curve_moebius(const batten_curve *curve, double a, double b,
+                                              double c, double d, batten_curve **out);
+/** The clamped form: also what a periodic curve becomes for formats that know no other. */
+BATTEN_API batten_status batten_curve_clamp(const batten_curve *curve, batten_curve **out);
+/** The same curve with all weights 1 instead of none. */
+BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve, batten_curve **out);
+/** The curve in 1..3 dimensions: coordinates are dropped, or added as 0. */
+BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
+                                                   batten_curve **out);
+/** A curve with one control point replaced. @param point [d] */
+BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,
+                                                 const double *point, batten_curve **out);
+BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
+                                                const batten_affine *map, batten_curve **out);
+/**
+ * Give curves the same degree, the same knots bit for bit and the same domain [0, 1], exactly.
+ * Periodic curves stay periodic when all are, else all are clamped. Rational when one is.
+ * @param[out] out  [count]; yours to unref
+ */
+BATTEN_API batten_status batten_curves_unify(int count, const batten_curve *const *curves,
+                                             batten_curve **out);
+
+/* ---- other forms ---- */
+
+/** Every knot of the domain p times: control points k p .. k p + p are the Bezier points of
+ * piece k. */
+BATTEN_API batten_status batten_curve_to_bezier(const batten_curve *curve, batten_curve **out);
+/** From Bezier pieces that share their end points.
+ * @param points [piece_count * p + 1][d]; weights the same or NULL; breaks [piece_count + 1] */
+BATTEN_API batten_status batten_curve_from_bezier(int dimension, int degree, int piece_count,
+                                                  const double *points, const double *weights,
+                                                  const double *breaks, batten_curve **out);
+/** From points and derivatives at increasing parameters: degree 2 k - 1 where k values are given
+ * at each. @param values [count][k][d], the point, first, second ... derivative; k = 1..4 */
+BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int k,
+                                                   const double *parameters, const double *values,
+                                                   batten_curve **out);
+/** From polynomial pieces in powers of (u - breaks[i]).
+ * @param coefficients [piece_count][degree + 1][d], constant term first; pieces that do not join
+ * within `tolerance` are an error */
+BATTEN_API batten_status batten_curve_from_power(int dimension, int degree, int piece_count,
+                                                 const double *breaks, const double *coefficients,
+                                                 double tolerance, batten_curve **out);
+/** The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
+ * @param[out] coefficients [pieces][p + 1][d] */
+BATTEN_API batten_status batten_curve_to_power(const batten_curve *curve, double *coefficients);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

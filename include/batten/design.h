@@ -1,0 +1,135 @@
+#ifndef BATTEN_DESIGN_H
+#define BATTEN_DESIGN_H
+/**
+ * @file
+ * The design document: a graph of named features in a text file.
+ */
+#include <batten/exchange.h>
+#include <batten/fair.h>
+#include <batten/skin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- the table of features ---- */
+
+typedef enum batten_value_kind {
+    BATTEN_VALUE_MODEL,  /**< the result of another feature, by name */
+    BATTEN_VALUE_LENGTH, /**< a number with a unit of length */
+    BATTEN_VALUE_ANGLE,  /**< a number with deg or rad */
+    BATTEN_VALUE_NUMBER,
+    BATTEN_VALUE_COUNT,  /**< a whole number */
+    BATTEN_VALUE_WORD,   /**< one of `words` */
+    BATTEN_VALUE_TEXT,
+    BATTEN_VALUE_FILE,   /**< a path below the folder of the design */
+    BATTEN_VALUE_YES_NO,
+    BATTEN_VALUE_POINT,  /**< [x, y, z], lengths */
+    BATTEN_VALUE_RANGE   /**< [a, b], lengths */
+} batten_value_kind;
+
+typedef struct batten_parameter {
+    const char *name;
+    batten_value_kind kind;
+    bool is_list;         /**< one or many of the kind */
+    bool required;
+    const char *standard; /**< the default, as one would write it; NULL for none */
+    const char *words;    /**< "natural clamped ..." for BATTEN_VALUE_WORD */
+    const char *summary;  /**< one line */
+} batten_parameter;
+
+typedef struct batten_feature {
+    const char *name;    /**< the operation: "skin" */
+    const char *summary; /**< one line */
+    const char *manual;  /**< paragraphs of plain text */
+    const char *example; /**< a piece of a design file */
+    const char *source;  /**< keys of the bibliography */
+    const char *function;/**< the C function */
+    int parameter_count;
+    const batten_parameter *parameters; /**< the first is the principal input */
+    bool is_output;      /**< stands under outputs: makes a file, not a value */
+} batten_feature;
+
+BATTEN_API int batten_feature_count(void);
+BATTEN_API const batten_feature *batten_feature_at(int index);
+BATTEN_API const batten_feature *batten_feature_find(const char *name);
+/** The known name nearest to a misspelt one, or NULL. */
+BATTEN_API const char *batten_feature_nearest(const char *name);
+/** The JSON Schema of design files, made from the table; release with batten_release. */
+BATTEN_API batten_status batten_design_schema(char **json);
+
+/* ---- the document ---- */
+
+typedef struct batten_design batten_design;
+
+typedef struct batten_design_options {
+    size_t size;
+    const char *file_name; /**< for messages, and the folder to which paths are relative */
+    bool allow_outside;    /**< paths may leave that folder */
+    const batten_limits *limits;
+} batten_design_options;
+BATTEN_API batten_design_options batten_design_defaults(void);
+
+/** Parse a design; every error of the text goes to `notes` with line, column and nearest name.
+ * @return BATTEN_BAD_FORMAT when there was one */
+BATTEN_API batten_status batten_design_parse(const char *text, size_t length,
+                                             const batten_design_options *options,
+                                             batten_notes *notes, batten_design **out);
+BATTEN_API batten_status batten_design_open(const char *path, bool allow_outside,
+                                            batten_notes *notes, batten_design **out);
+BATTEN_API void batten_design_free(batten_design *design);
+/** The text as it stands: loaded and saved it is the same bytes. */
+BATTEN_API const char *batten_design_text(const batten_design *design, size_t *length);
+BATTEN_API double batten_design_unit_metres(const batten_design *design);
+/**
+ * Change one value; only the bytes of that value change (a new key is appended to its feature).
+ * @param path  "parameters.beam", "features.hull.degree", "units"
+ * @param value as one would write it: "3.4 m"
+ * On failure the design is as before.
+ */
+BATTEN_API batten_status batten_design_set(batten_design *design, const char *path,
+                                           const char *value, batten_notes *notes);
+
+/* ---- its results ---- */
+
+/** What became of one feature. */
+typedef struct batten_feature_result {
+    const char *name;
+    const char *operation;
+    const batten_model *value; /**< NULL when it failed */
+    batten_status status;
+    double seconds;
+    bool has_error;
+    double error_max, error_rms;         /**< of an approximation, in design units */
+    bool has_moves;
+    double move_max;                     /**< of fairing */
+    int moved_count;
+    const batten_fair_report *fairing;   /**< or NULL */
+    const batten_skin_report *skin;      /**< or NULL */
+} batten_feature_result;
+
+/**
+ * Evaluate the named feature (NULL: all) and what it needs; results are kept and used again until
+ * an edit reaches them.
+ */
+BATTEN_API batten_status batten_design_evaluate(batten_design *design, const char *feature,
+                                                const batten_job *job, batten_notes *notes);
+BATTEN_API int batten_design_result_count(const batten_design *design);
+/** In the order of evaluation. */
+BATTEN_API const batten_feature_result *batten_design_result_at(const batten_design *design,
+                                                                int index);
+BATTEN_API const batten_feature_result *batten_design_result(const batten_design *design,
+                                                             const char *feature);
+
+BATTEN_API int batten_design_output_count(const batten_design *design);
+/** The file name of an output as written in the design. */
+BATTEN_API const char *batten_design_output_name(const batten_design *design, int index);
+/** Make one output: the bytes of its file. */
+BATTEN_API batten_status batten_design_output(batten_design *design, int index,
+                                              const batten_job *job, batten_notes *notes,
+                                              char **data, size_t *size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

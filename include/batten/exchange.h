@@ -1,0 +1,99 @@
+#ifndef BATTEN_EXCHANGE_H
+#define BATTEN_EXCHANGE_H
+/**
+ * @file
+ * Files: reading them into a model, writing a model, and saving bytes safely.
+ */
+#include <batten/model.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_format {
+    BATTEN_FORMAT_AUTO,    /**< by content when reading, by the name's ending when writing */
+    BATTEN_FORMAT_OFFSETS, /**< a table of offsets: .csv, .tsv, .txt */
+    BATTEN_FORMAT_POINTS,  /**< x y z in lines: .xyz, .csv, .txt */
+    BATTEN_FORMAT_AEROFOIL,/**< .dat, Selig or Lednicer order */
+    BATTEN_FORMAT_IGES,    /**< .igs, .iges */
+    BATTEN_FORMAT_STEP     /**< .stp, .step; written */
+} batten_format;
+
+/** "iges", "step" ... */
+BATTEN_API const char *batten_format_name(batten_format format);
+/** By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing. */
+BATTEN_API batten_format batten_format_of_name(const char *path);
+
+/** What a reader may use; over a limit: BATTEN_TOO_LARGE, naming it. */
+typedef struct batten_limits {
+    size_t size;
+    size_t file_bytes;   /**< 1 GiB */
+    size_t memory_bytes; /**< 0: 16 MiB + 40 times the file */
+    size_t entities;     /**< 10 M */
+    int nesting;         /**< 64 */
+    size_t string_bytes; /**< 1 MiB */
+    size_t line_bytes;   /**< 64 KiB */
+    size_t points;       /**< points per object, 10 M */
+    int notes;           /**< 1,000 */
+} batten_limits;
+BATTEN_API batten_limits batten_limits_defaults(void);
+
+typedef struct batten_read_options {
+    size_t size;
+    batten_format format;        /**< BATTEN_FORMAT_AUTO */
+    const batten_limits *limits; /**< NULL for the defaults */
+    const char *file_name;       /**< for messages; "" */
+} batten_read_options;
+BATTEN_API batten_read_options batten_read_defaults(void);
+
+/**
+ * Read bytes into a model.
+ *
+ * @param notes  receives what was odd; may be NULL
+ * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a note);
+ *         BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
+ */
+BATTEN_API batten_status batten_read_memory(const char *data, size_t size,
+                                            const batten_read_options *options,
+                                            const batten_job *job, batten_notes *notes,
+                                            batten_model **out);
+/** The same from a file. */
+BATTEN_API batten_status batten_read_file(const char *path, const batten_read_options *options,
+                                          const batten_job *job, batten_notes *notes,
+                                          batten_model **out);
+
+typedef struct batten_write_options {
+    size_t size;
+    batten_format format; /**< by the name's ending */
+    const char *name;     /**< of the product; "batten" */
+    double tolerance;     /**< for shapes that the format cannot say exactly, and as the file's own
+                               accuracy; model units; 1e-6 of a metre */
+} batten_write_options;
+BATTEN_API batten_write_options batten_write_defaults(void);
+
+/** @param[out] data, size  the bytes; release with batten_release
+ * @param notes what was approximated or left out; may be NULL */
+BATTEN_API batten_status batten_write_memory(const batten_model *model,
+                                             const batten_write_options *options,
+                                             batten_notes *notes, char **data, size_t *size);
+/** Write to a file by batten_save_file. */
+BATTEN_API batten_status batten_write_file(const batten_model *model, const char *path,
+                                           const batten_write_options *options,
+                                           batten_notes *notes);
+
+/** A whole file in memory, with a zero byte after its end. Release with batten_release.
+ * @return BATTEN_FILE_ERROR with the system's reason, or BATTEN_TOO_LARGE */
+BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char **data,
+                                          size_t *size);
+/**
+ * Put bytes into a file so that, whatever happens, either the old file or the new one is there,
+ * whole: written beside it, synchronised, renamed. A symlink's target is replaced, the mode is
+ * kept. A pipe or device is written straight.
+ * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file remains
+ */
+BATTEN_API batten_status batten_save_file(const char *path, const char *data, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,47 @@
+#ifndef BATTEN_GEOMETRY_H
+#define BATTEN_GEOMETRY_H
+/**
+ * @file
+ * The small values that are passed by value.
+ */
+#include <batten/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct batten_vec3 {
+    double x, y, z;
+} batten_vec3;
+
+/** A closed interval, a <= b. */
+typedef struct batten_interval {
+    double a, b;
+} batten_interval;
+
+/** An axis-parallel box; coordinates beyond the dimension of the object are 0. */
+typedef struct batten_box {
+    batten_vec3 low, high;
+} batten_box;
+
+/** x' = m x + t, rows of m first: m[row][column]. In the plane z is left alone. */
+typedef struct batten_affine {
+    double m[3][3];
+    double t[3];
+} batten_affine;
+
+BATTEN_API batten_affine batten_affine_identity(void);
+BATTEN_API batten_affine batten_affine_translation(double x, double y, double z);
+BATTEN_API batten_affine batten_affine_scaling(double x, double y, double z);
+/** Rotation by `angle` radians about the axis through `origin` with direction `axis` (not zero). */
+BATTEN_API batten_affine batten_affine_rotation(batten_vec3 origin, batten_vec3 axis, double angle);
+/** Mirror in the plane through `origin` with normal `normal` (not zero). */
+BATTEN_API batten_affine batten_affine_mirror(batten_vec3 origin, batten_vec3 normal);
+/** First `first`, then `then`. */
+BATTEN_API batten_affine batten_affine_compose(batten_affine first, batten_affine then);
+BATTEN_API batten_vec3 batten_affine_apply(batten_affine map, batten_vec3 point);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

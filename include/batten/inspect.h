@@ -1,0 +1,128 @@
+#ifndef BATTEN_INSPECT_H
+#define BATTEN_INSPECT_H
+/**
+ * @file
+ * What is true of a shape: curvature, lengths, extremes, distances from data.
+ */
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a curve does at one parameter. In the plane `binormal` is (0, 0, 1) and curvature signed:
+ * positive where the curve turns left; in space curvature is never negative. */
+typedef struct batten_curve_local {
+    batten_vec3 point;
+    batten_vec3 tangent, normal, binormal;
+    double speed;          /**< |C'| */
+    double curvature;      /**< 1 / length */
+    double curvature_rate; /**< d curvature / d arc length */
+    double torsion;        /**< 1 / length; 0 in the plane */
+} batten_curve_local;
+
+/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes: tangent from the first derivative
+ * that does not, the rest 0. */
+BATTEN_API batten_status batten_curve_local_at(const batten_curve *curve, double u,
+                                               batten_side side, batten_curve_local *out);
+
+/** Length over [a, b] (the whole domain with NaN for both), within `tolerance` (model units).
+ * @param[out] error an estimate of the error; may be NULL */
+BATTEN_API batten_status batten_curve_length(const batten_curve *curve, double tolerance,
+                                             double *length, double *error);
+BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, double a, double b,
+                                                     double tolerance, double *length,
+                                                     double *error);
+/** Parameters at which the arc length from the start is s[i] (increasing).
+ * @param[out] u [count] */
+BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
+                                                const double *s, double tolerance, double *u);
+
+/** Found parameters, increasing; release `at` with batten_release. */
+typedef struct batten_parameters {
+    int count;
+    double *at;
+} batten_parameters;
+
+/** All inflections of a plane curve (sign changes of curvature, also those at knots). */
+BATTEN_API batten_status batten_curve_inflections(const batten_curve *curve,
+                                                  batten_parameters *out);
+/** All local extrema of curvature inside the domain, also those at knots. */
+BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curve,
+                                                        batten_parameters *out);
+/** All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
+ * A coordinate that is constant on a piece gives both ends of the piece. */
+BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis, double value,
+                                                batten_parameters *out);
+
+/** One tooth of a curvature comb. */
+typedef struct batten_tooth {
+    double u;
+    batten_vec3 foot, tip; /**< tip = foot - scale * curvature * normal */
+    double curvature;
+} batten_tooth;
+/** @param[out] teeth [spans * per_span + 1] with spans = batten_curve_spans(curve, NULL) - 1 */
+BATTEN_API batten_status batten_curve_comb(const batten_curve *curve, int per_span, double scale,
+                                           batten_tooth *teeth);
+
+/** What a surface does at one point. */
+typedef struct batten_surface_local {
+    batten_vec3 point, normal;
+    double gaussian, mean;     /**< mean is positive where the surface bends towards the normal */
+    double kappa1, kappa2;     /**< principal curvatures, kappa1 >= kappa2 */
+    batten_vec3 direction1, direction2; /**< principal directions; any at an umbilic */
+} batten_surface_local;
+BATTEN_API batten_status batten_surface_local_at(const batten_surface *surface, double u, double v,
+                                                 batten_surface_local *out);
+/** Gaussian and mean curvature on a grid. @param[out] gaussian, mean [count_u][count_v]; either may be
+ * NULL; singular points are NaN. */
+BATTEN_API batten_status batten_surface_curvature_grid(const batten_surface *surface,
+                                                       size_t count_u, const double *u,
+                                                       size_t count_v, const double *v,
+                                                       const batten_job *job, double *gaussian,
+                                                       double *mean);
+
+/** How far points lie from a shape. */
+typedef struct batten_deviation {
+    double max, rms;
+    int worst;      /**< index of the farthest point */
+    double at[2];   /**< its foot's parameters */
+} batten_deviation;
+/** Distance of points [count][dimension] from a curve.
+ * @param start [count] first guesses, or NULL: the whole curve is searched
+ * @param[out] distances [count], or NULL */
+BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int count,
+                                                const double *points, const double *start,
+                                                const batten_job *job, double *distances,
+                                                batten_deviation *out);
+/** The same for a surface, points [count][3]; start [count][2] or NULL. */
+BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface, int count,
+                                                  const double *points, const double *start,
+                                                  const batten_job *job, double *distances,
+                                                  batten_deviation *out);
+
+/** A polyline in space. */
+typedef struct batten_polyline {
+    int count;
+    bool closed;
+    double *points;     /**< [count][3] */
+    double *parameters; /**< [count][2], u and v on the surface */
+} batten_polyline;
+typedef struct batten_polylines {
+    int count;
+    batten_polyline *lines;
+} batten_polylines;
+/**
+ * Where a surface meets the plane `normal . x = offset`, found along isoparametric lines on a
+ * `cells_u` x `cells_v` grid (every point is on the surface and on the plane to rounding; loops
+ * smaller than a cell can be missed).
+ */
+BATTEN_API batten_status batten_surface_section(const batten_surface *surface, batten_vec3 normal,
+                                                double offset, int cells_u, int cells_v,
+                                                batten_polylines *out);
+BATTEN_API void batten_polylines_release(batten_polylines *lines);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,90 @@
+#ifndef BATTEN_MODEL_H
+#define BATTEN_MODEL_H
+/**
+ * @file
+ * Named objects with a unit: what files are read into and written from, and what flows between the
+ * features of a design.
+ */
+#include <batten/offsets.h>
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- units of length ---- */
+
+/** @param name "m", "mm", "cm", "km", "um", "in", "ft", "mil", "mi" and their long names
+ * @return metres in one of them, or 0 when the name is unknown */
+BATTEN_API double batten_unit_metres(const char *name);
+/** The short name of a unit, or NULL when there is none. */
+BATTEN_API const char *batten_unit_name(double metres);
+
+/* ---- messages of readers and writers ---- */
+
+typedef struct batten_note {
+    const char *file;   /**< may be "" */
+    int line;           /**< from 1; 0 when it has no place */
+    const char *entity; /**< "#317 B_SPLINE_CURVE", "station 4"; may be "" */
+    const char *text;   /**< what is wrong, with the numbers, and what was done */
+} batten_note;
+
+/** A list of notes, at most `limit`, then counted. */
+typedef struct batten_notes batten_notes;
+BATTEN_API batten_status batten_notes_create(int limit, batten_notes **out);
+BATTEN_API void batten_notes_free(batten_notes *notes);
+/** Add one; NULL notes and lack of memory are borne silently (the latter is counted). */
+BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
+                                 const char *entity, const char *format, ...) BATTEN_PRINTF(5, 6);
+BATTEN_API int batten_notes_count(const batten_notes *notes);   /**< those that are kept */
+BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**< those beyond the limit */
+BATTEN_API const batten_note *batten_notes_at(const batten_notes *notes, int index);
+
+/* ---- the model ---- */
+
+typedef enum batten_object_kind {
+    BATTEN_OBJECT_POINTS, /**< a row of points, in order */
+    BATTEN_OBJECT_CURVE,
+    BATTEN_OBJECT_SURFACE,
+    BATTEN_OBJECT_OFFSETS /**< a table of offsets */
+} batten_object_kind;
+
+/** One object of a model; what its kind does not use is NULL or 0. */
+typedef struct batten_object {
+    const char *name;
+    const char *layer;            /**< "" for none */
+    bool has_colour;
+    double colour[3];             /**< sRGB, 0..1 */
+    batten_object_kind kind;
+    const batten_curve *curve;
+    const batten_surface *surface;
+    const batten_offsets *offsets;
+    int point_count;              /**< POINTS; also of a CURVE: the data that it was made from */
+    const double *points;         /**< [point_count][3] */
+    const double *parameters;     /**< [point_count], of the data on the curve; or NULL */
+} batten_object;
+
+/**
+ * A model is filled by its maker, then shared as const.
+ */
+typedef struct batten_model batten_model;
+BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
+BATTEN_API batten_model *batten_model_ref(const batten_model *model);
+BATTEN_API void batten_model_unref(batten_model *model);
+BATTEN_API double batten_model_unit_metres(const batten_model *model);
+BATTEN_API int batten_model_count(const batten_model *model);
+BATTEN_API const batten_object *batten_model_object(const batten_model *model, int index);
+/** The index of the first object of that name, or -1. */
+BATTEN_API int batten_model_find(const batten_model *model, const char *name);
+/** Copy an object in: names and arrays are copied, geometry is referenced. */
+BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
+/** The box of all objects; false when there is none. */
+BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
+/** The same model in another unit; geometry is scaled. */
+BATTEN_API batten_status batten_model_to_unit(const batten_model *model, double unit_metres,
+                                              batten_model **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,88 @@
+#ifndef BATTEN_PICTURE_H
+#define BATTEN_PICTURE_H
+/**
+ * @file
+ * Pictures: drawings of curves, lines drawings of hulls, shaded surfaces. No display is needed.
+ *
+ * Every function hands over the bytes of a file; save them with batten_save_file.
+ */
+#include <batten/model.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_picture_format {
+    BATTEN_PICTURE_PNG,
+    BATTEN_PICTURE_SVG,
+    BATTEN_PICTURE_PDF
+} batten_picture_format;
+
+/** By the ending of a file name. @return false when it is none of them */
+BATTEN_API bool batten_picture_format_of_name(const char *path, batten_picture_format *format);
+
+typedef enum batten_view {
+    BATTEN_VIEW_AUTO,     /**< curves in a plane: that plane; else axonometric */
+    BATTEN_VIEW_TOP,      /**< x to the right, y up */
+    BATTEN_VIEW_FRONT,    /**< y to the right, z up: along the ship */
+    BATTEN_VIEW_SIDE,     /**< x to the right, z up */
+    BATTEN_VIEW_AXONOMETRIC
+} batten_view;
+
+typedef enum batten_shading {
+    BATTEN_SHADING_PLAIN,
+    BATTEN_SHADING_ISOLINES, /**< plain, with isoparametric lines */
+    BATTEN_SHADING_ZEBRA,
+    BATTEN_SHADING_GAUSSIAN  /**< colours of the Gaussian curvature, with a legend */
+} batten_shading;
+
+typedef struct batten_picture_options {
+    size_t size;
+    batten_picture_format format; /**< PNG; shaded pictures are always PNG */
+    int width, height;            /**< pixels, or points of 1/72 inch; 1200 x 800; lines plan: 1684 x 1191 */
+    const char *title;            /**< "" */
+    batten_view view;
+    double azimuth, elevation;    /**< of the eye, radians; for the axonometric view */
+    bool control_polygon;         /**< of curves */
+    bool data_points;             /**< that curves were made from */
+    bool comb;                    /**< curvature comb, plane curves and projections */
+    double comb_scale;            /**< 0: chosen so that the longest tooth is a tenth of the picture */
+    batten_shading shading;
+    int isolines;                 /**< in each direction, 10 */
+    double stripes;               /**< zebra stripes over the half turn, 24 */
+} batten_picture_options;
+BATTEN_API batten_picture_options batten_picture_defaults(void);
+
+/** Draw points, curves and the isoparametric lines of surfaces as lines. */
+BATTEN_API batten_status batten_draw(const batten_model *model,
+                                     const batten_picture_options *options, char **data,
+                                     size_t *size);
+
+typedef struct batten_lines_plan_options {
+    size_t size;
+    double stations;   /**< spacing; 0: eleven over the length */
+    double waterlines; /**< spacing; 0: chosen */
+    double buttocks;   /**< spacing; 0: chosen */
+    const double *station_at; /**< [station_count] instead of the spacing; or NULL */
+    int station_count;
+    double design_waterline;  /**< height; NaN for none */
+    const batten_model *data; /**< given points, drawn as crosses; or NULL */
+} batten_lines_plan_options;
+BATTEN_API batten_lines_plan_options batten_lines_plan_defaults(void);
+
+/** A lines drawing of a half hull (x along, y >= 0 to the side, z up): body plan, profile,
+ * half-breadth plan, with grid, scales, title and legend. Notes say what could not be drawn. */
+BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
+                                                const batten_lines_plan_options *plan,
+                                                const batten_picture_options *options,
+                                                batten_notes *notes, char **data, size_t *size);
+
+/** Shade all surfaces of a model; curves are drawn over them. PNG. */
+BATTEN_API batten_status batten_draw_shaded(const batten_model *model,
+                                            const batten_picture_options *options,
+                                            const batten_job *job, char **data, size_t *size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

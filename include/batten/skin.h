@@ -1,0 +1,76 @@
+#ifndef BATTEN_SKIN_H
+#define BATTEN_SKIN_H
+/**
+ * @file
+ * Surfaces from curves: skinned, ruled, extruded.
+ */
+#include <batten/interpolate.h>
+#include <batten/standard.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_frame_kind {
+    BATTEN_FRAME_ROTATION_MINIMISING,
+    BATTEN_FRAME_FIXED,
+    BATTEN_FRAME_FRENET
+} batten_frame_kind;
+
+typedef struct batten_skin_options {
+    size_t size;
+    int degree;                        /**< across the sections, 3; lowered when there are too few */
+    batten_parametrization parameters; /**< across; BATTEN_CENTRIPETAL */
+    const double *given;               /**< [count] across, with BATTEN_GIVEN */
+    batten_end start, end;             /**< natural, clamped (vector: the common tangent), ... */
+    bool periodic;                     /**< the last section is followed by the first */
+    bool align;                        /**< reverse sections that run against the first; a message says which */
+    double tolerance;                  /**< 0: exact union of all knots. Else few common knots are found
+                                            so that no section moves farther than this */
+    const batten_curve *spine;         /**< NULL: sections stand where they are. Else they are drawn in the
+                                            xy-plane and are placed along the spine */
+    const double *spine_at;            /**< [count] parameters of the sections on the spine; NULL: evenly by
+                                            arc length */
+    const double *twist;               /**< [count] radians about the spine; NULL: none */
+    const double *scale;               /**< [count]; NULL: all 1 */
+    batten_frame_kind frames;
+} batten_skin_options;
+
+BATTEN_API batten_skin_options batten_skin_defaults(void);
+
+typedef struct batten_skin_report {
+    double deviation;       /**< farthest that a section moved; 0 when exact */
+    int worst_section;      /**< which one */
+    int exact_knot_count;   /**< distinct inner knots that the exact union has */
+    int knot_count;         /**< distinct inner knots of the result */
+    double span_ratio;      /**< smallest span over median span along the sections */
+    double normal_jump;     /**< largest jump of the normal over inner knot lines, radians */
+} batten_skin_report;
+
+/**
+ * The surface through sections: u runs along a section, v across them.
+ * @param[out] v [count] parameters of the sections; may be NULL
+ * @param[out] report may be NULL
+ */
+BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
+                                             const batten_skin_options *options,
+                                             const batten_job *job, double *v,
+                                             batten_skin_report *report, batten_surface **out);
+
+/** (1 - v) first(u) + v second(u), after unifying. */
+BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
+                                              const batten_curve *second, batten_surface **out);
+/** curve(u) + v * along, v in [0, 1]. */
+BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
+                                                 batten_surface **out);
+
+/** Frames along a spine, for those who place things themselves: orthonormal, axis z along the
+ * tangent. @param[out] frames [count] */
+BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int count,
+                                             const double *at, batten_frame_kind kind,
+                                             batten_frame *frames);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

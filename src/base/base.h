@@ -1,0 +1,60 @@
+/* What our own files use of the ground: failing, memory, references. */
+#ifndef BAT_BASE_H
+#define BAT_BASE_H
+#include <assert.h>
+#include <batten/base.h>
+#include <math.h>
+#include <stdatomic.h>
+
+/* The exported names serve the sister libraries; inside we write bat_. */
+#define bat_fail batten_fail
+#define bat_array batten_array
+#define bat_array3 batten_array3
+#define bat_resize batten_resize
+#define bat_release batten_release
+
+/* A reference count, the first member of every counted object. */
+typedef struct {
+    atomic_int count;
+} bat_references;
+
+static inline void bat_references_begin(bat_references *references)
+{
+    atomic_init(&references->count, 1);
+}
+
+static inline void bat_references_add(bat_references *references)
+{
+    atomic_fetch_add_explicit(&references->count, 1, memory_order_relaxed);
+}
+
+/* Drop one; true when it was the last and the object must go. */
+static inline bool bat_references_drop(bat_references *references)
+{
+    return atomic_fetch_sub_explicit(&references->count, 1, memory_order_acq_rel) == 1;
+}
+
+static inline double bat_max(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double bat_min(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline int bat_max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static inline int bat_min_int(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* The index of the first number that is not finite, or `count`. */
+size_t bat_first_not_finite(const double *values, size_t count);
+
+#endif

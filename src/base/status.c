@@ -1,0 +1,55 @@
+#include "base/base.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#define TEXT(value) #value
+#define VERSION(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
+
+static const struct {
+    const char *name, *text;
+} statuses[] = {
+#define ROW(name, text) {#name, text},
+    BATTEN_STATUS_TABLE(ROW)
+#undef ROW
+};
+
+/* Long enough for a sentence with a path in it; longer ones are cut. */
+static _Thread_local char message[1024];
+
+const char *batten_status_name(batten_status status)
+{
+    return (unsigned)status < BATTEN_STATUS_COUNT ? statuses[status].name : "?";
+}
+
+const char *batten_status_text(batten_status status)
+{
+    return (unsigned)status < BATTEN_STATUS_COUNT ? statuses[status].text : "unknown status";
+}
+
+const char *batten_message(void)
+{
+    return message;
+}
+
+const char *batten_version(void)
+{
+    return VERSION(BATTEN_VERSION_MAJOR, BATTEN_VERSION_MINOR, BATTEN_VERSION_PATCH);
+}
+
+batten_status batten_fail(batten_status status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+size_t bat_first_not_finite(const double *values, size_t count)
+{
+    size_t i = 0;
+    while (i < count && isfinite(values[i]))
+        i++;
+    return i;
+}

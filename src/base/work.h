@@ -1,0 +1,29 @@
+/* How our own loops obey a job: chunks on threads, questions to the caller. */
+#ifndef BAT_WORK_H
+#define BAT_WORK_H
+#include "base/base.h"
+#include <batten/job.h>
+
+/* Work on items begin .. end - 1. Chunks share nothing that they write. */
+typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
+
+/* Run `chunk` over 0 .. count - 1 in pieces of `size` items, on as many threads as the job says. The pieces
+ * do not depend on the number of threads, so neither do the bits. The failure of the first failing piece is
+ * returned, its message kept for the calling thread; later pieces may not have run. */
+batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
+                           void *context);
+
+/* The work of one call: begins with {job}; NULL job is fine. */
+typedef struct {
+    const batten_job *job;
+    uint64_t steps;
+} bat_work;
+
+/* Count `steps` more, report `fraction` of `what`, ask whether to stop.
+ * BATTEN_OK, BATTEN_CANCELLED or BATTEN_INCOMPLETE. Cheap enough for once a millisecond, not for once a point. */
+batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, const char *what);
+
+/* The sum of values[i * stride], pairwise: error grows with log(count), and the shape is fixed. */
+double bat_sum(const double *values, size_t count, size_t stride);
+
+#endif

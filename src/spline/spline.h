@@ -1,0 +1,55 @@
+/*
+ * The one mechanism under curves and surfaces: a polynomial spline whose control values are rows of `width`
+ * numbers. A polynomial curve has width d, a rational one d + 1 (w x, w y, .., w); a surface is, along u, a
+ * spline whose rows hold a whole line of control points, and along v the same after transposing. So knot
+ * insertion, removal, elevation, splitting are written once.
+ *
+ * A bat_spline owns its arrays. All operations make a new one and leave the old; they know nothing of weights or
+ * of periodicity.
+ */
+#ifndef BAT_SPLINE_H
+#define BAT_SPLINE_H
+#include "base/base.h"
+#include <batten/curve.h>
+
+typedef struct {
+    int degree, count;
+    size_t width;
+    double *knots;  /* [count + degree + 1] */
+    double *values; /* [count][width] */
+} bat_spline;
+
+batten_status bat_spline_make(int degree, int count, size_t width, bat_spline *out);
+void bat_spline_free(bat_spline *spline);
+
+/* ---- knots (src/spline/knots.c) ---- */
+
+/* Check what a caller gave: finite, not decreasing, multiplicities, a domain. `what` names it in messages: "knot",
+ * "knot in u". */
+batten_status bat_knots_check(int degree, int count, const double *knots, const char *what);
+/* The span index k with U[k] <= u < U[k + 1], p <= k < n; the last span is closed on the right; from the left:
+ * U[k] < u <= U[k + 1]. u must lie in the domain. */
+int bat_knots_span(int degree, int count, const double *knots, double u, batten_side side);
+int bat_knots_multiplicity(int degree, int count, const double *knots, double u);
+/* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise. */
+batten_status bat_knots_clip(double a, double b, double *u);
+/* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order + 1][p + 1]. */
+void bat_basis(int degree, const double *knots, int span, double u, int order, double *out);
+
+/* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
+
+batten_status bat_spline_insert(const bat_spline *spline, int count, const double *knots,
+                                bat_spline *out);
+/* One knot up to `times` times, while every row moves by at most `tolerance` in the sense of `distance` (NULL: the
+ * largest Euclidean norm of consecutive groups of `group` numbers). *error: a bound on the movement. */
+batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
+                                double tolerance, int *removed, double *error, bat_spline *out);
+batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
+batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
+                                double *error, bat_spline *out);
+/* Clamped at both ends of [a, b] inside the domain. */
+batten_status bat_spline_subrange(const bat_spline *spline, double a, double b, bat_spline *out);
+/* Every knot of the domain p times, p + 1 at its ends. */
+batten_status bat_spline_to_bezier(const bat_spline *spline, bat_spline *out);
+
+#endif

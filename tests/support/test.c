@@ -1,0 +1,361 @@
+#define _XOPEN_SOURCE 700
+#include "support/test.h"
+
+/* cmocka wants these before its header. */
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include <cmocka.h>
+#include <ftw.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* ---- memory that counts, and fails when told to ---- */
+
+typedef struct block {
+    struct block *previous, *next;
+    _Alignas(16) unsigned char bytes[];
+} block;
+
+typedef enum { NO_FAULT, ONE_FAULT, ALL_FAULTS } fault_kind;
+
+static pthread_mutex_t memory_lock = PTHREAD_MUTEX_INITIALIZER;
+static block live = {&live, &live};
+static long allocation_count, fail_at;
+static fault_kind fault;
+static bool fault_mode;
+
+static block *header(void *memory)
+{
+    return (block *)(void *)((unsigned char *)memory - offsetof(block, bytes));
+}
+
+static void unlink_block(block *b)
+{
+    b->previous->next = b->next;
+    b->next->previous = b->previous;
+}
+
+static bool must_fail(void)
+{
+    allocation_count++;
+    return (fault == ONE_FAULT && allocation_count == fail_at) ||
+           (fault == ALL_FAULTS && allocation_count >= fail_at);
+}
+
+static void *counting_resize(void *user, void *memory, size_t bytes)
+{
+    (void)user;
+    pthread_mutex_lock(&memory_lock);
+    block *b = NULL;
+    if (!must_fail() && bytes <= SIZE_MAX / 2) {
+        if (memory)
+            unlink_block(header(memory));
+        block *old = memory ? header(memory) : NULL;
+        b = realloc(old, offsetof(block, bytes) + bytes);
+        block *kept = b ? b : old;
+        if (kept) {
+            kept->next = live.next;
+            kept->previous = &live;
+            live.next->previous = kept;
+            live.next = kept;
+        }
+    }
+    pthread_mutex_unlock(&memory_lock);
+    return b ? b->bytes : NULL;
+}
+
+static void counting_release(void *user, void *memory)
+{
+    (void)user;
+    pthread_mutex_lock(&memory_lock);
+    unlink_block(header(memory));
+    free(header(memory));
+    pthread_mutex_unlock(&memory_lock);
+}
+
+static int release_all(void)
+{
+    int count = 0;
+    while (live.next != &live) {
+        counting_release(NULL, live.next->bytes);
+        count++;
+    }
+    return count;
+}
+
+/* ---- the running test ---- */
+
+static test_entry *entries;
+static jmp_buf end_of_test;
+static bool test_running;
+static int skipped_count;
+static void *arrays[1024];
+static int array_count;
+static char scratch[64];
+
+void test_register(test_entry *entry)
+{
+    test_entry **place = &entries;
+    while (*place)
+        place = &(*place)->next;
+    *place = entry;
+}
+
+static void release_arrays(void)
+{
+    while (array_count > 0)
+        free(arrays[--array_count]);
+}
+
+/* Run once; true when the body ran to its end. */
+static bool run_once(const test_entry *test, fault_kind kind, long at)
+{
+    fault = kind;
+    fail_at = at;
+    allocation_count = 0;
+    volatile bool whole = false;
+    test_running = true;
+    if (setjmp(end_of_test) == 0) {
+        test->run();
+        whole = true;
+    }
+    test_running = false;
+    fault = NO_FAULT;
+    release_arrays();
+    const int leaked = release_all();
+    if (leaked && whole)
+        fail_msg("%s: %d blocks of memory were not given back (%s allocation %ld)", test->name,
+                 leaked, kind == NO_FAULT ? "no failing" : "failing", at);
+    return whole;
+}
+
+/* Up to 1,000 places: all of them, else the first 500, the last 100 and 400 between. */
+static void run_with_faults(const test_entry *test, long count)
+{
+    test_random random = test_random_begin(test->name);
+    for (long at = 1; at <= count; at++) {
+        if (count > 1000 && at > 500 && at <= count - 100 &&
+            test_random_unit(&random) * (double)(count - 600) > 400)
+            continue;
+        run_once(test, ONE_FAULT, at);
+        run_once(test, ALL_FAULTS, at);
+    }
+}
+
+static void run_entry(void **state)
+{
+    const test_entry *test = *state;
+    if (run_once(test, NO_FAULT, 0) && fault_mode)
+        run_with_faults(test, allocation_count);
+}
+
+/* ---- checks ---- */
+
+static _Noreturn void failed(const char *file, int line)
+{
+    print_error("%s:%d: seed %s\n", file, line, getenv("BATTEN_SEED") ? getenv("BATTEN_SEED") : "0");
+    _fail(file, line);
+    abort();
+}
+
+void test_check(bool holds, const char *text, const char *file, int line)
+{
+    if (holds)
+        return;
+    print_error("does not hold: %s\n", text);
+    failed(file, line);
+}
+
+bool test_memory_failed(batten_status status, batten_status expected)
+{
+    if (fault == NO_FAULT || status != BATTEN_OUT_OF_MEMORY || expected == BATTEN_OUT_OF_MEMORY)
+        return false;
+    if (fault == ALL_FAULTS)
+        longjmp(end_of_test, 1);
+    return true;
+}
+
+void test_status(batten_status actual, batten_status expected, const char *text, const char *file,
+                 int line)
+{
+    if (actual == expected)
+        return;
+    print_error("%s\n  gave %s, not %s; message: %s\n", text, batten_status_name(actual),
+                batten_status_name(expected), batten_message());
+    failed(file, line);
+}
+
+void test_int(long long actual, long long expected, const char *text, const char *file, int line)
+{
+    if (actual == expected)
+        return;
+    print_error("%s is %lld, not %lld\n", text, actual, expected);
+    failed(file, line);
+}
+
+void test_near(double actual, double expected, double tolerance, const char *text,
+               const char *file, int line)
+{
+    if (fabs(actual - expected) <= tolerance)
+        return;
+    print_error("%s is %.17g, not %.17g: off by %.3g, allowed %.3g\n", text, actual, expected,
+                actual - expected, tolerance);
+    failed(file, line);
+}
+
+void test_bits(double actual, double expected, const char *text, const char *file, int line)
+{
+    if (memcmp(&actual, &expected, sizeof actual) == 0)
+        return;
+    print_error("%s is %.17g (%a), not %.17g (%a)\n", text, actual, actual, expected, expected);
+    failed(file, line);
+}
+
+void test_text(const char *actual, const char *expected, const char *text, const char *file,
+               int line)
+{
+    if (actual && strcmp(actual, expected) == 0)
+        return;
+    print_error("%s is \"%s\",\n not \"%s\"\n", text, actual ? actual : "(null)", expected);
+    failed(file, line);
+}
+
+void test_contains(const char *text, const char *words, const char *file, int line)
+{
+    if (text && strstr(text, words))
+        return;
+    print_error("\"%s\"\n does not contain \"%s\"\n", text ? text : "(null)", words);
+    failed(file, line);
+}
+
+void test_skip(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char text[512];
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    print_message("[  SKIPPED ] %s\n", text);
+    skipped_count++;
+    longjmp(end_of_test, 1);
+}
+
+/* ---- helpers ---- */
+
+void *test_array(size_t count, size_t size)
+{
+    void *array = calloc(count ? count : 1, size);
+    if (!array || array_count == COUNT(arrays))
+        abort();
+    return arrays[array_count++] = array;
+}
+
+int test_cases(int usual)
+{
+    if (fault != NO_FAULT || fault_mode)
+        return usual < 2 ? usual : 2;
+    const char *factor = getenv("BATTEN_CASES");
+    return factor ? usual * atoi(factor) : usual;
+}
+
+static char *joined(const char *folder, const char *path)
+{
+    const size_t size = strlen(folder) + strlen(path) + 2;
+    char *whole = test_array(size, 1);
+    snprintf(whole, size, "%s/%s", folder, path);
+    return whole;
+}
+
+const char *test_source(const char *path)
+{
+    return joined(TESTS_SOURCE, path);
+}
+
+const char *test_data(const char *path)
+{
+    const char *whole = joined(TESTS_SOURCE "/../shared/data", path);
+    if (access(whole, R_OK) != 0)
+        SKIP("the shared data file %s is absent", path);
+    return whole;
+}
+
+static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place)
+{
+    (void)status, (void)kind, (void)place;
+    return remove(path);
+}
+
+static void remove_scratch(void)
+{
+    nftw(scratch, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+const char *test_scratch(const char *name)
+{
+    if (!*scratch) {
+        strcpy(scratch, "/tmp/batten-test-XXXXXX");
+        if (!mkdtemp(scratch))
+            abort();
+        atexit(remove_scratch);
+    }
+    return joined(scratch, name);
+}
+
+test_random test_random_begin(const char *name)
+{
+    const char *seed = getenv("BATTEN_SEED");
+    uint64_t state = 0x9e3779b97f4a7c15u + (seed ? strtoull(seed, NULL, 10) : 0);
+    for (const char *c = name; *c; c++)
+        state = (state ^ (unsigned char)*c) * 0x100000001b3u;
+    return (test_random){state ? state : 1};
+}
+
+uint64_t test_random_bits(test_random *random)
+{
+    uint64_t x = random->state;
+    x ^= x >> 12;
+    x ^= x << 25;
+    x ^= x >> 27;
+    random->state = x;
+    return x * 0x2545f4914f6cdd1du;
+}
+
+double test_random_unit(test_random *random)
+{
+    return (double)(test_random_bits(random) >> 11) * 0x1p-53;
+}
+
+double test_random_in(test_random *random, double a, double b)
+{
+    return a + (b - a) * test_random_unit(random);
+}
+
+int test_random_int(test_random *random, int a, int b)
+{
+    return a + (int)(test_random_bits(random) % (uint64_t)(b - a + 1));
+}
+
+/* ---- main ---- */
+
+int main(int argument_count, char **arguments)
+{
+    for (int i = 1; i < argument_count; i++) {
+        if (strcmp(arguments[i], "--faults") == 0)
+            fault_mode = true;
+        else
+            cmocka_set_test_filter(arguments[i]);
+    }
+    const batten_allocator counting = {counting_resize, counting_release, NULL};
+    batten_set_allocator(&counting);
+
+    static struct CMUnitTest tests[2048];
+    size_t count = 0;
+    for (test_entry *e = entries; e && count < 2048; e = e->next)
+        tests[count++] = (struct CMUnitTest){e->name, run_entry, NULL, NULL, e};
+    const int failures = _cmocka_run_group_tests(TESTS_GROUP, tests, count, NULL, NULL);
+    printf("%s: %d passed, %d failed, %d skipped\n", TESTS_GROUP,
+           (int)count - failures - skipped_count, failures, skipped_count);
+    return failures != 0;
+}
