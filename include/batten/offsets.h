@@ -36,7 +36,8 @@ typedef struct batten_station {
     const batten_offset_point *points;
 } batten_station;
 
-/** Everything is copied. Stations must have increasing x; a point's line must exist. `unit_metres`:
+/** Everything is copied; a name that is NULL becomes "". There is a station, stations have increasing x
+ * and a point each; a point's line must exist. `unit_metres`:
  * how many metres one unit of the numbers is; 0 when the table does not say. */
 BATTEN_API batten_status batten_offsets_create(double unit_metres, int line_count,
                                                const batten_offset_line *lines,
@@ -59,11 +60,12 @@ typedef struct batten_offsets_selection {
     double unit_metres;            /**< the unit afterwards; 0 keeps it */
     bool upside_down;              /**< heights were measured downwards: z becomes -z */
     bool reverse;                  /**< x becomes -x: the table begins at the bow */
-    batten_interval x, y, z;       /**< keep what lies inside (after scaling); infinite by default */
+    batten_interval x, y, z;       /**< keep the points inside, in the new numbers; infinite by default */
     bool trim_centre;              /**< of a run of points on the centre line at the lower end of a station
                                         keep only the highest: what is below is keel or air */
 } batten_offsets_selection;
 BATTEN_API batten_offsets_selection batten_offsets_everything(void);
+/** Stations and lines that are left without points are left out. NOT_FOUND when nothing is left. */
 BATTEN_API batten_status batten_offsets_select(const batten_offsets *offsets,
                                                const batten_offsets_selection *selection,
                                                batten_offsets **out);
