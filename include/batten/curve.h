@@ -43,10 +43,17 @@ BATTEN_API batten_status batten_curve_create(int dimension, int degree, int poin
                                              const double *points, const double *weights,
                                              const double *knots, batten_curve **out);
 
-/** A periodic curve from one period: `point_count` m >= 1 points, `knots` [m + 1] with at least one
- * positive step; knot j + m is knots[j] + (knots[m] - knots[0]). The domain is
- * [knots[0], knots[m]]; the basis function of point 0 begins p + 1 knots before its end so that
- * wrapped point i belongs to the wrapped knots i .. i + p + 1. */
+/**
+ * Make a periodic curve from one period.
+ *
+ * `point_count` is m >= 1, fewer than p + 1 are allowed; `knots` [m + 1] never decrease and span the
+ * period T = knots[m] - knots[0] > 0. For any integer j they go on as knots[j + m] = knots[j] + T,
+ * and the points as points[i + m] = points[i]. The wrapped form, which the properties show, has
+ * n = m + p points and the knots U[j] = knots[j - p], j = 0 .. m + 2 p. So the domain [U[p], U[n]] is
+ * [knots[0], knots[m]]; wrapped point i is points[i modulo m]; and point i has its influence on
+ * [U[i], U[i + p + 1]] = [knots[i - p], knots[i + 1]].
+ * No knot may stand more than p times, the seam included. Errors as batten_curve_create.
+ */
 BATTEN_API batten_status batten_curve_create_periodic(int dimension, int degree, int point_count,
                                                       const double *points, const double *weights,
                                                       const double *knots, batten_curve **out);
@@ -99,8 +106,10 @@ BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double
 /** The same, with the derivatives taken from the named side at a knot. */
 BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, double u,
                                                     batten_side side, int order, double *out);
-/** Many parameters at once, in any order: the same bits as one by one, much faster.
- * @param[out] out [count][order + 1][d]. On failure the message names the index. */
+/**
+ * Many parameters at once, in any order: the same bits as one by one, much faster.
+ * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the index
+ */
 BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
                                                     const double *u, int order,
                                                     const batten_job *job, double *out);

@@ -33,8 +33,32 @@ int bat_knots_span(int degree, int count, const double *knots, double u, batten_
 int bat_knots_multiplicity(int degree, int count, const double *knots, double u);
 /* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise. */
 batten_status bat_knots_clip(double a, double b, double *u);
+/* All m + 2 p + 1 knots of a periodic spline from the m + 1 of one period; `period` becomes knots p .. p + m. */
+void bat_knots_wrap(int degree, int m, const double *period, double *knots);
 /* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order + 1][p + 1]. */
 void bat_basis(int degree, const double *knots, int span, double u, int order, double *out);
+
+/* ---- one span in Bezier form (src/spline/piece.c) ----
+ *
+ * Evaluation turns the p + 1 rows that bear on a span into its Bezier rows and combines these with Bernstein
+ * polynomials of t = (u - U[k]) / (U[k + 1] - U[k]): a convex combination, so accurate for every degree, and exact at
+ * both ends of the span. One call and a batch share these steps, hence the same bits. */
+
+/* In place: the rows [p + 1][width] of points span - p .. span become Bezier rows. */
+void bat_piece_from_rows(int degree, const double *knots, int span, size_t width, double *rows);
+/* In place: Bezier rows of degree p become those of the derivative, degree p - 1. */
+void bat_piece_derive(int degree, double width_of_span, size_t width, double *rows);
+/* In place: rows of points span - p .. span become those of the derivative; the knots stay and the degree is one
+ * less, points span - p + 1 .. span. */
+void bat_rows_derive(int degree, const double *knots, int span, size_t width, double *rows);
+/* Is the span so much narrower than its neighbours that differences of its Bezier rows would lose digits? Then
+ * derivatives go through bat_rows_derive. 64 degree: at most 6 bits beyond those of equal spans are lost. */
+bool bat_span_is_tight(int degree, const double *knots, int span);
+/* Bernstein polynomials out [p + 1] at t; at 0 and 1 exactly 0 and 1. */
+void bat_bernstein(int degree, double t, double *out);
+/* out [width] = sum of basis[i] rows[i]. */
+void bat_combine(int degree, const double *basis, size_t width, const double *rows, double *out);
+extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 
 /* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
 

@@ -1,0 +1,50 @@
+/* What a curve is inside: Cartesian points, weights apart, all knots, and what is derived from them once. */
+#ifndef BAT_CURVE_H
+#define BAT_CURVE_H
+#include "spline/spline.h"
+
+/* Limits of one object, and of one that is made by refining or joining others. */
+enum { BAT_MAX_POINTS = 10000000, BAT_MAX_MADE_POINTS = 1000000, BAT_MAX_WIDTH = 4 };
+
+/* The non-empty spans in Bezier form. Rows are homogeneous, scaled as bat_curve_row says. */
+typedef struct {
+    int count;
+    size_t width;
+    double *breaks; /* [count + 1] distinct knots of the domain */
+    double *rows;   /* [count][p + 1][width] */
+    int *spans;     /* [count] index of the knot that begins the span */
+    bool *tight;    /* [count] bat_span_is_tight */
+    int *guide;     /* [count + 1] how many inner breaks lie before each of `count` equal slices of the domain */
+} bat_pieces;
+
+struct batten_curve {
+    bat_references references;
+    int dimension, degree, count;
+    bool periodic;
+    double weight_scale; /* the power of two that brings the largest weight into [1, 2) */
+    double *points, *weights, *knots;
+    _Atomic(bat_pieces *) pieces; /* NULL until a batch asks for them */
+};
+
+/* A curve whose arrays wait to be filled, by nobody else seen yet. bat_curve_finish looks at what was filled in
+ * (finite points, positive weights) and hands it over, or gives it back. */
+batten_status bat_curve_make(int dimension, int degree, int count, bool rational, batten_curve **out);
+batten_status bat_curve_finish(batten_curve *curve, batten_curve **out);
+
+static inline size_t bat_curve_width(const batten_curve *curve)
+{
+    return (size_t)curve->dimension + (curve->weights != NULL);
+}
+
+/* Control points first .. first + count - 1 as rows of a spline: (x ..), or (w x .., w) with w scaled by a power
+ * of two common to the curve, so that tiny or huge weights cost no accuracy. */
+void bat_curve_rows(const batten_curve *curve, int first, int count, double *rows);
+
+/* The Bezier pieces, made at the first batch of `count` parameters that is worth it; NULL when it is not, or when
+ * memory is short: callers then work span by span. */
+const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);
+/* The piece that holds u, the last one closed on the right; u in the domain. */
+int bat_pieces_find(const bat_pieces *pieces, double u);
+void bat_pieces_free(bat_pieces *pieces);
+
+#endif

@@ -1,0 +1,141 @@
+#include "spline/spline.h"
+
+#include <string.h>
+
+static batten_status check_order(int count, const double *knots, const char *what)
+{
+    for (int i = 0; i < count; i++) {
+        if (!isfinite(knots[i]))
+            return bat_fail(BATTEN_NOT_FINITE, "%s %d is %g", what, i, knots[i]);
+        if (i > 0 && knots[i] < knots[i - 1])
+            return bat_fail(BATTEN_BAD_KNOTS, "%s %d is %.17g, below %s %d, which is %.17g", what, i,
+                            knots[i], what, i - 1, knots[i - 1]);
+    }
+    if (!isfinite(knots[count - 1] - knots[0]))
+        return bat_fail(BATTEN_BAD_KNOTS, "%s 0 is %g and %s %d is %g: too far apart", what, knots[0],
+                        what, count - 1, knots[count - 1]);
+    return BATTEN_OK;
+}
+
+batten_status bat_knots_check(int degree, int count, const double *knots, const char *what)
+{
+    const int p = degree, knot_count = count + p + 1;
+    const batten_status status = check_order(knot_count, knots, what);
+    if (status != BATTEN_OK)
+        return status;
+    const double a = knots[p], b = knots[count];
+    if (a >= b)
+        return bat_fail(BATTEN_BAD_KNOTS, "the domain is empty: %s %d and %s %d are both %.17g", what, p,
+                        what, count, a);
+    for (int i = 0, times = 1; i < knot_count; i++, times++) {
+        if (i > 0 && knots[i] > knots[i - 1])
+            times = 1;
+        const int most = knots[i] > a && knots[i] < b ? p : p + 1;
+        if (times > most)
+            return bat_fail(BATTEN_BAD_KNOTS, "%s %d, %.17g, stands more than %d times, too often for degree %d",
+                            what, i, knots[i], most, p);
+    }
+    return BATTEN_OK;
+}
+
+/* The largest k in [low, high) with U[k] <= u (or < u when strict); low when there is none. */
+static int last_at_most(const double *knots, int low, int high, double u, bool strict)
+{
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (strict ? knots[middle] < u : knots[middle] <= u)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+int bat_knots_span(int degree, int count, const double *knots, double u, batten_side side)
+{
+    const int p = degree, n = count;
+    /* The last span is closed on the right, the first on the left. */
+    const bool from_left = (side == BATTEN_FROM_LEFT && u > knots[p]) || u >= knots[n];
+    return last_at_most(knots, p, n, u, from_left);
+}
+
+int bat_knots_multiplicity(int degree, int count, const double *knots, double u)
+{
+    const int last = last_at_most(knots, 0, count + degree + 1, u, false);
+    int times = 0;
+    while (last - times >= 0 && knots[last - times] == u)
+        times++;
+    return times;
+}
+
+batten_status bat_knots_clip(double a, double b, double *u)
+{
+    if (*u >= a && *u <= b)
+        return BATTEN_OK;
+    if (!isfinite(*u))
+        return bat_fail(BATTEN_NOT_FINITE, "the parameter is %g", *u);
+    const double larger = bat_max(fabs(a), fabs(b));
+    const double allowed = 4 * (nextafter(larger, INFINITY) - larger);
+    if (*u < a - allowed || *u > b + allowed)
+        return bat_fail(BATTEN_OUT_OF_DOMAIN, "the parameter %.17g is outside the domain [%.17g, %.17g]", *u,
+                        a, b);
+    *u = *u < a ? a : b;
+    return BATTEN_OK;
+}
+
+void bat_knots_wrap(int degree, int m, const double *period, double *knots)
+{
+    const int p = degree;
+    const double length = period[m] - period[0];
+    memcpy(knots + p, period, ((size_t)m + 1) * sizeof *period);
+    /* Rounding must neither part equal knots nor put one on the wrong side of its neighbour. */
+    for (int j = p + m + 1; j <= m + 2 * p; j++)
+        knots[j] = knots[j - m] == knots[j - m - 1] ? knots[j - 1]
+                                                    : bat_max(knots[j - 1], knots[j - m] + length);
+    for (int j = p - 1; j >= 0; j--)
+        knots[j] = knots[j + m] == knots[j + m + 1] ? knots[j + 1]
+                                                    : bat_min(knots[j + 1], knots[j + m] - length);
+}
+
+/* N[0..q], degree q, on span k: the triangular recurrence without a division by an empty span. */
+static void basis_values(int q, const double *knots, int k, double u, double *out)
+{
+    out[0] = 1;
+    for (int r = 1; r <= q; r++) {
+        double kept = 0;
+        for (int j = 0; j < r; j++) {
+            const double left = knots[k + 1 + j - r], right = knots[k + 1 + j];
+            const double share = out[j] / (right - left);
+            out[j] = kept + (right - u) * share;
+            kept = (u - left) * share;
+        }
+        out[r] = kept;
+    }
+}
+
+/* From values that go with degree q - 1 on span k to derivatives that go with degree q. */
+static void basis_differentiate(int q, const double *knots, int k, double *out)
+{
+    double before = 0;
+    for (int j = 0; j <= q; j++) {
+        const double here = j < q ? q * (out[j] / (knots[k + 1 + j] - knots[k + 1 + j - q])) : 0;
+        out[j] = before - here;
+        before = here;
+    }
+}
+
+void bat_basis(int degree, const double *knots, int span, double u, int order, double *out)
+{
+    const int p = degree;
+    for (int m = 0; m <= order; m++) {
+        double *row = out + (size_t)m * ((size_t)p + 1);
+        if (m > p) {
+            for (int j = 0; j <= p; j++)
+                row[j] = 0;
+            continue;
+        }
+        basis_values(p - m, knots, span, u, row);
+        for (int q = p - m + 1; q <= p; q++)
+            basis_differentiate(q, knots, span, row);
+    }
+}

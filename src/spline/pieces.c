@@ -1,0 +1,118 @@
+/* All spans of a curve in Bezier form, made once for batches. */
+#include "spline/curve.h"
+
+#include <stdint.h>
+#include <string.h>
+
+void bat_curve_rows(const batten_curve *curve, int first, int count, double *rows)
+{
+    const size_t d = (size_t)curve->dimension;
+    const double *point = curve->points + (size_t)first * d;
+    if (!curve->weights) {
+        memcpy(rows, point, (size_t)count * d * sizeof *rows);
+        return;
+    }
+    for (int i = 0; i < count; i++, point += d) {
+        const double w = curve->weights[first + i] * curve->weight_scale;
+        for (size_t k = 0; k < d; k++)
+            *rows++ = w * point[k];
+        *rows++ = w;
+    }
+}
+
+void bat_pieces_free(bat_pieces *pieces)
+{
+    if (!pieces)
+        return;
+    bat_release(pieces->breaks);
+    bat_release(pieces->rows);
+    bat_release(pieces->spans);
+    bat_release(pieces->tight);
+    bat_release(pieces->guide);
+    bat_release(pieces);
+}
+
+static bat_pieces *allocate(const batten_curve *curve)
+{
+    bat_pieces *made = bat_array(1, sizeof *made);
+    if (!made)
+        return NULL;
+    const size_t count = (size_t)batten_curve_spans(curve, NULL) - 1;
+    made->count = (int)count;
+    made->width = bat_curve_width(curve);
+    made->breaks = bat_array(count + 1, sizeof *made->breaks);
+    made->rows = bat_array3(count, ((size_t)curve->degree + 1) * made->width, sizeof *made->rows);
+    made->spans = bat_array(count, sizeof *made->spans);
+    made->tight = bat_array(count, sizeof *made->tight);
+    made->guide = bat_array(count + 1, sizeof *made->guide);
+    if (made->breaks && made->rows && made->spans && made->tight && made->guide)
+        return made;
+    bat_pieces_free(made);
+    return NULL;
+}
+
+static void fill_rows(const batten_curve *curve, bat_pieces *pieces)
+{
+    const int p = curve->degree;
+    const double *U = curve->knots;
+    const size_t size = ((size_t)p + 1) * pieces->width;
+    for (int k = p, i = 0; k < curve->count; k++) {
+        if (U[k] == U[k + 1])
+            continue;
+        double *rows = pieces->rows + (size_t)i * size;
+        bat_curve_rows(curve, k - p, p + 1, rows);
+        bat_piece_from_rows(p, U, k, pieces->width, rows);
+        pieces->tight[i] = bat_span_is_tight(p, U, k);
+        pieces->spans[i++] = k;
+    }
+}
+
+/* Which of `count` equal slices of the domain u lies in; rises with u, whatever the rounding. */
+static int slice(const bat_pieces *pieces, double u)
+{
+    const double *breaks = pieces->breaks;
+    const int count = pieces->count;
+    return bat_min_int((int)((u - breaks[0]) / (breaks[count] - breaks[0]) * count), count - 1);
+}
+
+/* guide[j]: how many inner breaks lie in slices before j. Pieces that reach into slice j are those from guide[j] to
+ * guide[j + 1]. */
+static void fill_guide(bat_pieces *pieces)
+{
+    for (int i = 1; i < pieces->count; i++)
+        pieces->guide[slice(pieces, pieces->breaks[i]) + 1]++;
+    for (int j = 0; j < pieces->count; j++)
+        pieces->guide[j + 1] += pieces->guide[j];
+}
+
+int bat_pieces_find(const bat_pieces *pieces, double u)
+{
+    const int j = slice(pieces, u);
+    int low = pieces->guide[j], high = pieces->guide[j + 1] + 1;
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (pieces->breaks[middle] <= u)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count)
+{
+    batten_curve *shared = (batten_curve *)(uintptr_t)curve; /* the cache is no part of the shape */
+    bat_pieces *pieces = atomic_load_explicit(&shared->pieces, memory_order_acquire);
+    if (pieces || count < (size_t)(curve->count - curve->degree) / 8)
+        return pieces;
+    bat_pieces *made = allocate(curve);
+    if (!made)
+        return NULL;
+    batten_curve_spans(curve, made->breaks);
+    fill_rows(curve, made);
+    fill_guide(made);
+    if (atomic_compare_exchange_strong(&shared->pieces, &pieces, made))
+        return made;
+    bat_pieces_free(made);
+    return pieces;
+}
