@@ -116,6 +116,7 @@ static bool run_once(const test_entry *test, fault_kind kind, long at)
     fail_at = at;
     allocation_count = 0;
     volatile bool whole = false;
+    release_all(); /* what a failed test before this one held */
     test_running = true;
     if (setjmp(end_of_test) == 0) {
         test->run();
