@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <batten/base.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdatomic.h>
 
 /* The exported names serve the sister libraries; inside we write bat_. */
@@ -53,6 +54,19 @@ static inline int bat_min_int(int a, int b)
 {
     return a < b ? a : b;
 }
+
+/* vsnprintf in the C locale, whatever the locale of the process. */
+int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
+    __attribute__((format(printf, 3, 0)));
+
+/* How many bytes the UTF-8 character at `text` has; 0 at the end and where there is none. Reads
+ * no byte after a zero. */
+size_t bat_utf8_length(const char *text);
+
+/* Bytes as they may stand in a message: what is no printable ASCII as \xNN, cut where they do
+ * not fit. */
+#define BAT_SHOWN_SIZE 512
+const char *bat_shown(const char *bytes, size_t length, char buffer[BAT_SHOWN_SIZE]);
 
 /* The index of the first number that is not finite, or `count`. */
 size_t bat_first_not_finite(const double *values, size_t count);

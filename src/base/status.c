@@ -1,7 +1,6 @@
 #include "base/base.h"
 
-#include <stdarg.h>
-#include <stdio.h>
+#include <string.h>
 
 #define TEXT(value) #value
 #define VERSION(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
@@ -41,7 +40,10 @@ batten_status batten_fail(batten_status status, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    /* An argument may be the last message itself. */
+    char sentence[sizeof message];
+    bat_format(sentence, sizeof sentence, format, arguments);
+    memcpy(message, sentence, sizeof message);
     va_end(arguments);
     return status;
 }

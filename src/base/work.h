@@ -7,9 +7,10 @@
 /* Work on items begin .. end - 1. Chunks share nothing that they write. */
 typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
 
-/* Run `chunk` over 0 .. count - 1 in pieces of `size` items, on as many threads as the job says. The pieces
- * do not depend on the number of threads, so neither do the bits. The failure of the first failing piece is
- * returned, its message kept for the calling thread; later pieces may not have run. */
+/* Run `chunk` over 0 .. count - 1 in pieces of `size` items, on as many threads as the job
+ * says. The pieces do not depend on the number of threads, so neither do the bits. The failure
+ * of the first failing piece is returned, its message kept for the calling thread; later pieces
+ * may not have run. */
 batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
                            void *context);
 
@@ -20,10 +21,12 @@ typedef struct {
 } bat_work;
 
 /* Count `steps` more, report `fraction` of `what`, ask whether to stop.
- * BATTEN_OK, BATTEN_CANCELLED or BATTEN_INCOMPLETE. Cheap enough for once a millisecond, not for once a point. */
+ * BATTEN_OK, BATTEN_CANCELLED or BATTEN_INCOMPLETE. Cheap enough for once a millisecond, not
+ * for once a point. */
 batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, const char *what);
 
-/* The sum of values[i * stride], pairwise: error grows with log(count), and the shape is fixed. */
+/* The sum of values[i * stride], pairwise: error grows with log(count), and the shape is fixed.
+ */
 double bat_sum(const double *values, size_t count, size_t stride);
 
 #endif

@@ -156,7 +156,8 @@ static void run_entry(void **state)
 
 static _Noreturn void failed(const char *file, int line)
 {
-    print_error("%s:%d: seed %s\n", file, line, getenv("BATTEN_SEED") ? getenv("BATTEN_SEED") : "0");
+    print_error("%s:%d: seed %s\n", file, line,
+                getenv("BATTEN_SEED") ? getenv("BATTEN_SEED") : "0");
     _fail(file, line);
     abort();
 }
@@ -178,8 +179,8 @@ bool test_memory_failed(batten_status status, batten_status expected)
     return true;
 }
 
-void test_status(batten_status actual, batten_status expected, const char *text, const char *file,
-                 int line)
+void test_status(batten_status actual, batten_status expected, const char *text,
+                 const char *file, int line)
 {
     if (actual == expected)
         return;
@@ -188,7 +189,8 @@ void test_status(batten_status actual, batten_status expected, const char *text,
     failed(file, line);
 }
 
-void test_int(long long actual, long long expected, const char *text, const char *file, int line)
+void test_int(long long actual, long long expected, const char *text, const char *file,
+              int line)
 {
     if (actual == expected)
         return;
@@ -282,7 +284,8 @@ const char *test_data(const char *path)
     return whole;
 }
 
-static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place)
+static int remove_entry(const char *path, const struct stat *status, int kind,
+                        struct FTW *place)
 {
     (void)status, (void)kind, (void)place;
     return remove(path);

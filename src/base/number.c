@@ -1,0 +1,582 @@
+#include "base/base.h"
+#include <batten/number.h>
+
+#include <stdint.h>
+#include <string.h>
+
+/*
+ * Both directions multiply by a power of ten known to 128 bits, keep track of the error, and
+ * decide from that in nearly all cases. Where the error leaves the answer open they compute the
+ * same quantity with long integers.
+ */
+
+__extension__ typedef unsigned __int128 wide;
+
+/* ---- powers of ten ---- */
+
+/* 10^(27 j) for j = -13 .. 12, its first 192 bits, the first of them 1, cut off. */
+static const uint64_t coarse[26][3] = {
+    {0x8049a4ac0c5811aeu, 0x205b896d777d6278u, 0xac261e9f5141430bu}, /* 1e-351 */
+    {0xcf42894a5dce35eau, 0x52064cac828675b9u, 0x475f2b7d7df1ad7au}, /* 1e-324 */
+    {0xa76c582338ed2621u, 0xaf2af2b80af6f24eu, 0x657c8f4d43323a36u}, /* 1e-297 */
+    {0x873e4f75e2224e68u, 0x5a7744a6e804a291u, 0xcc35eddfcf0996d7u}, /* 1e-270 */
+    {0xda7f5bf590966848u, 0xaf39a475506a899eu, 0xa30294cc2934e662u}, /* 1e-243 */
+    {0xb080392cc4349decu, 0xbd8d794d96aacfb3u, 0xfe13a5c86af64418u}, /* 1e-216 */
+    {0x8e938662882af53eu, 0x547eb47b7282ee9cu, 0x41b0230e1421487du}, /* 1e-189 */
+    {0xe65829b3046b0afau, 0x0cb4a5a3112a5112u, 0xa3b561b1cb208396u}, /* 1e-162 */
+    {0xba121a4650e4ddebu, 0x92f34d62616ce413u, 0x21a0183e10583cd3u}, /* 1e-135 */
+    {0x964e858c91ba2655u, 0x3a6a07f8d510f86fu, 0xe9082f25e9c5e9ecu}, /* 1e-108 */
+    {0xf2d56790ab41c2a2u, 0xfae27299423fb9c3u, 0x3695dad7e8858901u}, /* 1e-81 */
+    {0xc428d05aa4751e4cu, 0xaa97e14c3c26b886u, 0x96842dc95323f5a8u}, /* 1e-54 */
+    {0x9e74d1b791e07e48u, 0x775ea264cf55347du, 0xca49f1c05120c9c7u}, /* 1e-27 */
+    {0x8000000000000000u, 0x0000000000000000u, 0x0000000000000000u}, /* 1e0 */
+    {0xcecb8f27f4200f3au, 0x0000000000000000u, 0x0000000000000000u}, /* 1e27 */
+    {0xa70c3c40a64e6c51u, 0x999090b65f67d924u, 0x0000000000000000u}, /* 1e54 */
+    {0x86f0ac99b4e8dafdu, 0x69a028bb3ded71a3u, 0xdf9f915627c04e28u}, /* 1e81 */
+    {0xda01ee641a708de9u, 0xe80e6f4820cc9495u, 0xd74baad03bc1d8d3u}, /* 1e108 */
+    {0xb01ae745b101e9e4u, 0x5ec05dcff72e7f8fu, 0xc04c79ffe324301fu}, /* 1e135 */
+    {0x8e41ade9fbebc27du, 0x14588f13be847307u, 0x23bd6a2059c002f5u}, /* 1e162 */
+    {0xe5d3ef282a242e81u, 0x8f1668c8a86da5fau, 0xf0b5ccf5176ecc7cu}, /* 1e189 */
+    {0xb9a74a0637ce2ee1u, 0x6d953e2bd7173692u, 0x88efb0037ac08bdeu}, /* 1e216 */
+    {0x95f83d0a1fb69cd9u, 0x4abdaf101564f98eu, 0x0d5a4af7b3a98e47u}, /* 1e243 */
+    {0xf24a01a73cf2dccfu, 0xbc633b39673c8cecu, 0x3d9c44cd2f36917cu}, /* 1e270 */
+    {0xc3b8358109e84f07u, 0x0a862f80ec4700c8u, 0x02606ea01029dc37u}, /* 1e297 */
+    {0x9e19db92b4e31ba9u, 0x6c07a2c26a8346d1u, 0x4944d9f52cd0dec2u}, /* 1e324 */
+};
+#define COARSE_FIRST (-13)
+
+/* The first 128 bits of 10^k, the first of them 1; the true value is above it by at most 2
+ * units of the last. */
+typedef struct {
+    uint64_t high, low;
+    int exponent; /* 10^k = (high 2^64 + low) 2^exponent */
+    bool exact;
+} power;
+
+#define LOWEST_POWER (27 * COARSE_FIRST)
+#define HIGHEST_POWER (27 * 13 - 1)
+
+static int floor_log2_of_power(int k)
+{
+    return (k * 217706) >> 16; /* log2 10 = 3.32193; right for |k| <= 400 */
+}
+
+/* A 255-bit product of 10^(27 j) and 5^i, i < 27; the cut of the first factor stays below 2^-64
+ * of a unit. */
+static power power_of_ten(int k)
+{
+    assert(k >= LOWEST_POWER && k <= HIGHEST_POWER);
+    const int j = (k - LOWEST_POWER) / 27, i = (k - LOWEST_POWER) % 27;
+    static const uint64_t fives[27] = {1u,
+                                       5u,
+                                       25u,
+                                       125u,
+                                       625u,
+                                       3125u,
+                                       15625u,
+                                       78125u,
+                                       390625u,
+                                       1953125u,
+                                       9765625u,
+                                       48828125u,
+                                       244140625u,
+                                       1220703125u,
+                                       6103515625u,
+                                       30517578125u,
+                                       152587890625u,
+                                       762939453125u,
+                                       3814697265625u,
+                                       19073486328125u,
+                                       95367431640625u,
+                                       476837158203125u,
+                                       2384185791015625u,
+                                       11920928955078125u,
+                                       59604644775390625u,
+                                       298023223876953125u,
+                                       1490116119384765625u};
+    const uint64_t five = fives[i];
+    const wide low = (wide)coarse[j][2] * five;
+    const wide middle = (wide)coarse[j][1] * five + (uint64_t)(low >> 64);
+    const wide high = (wide)coarse[j][0] * five + (uint64_t)(middle >> 64);
+    const int shift =
+        __builtin_clzll((uint64_t)(high >> 64 ? high >> 64 : high)) + (high >> 64 ? 0 : 64);
+    const wide top = high << shift | (uint64_t)middle >> (64 - shift); /* 1 <= shift <= 64 */
+    return (power){(uint64_t)(top >> 64), (uint64_t)top, floor_log2_of_power(k) - 127,
+                   k >= 0 && k <= 55}; /* 5^55 < 2^128 */
+}
+
+/* ---- long integers, for what 128 bits leave open ---- */
+
+/* 801 digits times 2^1075, and 10^1125 times 54 bits, have fewer than 3800 bits. */
+typedef struct {
+    int count; /* words in use; the highest is not 0 */
+    uint32_t words[128];
+} big;
+
+static void big_set(big *b, uint64_t value)
+{
+    b->count = 0;
+    for (; value; value >>= 32)
+        b->words[b->count++] = (uint32_t)value;
+}
+
+/* b = b * factor + more */
+static void big_multiply(big *b, uint32_t factor, uint32_t more)
+{
+    uint64_t carry = more;
+    for (int i = 0; i < b->count; i++) {
+        carry += (uint64_t)b->words[i] * factor;
+        b->words[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    if (carry) {
+        assert(b->count < 128);
+        b->words[b->count++] = (uint32_t)carry;
+    }
+}
+
+/* b = b * 10^ten * 2^two; what is negative is left out. */
+static void big_scale(big *b, int ten, int two)
+{
+    for (; ten >= 9; ten -= 9)
+        big_multiply(b, 1000000000, 0);
+    for (; ten > 0; ten--)
+        big_multiply(b, 10, 0);
+    for (; two >= 31; two -= 31)
+        big_multiply(b, (uint32_t)1 << 31, 0);
+    if (two > 0)
+        big_multiply(b, (uint32_t)1 << two, 0);
+}
+
+static int big_compare(const big *a, const big *b)
+{
+    if (a->count != b->count)
+        return a->count < b->count ? -1 : 1;
+    for (int i = a->count - 1; i >= 0; i--)
+        if (a->words[i] != b->words[i])
+            return a->words[i] < b->words[i] ? -1 : 1;
+    return 0;
+}
+
+static void big_trim(big *b)
+{
+    while (b->count > 0 && b->words[b->count - 1] == 0)
+        b->count--;
+}
+
+/* a = a - b, where a >= b */
+static void big_subtract(big *a, const big *b)
+{
+    int64_t carry = 0;
+    for (int i = 0; i < a->count; i++) {
+        carry += (int64_t)a->words[i] - (i < b->count ? b->words[i] : 0);
+        a->words[i] = (uint32_t)carry;
+        carry = carry < 0 ? -1 : 0;
+    }
+    big_trim(a);
+}
+
+static void big_halve(big *b)
+{
+    for (int i = 0; i < b->count; i++) {
+        const uint32_t above = i + 1 < b->count ? b->words[i + 1] : 0;
+        b->words[i] = b->words[i] >> 1 | above << 31;
+    }
+    big_trim(b);
+}
+
+/* ---- doubles taken apart ---- */
+
+#define FRACTION_BITS 52
+#define INFINITE_BITS ((uint64_t)0x7ff << FRACTION_BITS)
+#define SIGN_BIT ((uint64_t)1 << 63)
+
+/* A positive double is m 2^e. */
+static void take_apart(uint64_t bits, uint64_t *m, int *e)
+{
+    const int biased = (int)(bits >> FRACTION_BITS);
+    *m = bits & (((uint64_t)1 << FRACTION_BITS) - 1);
+    *e = -1074;
+    if (biased > 0) {
+        *m |= (uint64_t)1 << FRACTION_BITS;
+        *e = biased - 1075;
+    }
+}
+
+/* ---- writing ---- */
+
+/*
+ * Every decimal strictly between the midpoints to the neighbours of x reads back as x, and the
+ * midpoints do when the last bit of x is 0. With 10^k at most the distance of the midpoints,
+ * some multiple of 10^k lies there; at most one multiple of 10^(k + 1) does, and if so it is
+ * shorter. So all that is needed are the midpoints and x in units of 10^k. Source:
+ * [Giulietti22].
+ */
+
+typedef enum { NOTHING, BELOW_HALF, HALF, ABOVE_HALF, UNCLEAR } rest_kind;
+
+typedef struct {
+    uint64_t whole;
+    rest_kind rest;
+} scaled;
+
+/* t 2^e p, of which the caller knows that it is below 2^60; t < 2^56. */
+static scaled scale_wide(power p, uint64_t t, int e)
+{
+    const wide low = (wide)t * p.low;
+    const wide sum = (wide)t * p.high + (uint64_t)(low >> 64);
+    const int shift = -(e + p.exponent) - 64;
+    const wide one = (wide)1 << shift, half = one >> 1, part = sum & (one - 1);
+    const uint64_t whole = (uint64_t)(sum >> shift);
+
+    /* Not exact: the true part is above `part` by less than 2, one for each cut. */
+    if (!p.exact || (uint64_t)low != 0) {
+        if (part == 0 || part + 2 >= one || (part <= half && part + 2 >= half))
+            return (scaled){whole, UNCLEAR};
+    }
+    if (part == 0)
+        return (scaled){whole, NOTHING};
+    return (scaled){whole, part < half ? BELOW_HALF : part == half ? HALF : ABOVE_HALF};
+}
+
+/* t 2^e / 10^k by long division, bit by bit. */
+static scaled scale_long(uint64_t t, int e, int k)
+{
+    big dividend, divisor;
+    big_set(&dividend, t);
+    big_scale(&dividend, -k, e);
+    big_set(&divisor, 1);
+    big_scale(&divisor, k, 60);
+    big_scale(&divisor, 0, -e);
+    uint64_t whole = 0;
+    for (int bit = 0; bit < 60; bit++) {
+        big_halve(&divisor);
+        whole <<= 1;
+        if (big_compare(&dividend, &divisor) >= 0) {
+            big_subtract(&dividend, &divisor);
+            whole |= 1;
+        }
+    }
+    if (dividend.count == 0)
+        return (scaled){whole, NOTHING};
+    big_multiply(&dividend, 2, 0);
+    const int against_half = big_compare(&dividend, &divisor);
+    return (scaled){whole, against_half < 0    ? BELOW_HALF
+                           : against_half == 0 ? HALF
+                                               : ABOVE_HALF};
+}
+
+static scaled scale(power p, uint64_t t, int e, int k)
+{
+    const scaled fast = scale_wide(p, t, e);
+    return fast.rest == UNCLEAR ? scale_long(t, e, k) : fast;
+}
+
+/* Does the integer lie between the midpoints? */
+static bool is_inside(uint64_t n, scaled low, scaled high, bool ends_belong)
+{
+    const bool above = n > low.whole || (ends_belong && n == low.whole && low.rest == NOTHING);
+    const bool below =
+        n < high.whole || (n == high.whole && (high.rest != NOTHING || ends_belong));
+    return above && below;
+}
+
+/* The shortest digits of m 2^e, and the power of ten of the last of them. */
+static uint64_t shortest(uint64_t m, int e, int *exponent)
+{
+    /* In quarters of the distance to the next double; that below a power of two is half as far.
+     */
+    const bool is_near_below = m == (uint64_t)1 << FRACTION_BITS && e > -1074;
+    /* floor(log10) of the distance of the midpoints: 2^e, or 3/4 2^e. */
+    const int k = (e * 1262611 - (is_near_below ? 524031 : 0)) >> 22;
+    const power p = power_of_ten(-k);
+    const scaled low = scale(p, 4 * m - (is_near_below ? 1 : 2), e - 2, k);
+    const scaled high = scale(p, 4 * m + 2, e - 2, k);
+    const bool ends_belong = m % 2 == 0;
+
+    *exponent = k;
+    uint64_t ten = high.whole - high.whole % 10;
+    if (ten == high.whole && !is_inside(ten, low, high, ends_belong) && ten >= 10)
+        ten -= 10;
+    if (is_inside(ten, low, high, ends_belong) && ten > 0)
+        return ten;
+
+    const scaled x = scale(p, 4 * m, e - 2, k);
+    const bool is_up = x.rest == ABOVE_HALF || (x.rest == HALF && x.whole % 2 == 1);
+    const uint64_t nearest = x.whole + is_up;
+    return is_inside(nearest, low, high, ends_belong) ? nearest : x.whole + !is_up;
+}
+
+/* Digits d1 d2 ... dn stand for d1.d2...dn 10^exponent; from 1e-5 to below 1e17 they are
+ * written without it. */
+static char *write_plain(char *to, const char *digits, int count, int exponent)
+{
+    if (exponent < 0) {
+        memcpy(to, "0.0000", 6);
+        to += 1 - exponent;
+        memcpy(to, digits, (size_t)count);
+        return to + count;
+    }
+    for (int i = 0; i <= exponent || i < count; i++) {
+        if (i == exponent + 1)
+            *to++ = '.';
+        *to++ = i < count ? digits[i] : '0';
+    }
+    return to;
+}
+
+static char *write_integer(char *to, uint64_t value)
+{
+    char digits[20];
+    int count = 0;
+    do {
+        digits[count++] = (char)('0' + value % 10);
+        value /= 10;
+    } while (value);
+    while (count > 0)
+        *to++ = digits[--count];
+    return to;
+}
+
+static char *write_exponent(char *to, const char *digits, int count, int exponent)
+{
+    *to++ = digits[0];
+    if (count > 1) {
+        *to++ = '.';
+        memcpy(to, digits + 1, (size_t)(count - 1));
+        to += count - 1;
+    }
+    *to++ = 'e';
+    if (exponent < 0)
+        *to++ = '-';
+    return write_integer(to, (uint64_t)(exponent < 0 ? -exponent : exponent));
+}
+
+static char *write_positive(char *to, uint64_t bits)
+{
+    uint64_t m;
+    int e, exponent;
+    take_apart(bits, &m, &e);
+    uint64_t value = shortest(m, e, &exponent);
+    while (value % 10 == 0) {
+        value /= 10;
+        exponent++;
+    }
+    char digits[20];
+    const int count = (int)(write_integer(digits, value) - digits);
+    exponent += count - 1;
+    return exponent >= -5 && exponent < 17 ? write_plain(to, digits, count, exponent)
+                                           : write_exponent(to, digits, count, exponent);
+}
+
+int batten_number_write(double value, char *text)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    char *to = text;
+    if ((bits & SIGN_BIT) && !isnan(value))
+        *to++ = '-';
+    bits &= ~SIGN_BIT;
+    if (bits > INFINITE_BITS)
+        to = (char *)memcpy(to, "nan", 3) + 3;
+    else if (bits == INFINITE_BITS)
+        to = (char *)memcpy(to, "inf", 3) + 3;
+    else if (bits == 0)
+        *to++ = '0';
+    else
+        to = write_positive(to, bits);
+    *to = 0;
+    return (int)(to - text);
+}
+
+/* ---- reading ---- */
+
+/* Digits kept for long integers: no midpoint of two doubles has more than 767, so a last 1 may
+ * stand for all that follow. */
+#define DIGITS_KEPT 800
+
+/* A number as it stands in a text. */
+typedef struct {
+    bool is_negative;
+    const char *digits, *digits_end; /* with a '.' among them, from the first that is not 0 */
+    int64_t exponent;                /* of the digit before the '.' or the end */
+    int64_t last_exponent;           /* of the last digit of `leading` */
+    uint64_t leading;                /* the first 19 digits */
+    bool has_more;                   /* others follow that are not 0 */
+} decimal;
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* Read [sign] digits behind an 'e', if there are any; beyond 10^15 it makes no difference. */
+static const char *read_exponent(const char *text, const char *end, int64_t *exponent)
+{
+    const char *c = text + 1;
+    bool is_negative = false;
+    if (c < end && (*c == '+' || *c == '-'))
+        is_negative = *c++ == '-';
+    if (c == end || !is_digit(*c))
+        return text;
+    int64_t value = 0;
+    for (; c < end && is_digit(*c); c++)
+        if (value < 1000000000000000)
+            value = 10 * value + (*c - '0');
+    *exponent = is_negative ? -value : value;
+    return c;
+}
+
+/* The digits from the first that is not 0 on: up to 19 of them as an integer. `point_place`
+ * counts the digits before the '.'. */
+static const char *read_digits(const char *c, const char *end, decimal *d, int64_t *point_place,
+                               bool *any)
+{
+    int64_t place = 0, kept = 0;
+    const char *point = NULL;
+    for (; c < end && (is_digit(*c) || (*c == '.' && !point)); c++) {
+        if (*c == '.') {
+            point = c;
+            *point_place = place;
+            continue;
+        }
+        *any = true;
+        if (d->leading == 0 && *c == '0' && kept == 0) {
+            place++;
+            continue;
+        }
+        if (kept == 0)
+            d->digits = c;
+        if (kept < 19) {
+            d->leading = 10 * d->leading + (uint64_t)(*c - '0');
+            d->last_exponent = -place;
+        } else if (*c != '0') {
+            d->has_more = true;
+        }
+        kept++;
+        place++;
+    }
+    if (!point)
+        *point_place = place;
+    d->digits_end = c;
+    return c;
+}
+
+/* NULL when no number stands there, else its end. */
+static const char *read_decimal(const char *text, const char *end, decimal *d)
+{
+    *d = (decimal){.digits = text};
+    const char *c = text;
+    if (c < end && (*c == '+' || *c == '-'))
+        d->is_negative = *c++ == '-';
+    int64_t point_place = 0, exponent = 0;
+    bool any = false;
+    c = read_digits(c, end, d, &point_place, &any);
+    if (!any)
+        return NULL;
+    if (c < end && (*c == 'e' || *c == 'E'))
+        c = read_exponent(c, end, &exponent);
+    d->exponent = exponent;
+    d->last_exponent += exponent + point_place - 1;
+    return c;
+}
+
+/* top 2^e, rounded to a double, ties to even. top has at least 126 bits. */
+static uint64_t rounded(wide top, int e)
+{
+    const int last = top >> 127 ? 127 : 126;
+    const int exponent = e + last;
+    const int shift = last - FRACTION_BITS + bat_max_int(0, -1022 - exponent);
+    if (exponent > 1023)
+        return INFINITE_BITS;
+    if (shift > 128)
+        return 0;
+    uint64_t m = shift == 128 ? 0 : (uint64_t)(top >> shift);
+    const wide rest = shift == 128 ? top : top & (((wide)1 << shift) - 1);
+    const wide half = (wide)1 << (shift - 1);
+    m += rest > half || (rest == half && m % 2 == 1);
+    /* The leading 1 of m adds one to the exponent, and so does a carry. */
+    return (exponent < -1022 ? 0 : (uint64_t)(exponent + 1022) << FRACTION_BITS) + m;
+}
+
+/* All digits as an integer, at most DIGITS_KEPT and a 1 for others; its power of ten. */
+static void all_digits(const decimal *d, big *out, int *exponent)
+{
+    int count = 0;
+    bool has_more = false;
+    big_set(out, 0);
+    for (const char *c = d->digits; c < d->digits_end; c++) {
+        if (*c == '.')
+            continue;
+        if (count < DIGITS_KEPT)
+            big_multiply(out, 10, (uint32_t)(*c - '0'));
+        else
+            has_more |= *c != '0';
+        count++;
+    }
+    /* The first 19 digits, or all when there are fewer, end at last_exponent. */
+    *exponent =
+        (int)d->last_exponent + bat_min_int(count, 19) - bat_min_int(count, DIGITS_KEPT);
+    if (has_more) {
+        big_multiply(out, 10, 1);
+        --*exponent;
+    }
+}
+
+/* The double at `bits` or the next, whichever is nearer. */
+static uint64_t decide(const decimal *d, uint64_t bits)
+{
+    uint64_t m;
+    int e, ten;
+    take_apart(bits, &m, &e);
+    big digits, midpoint;
+    all_digits(d, &digits, &ten);
+    big_set(&midpoint, 2 * m + 1);
+    big_scale(&digits, ten, 1 - e);
+    big_scale(&midpoint, -ten, e - 1);
+    const int order = big_compare(&digits, &midpoint);
+    return bits + (order > 0 || (order == 0 && m % 2 == 1));
+}
+
+static uint64_t to_double(const decimal *d)
+{
+    if (d->leading == 0 || d->last_exponent < LOWEST_POWER)
+        return 0; /* below 10^19 10^-352, less than half of the least double */
+    if (d->last_exponent > HIGHEST_POWER)
+        return INFINITE_BITS;
+    const power p = power_of_ten((int)d->last_exponent);
+    const int shift = __builtin_clzll(d->leading);
+    const uint64_t w = d->leading << shift;
+    const wide low = (wide)w * p.low;
+    const wide top = (wide)w * p.high + (uint64_t)(low >> 64);
+    const int e = p.exponent + 64 - shift;
+
+    /* What the true product may be above `top`: a cut, 2 units of the power, one of the digits.
+     */
+    wide above = p.exact && (uint64_t)low == 0 ? 0 : 3;
+    if (d->has_more)
+        above += (wide)2 << (64 + shift);
+    const uint64_t least = rounded(top, e);
+    const bool is_carried = top + above < top;
+    return !is_carried && rounded(top + above, e) == least ? least : decide(d, least);
+}
+
+batten_status batten_number_read(const char *text, size_t length, double *value, size_t *used)
+{
+    char shown[BAT_SHOWN_SIZE];
+    decimal d;
+    const char *end = read_decimal(text, text + length, &d);
+    if (!end || (!used && end != text + length))
+        return bat_fail(BATTEN_BAD_FORMAT, "'%s' is not a number",
+                        bat_shown(text, length, shown));
+    uint64_t bits = to_double(&d);
+    if (bits == INFINITE_BITS)
+        return bat_fail(BATTEN_OVERFLOW, "the number %s is too large for a double",
+                        bat_shown(text, (size_t)(end - text), shown));
+    if (d.is_negative)
+        bits |= SIGN_BIT;
+    memcpy(value, &bits, sizeof bits);
+    if (used)
+        *used = (size_t)(end - text);
+    return BATTEN_OK;
+}
