@@ -146,6 +146,28 @@ batten_status batten_curve_create_periodic(int dimension, int degree, int point_
     return status;
 }
 
+batten_status bat_curve_make_like(const batten_curve *like, int degree, int count, batten_curve **out)
+{
+    return bat_curve_make(like->dimension, degree, count, like->weights != NULL, out);
+}
+
+batten_status bat_curve_copy(const batten_curve *curve, batten_curve **out)
+{
+    batten_curve *copy;
+    const batten_status status = bat_curve_make_like(curve, curve->degree, curve->count, &copy);
+    if (status != BATTEN_OK)
+        return status;
+    const size_t n = (size_t)curve->count;
+    copy->periodic = curve->periodic;
+    copy->weight_scale = curve->weight_scale;
+    memcpy(copy->knots, curve->knots, (n + (size_t)curve->degree + 1) * sizeof *copy->knots);
+    memcpy(copy->points, curve->points, n * (size_t)curve->dimension * sizeof *copy->points);
+    if (copy->weights)
+        memcpy(copy->weights, curve->weights, n * sizeof *copy->weights);
+    *out = copy;
+    return BATTEN_OK;
+}
+
 /* ---- keeping ---- */
 
 batten_curve *batten_curve_ref(const batten_curve *curve)

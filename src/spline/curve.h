@@ -40,6 +40,29 @@ static inline size_t bat_curve_width(const batten_curve *curve)
  * of two common to the curve, so that tiny or huge weights cost no accuracy. */
 void bat_curve_rows(const batten_curve *curve, int first, int count, double *rows);
 
+/* Bring u into the domain: by whole periods, or over the last few ulps. */
+batten_status bat_curve_place(const batten_curve *curve, batten_side side, double *u);
+
+/* The curve as a spline of such rows, with all its knots. */
+batten_status bat_curve_to_spline(const batten_curve *curve, bat_spline *out);
+/* Back again. `like` gives dimension, rationality and the scale of the weights. Where rows of `made` are those of
+ * `from`, made of `like`, the Cartesian point is taken from there and keeps its bits; the search begins at row `first`.
+ * OVERFLOW when a row is not finite. */
+batten_status bat_curve_from_spline(const batten_curve *like, const bat_spline *from, int first,
+                                    const bat_spline *made, batten_curve **out);
+
+/* A periodic curve as a spline with `more` further periods on each side of the one of its domain; 0 for the wrapped
+ * form. It has `more` m + p knots before the domain. */
+batten_status bat_curve_unwrap(const batten_curve *curve, int more, bat_spline *out);
+/* The periodic curve whose period, of m points, begins at a in an unwrapped spline. */
+batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline, double a, int m,
+                             batten_curve **out);
+
+/* A new curve with room for `count` points and the dimension, rationality and so on of `like`. */
+batten_status bat_curve_make_like(const batten_curve *like, int degree, int count, batten_curve **out);
+/* Points, weights and knots taken over unchanged, to alter some of them before bat_curve_finish. */
+batten_status bat_curve_copy(const batten_curve *curve, batten_curve **out);
+
 /* The Bezier pieces, made at the first batch of `count` parameters that is worth it; NULL when it is not, or when
  * memory is short: callers then work span by span. */
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);

@@ -93,8 +93,7 @@ static void evaluate_on(const batten_curve *curve, const piece *on, double u, in
 
 /* ---- one parameter ---- */
 
-/* Bring u into the domain: by whole periods, or over the last few ulps. */
-static batten_status place(const batten_curve *curve, batten_side side, double *u)
+batten_status bat_curve_place(const batten_curve *curve, batten_side side, double *u)
 {
     const double a = curve->knots[curve->degree], b = curve->knots[curve->count];
     if (!curve->periodic || !isfinite(*u))
@@ -135,7 +134,7 @@ batten_status batten_curve_evaluate_side(const batten_curve *curve, double u, ba
                                          int order, double *out)
 {
     assert(curve && out && order >= 0);
-    batten_status status = place(curve, side, &u);
+    batten_status status = bat_curve_place(curve, side, &u);
     if (status != BATTEN_OK)
         return status;
     double rows[MAX_ROWS], small[MAX_ROWS];
@@ -185,7 +184,7 @@ static batten_status evaluate_range(void *context, size_t begin, size_t end)
     piece on = {.a = INFINITY};
     for (size_t i = begin; i < end; i++) {
         double u = work->u[i];
-        batten_status status = place(curve, BATTEN_FROM_RIGHT, &u);
+        batten_status status = bat_curve_place(curve, BATTEN_FROM_RIGHT, &u);
         if (status == BATTEN_OK) {
             if (holds(curve, &on, u)) /* most often, when the parameters are sorted */
                 ;

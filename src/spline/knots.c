@@ -88,13 +88,15 @@ void bat_knots_wrap(int degree, int m, const double *period, double *knots)
     const int p = degree;
     const double length = period[m] - period[0];
     memcpy(knots + p, period, ((size_t)m + 1) * sizeof *period);
-    /* Rounding must neither part equal knots nor put one on the wrong side of its neighbour. */
+    /* Rounding must neither part equal knots nor join others. */
     for (int j = p + m + 1; j <= m + 2 * p; j++)
-        knots[j] = knots[j - m] == knots[j - m - 1] ? knots[j - 1]
-                                                    : bat_max(knots[j - 1], knots[j - m] + length);
+        knots[j] = knots[j - m] == knots[j - m - 1]
+                       ? knots[j - 1]
+                       : bat_max(nextafter(knots[j - 1], INFINITY), knots[j - m] + length);
     for (int j = p - 1; j >= 0; j--)
-        knots[j] = knots[j + m] == knots[j + m + 1] ? knots[j + 1]
-                                                    : bat_min(knots[j + 1], knots[j + m] - length);
+        knots[j] = knots[j + m] == knots[j + m + 1]
+                       ? knots[j + 1]
+                       : bat_min(nextafter(knots[j + 1], -INFINITY), knots[j + m] - length);
 }
 
 /* N[0..q], degree q, on span k: the triangular recurrence without a division by an empty span. */

@@ -62,17 +62,28 @@ extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 
 /* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
 
+/* Insert knots [count], never decreasing, inside the domain or at its ends, none more often than p + 1 times
+ * together with those there. Rows that do not change keep their bits. */
 batten_status bat_spline_insert(const bat_spline *spline, int count, const double *knots,
                                 bat_spline *out);
 /* One knot up to `times` times, while every row moves by at most `tolerance` in the sense of `distance` (NULL: the
  * largest Euclidean norm of consecutive groups of `group` numbers). *error: a bound on the movement. */
 batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
                                 double tolerance, int *removed, double *error, bat_spline *out);
+/* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed. */
 batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
+/* The knots of the spline elevated by one, and its number of points; release them. */
+batten_status bat_knots_elevate(int degree, int count, const double *knots, double **out,
+                                int *point_count);
+/* Weights [p + 1] of the rows span - p .. span in the elevated row that has the p + 1 knots `window`; the span is
+ * that which holds the knot before them. */
+void bat_elevation_row(int degree, const double *knots, int span, const double *window, double *out);
 batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
                                 double *error, bat_spline *out);
 /* Clamped at both ends of [a, b] inside the domain. */
 batten_status bat_spline_subrange(const bat_spline *spline, double a, double b, bat_spline *out);
+/* Both parts clamped at both ends; they share the row at u. */
+batten_status bat_spline_split(const bat_spline *spline, double u, bat_spline *low, bat_spline *high);
 /* Every knot of the domain p times, p + 1 at its ends. */
 batten_status bat_spline_to_bezier(const bat_spline *spline, bat_spline *out);
 
