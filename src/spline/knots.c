@@ -107,9 +107,10 @@ static void basis_values(int q, const double *knots, int k, double u, double *ou
         double kept = 0;
         for (int j = 0; j < r; j++) {
             const double left = knots[k + 1 + j - r], right = knots[k + 1 + j];
-            const double share = out[j] / (right - left);
-            out[j] = kept + (right - u) * share;
-            kept = (u - left) * share;
+            /* Two divisions: the reciprocal of a denormal step would be infinite. */
+            const double value = out[j];
+            out[j] = kept + (right - u) / (right - left) * value;
+            kept = (u - left) / (right - left) * value;
         }
         out[r] = kept;
     }
