@@ -13,10 +13,12 @@
 #include <batten/interpolate.h>
 #include <batten/job.h>
 #include <batten/model.h>
+#include <batten/notes.h>
 #include <batten/number.h>
 #include <batten/offsets.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
 #include <batten/text.h>
+#include <batten/units.h>
 #endif

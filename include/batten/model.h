@@ -5,42 +5,14 @@
  * Named objects with a unit: what files are read into and written from, and what flows between the
  * features of a design.
  */
+#include <batten/notes.h>
 #include <batten/offsets.h>
 #include <batten/surface.h>
+#include <batten/units.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* ---- units of length ---- */
-
-/** @param name "m", "mm", "cm", "km", "um", "in", "ft", "mil", "mi" and their long names
- * @return metres in one of them, or 0 when the name is unknown */
-BATTEN_API double batten_unit_metres(const char *name);
-/** The short name of a unit, or NULL when there is none. */
-BATTEN_API const char *batten_unit_name(double metres);
-
-/* ---- messages of readers and writers ---- */
-
-typedef struct batten_note {
-    const char *file;   /**< may be "" */
-    int line;           /**< from 1; 0 when it has no place */
-    const char *entity; /**< "#317 B_SPLINE_CURVE", "station 4"; may be "" */
-    const char *text;   /**< what is wrong, with the numbers, and what was done */
-} batten_note;
-
-/** A list of notes, at most `limit`, then counted. */
-typedef struct batten_notes batten_notes;
-BATTEN_API batten_status batten_notes_create(int limit, batten_notes **out);
-BATTEN_API void batten_notes_free(batten_notes *notes);
-/** Add one; NULL notes and lack of memory are borne silently (the latter is counted). */
-BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
-                                 const char *entity, const char *format, ...) BATTEN_PRINTF(5, 6);
-BATTEN_API int batten_notes_count(const batten_notes *notes);   /**< those that are kept */
-BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**< those beyond the limit */
-BATTEN_API const batten_note *batten_notes_at(const batten_notes *notes, int index);
-
-/* ---- the model ---- */
 
 typedef enum batten_object_kind {
     BATTEN_OBJECT_POINTS, /**< a row of points, in order */

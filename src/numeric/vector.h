@@ -1,0 +1,94 @@
+/*
+ * Small vectors: batten_vec3 by value, and rows of d doubles.
+ */
+#ifndef BAT_VECTOR_H
+#define BAT_VECTOR_H
+#include "base/base.h"
+#include <batten/geometry.h>
+
+static inline batten_vec3 bat_vec3_add(batten_vec3 a, batten_vec3 b)
+{
+    return (batten_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline batten_vec3 bat_vec3_subtract(batten_vec3 a, batten_vec3 b)
+{
+    return (batten_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline batten_vec3 bat_vec3_scale(batten_vec3 a, double factor)
+{
+    return (batten_vec3){factor * a.x, factor * a.y, factor * a.z};
+}
+
+/* a + factor b */
+static inline batten_vec3 bat_vec3_along(batten_vec3 a, double factor, batten_vec3 b)
+{
+    return (batten_vec3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+}
+
+static inline double bat_vec3_dot(batten_vec3 a, batten_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline batten_vec3 bat_vec3_cross(batten_vec3 a, batten_vec3 b)
+{
+    return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double bat_dot(int d, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int k = 0; k < d; k++)
+        sum += a[k] * b[k];
+    return sum;
+}
+
+/* The largest |a[k]|. */
+static inline double bat_largest(int d, const double *a)
+{
+    double largest = 0;
+    for (int k = 0; k < d; k++)
+        largest = bat_max(largest, fabs(a[k]));
+    return largest;
+}
+
+/* The Euclidean norm; right wherever the result is finite, however small or large the numbers.
+ */
+static inline double bat_norm(int d, const double *a)
+{
+    const double plain = bat_dot(d, a, a);
+    if (plain > 0x1p-900 && plain < 0x1p1000)
+        return sqrt(plain);
+    const double largest = bat_largest(d, a);
+    if (largest == 0 || !isfinite(largest))
+        return largest;
+    double sum = 0;
+    for (int k = 0; k < d; k++)
+        sum += (a[k] / largest) * (a[k] / largest);
+    return largest * sqrt(sum);
+}
+
+static inline double bat_vec3_norm(batten_vec3 a)
+{
+    return bat_norm(3, (const double[3]){a.x, a.y, a.z});
+}
+
+/* The distance of two points of dimension d <= 4. */
+static inline double bat_distance(int d, const double *a, const double *b)
+{
+    double difference[4];
+    assert(d <= 4);
+    for (int k = 0; k < d; k++)
+        difference[k] = a[k] - b[k];
+    return bat_norm(d, difference);
+}
+
+/* A row of 1 to 3 coordinates as a point in space; the others are 0. */
+static inline batten_vec3 bat_vec3_of(int d, const double *a)
+{
+    return (batten_vec3){a[0], d > 1 ? a[1] : 0, d > 2 ? a[2] : 0};
+}
+
+#endif
