@@ -11,12 +11,12 @@ extern "C" {
 #endif
 
 typedef enum batten_format {
-    BATTEN_FORMAT_AUTO,    /**< by content when reading, by the name's ending when writing */
-    BATTEN_FORMAT_OFFSETS, /**< a table of offsets: .csv, .tsv, .txt */
-    BATTEN_FORMAT_POINTS,  /**< x y z in lines: .xyz, .csv, .txt */
-    BATTEN_FORMAT_AEROFOIL,/**< .dat, Selig or Lednicer order */
-    BATTEN_FORMAT_IGES,    /**< .igs, .iges */
-    BATTEN_FORMAT_STEP     /**< .stp, .step; written */
+    BATTEN_FORMAT_AUTO,     /**< by content when reading, by the name's ending when writing */
+    BATTEN_FORMAT_OFFSETS,  /**< a table of offsets: .csv, .tsv, .txt */
+    BATTEN_FORMAT_POINTS,   /**< x y z in lines: .xyz; .csv, .tsv, .txt without offsets */
+    BATTEN_FORMAT_AEROFOIL, /**< .dat, Selig or Lednicer order */
+    BATTEN_FORMAT_IGES,     /**< .igs, .iges */
+    BATTEN_FORMAT_STEP      /**< .stp, .step; written */
 } batten_format;
 
 /** "iges", "step" ... */
@@ -67,7 +67,9 @@ typedef struct batten_write_options {
     batten_format format; /**< by the name's ending */
     const char *name;     /**< of the product; "batten" */
     double tolerance;     /**< for shapes that the format cannot say exactly, and as the file's own
-                               accuracy; model units; 1e-6 of a metre */
+                               accuracy; model units; 0: 1e-6 of a metre */
+    const char *date;     /**< "2026-11-21T10:25:00", as the file is to say it; NULL for the same
+                               neutral date always, so that equal models give equal bytes */
 } batten_write_options;
 BATTEN_API batten_write_options batten_write_defaults(void);
 

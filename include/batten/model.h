@@ -40,6 +40,7 @@ typedef struct batten_object {
  * A model is filled by its maker, then shared as const.
  */
 typedef struct batten_model batten_model;
+/** @param unit_metres  how many metres one unit is; 0 when nothing says so */
 BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
 BATTEN_API batten_model *batten_model_ref(const batten_model *model);
 BATTEN_API void batten_model_unref(batten_model *model);
@@ -52,7 +53,8 @@ BATTEN_API int batten_model_find(const batten_model *model, const char *name);
 BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
 /** The box of all objects; false when there is none. */
 BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
-/** The same model in another unit; geometry is scaled. */
+/** The same model in another unit; geometry is scaled. A model without a unit is taken to be in
+ * that unit already. */
 BATTEN_API batten_status batten_model_to_unit(const batten_model *model, double unit_metres,
                                               batten_model **out);
 

@@ -1,0 +1,208 @@
+#include "base/base.h"
+
+#include <batten/model.h>
+#include <limits.h>
+#include <stdint.h>
+#include <string.h>
+
+struct batten_model {
+    bat_references references;
+    double unit_metres;
+    int count, capacity;
+    batten_object *objects; /* each owns its name, layer, arrays and one reference */
+};
+
+static bool is_unit(double metres)
+{
+    return isfinite(metres) && metres >= 0;
+}
+
+batten_status batten_model_create(double unit_metres, batten_model **out)
+{
+    if (!is_unit(unit_metres))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a unit of %g metres is not allowed", unit_metres);
+    batten_model *model = bat_array(1, sizeof *model);
+    if (!model)
+        return BATTEN_OUT_OF_MEMORY;
+    bat_references_begin(&model->references);
+    model->unit_metres = unit_metres;
+    *out = model;
+    return BATTEN_OK;
+}
+
+/* Casts away the const under which an object shows what it owns. */
+static void release(const void *memory)
+{
+    bat_release((void *)(uintptr_t)memory);
+}
+
+static void object_free(const batten_object *object)
+{
+    release(object->name);
+    release(object->layer);
+    release(object->points);
+    release(object->parameters);
+    batten_curve_unref((batten_curve *)(uintptr_t)object->curve);
+    batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
+    batten_offsets_unref((batten_offsets *)(uintptr_t)object->offsets);
+}
+
+batten_model *batten_model_ref(const batten_model *model)
+{
+    batten_model *counted = (batten_model *)(uintptr_t)model;
+    bat_references_add(&counted->references);
+    return counted;
+}
+
+void batten_model_unref(batten_model *model)
+{
+    if (!model || !bat_references_drop(&model->references))
+        return;
+    for (int i = 0; i < model->count; i++)
+        object_free(&model->objects[i]);
+    bat_release(model->objects);
+    bat_release(model);
+}
+
+/* ---- properties ---- */
+
+double batten_model_unit_metres(const batten_model *model)
+{
+    return model->unit_metres;
+}
+
+int batten_model_count(const batten_model *model)
+{
+    return model->count;
+}
+
+const batten_object *batten_model_object(const batten_model *model, int index)
+{
+    assert(index >= 0 && index < model->count);
+    return &model->objects[index];
+}
+
+int batten_model_find(const batten_model *model, const char *name)
+{
+    for (int i = 0; i < model->count; i++)
+        if (strcmp(model->objects[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+static void widen(batten_box *box, bool *any, batten_box by)
+{
+    if (!*any)
+        *box = by;
+    *any = true;
+    box->low.x = bat_min(box->low.x, by.low.x);
+    box->low.y = bat_min(box->low.y, by.low.y);
+    box->low.z = bat_min(box->low.z, by.low.z);
+    box->high.x = bat_max(box->high.x, by.high.x);
+    box->high.y = bat_max(box->high.y, by.high.y);
+    box->high.z = bat_max(box->high.z, by.high.z);
+}
+
+bool batten_model_box(const batten_model *model, batten_box *box)
+{
+    batten_box all = {{0, 0, 0}, {0, 0, 0}};
+    bool any = false;
+    for (int i = 0; i < model->count; i++) {
+        const batten_object *object = &model->objects[i];
+        for (int k = 0; k < object->point_count; k++) {
+            const double *p = &object->points[3 * k];
+            const batten_vec3 point = {p[0], p[1], p[2]};
+            widen(&all, &any, (batten_box){point, point});
+        }
+        if (object->curve)
+            widen(&all, &any, batten_curve_box(object->curve));
+        if (object->surface)
+            widen(&all, &any, batten_surface_box(object->surface));
+        if (object->offsets)
+            widen(&all, &any, batten_offsets_box(object->offsets));
+    }
+    if (any)
+        *box = all;
+    return any;
+}
+
+/* ---- adding ---- */
+
+static batten_status check(const batten_object *object)
+{
+    assert((object->kind == BATTEN_OBJECT_CURVE) == (object->curve != NULL));
+    assert((object->kind == BATTEN_OBJECT_SURFACE) == (object->surface != NULL));
+    assert((object->kind == BATTEN_OBJECT_OFFSETS) == (object->offsets != NULL));
+    assert(object->point_count >= 0 && (object->points || !object->point_count));
+
+    for (int k = 0; object->has_colour && k < 3; k++)
+        if (!(object->colour[k] >= 0 && object->colour[k] <= 1))
+            return bat_fail(BATTEN_BAD_ARGUMENT, "colour part %d is %g, not in 0..1", k,
+                            object->colour[k]);
+    const size_t count = (size_t)object->point_count;
+    const size_t bad = count ? bat_first_not_finite(object->points, 3 * count) : 0;
+    if (bad < 3 * count)
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is not finite", bad % 3,
+                        bad / 3);
+    if (object->parameters && bat_first_not_finite(object->parameters, count) < count)
+        return bat_fail(BATTEN_NOT_FINITE, "parameter %zu is not finite",
+                        bat_first_not_finite(object->parameters, count));
+    return BATTEN_OK;
+}
+
+static batten_status reserve(batten_model *model)
+{
+    if (model->count < model->capacity)
+        return BATTEN_OK;
+    if (model->count > INT_MAX / 2)
+        return bat_fail(BATTEN_TOO_LARGE, "a model holds at most %d objects", INT_MAX / 2);
+    const int capacity = bat_max_int(8, 2 * model->count);
+    batten_object *objects = bat_resize(model->objects, (size_t)capacity, sizeof *objects);
+    if (!objects)
+        return BATTEN_OUT_OF_MEMORY;
+    model->objects = objects;
+    model->capacity = capacity;
+    return BATTEN_OK;
+}
+
+/* A copy of `count` items; also of none. NULL when memory is exhausted. */
+static void *copy(const void *items, size_t count, size_t size)
+{
+    void *copied = bat_array(count, size);
+    if (copied && count)
+        memcpy(copied, items, count * size);
+    return copied;
+}
+
+static void *copy_text(const char *text)
+{
+    return text ? copy(text, strlen(text) + 1, 1) : bat_array(1, 1);
+}
+
+batten_status batten_model_add(batten_model *model, const batten_object *object)
+{
+    batten_status status = check(object);
+    if (status == BATTEN_OK)
+        status = reserve(model);
+    if (status != BATTEN_OK)
+        return status;
+
+    batten_object copied = *object;
+    const size_t count = (size_t)object->point_count;
+    copied.name = copy_text(object->name);
+    copied.layer = copy_text(object->layer);
+    copied.points = count ? copy(object->points, 3 * count, sizeof *object->points) : NULL;
+    copied.parameters = object->parameters && count
+                            ? copy(object->parameters, count, sizeof *object->parameters)
+                            : NULL;
+    copied.curve = object->curve ? batten_curve_ref(object->curve) : NULL;
+    copied.surface = object->surface ? batten_surface_ref(object->surface) : NULL;
+    copied.offsets = object->offsets ? batten_offsets_ref(object->offsets) : NULL;
+    if (!copied.name || !copied.layer || (count && !copied.points) ||
+        (object->parameters && count && !copied.parameters)) {
+        object_free(&copied);
+        return BATTEN_OUT_OF_MEMORY;
+    }
+    model->objects[model->count++] = copied;
+    return BATTEN_OK;
+}
