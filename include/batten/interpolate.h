@@ -26,7 +26,9 @@ typedef enum batten_parametrization {
  * @param points  [count][dimension]
  * @param closed  also give the step from the last point back to the first
  * @param[out] parameters  [count], or [count + 1] when closed; increasing
- * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide
+ * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide (uniform steps do not
+ *         mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW
+ * Source: [Lee89], [FN89].
  */
 BATTEN_API batten_status batten_parametrize(int dimension, int count, const double *points,
                                             batten_parametrization kind, bool closed,
@@ -42,7 +44,7 @@ typedef enum batten_end_kind {
     BATTEN_END_PARABOLIC, /**< second derivative constant over the end span */
     BATTEN_END_BESSEL,    /**< tangent of the parabola through the first three points */
     BATTEN_END_CIRCLE,    /**< tangent of the circle through the first three points */
-    BATTEN_END_CURVATURE, /**< curvature vector given in `vector` */
+    BATTEN_END_CURVATURE, /**< curvature vector given in `vector`; what is not across the tangent is left out */
     BATTEN_END_FAIR       /**< end slopes that make the jumps of the third derivative least */
 } batten_end_kind;
 
@@ -86,8 +88,13 @@ BATTEN_API batten_interpolate_options batten_interpolate_defaults(void);
  * @param[out] parameters [count], those of the points; may be NULL
  * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING, SINGULAR_SYSTEM ...
  *
- * Cost: linear in count. The result is checked: it passes every point within 8 eps of the size of
- * the data.
+ * With knots at the data each end takes (degree - 1) / 2 conditions; for each that is missing it does
+ * without a knot. Periodic curves of even degree have their knots midway between the points, and
+ * their domain begins half a step before the first.
+ *
+ * Cost: linear in count. The result is checked: it passes every point within 8 eps of the largest
+ * coordinate of data and control points, else TOLERANCE_NOT_MET.
+ * Source: [deBoor01] ch. IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
  */
 BATTEN_API batten_status batten_curve_interpolate(int dimension, int count, const double *points,
                                                   const batten_interpolate_options *options,

@@ -1,0 +1,205 @@
+#include "shape/shape.h"
+
+#include <float.h>
+#include <string.h>
+
+void bat_bessel_slope(size_t width, double h0, double h1, const double *a, const double *b,
+                      const double *c, double *slope)
+{
+    const double share = h0 / (h0 + h1);
+    for (size_t k = 0; k < width; k++) {
+        const double d0 = (b[k] - a[k]) / h0, d1 = (c[k] - b[k]) / h1;
+        slope[k] = d0 + share * (d0 - d1);
+    }
+}
+
+/* All that the right sides are made from. */
+typedef struct {
+    const bat_operator *op;
+    size_t width;
+    const double *data, *start, *end, *conditions;
+    double *slopes; /* [2][width], at the ends */
+    double *zeros;  /* [width] */
+} right_side;
+
+static const double *row_of(const right_side *b, const bat_row *row)
+{
+    switch (row->source) {
+    case BAT_FROM_DATA:
+        return b->data + (size_t)row->index * b->width;
+    case BAT_FROM_START:
+        return b->start ? b->start : b->zeros;
+    case BAT_FROM_END:
+        return b->end ? b->end : b->zeros;
+    case BAT_FROM_BESSEL_START:
+        return b->slopes;
+    case BAT_FROM_BESSEL_END:
+        return b->slopes + b->width;
+    case BAT_FROM_ZERO:
+        return b->zeros;
+    default:
+        return b->conditions + (size_t)row->source * b->width;
+    }
+}
+
+/* Bessel's slopes at both ends; two points have but one slope. */
+static void make_slopes(const right_side *b)
+{
+    const bat_operator *op = b->op;
+    const size_t w = b->width, last = (size_t)op->data_count - 1;
+    const double *first = b->data, *end = b->data + last * w;
+    const bool two = op->data_count == 2;
+    bat_bessel_slope(w, op->step[0], op->step[1], first, first + w, two ? end : first + 2 * w,
+                     b->slopes);
+    bat_bessel_slope(w, -op->step[3], -op->step[2], end, end - w, two ? first : end - 2 * w,
+                     b->slopes + w);
+}
+
+/* In place: solve, and for a periodic spline turn the sequence so that it begins with point 0. */
+static batten_status solve(const bat_operator *op, size_t width, double *x)
+{
+    if (!op->periodic) {
+        bat_banded_solve(op->count, op->lower, op->upper, op->factor, width, x);
+        return BATTEN_OK;
+    }
+    const size_t shift = (size_t)(op->lower % op->count) * width, size = (size_t)op->count * width;
+    double *turned = bat_array(size, sizeof *turned);
+    if (!turned)
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status = bat_cyclic_solve(op->cyclic, width, x);
+    memcpy(turned, x, size * sizeof *x);
+    memcpy(x + shift, turned, (size - shift) * sizeof *x);
+    memcpy(x, turned + (size - shift), shift * sizeof *x);
+    bat_release(turned);
+    return status;
+}
+
+/* The slopes at the fair ends, and the control values with them, that make the jumps least. */
+static void make_fair(const right_side *b, double *x)
+{
+    const bat_operator *op = b->op;
+    const size_t n = (size_t)op->count;
+    const int ends = op->fair_count;
+    const double determinant =
+        ends == 2 ? op->gram[0][0] * op->gram[1][1] - op->gram[0][1] * op->gram[1][0] : 0;
+    for (size_t k = 0; k < b->width; k++) {
+        double pull[2] = {0, 0}, change[2];
+        for (int e = 0; e < ends; e++)
+            for (size_t i = 0; i < n; i++)
+                pull[e] -= op->gradient[(size_t)e * n + i] * x[i * b->width + k];
+        change[0] = ends == 1 ? pull[0] / op->gram[0][0]
+                              : (pull[0] * op->gram[1][1] - pull[1] * op->gram[0][1]) / determinant;
+        change[1] = ends == 1 ? 0
+                              : (pull[1] * op->gram[0][0] - pull[0] * op->gram[1][0]) / determinant;
+        for (int e = 0; e < ends; e++) {
+            const bool at_start = op->rows[op->fair_row[e]].source == BAT_FROM_BESSEL_START;
+            b->slopes[(at_start ? 0 : b->width) + k] += change[e];
+            for (size_t i = 0; i < n; i++)
+                x[i * b->width + k] += change[e] * op->response[(size_t)e * n + i];
+        }
+    }
+}
+
+static double largest(size_t count, const double *values)
+{
+    double size = 0;
+    for (size_t i = 0; i < count; i++)
+        size = bat_max(size, fabs(values[i]));
+    return size;
+}
+
+/* residual[width] of equation i: right side - matrix x. */
+static void residual_row(const right_side *b, const double *x, int i, double *residual)
+{
+    const bat_operator *op = b->op;
+    const int w = op->lower + op->upper + 1, n = op->count;
+    const double *a = op->matrix + (size_t)i * (size_t)w;
+    memcpy(residual, row_of(b, &op->rows[i]), b->width * sizeof *residual);
+    for (int j = 0; j < w; j++) {
+        int column = i + j - op->lower;
+        if (op->periodic)
+            column = (i + j) % n;
+        else if (column < 0 || column >= n)
+            continue;
+        const double *row = x + (size_t)column * b->width;
+        for (size_t k = 0; k < b->width; k++)
+            residual[k] -= a[j] * row[k];
+    }
+}
+
+/* By how much the spline misses its data at worst, and where. */
+static double worst_miss(const right_side *b, const double *x, double *residual, int *where)
+{
+    double worst = 0;
+    for (int i = 0; i < b->op->count; i++) {
+        if (b->op->rows[i].source != BAT_FROM_DATA)
+            continue;
+        residual_row(b, x, i, residual);
+        const double miss = largest(b->width, residual);
+        if (miss > worst || miss != miss) {
+            worst = miss;
+            *where = b->op->rows[i].index;
+        }
+    }
+    return worst;
+}
+
+/* One step of iterative refinement. */
+static batten_status refine(const right_side *b, double *x)
+{
+    const size_t size = (size_t)b->op->count * b->width;
+    double *step = bat_array(size, sizeof *step);
+    if (!step)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < b->op->count; i++)
+        residual_row(b, x, i, step + (size_t)i * b->width);
+    const batten_status status = solve(b->op, b->width, step);
+    for (size_t i = 0; status == BATTEN_OK && i < size; i++)
+        x[i] += step[i];
+    bat_release(step);
+    return status;
+}
+
+static batten_status check(const right_side *b, double *x, double *residual)
+{
+    const size_t n = (size_t)b->op->count * b->width;
+    for (int attempt = 0;; attempt++) {
+        const double size = bat_max(largest((size_t)b->op->data_count * b->width, b->data),
+                                    largest(n, x));
+        if (bat_first_not_finite(x, n) < n)
+            return bat_fail(BATTEN_OVERFLOW, "a control point became too large");
+        int where = 0;
+        const double miss = worst_miss(b, x, residual, &where);
+        if (miss <= 8 * DBL_EPSILON * size)
+            return BATTEN_OK;
+        if (attempt == 1)
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "data point %d is missed by %g, more than 8 eps of the largest number %g",
+                            where, miss, size);
+        const batten_status status = refine(b, x);
+        if (status != BATTEN_OK)
+            return status;
+    }
+}
+
+batten_status bat_operator_apply(const bat_operator *op, size_t width, const double *data,
+                                 const double *start, const double *end, const double *conditions,
+                                 double *control)
+{
+    double *scratch = bat_array3(4, width, sizeof *scratch);
+    if (!scratch)
+        return BATTEN_OUT_OF_MEMORY;
+    const right_side b = {op,         width,   data, start, end, conditions, scratch,
+                          scratch + 2 * width};
+    if (!op->periodic)
+        make_slopes(&b);
+    for (int i = 0; i < op->count; i++)
+        memcpy(control + (size_t)i * width, row_of(&b, &op->rows[i]), width * sizeof *control);
+    batten_status status = solve(op, width, control);
+    if (status == BATTEN_OK && op->fair_count > 0)
+        make_fair(&b, control);
+    if (status == BATTEN_OK)
+        status = check(&b, control, scratch + 3 * width);
+    bat_release(scratch);
+    return status;
+}
