@@ -124,9 +124,18 @@ typedef struct batten_grid_report {
 
 /**
  * A surface through a grid of points.
+ *
+ * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point are
+ * left out of their average, and a rim that is one stays one: a pole. Where both `du` and `dv` are
+ * given but not `twists`, the twists are estimated with Bessel's parabolas. Few points lower a degree.
+ *
  * @param points [count_u][count_v][dimension]
  * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
  * @param[out] report may be NULL
+ * @return as batten_curve_interpolate; the message names the direction
+ *
+ * Cost: linear in the number of points; each direction is factored once.
+ * Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
  */
 BATTEN_API batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
                                                     const double *points,

@@ -168,21 +168,24 @@ static const double *vertex(const polygon *p, int i)
     return p->points + (size_t)((i + p->count) % p->count) * (size_t)p->dimension;
 }
 
+/* Neighbours without length have no corner. */
 static double foley_step(const polygon *p, int i)
 {
     const metric *m = &p->metric;
     const double *a = vertex(p, i), *b = vertex(p, i + 1);
     const double step = step_length(m, a, b);
     double factor = 1;
-    if (p->closed || i > 0) {
+    if (step > 0 && (p->closed || i > 0)) {
         const double *before = vertex(p, i - 1);
         const double length = step_length(m, before, a);
-        factor += corner(m, before, a, b) * (length / (length + step));
+        if (length > 0)
+            factor += corner(m, before, a, b) * (length / (length + step));
     }
-    if (p->closed || i + 2 < p->count) {
+    if (step > 0 && (p->closed || i + 2 < p->count)) {
         const double *after = vertex(p, i + 2);
         const double length = step_length(m, b, after);
-        factor += corner(m, a, b, after) * (length / (length + step));
+        if (length > 0)
+            factor += corner(m, a, b, after) * (length / (length + step));
     }
     return step * factor;
 }
@@ -228,32 +231,23 @@ static batten_status bad_pair(int count, int i, double step)
     return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", i, next);
 }
 
-/* Foley's steps divide by the lengths of their neighbours. */
-static batten_status check_steps(const polygon *p, int step_count)
+void bat_steps(int dimension, int count, const double *points, batten_parametrization kind,
+               bool closed, double *steps)
 {
-    for (int i = 0; i < step_count; i++) {
-        const double step = step_length(&p->metric, vertex(p, i), vertex(p, i + 1));
-        if (!(step > 0 && isfinite(step)))
-            return bad_pair(p->count, i, step);
-    }
-    return BATTEN_OK;
+    polygon p = {dimension, count, closed, points, {.dimension = dimension}};
+    if (kind == BATTEN_FOLEY)
+        p.metric = metric_of(dimension, count, points);
+    for (int i = 0; i < (closed ? count : count - 1); i++)
+        steps[i] = step_of(&p, kind, i);
 }
 
 batten_status bat_parametrize(int dimension, int count, const double *points,
                               batten_parametrization kind, bool closed, double *parameters)
 {
-    polygon p = {dimension, count, closed, points, {.dimension = dimension}};
-    const int step_count = closed ? count : count - 1;
-    if (kind == BATTEN_FOLEY || kind == BATTEN_FOLEY_CHORD) {
-        const batten_status status = check_steps(&p, step_count);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    if (kind == BATTEN_FOLEY)
-        p.metric = metric_of(dimension, count, points);
+    bat_steps(dimension, count, points, kind, closed, parameters + 1);
     parameters[0] = 0;
-    for (int i = 0; i < step_count; i++) {
-        const double step = step_of(&p, kind, i);
+    for (int i = 0; i < (closed ? count : count - 1); i++) {
+        const double step = parameters[i + 1];
         if (!(step > 0 && isfinite(parameters[i] + step)))
             return bad_pair(count, i, step);
         parameters[i + 1] = parameters[i] + step;

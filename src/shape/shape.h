@@ -10,6 +10,9 @@
 
 /* Points of 1..3 finite coordinates, at least `least` of them. */
 batten_status bat_points_check(int dimension, int count, const double *points, int least);
+/* The steps between the parameters of checked points, 0 where points coincide; [count - 1], closed [count]. */
+void bat_steps(int dimension, int count, const double *points, batten_parametrization kind,
+               bool closed, double *steps);
 /* batten_parametrize for checked points; on failure `parameters` is spoilt. */
 batten_status bat_parametrize(int dimension, int count, const double *points,
                               batten_parametrization kind, bool closed, double *parameters);
