@@ -59,7 +59,7 @@ static inline double bat_largest(int d, const double *a)
 static inline double bat_norm(int d, const double *a)
 {
     const double plain = bat_dot(d, a, a);
-    if (plain > 0x1p-900 && plain < 0x1p1000)
+    if ((plain > 0x1p-900 && plain < 0x1p1000) || isnan(plain))
         return sqrt(plain);
     const double largest = bat_largest(d, a);
     if (largest == 0 || !isfinite(largest))

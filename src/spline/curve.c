@@ -1,4 +1,5 @@
 /* Making, keeping and describing curves. */
+#include "numeric/vector.h"
 #include "spline/curve.h"
 
 #include <stdint.h>
@@ -249,13 +250,11 @@ batten_interval batten_curve_domain(const batten_curve *curve)
 bool batten_curve_is_closed(const batten_curve *curve, double tolerance)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    double start[3], end[3], distance = 0;
+    double start[3], end[3];
     if (batten_curve_evaluate_side(curve, domain.a, BATTEN_FROM_RIGHT, 0, start) != BATTEN_OK ||
         batten_curve_evaluate_side(curve, domain.b, BATTEN_FROM_LEFT, 0, end) != BATTEN_OK)
         return false;
-    for (int k = 0; k < curve->dimension; k++)
-        distance = hypot(distance, end[k] - start[k]);
-    return distance <= tolerance;
+    return bat_distance(curve->dimension, start, end) <= tolerance;
 }
 
 batten_box batten_curve_box(const batten_curve *curve)

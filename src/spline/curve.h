@@ -2,6 +2,7 @@
 #ifndef BAT_CURVE_H
 #define BAT_CURVE_H
 #include "spline/spline.h"
+#include <batten/standard.h>
 
 /* Limits of one object, and of one that is made by refining or joining others. */
 enum { BAT_MAX_POINTS = 10000000, BAT_MAX_MADE_POINTS = 1000000, BAT_MAX_WIDTH = 4 };
@@ -69,5 +70,8 @@ const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);
 /* The piece that holds u, the last one closed on the right; u in the domain. */
 int bat_pieces_find(const bat_pieces *pieces, double u);
 void bat_pieces_free(bat_pieces *pieces);
+
+/* The frame with axes square and of length one, x kept; and its y-axis. */
+batten_status bat_frame_square(const batten_frame *frame, batten_frame *square, batten_vec3 *y);
 
 #endif

@@ -87,7 +87,7 @@ void bat_knots_wrap(int degree, int m, const double *period, double *knots)
 {
     const int p = degree;
     const double length = period[m] - period[0];
-    memcpy(knots + p, period, ((size_t)m + 1) * sizeof *period);
+    memmove(knots + p, period, ((size_t)m + 1) * sizeof *period);
     /* Rounding must neither part equal knots nor join others. */
     for (int j = p + m + 1; j <= m + 2 * p; j++)
         knots[j] = knots[j - m] == knots[j - m - 1]
@@ -97,6 +97,39 @@ void bat_knots_wrap(int degree, int m, const double *period, double *knots)
         knots[j] = knots[j + m] == knots[j + m + 1]
                        ? knots[j + 1]
                        : bat_min(nextafter(knots[j + 1], -INFINITY), knots[j + m] - length);
+}
+
+void bat_knots_reverse(int degree, int count, const double *knots, double *out)
+{
+    /* Negated, which is exact, so that to reverse twice gives the same bits. */
+    for (int i = 0, last = count + degree; i <= last; i++)
+        out[i] = -knots[last - i];
+}
+
+/* Where u stands between from and to, carried to between a and b; exact at both ends. */
+static double carry(double u, double from, double to, double a, double b)
+{
+    if (u == from || u == to)
+        return u == from ? a : b;
+    const double mapped = a + (u - from) / (to - from) * (b - a);
+    return u < to ? bat_min(mapped, b) : bat_max(mapped, b);
+}
+
+batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b, double *out)
+{
+    const double from = knots[degree], to = knots[count];
+    if (!isfinite(a) || !isfinite(b))
+        return bat_fail(BATTEN_NOT_FINITE, "the domain [%g, %g] is not finite", a, b);
+    if (a >= b)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the domain [%.17g, %.17g] is empty", a, b);
+    const bool same = a == from && b == to;
+    for (int i = 0; i <= count + degree; i++) {
+        out[i] = same ? knots[i] : carry(knots[i], from, to, a, b);
+        if (i > 0 && knots[i] > knots[i - 1] && out[i] <= out[i - 1])
+            return bat_fail(BATTEN_BAD_KNOTS, "knots %d and %d, %.17g and %.17g, cannot be told apart in [%.17g, %.17g]",
+                            i - 1, i, knots[i - 1], knots[i], a, b);
+    }
+    return bat_knots_check(degree, count, out, "new knot");
 }
 
 /* N[0..q], degree q, on span k: the triangular recurrence without a division by an empty span. */

@@ -35,6 +35,10 @@ int bat_knots_multiplicity(int degree, int count, const double *knots, double u)
 batten_status bat_knots_clip(double a, double b, double *u);
 /* All m + 2 p + 1 knots of a periodic spline from the m + 1 of one period; `period` becomes knots p .. p + m. */
 void bat_knots_wrap(int degree, int m, const double *period, double *knots);
+/* The knots of the reversed spline: negated, so that reversing twice gives the same bits. */
+void bat_knots_reverse(int degree, int count, const double *knots, double *out);
+/* The knots with their domain mapped linearly to [a, b]; BAD_KNOTS when distinct ones would coincide there. */
+batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b, double *out);
 /* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order + 1][p + 1]. */
 void bat_basis(int degree, const double *knots, int span, double u, int order, double *out);
 

@@ -1,0 +1,277 @@
+#include <batten/standard.h>
+
+#include "support/test.h"
+
+static const double PI = 3.14159265358979323846;
+
+static void check_circle(const batten_curve *curve, double radius, double x, double y)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    for (int i = 0; i <= 1000; i++) {
+        double out[9];
+        CHECK_OK(batten_curve_evaluate(curve, domain.a + i / 1000.0 * (domain.b - domain.a), 2, out));
+        CHECK_NEAR(hypot(out[0] - x, out[1] - y) / radius, 1, 4 * DBL_EPSILON);
+        const double speed = hypot(out[2], out[3]);
+        if (speed > radius / 100) /* else the differences of nearly equal points tell little */
+            CHECK_NEAR((out[2] * out[5] - out[3] * out[4]) / (speed * speed * speed) * radius, 1, 1e-11);
+    }
+}
+
+TEST(an_arc_stays_on_its_circle)
+{
+    const double degrees[] = {1e-6, 1, 45, 89.999, 90, 90.001, 179, 180, 181, 270, 359, 360};
+    for (int i = 0; i < COUNT(degrees); i++) {
+        batten_curve *arc = NULL;
+        const double angle = degrees[i] * PI / 180;
+        CHECK_OK(batten_curve_arc(100, angle, &arc));
+        check_circle(arc, 100, 0, 0);
+        double end[2];
+        CHECK_OK(batten_curve_evaluate(arc, 1, 0, end));
+        CHECK_NEAR(end[0], 100 * cos(angle), 1e-13);
+        CHECK_NEAR(end[1], 100 * sin(angle), 1e-13);
+        CHECK_INT(batten_curve_point_count(arc), 2 * (int)ceil(angle / (PI / 2)) + 1);
+        batten_curve_unref(arc);
+    }
+}
+
+TEST(three_forms_of_a_circle_are_circles)
+{
+    const int points[] = {9, 7, 7};
+    for (int form = 0; form < 3; form++) {
+        batten_curve *circle = NULL;
+        CHECK_OK(batten_curve_circle(3, (batten_circle_form)form, &circle));
+        CHECK_INT(batten_curve_point_count(circle), points[form]);
+        CHECK(batten_curve_is_closed(circle, 0));
+        check_circle(circle, 3, 0, 0);
+        batten_curve_unref(circle);
+    }
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_circle(3, (batten_circle_form)7, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_circle(0, BATTEN_CIRCLE_SQUARE_9, &none), BATTEN_BAD_ARGUMENT);
+}
+
+TEST(arcs_refuse_what_is_no_arc)
+{
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_arc(1, 0, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc(1, 6.2831854, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc(1, NAN, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_arc(-1, 1, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc(INFINITY, 1, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_ellipse(1, 0, 0, 1, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_ellipse(1, 1, NAN, 1, &none), BATTEN_NOT_FINITE);
+}
+
+TEST(an_arc_in_a_frame_lies_in_its_plane)
+{
+    const batten_frame frame = {{1, 2, 3}, {0, 2, 0}, {1, 5, 1}};
+    batten_curve *arc = NULL;
+    CHECK_OK(batten_curve_arc_in(&frame, 2, 0.5, 4, &arc));
+    for (int i = 0; i <= 100; i++) {
+        double p[3];
+        CHECK_OK(batten_curve_evaluate(arc, i / 100.0, 0, p));
+        const double x = p[0] - 1, y = p[1] - 2, z = p[2] - 3;
+        CHECK_NEAR(sqrt(x * x + y * y + z * z), 2, 4e-15);
+        CHECK_NEAR(x + z, 0, 4e-15); /* the square normal is (1, 0, 1) / sqrt 2 */
+    }
+    double start[3];
+    CHECK_OK(batten_curve_evaluate(arc, 0, 0, start));
+    CHECK_NEAR(start[1], 2 + 2 * cos(0.5), 1e-15);
+    batten_curve_unref(arc);
+    const batten_frame flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, none = {{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
+    const batten_frame bad = {{0, 0, 0}, {1, 0, 0}, {2, NAN, 0}}, no_z = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+    CHECK_STATUS(batten_curve_arc_in(&flat, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_in(&none, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_in(&no_z, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_in(&bad, 1, 0, 1, &arc), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_arc_in(&frame, 1, NAN, 1, &arc), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_arc_in(&frame, 1, 0, 7, &arc), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_arc_in(&frame, 0, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
+}
+
+TEST(an_arc_goes_through_its_three_points)
+{
+    for (int i = 1; i < 40; i++)
+        for (int d = 2; d <= 3; d++) {
+            const double angle = i * 0.3, t = fmod(angle, 6) + 0.2, s = t * 0.37;
+            const double a[] = {5 + 2, 1, 0}, b[] = {5 + 2 * cos(s), 1 + 2 * sin(s), 0};
+            const double c[] = {5 + 2 * cos(t), 1 + 2 * sin(t), 0};
+            batten_curve *arc = NULL;
+            CHECK_OK(batten_curve_arc_through(d, a, b, c, &arc));
+            double p[3];
+            CHECK_OK(batten_curve_evaluate(arc, 0, 0, p));
+            CHECK_BITS(p[0], a[0]);
+            CHECK_BITS(p[1], a[1]);
+            CHECK_OK(batten_curve_evaluate(arc, 1, 0, p));
+            CHECK_BITS(p[0], c[0]);
+            CHECK_BITS(p[1], c[1]);
+            double least = 1, length = 0, last[3] = {a[0], a[1], 0};
+            for (int k = 0; k <= 2000; k++) {
+                CHECK_OK(batten_curve_evaluate(arc, k / 2000.0, 0, p));
+                CHECK_NEAR(hypot(p[0] - 5, p[1] - 1), 2, 1e-13);
+                least = fmin(least, hypot(p[0] - b[0], p[1] - b[1]));
+                length += hypot(p[0] - last[0], p[1] - last[1]);
+                last[0] = p[0], last[1] = p[1];
+            }
+            CHECK(least < 0.01);
+            CHECK_NEAR(length, 2 * t, 1e-4);
+            batten_curve_unref(arc);
+        }
+}
+
+TEST(G2_three_points_on_a_line_have_no_circle)
+{
+    const double a[] = {0, 0}, b[] = {1, 1}, c[] = {3, 3}, far[] = {INFINITY, 0};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_arc_through(2, a, b, c, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_arc_through(2, a, b, a, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_arc_through(2, a, b, far, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_arc_through(1, a, b, c, &none), BATTEN_BAD_ARGUMENT);
+}
+
+TEST(an_ellipse_satisfies_its_equation)
+{
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_ellipse(5, 0.5, 1, 5, &curve));
+    for (int i = 0; i <= 100; i++) {
+        double p[2];
+        CHECK_OK(batten_curve_evaluate(curve, i / 100.0, 0, p));
+        CHECK_NEAR(p[0] * p[0] / 25 + p[1] * p[1] * 4, 1, 1e-15 * 4);
+    }
+    batten_curve_unref(curve);
+}
+
+TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
+{
+    const double a[] = {0, 0}, b[] = {1, 0}, c[] = {0, 1}, weights[] = {0.3, 1, 2.5};
+    for (int i = 0; i < COUNT(weights); i++) {
+        batten_curve *curve = NULL, *again = NULL;
+        double p[2];
+        CHECK_OK(batten_curve_conic(2, a, b, c, weights[i], &curve));
+        for (int k = 0; k <= 50; k++) {
+            CHECK_OK(batten_curve_evaluate(curve, k / 50.0, 0, p));
+            const double beta0 = 1 - p[0] - p[1], w = weights[i];
+            CHECK_NEAR(p[0] * p[0], 4 * w * w * beta0 * p[1], 1e-14); /* [V] */
+        }
+        CHECK_OK(batten_curve_evaluate(curve, 0.3, 0, p));
+        CHECK_OK(batten_curve_conic_through(a, b, c, p, &again));
+        CHECK_NEAR(batten_curve_weights(again)[1], weights[i], 1e-14);
+        batten_curve_unref(again);
+        batten_curve_unref(curve);
+    }
+    const double out[] = {2, 2}, far[] = {NAN, 0};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_conic_through(a, b, c, out, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_conic_through(a, b, b, out, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_through(a, b, far, out, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conic(2, a, b, c, 0, &none), BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(batten_curve_conic(4, a, b, c, 1, &none), BATTEN_BAD_ARGUMENT);
+}
+
+static void check_five(const double *points, double (*equation)(double, double), double tolerance)
+{
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_conic_five(points, &curve));
+    double least[5] = {1e9, 1e9, 1e9, 1e9, 1e9};
+    for (int k = 0; k <= 1000; k++) {
+        double p[2];
+        CHECK_OK(batten_curve_evaluate(curve, k / 1000.0, 0, p));
+        CHECK_NEAR(equation(p[0], p[1]), 0, tolerance);
+        for (int i = 0; i < 5; i++)
+            least[i] = fmin(least[i], hypot(p[0] - points[2 * i], p[1] - points[2 * i + 1]));
+    }
+    for (int i = 0; i < 5; i++)
+        CHECK(least[i] < 0.05);
+    batten_curve_unref(curve);
+}
+
+static double on_ellipse(double x, double y)
+{
+    return x * x / 9 + y * y - 1;
+}
+
+static double on_parabola(double x, double y)
+{
+    return x * x - y;
+}
+
+static double on_hyperbola(double x, double y)
+{
+    return x * y - 1;
+}
+
+TEST(five_points_give_their_conic)
+{
+    const double starts[] = {0, 1, 2.5}, sweeps[] = {1, 3.1415926535897931, 4, 5.5};
+    for (int i = 0; i < COUNT(starts); i++)
+        for (int j = 0; j < COUNT(sweeps); j++) {
+            double points[10];
+            for (int k = 0; k < 5; k++) {
+                points[2 * k] = 3 * cos(starts[i] + sweeps[j] * k / 4);
+                points[2 * k + 1] = sin(starts[i] + sweeps[j] * k / 4);
+            }
+            check_five(points, on_ellipse, 1e-11);
+        }
+    double parabola[10], hyperbola[10];
+    for (int k = 0; k < 5; k++) {
+        parabola[2 * k] = k - 1.5;
+        parabola[2 * k + 1] = (k - 1.5) * (k - 1.5);
+        hyperbola[2 * k] = 0.5 + 0.5 * k;
+        hyperbola[2 * k + 1] = 1 / (0.5 + 0.5 * k);
+    }
+    check_five(parabola, on_parabola, 1e-11);
+    check_five(hyperbola, on_hyperbola, 1e-11);
+}
+
+TEST(five_points_that_are_no_arc_are_refused)
+{
+    const double line[] = {0, 0, 1, 0, 2, 0, 3, 0, 4, 1}, twice[] = {0, 0, 1, 0, 2, 1, 1, 0, 4, 1};
+    const double bad[] = {0, 0, 1, 0, 2, NAN, 1, 0, 4, 1};
+    const double branches[] = {1, 1, 2, 0.5, -1, -1, -2, -0.5, -0.5, -2}, mixed[] = {1, 0, -1, 0, 0, 1, 0.6, 0.8, 0, -1};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_conic_five(line, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five(twice, &none), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("points 1 and 3 coincide");
+    CHECK_STATUS(batten_curve_conic_five(bad, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_conic_five(branches, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_conic_five(mixed, &none), BATTEN_SINGULAR_SYSTEM);
+}
+
+TEST(lines_and_polylines_have_the_points_they_were_given)
+{
+    const double a[] = {1, 2, 3}, b[] = {4, 6, 3}, points[] = {0, 0, 3, 4, 3, 5};
+    batten_curve *line = NULL, *polyline = NULL;
+    double p[3];
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_curve_evaluate(line, 0.5, 0, p));
+    CHECK(p[0] == 2.5 && p[1] == 4 && p[2] == 3);
+    CHECK_OK(batten_curve_polyline(2, 3, points, &polyline));
+    CHECK_BITS(batten_curve_domain(polyline).b, 6);
+    CHECK_OK(batten_curve_evaluate(polyline, 5, 0, p));
+    CHECK(p[0] == 3 && p[1] == 4);
+    batten_curve_unref(polyline);
+    batten_curve_unref(line);
+}
+
+TEST(G1_a_polyline_names_the_points_that_coincide)
+{
+    const double points[] = {0, 0, 3, 4, 3, 4}, wide[] = {-1e308, 1e308};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_polyline(2, 3, points, &none), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("points 1 and 2 coincide");
+    CHECK_STATUS(batten_curve_polyline(2, 1, points, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_polyline(4, 3, points, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_polyline(1, 2, wide, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_line(0, points, points, &none), BATTEN_BAD_ARGUMENT);
+}
+
+TEST(G3_a_line_of_no_length_is_a_value)
+{
+    const double a[] = {1, 2};
+    batten_curve *line = NULL;
+    double p[2];
+    CHECK_OK(batten_curve_line(2, a, a, &line));
+    CHECK_OK(batten_curve_evaluate(line, 0.3, 0, p));
+    CHECK(p[0] == 1 && p[1] == 2);
+    batten_curve_unref(line);
+}
