@@ -10,7 +10,8 @@
 extern "C" {
 #endif
 
-/** A place to stand: origin, and two directions that are made square and of length one. */
+/** A place to stand: origin, and two directions that are made square and of length one; z keeps its
+ * direction. */
 typedef struct batten_frame {
     batten_vec3 origin;
     batten_vec3 x; /**< first axis, not zero */

@@ -71,7 +71,7 @@ const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);
 int bat_pieces_find(const bat_pieces *pieces, double u);
 void bat_pieces_free(bat_pieces *pieces);
 
-/* The frame with axes square and of length one, x kept; and its y-axis. */
+/* The frame with axes square and of length one, z kept; and its y-axis. */
 batten_status bat_frame_square(const batten_frame *frame, batten_frame *square, batten_vec3 *y);
 
 #endif

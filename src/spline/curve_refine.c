@@ -13,31 +13,6 @@ static batten_status check_count(double count)
 
 /* ---- knots ---- */
 
-/* May `knots` be inserted? They rise, lie in the domain, and stand not too often with those there. */
-static batten_status check_insertion(const batten_curve *curve, int count, const double *knots)
-{
-    const int p = curve->degree;
-    const batten_interval domain = batten_curve_domain(curve);
-    for (int i = 0, times = 1; i < count; i++, times++) {
-        const double u = knots[i];
-        if (!(u >= domain.a && u <= domain.b))
-            return bat_fail(isfinite(u) ? BATTEN_OUT_OF_DOMAIN : BATTEN_NOT_FINITE,
-                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]", i, u,
-                            domain.a, domain.b);
-        if (i > 0 && u < knots[i - 1])
-            return bat_fail(BATTEN_NOT_INCREASING, "knot %d to insert is %.17g, below knot %d, which is %.17g",
-                            i, u, i - 1, knots[i - 1]);
-        if (i > 0 && u > knots[i - 1])
-            times = 1;
-        const int have = bat_knots_multiplicity(p, curve->count, curve->knots, u);
-        const bool at_end = !curve->periodic && (u == domain.a || u == domain.b);
-        if (have + times > p + at_end)
-            return bat_fail(BATTEN_BAD_KNOTS, "knot %.17g would stand %d times; %d are allowed", u,
-                            have + times, p + at_end);
-    }
-    return BATTEN_OK;
-}
-
 static batten_status refine_open(const batten_curve *curve, int count, const double *knots,
                                  batten_curve **out)
 {
@@ -123,7 +98,8 @@ static batten_status refine_checked(const batten_curve *curve, int count, double
 {
     if (curve->periodic)
         seam_first(curve, count, knots);
-    const batten_status status = check_insertion(curve, count, knots);
+    const batten_status status = bat_knots_check_insertion(
+        curve->degree, curve->count, curve->knots, curve->periodic, count, knots);
     if (status != BATTEN_OK)
         return status;
     return curve->periodic ? refine_periodic(curve, count, knots, out)
@@ -136,7 +112,8 @@ batten_status batten_curve_refine(const batten_curve *curve, int count, const do
     assert(curve && count >= 0 && (knots || count == 0) && out);
     batten_status status = check_count((double)curve->count + count);
     if (status == BATTEN_OK)
-        status = check_insertion(curve, count, knots);
+        status = bat_knots_check_insertion(curve->degree, curve->count, curve->knots, curve->periodic,
+                                           count, knots);
     if (status != BATTEN_OK)
         return status;
     double *copy = bat_array((size_t)count, sizeof *copy);

@@ -83,6 +83,29 @@ batten_status bat_knots_clip(double a, double b, double *u)
     return BATTEN_OK;
 }
 
+batten_status bat_knots_check_insertion(int degree, int count, const double *knots, bool periodic, int added,
+                                        const double *new_knots)
+{
+    const double a = knots[degree], b = knots[count];
+    for (int i = 0, times = 1; i < added; i++, times++) {
+        const double u = new_knots[i];
+        if (!(u >= a && u <= b))
+            return bat_fail(isfinite(u) ? BATTEN_OUT_OF_DOMAIN : BATTEN_NOT_FINITE,
+                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]", i, u, a, b);
+        if (i > 0 && u < new_knots[i - 1])
+            return bat_fail(BATTEN_NOT_INCREASING, "knot %d to insert is %.17g, below knot %d, which is %.17g",
+                            i, u, i - 1, new_knots[i - 1]);
+        if (i > 0 && u > new_knots[i - 1])
+            times = 1;
+        const int have = bat_knots_multiplicity(degree, count, knots, u);
+        const int most = degree + (!periodic && (u == a || u == b));
+        if (have + times > most)
+            return bat_fail(BATTEN_BAD_KNOTS, "knot %.17g would stand %d times; %d are allowed", u,
+                            have + times, most);
+    }
+    return BATTEN_OK;
+}
+
 void bat_knots_wrap(int degree, int m, const double *period, double *knots)
 {
     const int p = degree;

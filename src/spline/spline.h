@@ -33,6 +33,9 @@ int bat_knots_span(int degree, int count, const double *knots, double u, batten_
 int bat_knots_multiplicity(int degree, int count, const double *knots, double u);
 /* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise. */
 batten_status bat_knots_clip(double a, double b, double *u);
+/* May `new_knots` [added] be inserted? They rise, lie in the domain, and stand not too often with those there. */
+batten_status bat_knots_check_insertion(int degree, int count, const double *knots, bool periodic, int added,
+                                        const double *new_knots);
 /* All m + 2 p + 1 knots of a periodic spline from the m + 1 of one period; `period` becomes knots p .. p + m. */
 void bat_knots_wrap(int degree, int m, const double *period, double *knots);
 /* The knots of the reversed spline: negated, so that reversing twice gives the same bits. */

@@ -325,6 +325,22 @@ static batten_box nurbs_box(const batten_surface *surface)
     return (batten_box){{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
+static void nurbs_local(const batten_surface *surface, double u, double v, batten_side side_u,
+                        batten_side side_v, bat_surface_local *out)
+{
+    const bat_nurbs *nurbs = bat_surface_nurbs(surface);
+    double at[2] = {u, v};
+    const batten_side sides[2] = {side_u, side_v};
+    out->largest = nurbs->largest;
+    for (int k = 0; k < 2; k++) {
+        const bat_axis *axis = &nurbs->axes[k];
+        bat_axis_place(axis, sides[k], &at[k]); /* has been evaluated: is in the domain */
+        const int s = bat_axis_span(axis, at[k], sides[k]);
+        out->degree[k] = axis->degree;
+        out->span[k] = axis->breaks[s + 1] - axis->breaks[s];
+    }
+}
+
 batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance,
                                  batten_surface **out, double *error)
 {
@@ -345,8 +361,12 @@ const bat_surface_kind bat_nurbs_kind = {
     .box = nurbs_box,
     .evaluate = bat_nurbs_evaluate,
     .evaluate_many = bat_nurbs_evaluate_many,
+    .evaluate_grid = bat_nurbs_evaluate_grid,
+    .normal_grid = bat_nurbs_normal_grid,
+    .local = nurbs_local,
     .isocurve = bat_nurbs_isocurve,
     .to_nurbs = bat_nurbs_to_nurbs,
+    .transform = bat_nurbs_transform,
 };
 
 /* ---- any surface ---- */
@@ -403,6 +423,13 @@ batten_status batten_surface_to_nurbs(const batten_surface *surface, double tole
 {
     assert(surface && out);
     return surface->kind->to_nurbs(surface, tolerance, out, error);
+}
+
+batten_status batten_surface_transform(const batten_surface *surface, const batten_affine *map,
+                                       batten_surface **out)
+{
+    assert(surface && map && out);
+    return surface->kind->transform(surface, map, out);
 }
 
 batten_status batten_surface_isocurve(const batten_surface *surface, batten_direction direction,

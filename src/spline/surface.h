@@ -16,6 +16,14 @@ struct batten_surface {
     int dimension;
 };
 
+/* What decides how much of a derivative is roundoff: the spans that hold the point, and the
+ * size of numbers. */
+typedef struct {
+    int degree[2];
+    double span[2]; /* lengths */
+    double largest; /* |coordinate| of the control points */
+} bat_surface_local;
+
 /* One function for each public one of the same name. */
 struct bat_surface_kind {
     const char *name;
@@ -31,10 +39,20 @@ struct bat_surface_kind {
     batten_status (*evaluate_many)(const batten_surface *surface, size_t count,
                                    const double *uv, int order, const batten_job *job,
                                    double *out);
+    batten_status (*evaluate_grid)(const batten_surface *surface, size_t count_u,
+                                   const double *u, size_t count_v, const double *v, int order,
+                                   const batten_job *job, double *out);
+    batten_status (*normal_grid)(const batten_surface *surface, size_t count_u, const double *u,
+                                 size_t count_v, const double *v, const batten_job *job,
+                                 double *points, double *normals);
+    void (*local)(const batten_surface *surface, double u, double v, batten_side side_u,
+                  batten_side side_v, bat_surface_local *out);
     batten_status (*isocurve)(const batten_surface *surface, batten_direction direction,
                               double at, batten_curve **out);
     batten_status (*to_nurbs)(const batten_surface *surface, double tolerance,
                               batten_surface **out, double *error);
+    batten_status (*transform)(const batten_surface *surface, const batten_affine *map,
+                               batten_surface **out);
 };
 
 /* ---- the NURBS kind ---- */
@@ -69,13 +87,22 @@ const bat_nurbs *bat_surface_nurbs(const batten_surface *surface); /* asserts th
 
 extern const bat_surface_kind bat_nurbs_kind;
 
-/* Its evaluation (surface_evaluate.c) and isocurves (surface_isocurve.c). */
+/* Its evaluation (surface_evaluate.c, surface_grid.c), isocurves (surface_isocurve.c), and map
+ * (surface_change.c). */
 batten_status bat_nurbs_evaluate(const batten_surface *surface, double u, double v,
                                  batten_side side_u, batten_side side_v, int order,
                                  double *out);
 batten_status bat_nurbs_evaluate_many(const batten_surface *surface, size_t count,
                                       const double *uv, int order, const batten_job *job,
                                       double *out);
+batten_status bat_nurbs_evaluate_grid(const batten_surface *surface, size_t count_u,
+                                      const double *u, size_t count_v, const double *v,
+                                      int order, const batten_job *job, double *out);
+batten_status bat_nurbs_normal_grid(const batten_surface *surface, size_t count_u,
+                                    const double *u, size_t count_v, const double *v,
+                                    const batten_job *job, double *points, double *normals);
+batten_status bat_nurbs_transform(const batten_surface *surface, const batten_affine *map,
+                                  batten_surface **out);
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out);
 batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance,

@@ -72,11 +72,13 @@ TEST(an_arc_in_a_frame_lies_in_its_plane)
         CHECK_OK(batten_curve_evaluate(arc, i / 100.0, 0, p));
         const double x = p[0] - 1, y = p[1] - 2, z = p[2] - 3;
         CHECK_NEAR(sqrt(x * x + y * y + z * z), 2, 4e-15);
-        CHECK_NEAR(x + z, 0, 4e-15); /* the square normal is (1, 0, 1) / sqrt 2 */
+        CHECK_NEAR(x + 5 * y + z, 0, 2e-14);
     }
     double start[3];
     CHECK_OK(batten_curve_evaluate(arc, 0, 0, start));
-    CHECK_NEAR(start[1], 2 + 2 * cos(0.5), 1e-15);
+    /* The first axis is (0, 1, 0) made square: (-5, 2, -5) / sqrt 54. */
+    const double along = (-5 * (start[0] - 1) + 2 * (start[1] - 2) - 5 * (start[2] - 3)) / sqrt(54);
+    CHECK_NEAR(along, 2 * cos(0.5), 4e-15);
     batten_curve_unref(arc);
     const batten_frame flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, none = {{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
     const batten_frame bad = {{0, 0, 0}, {1, 0, 0}, {2, NAN, 0}}, no_z = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
