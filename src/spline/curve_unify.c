@@ -177,7 +177,10 @@ static batten_status snap(const unification *work, const entry *entries, batten_
     if (status != BATTEN_OK)
         return status;
     const int p = moved->degree, n = moved->count;
-    const int begin = work->periodic ? p : 0, end = work->periodic ? n : n + p + 1;
+    const int begin = work->periodic ? p : 0;
+    int end = work->periodic ? n : n + p + 1;
+    while (work->periodic && moved->knots[end - 1] == moved->knots[n])
+        end--; /* the end of a period has no entry of its own and stays */
     for (int i = begin; i < end; i++) {
         while (entries->value < (*curve)->knots[i])
             entries++;

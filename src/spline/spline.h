@@ -73,10 +73,14 @@ extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
  * together with those there. Rows that do not change keep their bits. */
 batten_status bat_spline_insert(const bat_spline *spline, int count, const double *knots,
                                 bat_spline *out);
-/* One knot up to `times` times, while every row moves by at most `tolerance` in the sense of `distance` (NULL: the
- * largest Euclidean norm of consecutive groups of `group` numbers). *error: a bound on the movement. */
+/* One knot, inside the domain, up to `times` times while no point moves by more than `tolerance`: a row is a number of
+ * points of `group` coordinates, group <= 4. *error: a bound on the movement of the whole shape. */
 batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
                                 double tolerance, int *removed, double *error, bat_spline *out);
+/* All inner knots that can go while the movements, added up span by span, stay within `tolerance`; those that cost
+ * least go first. */
+batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
+                                    int *removed, double *error, bat_spline *out);
 /* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed. */
 batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
 /* The knots of the spline elevated by one, and its number of points; release them. */
@@ -85,6 +89,8 @@ batten_status bat_knots_elevate(int degree, int count, const double *knots, doub
 /* Weights [p + 1] of the rows span - p .. span in the elevated row that has the p + 1 knots `window`; the span is
  * that which holds the knot before them. */
 void bat_elevation_row(int degree, const double *knots, int span, const double *window, double *out);
+/* Clamped; inner knots stand once less for each degree, once at least. TOLERANCE_NOT_MET when rows move by more than
+ * `tolerance`, in the sense of bat_spline_remove. */
 batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
                                 double *error, bat_spline *out);
 /* Clamped at both ends of [a, b] inside the domain. */

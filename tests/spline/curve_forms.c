@@ -1,0 +1,138 @@
+#include <batten/curve.h>
+
+#include "support/generate.h"
+
+TEST(hermite_data_come_back)
+{
+    test_random random = test_random_begin(__func__);
+    for (int k = 1; k <= 4; k++)
+        for (int i = 0; i < test_cases(50); i++) {
+            const int count = test_random_int(&random, 2, 8);
+            double parameters[8], values[8 * 4 * 2];
+            for (int j = 0; j < count; j++)
+                parameters[j] = (j ? parameters[j - 1] : 0) + test_random_in(&random, 0.2, 2);
+            for (int j = 0; j < count * k * 2; j++)
+                values[j] = test_random_in(&random, -1, 1);
+            batten_curve *curve = NULL;
+            CHECK_OK(batten_curve_from_hermite(2, count, k, parameters, values, &curve));
+            CHECK_INT(batten_curve_degree(curve), 2 * k - 1);
+            for (int j = 0; j < count; j++)
+                for (int side = 0; side < 2; side++) {
+                    double out[8];
+                    CHECK_OK(batten_curve_evaluate_side(curve, parameters[j], (batten_side)side, k - 1, out));
+                    for (int c = 0; c < 2 * k; c++)
+                        CHECK_NEAR(out[c], values[j * k * 2 + c], c < 4 ? 1e-13 : 1e-9);
+                }
+            batten_curve_unref(curve);
+        }
+}
+
+TEST(the_cubic_hermite_matrix_of_the_notes)
+{
+    /* [2 -2 1 1; -3 3 -2 -1; 0 0 1 0; 1 0 0 0] times P0, P1, R0, R1: coefficients of t^3 .. 1. */
+    const double ends[] = {0, 1}, values[] = {5, 7, 2, -3}, P0 = 5, R0 = 7, P1 = 2, R1 = -3;
+    double c[4];
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_from_hermite(1, 2, 2, ends, values, &curve));
+    CHECK_OK(batten_curve_to_power(curve, c));
+    CHECK_NEAR(c[3], 2 * P0 - 2 * P1 + R0 + R1, 1e-13);
+    CHECK_NEAR(c[2], -3 * P0 + 3 * P1 - 2 * R0 - R1, 1e-13);
+    CHECK_NEAR(c[1], R0, 1e-14);
+    CHECK_BITS(c[0], P0);
+    const double expected[] = {P0, P0 + R0 / 3, P1 - R1 / 3, P1};
+    for (int i = 0; i < 4; i++)
+        CHECK_NEAR(batten_curve_points(curve)[i], expected[i], 1e-15);
+    batten_curve_unref(curve);
+}
+
+TEST(quintic_hermite_functions_of_the_notes)
+{
+    const double ends[] = {0, 1};
+    for (int unit = 0; unit < 6; unit++) {
+        double values[6] = {0};
+        values[unit] = 1;
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_curve_from_hermite(1, 2, 3, ends, values, &curve));
+        for (double t = 0; t <= 1; t += 0.125) {
+            const double t3 = t * t * t, t4 = t3 * t, t5 = t4 * t;
+            const double expected[] = {1 - 10 * t3 + 15 * t4 - 6 * t5, t - 6 * t3 + 8 * t4 - 3 * t5,
+                                       (t * t - 3 * t3 + 3 * t4 - t5) / 2, 10 * t3 - 15 * t4 + 6 * t5,
+                                       -4 * t3 + 7 * t4 - 3 * t5, (t3 - 2 * t4 + t5) / 2};
+            double value;
+            CHECK_OK(batten_curve_evaluate(curve, t, 0, &value));
+            CHECK_NEAR(value, expected[unit], 1e-14);
+        }
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(powers_and_back)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {.tame = true, .degree = 4, .rational = TEST_NEVER, .dimension = 2, .most_points = 20};
+    for (int i = 0; i < test_cases(100); i++) {
+        batten_curve *curve = test_curve(&random, &wish), *back = NULL;
+        double breaks[40], coefficients[40 * 5 * 2];
+        const int pieces = batten_curve_spans(curve, breaks) - 1;
+        CHECK_OK(batten_curve_to_power(curve, coefficients));
+        CHECK_OK(batten_curve_from_power(2, 4, pieces, breaks, coefficients, 1e-12, &back));
+        for (int k = 0; k < 20; k++) {
+            const double u = test_parameter(&random, curve);
+            CHECK_NEAR(test_curve_distance(curve, u, back, u, 1), 0, 1e-12);
+        }
+        batten_curve_unref(back);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(bezier_pieces_and_back_keep_every_point)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {0};
+    for (int i = 0; i < test_cases(100); i++) {
+        batten_curve *curve = test_curve(&random, &wish), *bezier = NULL, *back = NULL;
+        double breaks[64];
+        const int pieces = batten_curve_spans(curve, breaks) - 1;
+        CHECK_OK(batten_curve_to_bezier(curve, &bezier));
+        CHECK_OK(batten_curve_from_bezier(batten_curve_dimension(bezier), batten_curve_degree(bezier), pieces,
+                                          batten_curve_points(bezier), batten_curve_weights(bezier), breaks, &back));
+        CHECK_INT(batten_curve_knot_count(back), batten_curve_knot_count(bezier));
+        for (int k = 0; k < batten_curve_knot_count(back); k++)
+            CHECK_BITS(batten_curve_knots(back)[k], batten_curve_knots(bezier)[k]);
+        batten_curve_unref(back);
+        batten_curve_unref(bezier);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(forms_refuse_bad_numbers)
+{
+    const double rising[] = {0, 1, 2}, falling[] = {0, 2, 1}, bad[] = {0, NAN, 1}, values[24] = {0, 1, 0, 5};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, falling, &none), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, bad, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_from_bezier(1, 0, 2, values, NULL, rising, &none), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 0, values, NULL, rising, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_from_bezier(1, 25, 2147483647, values, NULL, rising, &none), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, rising, values, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_hermite(1, 1, 2, rising, values, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_from_hermite(1, 3, 2, falling, values, &none), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_hermite(4, 3, 2, rising, values, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_hermite(1, 2147483647, 2, rising, values, &none), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, 0.1, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("pieces 0 and 1 are 1 apart");
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, falling, values, 0.1, &none), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_power(1, 26, 2, rising, values, 0.1, &none), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, NAN, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_power(0, 1, 2, rising, values, 1, &none), BATTEN_BAD_ARGUMENT);
+}
+
+TEST(a_rational_curve_has_no_form_in_powers)
+{
+    const double points[] = {0, 1}, weights[] = {1, 2}, knots[] = {0, 0, 1, 1};
+    batten_curve *curve = NULL;
+    double out[2];
+    CHECK_OK(batten_curve_create(1, 1, 2, points, weights, knots, &curve));
+    CHECK_STATUS(batten_curve_to_power(curve, out), BATTEN_UNSUPPORTED);
+    batten_curve_unref(curve);
+}
