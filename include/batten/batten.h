@@ -8,6 +8,7 @@
 #include <batten/curve.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>
+#include <batten/file.h>
 #include <batten/geometry.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>

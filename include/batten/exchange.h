@@ -2,8 +2,9 @@
 #define BATTEN_EXCHANGE_H
 /**
  * @file
- * Files: reading them into a model, writing a model, and saving bytes safely.
+ * Files: reading them into a model, writing a model.
  */
+#include <batten/file.h>
 #include <batten/model.h>
 
 #ifdef __cplusplus
@@ -82,18 +83,6 @@ BATTEN_API batten_status batten_write_memory(const batten_model *model,
 BATTEN_API batten_status batten_write_file(const batten_model *model, const char *path,
                                            const batten_write_options *options,
                                            batten_notes *notes);
-
-/** A whole file in memory, with a zero byte after its end. Release with batten_release.
- * @return BATTEN_FILE_ERROR with the system's reason, or BATTEN_TOO_LARGE */
-BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char **data,
-                                          size_t *size);
-/**
- * Put bytes into a file so that, whatever happens, either the old file or the new one is there,
- * whole: written beside it, synchronised, renamed. A symlink's target is replaced, the mode is
- * kept. A pipe or device is written straight.
- * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file remains
- */
-BATTEN_API batten_status batten_save_file(const char *path, const char *data, size_t size);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,602 @@
+#define _XOPEN_SOURCE 700
+#include "base/file.h"
+
+#include "support/test.h"
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ---- a system whose calls fail when told to ---- */
+
+static bat_file_calls real_system;
+static int call_count, fail_call, fail_errno;
+static const char *failed_call;
+
+static bool must_fail(const char *name)
+{
+    if (++call_count != fail_call)
+        return false;
+    failed_call = name;
+    errno = fail_errno;
+    return true;
+}
+
+static int failing_open(const char *path, int flags, mode_t mode)
+{
+    return must_fail(flags & O_DIRECTORY ? "open folder" : "open")
+               ? -1
+               : real_system.open(path, flags, mode);
+}
+
+static int failing_stat(const char *path, struct stat *about)
+{
+    return must_fail("stat") ? -1 : real_system.stat(path, about);
+}
+
+static ssize_t failing_readlink(const char *path, char *buffer, size_t size)
+{
+    return must_fail("readlink") ? -1 : real_system.readlink(path, buffer, size);
+}
+
+static ssize_t failing_read(int file, void *bytes, size_t size)
+{
+    return must_fail("read") ? -1 : real_system.read(file, bytes, size);
+}
+
+/* Writes are short: two bytes at a time. */
+static ssize_t failing_write(int file, const void *bytes, size_t size)
+{
+    return must_fail("write") ? -1 : real_system.write(file, bytes, size < 2 ? size : 2);
+}
+
+static int failing_fchmod(int file, mode_t mode)
+{
+    return must_fail("fchmod") ? -1 : real_system.fchmod(file, mode);
+}
+
+static int failing_fsync(int file)
+{
+    return must_fail("fsync") ? -1 : real_system.fsync(file);
+}
+
+static int failing_close(int file)
+{
+    const bool failed = must_fail("close");
+    const int reason = errno;
+    real_system.close(file);
+    errno = reason;
+    return failed ? -1 : 0;
+}
+
+static int failing_rename(const char *from, const char *to)
+{
+    return must_fail("rename") ? -1 : real_system.rename(from, to);
+}
+
+static int failing_unlink(const char *path)
+{
+    return real_system.unlink(path);
+}
+
+static void install(int call, int reason)
+{
+    real_system = bat_system;
+    call_count = 0;
+    fail_call = call;
+    fail_errno = reason;
+    failed_call = "";
+    bat_system = (bat_file_calls){
+        failing_open,   failing_stat,  failing_readlink, failing_read,   failing_write,
+        failing_fchmod, failing_fsync, failing_close,    failing_rename, failing_unlink};
+}
+
+static void uninstall(void)
+{
+    bat_system = real_system;
+}
+
+/* ---- a folder of its own for each test ---- */
+
+static const char *folder(const char *name)
+{
+    const char *path = test_scratch(name);
+    CHECK(mkdir(path, 0700) == 0 || errno == EEXIST);
+    return path;
+}
+
+static const char *in(const char *where, const char *name)
+{
+    const size_t size = strlen(where) + strlen(name) + 2;
+    char *path = test_array(size, 1);
+    snprintf(path, size, "%s/%s", where, name);
+    return path;
+}
+
+static int entry_count(const char *where)
+{
+    DIR *directory = opendir(where);
+    CHECK(directory != NULL);
+    int count = 0;
+    while (directory && readdir(directory))
+        count++;
+    closedir(directory);
+    return count - 2;
+}
+
+static void put(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "wb");
+    CHECK(file != NULL);
+    CHECK(fwrite(text, 1, strlen(text), file) == strlen(text));
+    CHECK(fclose(file) == 0);
+}
+
+static bool holds(const char *path, const char *text)
+{
+    char bytes[100] = "";
+    FILE *file = fopen(path, "rb");
+    const size_t length = file ? fread(bytes, 1, sizeof bytes - 1, file) : 0;
+    if (file)
+        fclose(file);
+    return file && length == strlen(text) && memcmp(bytes, text, length) == 0;
+}
+
+static batten_status save(const char *path, const char *text)
+{
+    return batten_save_file(path, text, strlen(text));
+}
+
+static void check_loads(const char *path, const char *text)
+{
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_load_file(path, 1000, &data, &size));
+    CHECK_INT(size, strlen(text));
+    CHECK_TEXT(data, text);
+    batten_release(data);
+}
+
+/* ---- loading ---- */
+
+TEST(a_saved_file_loads)
+{
+    const char *path = in(folder("plain"), "a");
+    CHECK_OK(save(path, "frame"));
+    check_loads(path, "frame");
+    CHECK_OK(save(path, ""));
+    check_loads(path, "");
+    char *large = test_array(5000000, 1), *data = NULL;
+    size_t size = 0;
+    memset(large, 'x', 5000000);
+    CHECK_OK(batten_save_file(path, large, 5000000));
+    CHECK_OK(batten_load_file(path, SIZE_MAX, &data, &size));
+    CHECK(size == 5000000 && memcmp(data, large, size) == 0 && data[size] == 0);
+    batten_release(data);
+}
+
+TEST(S1_a_file_above_the_limit_is_refused)
+{
+    const char *path = in(folder("limit"), "a");
+    put(path, "12345");
+    char *data = NULL;
+    size_t size = 77;
+    CHECK_STATUS(batten_load_file(path, 4, &data, &size), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("more than the 4 bytes");
+    CHECK_STATUS(batten_load_file("/dev/zero", 100000, &data, &size), BATTEN_TOO_LARGE);
+    CHECK(data == NULL && size == 77);
+    CHECK_OK(batten_load_file(path, 5, &data, &size));
+    batten_release(data);
+}
+
+static void check_load_refused(const char *path, const char *reason)
+{
+    char *data = NULL;
+    size_t size = 77;
+    CHECK_STATUS(batten_load_file(path, 100, &data, &size), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE(path);
+    CHECK_MESSAGE(reason);
+    CHECK(data == NULL && size == 77);
+}
+
+TEST(F1_what_is_no_file_is_refused_with_the_reason_in_words)
+{
+    const char *where = folder("nofile");
+    check_load_refused(where, "Is a directory");
+    check_load_refused(in(where, "absent"), "No such file or directory");
+    check_load_refused("", "No such file or directory");
+    const char *closed = in(where, "closed");
+    put(closed, "secret");
+    CHECK(chmod(closed, 0) == 0);
+    if (geteuid() != 0)
+        check_load_refused(closed, "Permission denied");
+    check_loads("/dev/null", "");
+}
+
+TEST(F1_a_pipe_that_nobody_writes_into_is_not_waited_for)
+{
+    const char *pipe = in(folder("fifo"), "pipe");
+    CHECK(mkfifo(pipe, 0600) == 0 || errno == EEXIST);
+    check_load_refused(pipe, "nobody writes");
+    CHECK_STATUS(save(pipe, "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("No such device");
+}
+
+static void pause_briefly(void)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
+}
+
+static void *write_slowly(void *user)
+{
+    const int file = *(const int *)user;
+    pause_briefly();
+    if (write(file, "slow", 4) == 4)
+        pause_briefly();
+    if (write(file, "ly", 2) == 2)
+        close(file);
+    return NULL;
+}
+
+TEST(a_pipe_is_read_at_the_pace_of_its_writer)
+{
+    int ends[2];
+    CHECK(pipe(ends) == 0);
+    char path[40];
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+    if (access(path, R_OK) != 0)
+        SKIP("there is no /dev/fd");
+    pthread_t thread;
+    CHECK(pthread_create(&thread, NULL, write_slowly, &ends[1]) == 0);
+    char *data = NULL;
+    size_t size = 0;
+    const batten_status status = batten_load_file(path, 100, &data, &size);
+    pthread_join(thread, NULL);
+    close(ends[0]);
+    if (status == BATTEN_OK) {
+        CHECK_TEXT(data, "slowly");
+        batten_release(data);
+    }
+    CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
+}
+
+TEST(F1_a_file_whose_reading_fails_is_refused)
+{
+    const char *path = in(folder("reading"), "a");
+    put(path, "text");
+    char *data = NULL;
+    size_t size = 0;
+    install(2, EIO);
+    batten_status status = batten_load_file(path, 100, &data, &size);
+    uninstall();
+    if (status != BATTEN_OUT_OF_MEMORY) {
+        CHECK_INT(status, BATTEN_FILE_ERROR);
+        CHECK_MESSAGE("Input/output error");
+    }
+    install(2, EINTR);
+    status = batten_load_file(path, 100, &data, &size);
+    uninstall();
+    if (status != BATTEN_OUT_OF_MEMORY) {
+        CHECK_INT(status, BATTEN_OK);
+        CHECK_TEXT(data, "text");
+    }
+    batten_release(data);
+}
+
+/* ---- saving ---- */
+
+static const int reasons[] = {EINTR, ENOSPC, EDQUOT, EIO, EROFS, EACCES};
+
+/* One save with its call `call` failing; false when there is no such call. */
+static bool check_failing_save(const char *where, const char *path, bool existed, int call,
+                               int reason)
+{
+    unlink(path);
+    if (existed)
+        put(path, "old hull");
+    install(call, reason);
+    const batten_status status = save(path, "new hull");
+    uninstall();
+    if (status == BATTEN_OUT_OF_MEMORY) {
+        CHECK(existed ? holds(path, "old hull") : access(path, F_OK) != 0);
+        CHECK_INT(entry_count(where), existed);
+        return call < 30;
+    }
+    const bool folder_failed = strstr(batten_message(), "power loss") != NULL;
+    if (status == BATTEN_OK || folder_failed) {
+        CHECK(holds(path, "new hull"));
+    } else {
+        CHECK_INT(status, BATTEN_FILE_ERROR);
+        CHECK(existed ? holds(path, "old hull") : access(path, F_OK) != 0);
+    }
+    if (status != BATTEN_OK) {
+        CHECK_MESSAGE(path);
+        CHECK_MESSAGE(strerror(reason));
+        /* Interrupted writing goes on. */
+        CHECK(reason != EINTR ||
+              (strcmp(failed_call, "write") != 0 && strcmp(failed_call, "fsync") != 0 &&
+               strcmp(failed_call, "close") != 0));
+    }
+    CHECK_INT(entry_count(where), existed || status == BATTEN_OK || folder_failed);
+    return *failed_call || status != BATTEN_OK;
+}
+
+TEST(W1_whichever_call_of_a_save_fails_a_whole_file_remains_and_no_stray)
+{
+    const char *where = folder("faults");
+    const char *path = in(where, "hull.step");
+    for (int existed = 0; existed < 2; existed++)
+        for (int r = test_cases(COUNT(reasons)) - 1; r >= 0; r--) {
+            int call = 1;
+            while (check_failing_save(where, path, existed, call, reasons[r]))
+                call++;
+            CHECK(call > 10);
+        }
+}
+
+TEST(W1_a_full_device_is_reported)
+{
+    if (access("/dev/full", W_OK) != 0)
+        SKIP("there is no /dev/full");
+    CHECK_STATUS(save("/dev/full", "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("'/dev/full': No space left on device");
+}
+
+TEST(W8_a_pipe_or_device_is_written_straight)
+{
+    CHECK_OK(save("/dev/null", "text"));
+    int ends[2];
+    CHECK(pipe(ends) == 0);
+    char path[40], bytes[10] = "";
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[1]);
+    if (access(path, W_OK) != 0)
+        SKIP("there is no /dev/fd");
+    const batten_status status = save(path, "piped");
+    close(ends[1]);
+    CHECK(read(ends[0], bytes, 9) == (status == BATTEN_OK ? 5 : 0));
+    close(ends[0]);
+    CHECK(status == BATTEN_OUT_OF_MEMORY || strcmp(bytes, "piped") == 0);
+}
+
+TEST(W8_a_pipe_whose_reader_has_gone_is_an_error)
+{
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    sigaction(SIGPIPE, &ignore, &before);
+    int ends[2];
+    CHECK(pipe(ends) == 0);
+    char path[40];
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[1]);
+    close(ends[0]);
+    const batten_status status = save(path, "piped");
+    sigaction(SIGPIPE, &before, NULL);
+    close(ends[1]);
+    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+}
+
+TEST(W8_the_closing_of_a_device_is_checked)
+{
+    install(5, EIO); /* stat, open, write, write, close */
+    const batten_status status = save("/dev/null", "text");
+    uninstall();
+    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+    install(2, EACCES);
+    const batten_status closed = save("/dev/null", "text");
+    uninstall();
+    CHECK(closed == BATTEN_FILE_ERROR || closed == BATTEN_OUT_OF_MEMORY);
+}
+
+TEST(the_mode_of_a_file_is_kept)
+{
+    const char *path = in(folder("mode"), "a");
+    struct stat about;
+    const mode_t mask = umask(027);
+    put(path, "old");
+    CHECK(chmod(path, 0751) == 0);
+    CHECK_OK(save(path, "new"));
+    CHECK(stat(path, &about) == 0 && (about.st_mode & 07777) == 0751);
+    CHECK(unlink(path) == 0);
+    const batten_status status = save(path, "new");
+    umask(mask);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return;
+    CHECK(stat(path, &about) == 0 && (about.st_mode & 07777) == 0640);
+}
+
+TEST(the_target_of_a_link_is_replaced)
+{
+    const char *where = folder("links");
+    const char *other = folder("links/other"), *target = in(other, "target");
+    const char *relative = in(where, "relative"), *absolute = in(where, "absolute"),
+               *chain = in(other, "chain"), *dangling = in(where, "dangling");
+    put(target, "old");
+    CHECK(symlink("other/target", relative) == 0 || errno == EEXIST);
+    CHECK(symlink(target, absolute) == 0 || errno == EEXIST);
+    CHECK(symlink("../relative", chain) == 0 || errno == EEXIST);
+    CHECK(symlink("other/new", dangling) == 0 || errno == EEXIST);
+    CHECK_OK(save(relative, "1"));
+    CHECK(holds(target, "1"));
+    CHECK_OK(save(absolute, "2"));
+    CHECK(holds(target, "2"));
+    CHECK_OK(save(chain, "3"));
+    CHECK(holds(target, "3"));
+    CHECK_OK(save(dangling, "4"));
+    CHECK(holds(in(other, "new"), "4"));
+    CHECK(readlink(chain, (char[9]){0}, 9) == 9);
+    CHECK_INT(entry_count(where), 4);
+    CHECK_INT(entry_count(other), 3);
+}
+
+TEST(a_ring_of_links_is_refused)
+{
+    const char *where = folder("ring");
+    CHECK(symlink("b", in(where, "a")) == 0 || errno == EEXIST);
+    CHECK(symlink("a", in(where, "b")) == 0 || errno == EEXIST);
+    CHECK_STATUS(save(in(where, "a"), "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("Too many levels of symbolic links");
+}
+
+TEST(what_cannot_be_a_file_is_not_saved)
+{
+    const char *where = folder("cannot");
+    CHECK_STATUS(save(where, "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("Is a directory");
+    CHECK_STATUS(save(in(where, "new/"), "text"), BATTEN_FILE_ERROR);
+    CHECK_STATUS(save("", "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("No such file");
+    CHECK_STATUS(save(in(where, "absent/a"), "text"), BATTEN_FILE_ERROR);
+    put(in(where, "file"), "");
+    CHECK_STATUS(save(in(where, "file/a"), "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("Not a directory");
+    if (geteuid() == 0)
+        SKIP("the superuser may write read-only files");
+    CHECK(chmod(in(where, "file"), 0400) == 0);
+    CHECK_STATUS(save(in(where, "file"), "text"), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("Permission denied");
+}
+
+TEST(F8_odd_file_names_work_and_are_shown_escaped)
+{
+    const char *where = folder("odd");
+    char longest[256];
+    memset(longest, 'n', 255);
+    longest[255] = 0;
+    const char *const names[] = {"a b",      "'\"",   "new\nline", "\xe9t\xe9",
+                                 "-leading", longest, "%s%n"};
+    for (int i = 0; i < COUNT(names); i++) {
+        CHECK_OK(save(in(where, names[i]), names[i]));
+        check_loads(in(where, names[i]), names[i]);
+    }
+    CHECK_INT(entry_count(where), COUNT(names));
+    CHECK_STATUS(save(in(where, "new\nline/\xe9"), ""), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("new\\x0aline/\\xe9'");
+    CHECK(chdir(where) == 0);
+    CHECK_OK(save("-leading", "here"));
+    check_loads("-leading", "here");
+    CHECK(chdir("/") == 0);
+}
+
+static const char *meddled_path;
+
+static int meddling_fsync(int file)
+{
+    put(meddled_path, "by somebody else");
+    return real_system.fsync(file);
+}
+
+TEST(a_file_that_changes_meanwhile_is_not_overwritten)
+{
+    meddled_path = in(folder("meddle"), "a");
+    put(meddled_path, "old");
+    real_system = bat_system;
+    bat_system.fsync = meddling_fsync;
+    const batten_status status = save(meddled_path, "mine");
+    uninstall();
+    if (status != BATTEN_OUT_OF_MEMORY) {
+        CHECK_INT(status, BATTEN_FILE_ERROR);
+        CHECK_MESSAGE("changed by another programme");
+        CHECK(holds(meddled_path, "by somebody else"));
+    }
+    CHECK_INT(entry_count(folder("meddle")), 1);
+}
+
+static int taken_open(const char *path, int flags, mode_t mode)
+{
+    if (flags & O_EXCL && (fail_call == 0 || ++call_count < fail_call)) {
+        errno = EEXIST;
+        return -1;
+    }
+    return real_system.open(path, flags, mode);
+}
+
+TEST(a_taken_name_beside_is_not_used)
+{
+    const char *path = in(folder("taken"), "a");
+    for (fail_call = 0; fail_call < 6; fail_call += 5) {
+        call_count = 0;
+        real_system = bat_system;
+        bat_system.open = taken_open;
+        const batten_status status = save(path, "text");
+        uninstall();
+        CHECK(status == BATTEN_OUT_OF_MEMORY ||
+              status == (fail_call ? BATTEN_OK : BATTEN_FILE_ERROR));
+    }
+}
+
+/* ---- signals ---- */
+
+static int signal_sent;
+
+static ssize_t signalling_write(int file, const void *bytes, size_t size)
+{
+    kill(getpid(), signal_sent);
+    return real_system.write(file, bytes, size / 2);
+}
+
+static int signalling_fsync(int file)
+{
+    kill(getpid(), signal_sent);
+    return real_system.fsync(file);
+}
+
+/* In a child: save while a signal arrives; 7 when the save returned. */
+static int status_of_child(const char *path, int sent, bool while_writing, bool handled)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        if (handled)
+            sigaction(sent, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
+        signal_sent = sent;
+        real_system = bat_system;
+        if (while_writing)
+            bat_system.write = signalling_write;
+        else
+            bat_system.fsync = signalling_fsync;
+        _exit(save(path, "new") == BATTEN_OK ? 7 : 8);
+    }
+    int status = 0;
+    CHECK(waitpid(child, &status, 0) == child);
+    return status;
+}
+
+TEST(W9_a_signal_while_saving_leaves_the_old_file_and_no_stray)
+{
+    const char *where = folder("signal"), *path = in(where, "a");
+    const int sent[] = {SIGINT, SIGTERM, SIGHUP};
+    for (int i = 0; i < 2 * COUNT(sent); i++) {
+        put(path, "old");
+        const int status = status_of_child(path, sent[i / 2], i % 2, false);
+        CHECK(WIFSIGNALED(status) && WTERMSIG(status) == sent[i / 2]);
+        CHECK(holds(path, "old"));
+        CHECK_INT(entry_count(where), 1);
+    }
+}
+
+TEST(W9_a_signal_that_the_programme_ignores_does_not_end_a_save)
+{
+    const char *path = in(folder("ignored"), "a");
+    put(path, "old");
+    const int status = status_of_child(path, SIGINT, true, true);
+    CHECK(WIFEXITED(status) && (WEXITSTATUS(status) == 7 || WEXITSTATUS(status) == 8));
+    CHECK(holds(path, WEXITSTATUS(status) == 7 ? "new" : "old"));
+}
+
+TEST(W9_a_signal_that_the_caller_holds_back_is_the_callers_affair)
+{
+    const char *path = in(folder("held"), "a");
+    sigset_t interrupt, before;
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &interrupt, &before);
+    kill(getpid(), SIGINT);
+    const batten_status status = save(path, "new");
+    int number = 0;
+    sigwait(&interrupt, &number);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    CHECK_INT(number, SIGINT);
+    CHECK(status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY);
+}
