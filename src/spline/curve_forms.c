@@ -4,7 +4,7 @@
 
 /* ---- Bezier ---- */
 
-static batten_status check_breaks(int piece_count, const double *breaks)
+batten_status bat_breaks_check(int piece_count, const double *breaks)
 {
     if (piece_count < 1)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d pieces; at least 1 is needed", piece_count);
@@ -18,8 +18,7 @@ static batten_status check_breaks(int piece_count, const double *breaks)
     return BATTEN_OK;
 }
 
-/* Each break `times` times, the first and the last degree + 1 times. */
-static double *knots_of_breaks(int degree, int times, int piece_count, const double *breaks)
+double *bat_knots_of_breaks(int degree, int times, int piece_count, const double *breaks)
 {
     const size_t inner = (size_t)times * (size_t)(piece_count - 1), ends = (size_t)degree + 1;
     double *knots = bat_array(inner + 2 * ends, sizeof *knots);
@@ -50,10 +49,10 @@ batten_status batten_curve_from_bezier(int dimension, int degree, int piece_coun
     assert(points && breaks && out);
     batten_status status = check_size(degree, (double)piece_count * degree + 1);
     if (status == BATTEN_OK)
-        status = check_breaks(piece_count, breaks);
+        status = bat_breaks_check(piece_count, breaks);
     if (status != BATTEN_OK)
         return status;
-    double *knots = knots_of_breaks(degree, degree, piece_count, breaks);
+    double *knots = bat_knots_of_breaks(degree, degree, piece_count, breaks);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
     status = batten_curve_create(dimension, degree, piece_count * degree + 1, points, weights, knots,
@@ -82,8 +81,8 @@ static void hermite_point(int d, int k, const double *y, const double *derivativ
     }
 }
 
-/* The k points around each node: a of their other knots lie at the node before, the rest at the one after. */
-static void hermite_points(int d, int count, int k, const double *parameters, const double *values,
+/* a of the other knots of a point lie at the node before, the rest at the one after. */
+void bat_hermite_points(int d, int count, int k, const double *parameters, const double *values,
                            double *out)
 {
     for (int i = 0; i < count; i++) {
@@ -110,14 +109,14 @@ batten_status batten_curve_from_hermite(int dimension, int count, int k, const d
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d parameters; at least 2 are needed", count);
     batten_status status = check_size(2 * k - 1, (double)count * k);
     if (status == BATTEN_OK)
-        status = check_breaks(count - 1, parameters);
+        status = bat_breaks_check(count - 1, parameters);
     if (status != BATTEN_OK)
         return status;
-    double *knots = knots_of_breaks(2 * k - 1, k, count - 1, parameters);
+    double *knots = bat_knots_of_breaks(2 * k - 1, k, count - 1, parameters);
     double *points = bat_array3((size_t)count, (size_t)(k * dimension), sizeof *points);
     status = knots && points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        hermite_points(dimension, count, k, parameters, values, points);
+        bat_hermite_points(dimension, count, k, parameters, values, points);
         status = batten_curve_create(dimension, 2 * k - 1, count * k, points, NULL, knots, out);
     }
     bat_release(points);
@@ -128,7 +127,7 @@ batten_status batten_curve_from_hermite(int dimension, int count, int k, const d
 /* ---- powers ---- */
 
 /* b_j = sum over i <= j of C(j, i) / C(p, i) c_i h^i */
-static void power_to_bezier(int p, size_t d, double h, const double *c, double *b)
+void bat_power_to_bezier(int p, size_t d, double h, const double *c, double *b)
 {
     for (int j = 0; j <= p; j++)
         for (size_t k = 0; k < d; k++) {
@@ -161,7 +160,7 @@ static batten_status power_points(size_t d, int p, int piece_count, const double
             i > 0 ? check_joint(d, i, points + (size_t)i * step, c, tolerance) : BATTEN_OK;
         if (status != BATTEN_OK)
             return status;
-        power_to_bezier(p, d, breaks[i + 1] - breaks[i], c, points + (size_t)i * step);
+        bat_power_to_bezier(p, d, breaks[i + 1] - breaks[i], c, points + (size_t)i * step);
     }
     return BATTEN_OK;
 }
@@ -176,7 +175,7 @@ batten_status batten_curve_from_power(int dimension, int degree, int piece_count
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
     batten_status status = check_size(degree, (double)piece_count * degree + 1);
     if (status == BATTEN_OK)
-        status = check_breaks(piece_count, breaks);
+        status = bat_breaks_check(piece_count, breaks);
     if (status != BATTEN_OK)
         return status;
     const size_t d = (size_t)dimension;

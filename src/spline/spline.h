@@ -67,6 +67,19 @@ void bat_bernstein(int degree, double t, double *out);
 void bat_combine(int degree, const double *basis, size_t width, const double *rows, double *out);
 extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 
+/* ---- other forms (src/spline/curve_forms.c) ---- */
+
+/* Breaks [piece_count + 1] are finite and rise. */
+batten_status bat_breaks_check(int piece_count, const double *breaks);
+/* Each break `times` times, the first and the last degree + 1 times; release them. */
+double *bat_knots_of_breaks(int degree, int times, int piece_count, const double *breaks);
+/* The control rows out [count][k][width], degree 2 k - 1, that take values [count][k][width] (value, first .. derivative)
+ * at the parameters. */
+void bat_hermite_points(int width, int count, int k, const double *parameters, const double *values,
+                        double *out);
+/* The Bezier rows b [p + 1][width] of a piece of length h in powers c [p + 1][width]. */
+void bat_power_to_bezier(int p, size_t width, double h, const double *c, double *b);
+
 /* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
 
 /* Insert knots [count], never decreasing, inside the domain or at its ends, none more often than p + 1 times
