@@ -3,6 +3,7 @@
 #define BAT_WORK_H
 #include "base/base.h"
 #include <batten/job.h>
+#include <pthread.h>
 
 /* Work on items begin .. end - 1. Chunks share nothing that they write. */
 typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
@@ -10,9 +11,13 @@ typedef batten_status (*bat_chunk)(void *context, size_t begin, size_t end);
 /* Run `chunk` over 0 .. count - 1 in pieces of `size` items, on as many threads as the job
  * says. The pieces do not depend on the number of threads, so neither do the bits. The failure
  * of the first failing piece is returned, its message kept for the calling thread; later pieces
- * may not have run. */
+ * may not have run. The calling thread asks the job whether to cancel after each of its own
+ * pieces. Memory of the chunks comes from the caller or is theirs; no state is kept. */
 batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
                            void *context);
+
+/* How a thread is begun; written by tests alone. */
+extern int (*bat_create_thread)(pthread_t *thread, void *(*run)(void *), void *user);
 
 /* The work of one call: begins with {job}; NULL job is fine. */
 typedef struct {

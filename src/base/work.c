@@ -1,0 +1,150 @@
+#define _XOPEN_SOURCE 700
+#include "base/work.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- chunks on threads ---- */
+
+enum { MOST_THREADS = 64 };
+
+/* What the threads of one call share. */
+typedef struct {
+    const batten_job *job;
+    size_t count, size, piece_count;
+    bat_chunk chunk;
+    void *context;
+    atomic_size_t next;  /* the first piece that nobody has taken */
+    atomic_bool stopped; /* a piece failed, or the caller cancelled */
+    pthread_mutex_t lock;
+    size_t failed; /* the first piece that failed, and its failure */
+    batten_status status;
+    char message[1024];
+} crew;
+
+static int create_thread(pthread_t *thread, void *(*run)(void *), void *user)
+{
+    return pthread_create(thread, NULL, run, user);
+}
+
+int (*bat_create_thread)(pthread_t *thread, void *(*run)(void *), void *user) = create_thread;
+
+static void keep_failure(crew *all, size_t piece, batten_status status)
+{
+    pthread_mutex_lock(&all->lock);
+    if (all->status == BATTEN_OK || piece < all->failed) {
+        all->status = status;
+        all->failed = piece;
+        snprintf(all->message, sizeof all->message, "%s", batten_message());
+    }
+    pthread_mutex_unlock(&all->lock);
+    atomic_store(&all->stopped, true);
+}
+
+/* Pieces are taken in order, and whoever has one finishes it: so the first that fails is always
+ * found. */
+static void take_pieces(crew *all, bool may_ask)
+{
+    while (!atomic_load(&all->stopped)) {
+        const size_t piece = atomic_fetch_add(&all->next, 1);
+        if (piece >= all->piece_count)
+            return;
+        const size_t begin = piece * all->size;
+        const size_t end = all->count - begin < all->size ? all->count : begin + all->size;
+        batten_status status = all->chunk(all->context, begin, end);
+        if (status == BATTEN_OK && may_ask && all->job->is_cancelled &&
+            all->job->is_cancelled(all->job->user))
+            status = bat_fail(BATTEN_CANCELLED, "cancelled after %zu of %zu pieces", piece + 1,
+                              all->piece_count);
+        if (status != BATTEN_OK)
+            keep_failure(all, piece, status);
+    }
+}
+
+static void *run_thread(void *user)
+{
+    take_pieces(user, false);
+    return NULL;
+}
+
+static int wanted_threads(const batten_job *job, size_t piece_count)
+{
+    long wanted = job->thread_count;
+    if (wanted == 0)
+        wanted = sysconf(_SC_NPROCESSORS_ONLN);
+    if (wanted > MOST_THREADS)
+        wanted = MOST_THREADS;
+    if (wanted > 1 && (size_t)wanted > piece_count)
+        wanted = (long)piece_count;
+    return wanted < 1 ? 1 : (int)wanted;
+}
+
+batten_status bat_parallel(const batten_job *job, size_t count, size_t size, bat_chunk chunk,
+                           void *context)
+{
+    assert(size > 0);
+    const batten_job alone = BATTEN_JOB;
+    crew all = {.job = job ? job : &alone,
+                .count = count,
+                .size = size,
+                .piece_count = count / size + (count % size != 0),
+                .chunk = chunk,
+                .context = context,
+                .lock = PTHREAD_MUTEX_INITIALIZER};
+    pthread_t threads[MOST_THREADS];
+    const int wanted = wanted_threads(all.job, all.piece_count) - 1;
+    int helpers = 0;
+    /* Where the system gives no more threads, those there are do the work. */
+    while (helpers < wanted && bat_create_thread(&threads[helpers], run_thread, &all) == 0)
+        helpers++;
+    take_pieces(&all, true);
+    for (int i = 0; i < helpers; i++)
+        pthread_join(threads[i], NULL);
+    pthread_mutex_destroy(&all.lock);
+    return all.status == BATTEN_OK ? BATTEN_OK : bat_fail(all.status, "%s", all.message);
+}
+
+/* ---- questions to the caller ---- */
+
+batten_status bat_work_step(bat_work *work, uint64_t steps, double fraction, const char *what)
+{
+    const batten_job *job = work->job;
+    work->steps = work->steps > UINT64_MAX - steps ? UINT64_MAX : work->steps + steps;
+    if (!job)
+        return BATTEN_OK;
+    if (job->work_limit > 0 && work->steps > job->work_limit)
+        return bat_fail(BATTEN_INCOMPLETE,
+                        "%s: stopped at %.0f %% after %llu of %llu steps allowed", what,
+                        100 * fraction, (unsigned long long)work->steps,
+                        (unsigned long long)job->work_limit);
+    if (job->is_cancelled && job->is_cancelled(job->user))
+        return bat_fail(BATTEN_CANCELLED, "%s: cancelled at %.0f %%", what, 100 * fraction);
+    if (job->progress)
+        job->progress(job->user, fraction, what);
+    return BATTEN_OK;
+}
+
+/* ---- sums ---- */
+
+/* A binary tree over blocks of 32, walked from left to right: `partial` holds the sums of the
+ * whole subtrees so far, one for each bit of the count of blocks. */
+double bat_sum(const double *values, size_t count, size_t stride)
+{
+    enum { BLOCK = 32 };
+    double partial[64];
+    int depth = 0;
+    for (size_t first = 0, blocks = 0; first < count; first += BLOCK, blocks++) {
+        const size_t last = count - first < BLOCK ? count : first + BLOCK;
+        double sum = 0;
+        for (size_t i = first; i < last; i++)
+            sum += values[i * stride];
+        for (size_t bits = blocks; bits & 1; bits >>= 1)
+            sum = partial[--depth] + sum;
+        partial[depth++] = sum;
+    }
+    double sum = depth > 0 ? partial[--depth] : 0;
+    while (depth > 0)
+        sum = partial[--depth] + sum;
+    return sum;
+}
