@@ -1,0 +1,201 @@
+#include "numeric/quadrature.h"
+
+#include <float.h>
+
+/* ---- Gauss ---- */
+
+/* P_n(x) and its derivative, |x| < 1, by the recurrence of three terms. */
+static double legendre(int n, double x, double *derivative)
+{
+    double before = 0, value = 1;
+    for (int k = 0; k < n; k++) {
+        const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
+        before = value;
+        value = next;
+    }
+    *derivative = n * (before - x * value) / (1 - x * x);
+    return value;
+}
+
+void bat_gauss(int n, double *nodes, double *weights)
+{
+    assert(n >= 1 && n <= BAT_MAX_GAUSS);
+    for (int i = 0; i <= (n - 1) / 2; i++) {
+        /* The start is within 1/n^2; each of Newton's steps doubles the digits. */
+        double x = 2 * i + 1 == n ? 0 : cos(3.14159265358979323846 * (i + 0.75) / (n + 0.5));
+        double slope, value = legendre(n, x, &slope);
+        for (int step = 0; step < 6 && 2 * i + 1 != n; step++) {
+            x -= value / slope;
+            value = legendre(n, x, &slope);
+        }
+        nodes[i] = -x;
+        nodes[n - 1 - i] = x;
+        weights[i] = weights[n - 1 - i] = 2 / ((1 - x * x) * slope * slope);
+    }
+}
+
+/* ---- adaptive ---- */
+
+/* Kronrod's 15 nodes on [0, 1] from the outermost to 0; each second one is a node of Gauss
+ * with 7. */
+static const double kronrod_nodes[8] = {
+    0.99145537112081264, 0.94910791234275852, 0.86486442335976907, 0.74153118559939444,
+    0.58608723546769113, 0.40584515137739717, 0.20778495500789847, 0};
+static const double kronrod_weights[8] = {
+    0.022935322010529225, 0.063092092629978553, 0.10479001032225018, 0.14065325971552592,
+    0.16900472663926790,  0.19035057806478541,  0.20443294007529889, 0.20948214108472783};
+static const double gauss_weights[4] = {0.12948496616886969, 0.27970539148927667,
+                                        0.38183005050511894, 0.41795918367346939};
+
+typedef struct {
+    double a, b, value, error;
+} piece;
+
+/* A heap of pieces: none has a larger error than the first. */
+typedef struct {
+    piece *pieces;
+    size_t count, capacity;
+} heap;
+
+/* Values of f at centre - step and centre + step. */
+static batten_status pair(bat_integrand f, void *context, double centre, double step,
+                          double values[2])
+{
+    batten_status status = f(context, centre - step, &values[0]);
+    if (status == BATTEN_OK)
+        status = f(context, centre + step, &values[1]);
+    if (status == BATTEN_OK && !(isfinite(values[0]) && isfinite(values[1])))
+        status = bat_fail(BATTEN_NOT_FINITE, "the integrand is not finite near %g", centre);
+    return status;
+}
+
+static batten_status measure(bat_integrand f, void *context, piece *p)
+{
+    const double centre = 0.5 * (p->a + p->b), half = 0.5 * (p->b - p->a);
+    double gauss = 0, kronrod = 0, size = 0, values[8][2];
+    for (int i = 0; i < 8; i++) {
+        const batten_status status =
+            pair(f, context, centre, half * kronrod_nodes[i], values[i]);
+        if (status != BATTEN_OK)
+            return status;
+        /* The middle counts once. */
+        const double sum = i < 7 ? values[i][0] + values[i][1] : values[i][0];
+        kronrod += kronrod_weights[i] * sum;
+        size += kronrod_weights[i] * fabs(sum);
+        if (i % 2 == 1)
+            gauss += gauss_weights[i / 2] * sum;
+    }
+    double spread = 0;
+    for (int i = 0; i < 8; i++)
+        spread += kronrod_weights[i] * (fabs(values[i][0] - kronrod / 2) +
+                                        (i < 7 ? fabs(values[i][1] - kronrod / 2) : 0));
+    /* The rule of [PDUK83]: the difference is Gauss's error, that of Kronrod is far smaller
+     * once both converge. */
+    const double difference = fabs(kronrod - gauss);
+    const double ratio = spread > 0 ? 200 * difference / spread : 0;
+    p->value = half * kronrod;
+    p->error = half * bat_max(spread * bat_min(1, ratio * sqrt(ratio)), 4 * DBL_EPSILON * size);
+    return BATTEN_OK;
+}
+
+static batten_status push(heap *h, piece p)
+{
+    if (h->count == h->capacity) {
+        const size_t capacity = 2 * h->capacity + 16;
+        piece *grown = bat_resize(h->pieces, capacity, sizeof *grown);
+        if (!grown)
+            return BATTEN_OUT_OF_MEMORY;
+        h->pieces = grown;
+        h->capacity = capacity;
+    }
+    size_t i = h->count++;
+    for (; i > 0 && h->pieces[(i - 1) / 2].error < p.error; i = (i - 1) / 2)
+        h->pieces[i] = h->pieces[(i - 1) / 2];
+    h->pieces[i] = p;
+    return BATTEN_OK;
+}
+
+static piece pop(heap *h)
+{
+    const piece first = h->pieces[0], last = h->pieces[--h->count];
+    size_t i = 0;
+    for (size_t child = 1; child < h->count; child = 2 * i + 1) {
+        if (child + 1 < h->count && h->pieces[child].error < h->pieces[child + 1].error)
+            child++;
+        if (h->pieces[child].error <= last.error)
+            break;
+        h->pieces[i] = h->pieces[child];
+        i = child;
+    }
+    h->pieces[i] = last;
+    return first;
+}
+
+static batten_status push_measured(heap *h, bat_integrand f, void *context, double a, double b)
+{
+    piece p = {.a = a, .b = b};
+    const batten_status status = measure(f, context, &p);
+    return status == BATTEN_OK ? push(h, p) : status;
+}
+
+static double total_error(const heap *h)
+{
+    double sum = 0;
+    for (size_t i = 0; i < h->count; i++)
+        sum += h->pieces[i].error;
+    return sum;
+}
+
+static double total(const heap *h)
+{
+    double sum = 0;
+    for (size_t i = 0; i < h->count; i++)
+        sum += h->pieces[i].value;
+    return sum;
+}
+
+/* Halve the worst piece until the errors add up to no more than allowed. */
+static batten_status refine(heap *h, bat_integrand f, void *context, double tolerance,
+                            int limit)
+{
+    double error = total_error(h);
+    for (int left = limit - 16; error > tolerance && left >= 32; left -= 32) {
+        const piece worst = pop(h);
+        const double middle = 0.5 * (worst.a + worst.b);
+        batten_status status = push_measured(h, f, context, worst.a, middle);
+        if (status == BATTEN_OK)
+            status = push_measured(h, f, context, middle, worst.b);
+        if (status != BATTEN_OK)
+            return status;
+        /* Differences of sums drift; once they matter, add anew. */
+        error = h->count % 16 == 0 || error < 4 * tolerance ? total_error(h) : error;
+        if (middle <= worst.a || middle >= worst.b)
+            break;
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_integrate(bat_integrand f, void *context, double a, double b,
+                            double tolerance, int limit, double *value, double *error)
+{
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of an integral is %g, not above 0",
+                        tolerance);
+    const bool is_backward = b < a;
+    heap h = {NULL, 0, 0};
+    batten_status status =
+        push_measured(&h, f, context, is_backward ? b : a, is_backward ? a : b);
+    if (status == BATTEN_OK)
+        status = refine(&h, f, context, tolerance, limit);
+    if (status == BATTEN_OK) {
+        const double sum = total(&h);
+        *value = is_backward ? -sum : sum;
+        *error = total_error(&h);
+        if (*error > tolerance)
+            status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                              "the integral is known to %g, not to %g, after %d evaluations",
+                              *error, tolerance, limit);
+    }
+    bat_release(h.pieces);
+    return status;
+}
