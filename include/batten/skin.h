@@ -48,24 +48,51 @@ typedef struct batten_skin_report {
 } batten_skin_report;
 
 /**
- * The surface through sections: u runs along a section, v across them.
- * @param[out] v [count] parameters of the sections; may be NULL
+ * The surface through sections: u runs along a section over [0, 1], v across them.
+ *
+ * Sections get one degree, one domain and common knots; then their control points are interpolated across,
+ * weights included. With an odd degree across the knots stand at the sections and `start`, `end` hold; an
+ * even degree has averaged knots. Circle and curvature ends are not possible. A clamped end has the given
+ * derivative all along the section. A section may be a point (all control points equal): a pole. Sections
+ * that are periodic, all of them, stay so and are unified exactly whatever the tolerance. With `align` the
+ * message says which sections were reversed.
+ *
+ * With a tolerance, a section moves at most as `report->deviation` says, a bound at equal parameters; corners
+ * stay corners; the ends of sections do not move. If that needs as many knots as the exact union, that is taken.
+ *
+ * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL
  * @param[out] report may be NULL
+ * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it would have,
+ *         NOT_COMPATIBLE when an interpolated weight is not positive, TOLERANCE_NOT_MET when a section is
+ *         missed by more than 1e-13 of its size beyond its deviation; BAD_ARGUMENT ...
+ *
+ * Cost: linear in sections times common control points; with a tolerance the search fits every section about
+ * three times for each knot it keeps.
+ * Source: [PT97] 10.3; [Woodward88].
  */
 BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
                                              const batten_skin_options *options,
                                              const batten_job *job, double *v,
                                              batten_skin_report *report, batten_surface **out);
 
-/** (1 - v) first(u) + v second(u), after unifying. */
+/** (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1]. */
 BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
                                               const batten_curve *second, batten_surface **out);
 /** curve(u) + v * along, v in [0, 1]. */
 BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
                                                  batten_surface **out);
 
-/** Frames along a spine, for those who place things themselves: orthonormal, axis z along the
- * tangent. @param[out] frames [count] */
+/**
+ * Frames along a spine, for those who place things themselves: orthonormal, axis z along the tangent.
+ *
+ * The first minimising or fixed frame stands at the start of the spine; its x is that axis of the world which
+ * lies most across the tangent (x before y before z). A fixed frame keeps both axes all along.
+ * @param at [count] increasing, in the domain of the spine
+ * @param[out] frames [count]
+ * @return BATTEN_OK; SINGULAR_HERE without a tangent, or, Frenet, where the spine is straight; OUT_OF_DOMAIN,
+ *         NOT_INCREASING
+ * Source: [WJZL08], with 64 double reflections for each span of the spine.
+ */
 BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int count,
                                              const double *at, batten_frame_kind kind,
                                              batten_frame *frames);

@@ -14,22 +14,13 @@ batten_grid_options batten_grid_defaults(void)
 
 /* ---- parameters ---- */
 
-/* One direction of the grid: its lines of `count` points, of which there are `lines`. */
-typedef struct {
-    const char *name;
-    int dimension, count, lines;
-    size_t point_step, line_step; /* in numbers */
-    bool periodic;
-    const double *points, *given;
-} grid_side;
-
-static int step_count(const grid_side *g)
+static int step_count(const bat_family *g)
 {
     return g->periodic ? g->count : g->count - 1;
 }
 
 /* The steps of one line as shares of its length; false when it has none. */
-static bool line_shares(const grid_side *g, int line, batten_parametrization kind, double *points,
+static bool line_shares(const bat_family *g, int line, batten_parametrization kind, double *points,
                         double *shares)
 {
     const size_t d = (size_t)g->dimension;
@@ -46,21 +37,21 @@ static bool line_shares(const grid_side *g, int line, batten_parametrization kin
 }
 
 /* From average shares to parameters 0 .. 1. */
-static batten_status accumulate(const grid_side *g, int used, double *u)
+static batten_status accumulate(const bat_family *g, int used, double *u)
 {
     const int n = step_count(g);
     if (used == 0)
-        return bat_fail(BATTEN_COINCIDENT, "along %s every line of the grid is a single point", g->name);
+        return bat_fail(BATTEN_COINCIDENT, "all %s coincide: every line across them is a single point", g->name);
     u[0] = 0;
     for (int i = 0; i < n; i++) {
         const double share = u[i + 1] / used;
         if (!isfinite(share))
-            return bat_fail(BATTEN_OVERFLOW, "along %s grid lines %d and %d are too far apart", g->name,
+            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name,
                             i, (i + 1) % g->count);
         /* A millionth of the mean step would leave a crease, not a surface. */
         if (share * n < 1e-6)
             return bat_fail(BATTEN_COINCIDENT,
-                            "along %s grid lines %d and %d coincide: the step is %g of the length", g->name,
+                            "%s %d and %d coincide: the step is %g of the length", g->name,
                             i, (i + 1) % g->count, share);
         u[i + 1] = u[i] + share;
     }
@@ -69,7 +60,7 @@ static batten_status accumulate(const grid_side *g, int used, double *u)
 }
 
 /* How far the parameters of one line are from u, in steps. */
-static double line_spread(const grid_side *g, const double *shares, const double *u)
+static double line_spread(const bat_family *g, const double *shares, const double *u)
 {
     double at = 0, spread = 0;
     for (int i = 1; i < step_count(g); i++) {
@@ -79,7 +70,7 @@ static double line_spread(const grid_side *g, const double *shares, const double
     return spread;
 }
 
-static batten_status average(const grid_side *g, batten_parametrization kind, double *u,
+static batten_status average(const bat_family *g, batten_parametrization kind, double *u,
                              double *spread)
 {
     const size_t n = (size_t)step_count(g);
@@ -103,8 +94,7 @@ static batten_status average(const grid_side *g, batten_parametrization kind, do
     return status;
 }
 
-/* @param u  [count], periodic [count + 1], zeros */
-static batten_status find_parameters(const grid_side *g, batten_parametrization kind, double *u,
+batten_status bat_family_parametrize(const bat_family *g, batten_parametrization kind, double *u,
                                      double *spread)
 {
     if ((int)kind < 0 || kind > BATTEN_GIVEN)
@@ -112,7 +102,7 @@ static batten_status find_parameters(const grid_side *g, batten_parametrization 
     if (kind != BATTEN_GIVEN)
         return average(g, kind, u, spread);
     if (!g->given)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters along %s shall be given, and are not",
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters of the %s shall be given, and are not",
                         g->name);
     memcpy(u, g->given, ((size_t)g->count + g->periodic) * sizeof *u);
     return bat_parameters_check(g->count + g->periodic, u);
@@ -198,17 +188,17 @@ static batten_status find_both_parameters(task *t)
 {
     const batten_grid_options *o = t->options;
     const size_t d = (size_t)t->dimension, row = (size_t)t->count_v * d;
-    const grid_side u = {"u", t->dimension,  t->count_u, t->count_v, row,
+    const bat_family u = {"u grid lines", t->dimension,  t->count_u, t->count_v, row,
                          d,   o->periodic_u, t->points,  o->given_u};
-    const grid_side v = {"v", t->dimension,  t->count_v, t->count_u, d,
+    const bat_family v = {"v grid lines", t->dimension,  t->count_v, t->count_u, d,
                          row, o->periodic_v, t->points,  o->given_v};
     t->u = bat_array((size_t)t->count_u + 1, sizeof *t->u);
     t->v = bat_array((size_t)t->count_v + 1, sizeof *t->v);
     if (!t->u || !t->v)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = find_parameters(&u, o->parameters, t->u, &t->spread_u);
+    batten_status status = bat_family_parametrize(&u, o->parameters, t->u, &t->spread_u);
     if (status == BATTEN_OK)
-        status = find_parameters(&v, o->parameters, t->v, &t->spread_v);
+        status = bat_family_parametrize(&v, o->parameters, t->v, &t->spread_v);
     return status;
 }
 

@@ -19,6 +19,20 @@ batten_status bat_parametrize(int dimension, int count, const double *points,
 /* Finite, increasing. */
 batten_status bat_parameters_check(int count, const double *parameters);
 
+/* A family of lines of points that shall have the same parameters: the rows of a grid. */
+typedef struct {
+    const char *name; /* of what crosses them, for messages: "u grid lines" */
+    int dimension, count, lines;  /* `lines` of `count` points */
+    size_t point_step, line_step; /* in numbers */
+    bool periodic;
+    const double *points, *given;
+} bat_family;
+
+/* Parameters 0 .. 1, the average of those of all lines that are not a single point; or those given.
+ * @param u  [count], periodic [count + 1], zeros; @param spread  how far a line's own are from them, in steps */
+batten_status bat_family_parametrize(const bat_family *family, batten_parametrization kind, double *u,
+                                     double *spread);
+
 /* What is asked of the spline: its value at each parameter, and more. */
 typedef struct {
     int degree;

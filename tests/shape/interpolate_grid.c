@@ -351,10 +351,10 @@ TEST(G1_grid_lines_that_coincide_are_named)
     batten_surface *surface = NULL;
     CHECK_STATUS(batten_surface_interpolate(3, 6, 5, points, NULL, NULL, NULL, NULL, NULL, &surface),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("along u grid lines 2 and 3 coincide");
+    CHECK_MESSAGE("u grid lines 2 and 3 coincide");
     CHECK_STATUS(batten_surface_interpolate(3, 6, 5, once, NULL, NULL, NULL, NULL, NULL, &surface),
                  BATTEN_COINCIDENT);
-    CHECK_MESSAGE("every line of the grid is a single point");
+    CHECK_MESSAGE("all u grid lines coincide");
     points[0] = -1.7e308, points[15] = 1.7e308;
     CHECK_STATUS(batten_surface_interpolate(3, 6, 5, points, NULL, NULL, NULL, NULL, NULL, &surface),
                  BATTEN_OVERFLOW);

@@ -1,0 +1,289 @@
+#include "shape/skin.h"
+#include "numeric/vector.h"
+#include "spline/curve.h"
+
+#include <float.h>
+#include <string.h>
+
+/* How finely a span is walked: the error of a double reflection falls with the fourth power of the
+ * step; for a quarter of a helix 64 steps leave 1e-7 radians. */
+enum { STEPS_PER_SPAN = 64 };
+
+typedef struct {
+    batten_vec3 point, tangent, second;
+} place;
+
+static batten_status place_at(const batten_curve *spine, double u, place *out)
+{
+    const int d = batten_curve_dimension(spine);
+    double values[9];
+    const batten_status status = batten_curve_evaluate(spine, u, 2, values);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 first = bat_vec3_of(d, values + d);
+    const double speed = bat_vec3_norm(first);
+    if (!(speed > 0))
+        return bat_fail(BATTEN_SINGULAR_HERE, "the spine has no tangent at %.17g", u);
+    *out = (place){bat_vec3_of(d, values), bat_vec3_scale(first, 1 / speed),
+                   bat_vec3_scale(bat_vec3_of(d, values + 2 * d), 1 / speed)};
+    return BATTEN_OK;
+}
+
+/* v without what lies along the unit vector t, of length one; zero stays zero. */
+static batten_vec3 across(batten_vec3 v, batten_vec3 t)
+{
+    const batten_vec3 rest = bat_vec3_along(v, -bat_vec3_dot(v, t), t);
+    const double length = bat_vec3_norm(rest);
+    return length > 0 ? bat_vec3_scale(rest, 1 / length) : rest;
+}
+
+/* The first frame: x is the axis of the world that lies most across the tangent, the first of equals. */
+static batten_vec3 first_axis(batten_vec3 t)
+{
+    const double x = fabs(t.x), y = fabs(t.y), z = fabs(t.z);
+    if (x <= y && x <= z)
+        return across((batten_vec3){1, 0, 0}, t);
+    return across(y <= z ? (batten_vec3){0, 1, 0} : (batten_vec3){0, 0, 1}, t);
+}
+
+/* v mirrored in the plane at right angles to n. */
+static batten_vec3 reflect(batten_vec3 v, batten_vec3 n)
+{
+    const double square = bat_vec3_dot(n, n);
+    return square > 0 ? bat_vec3_along(v, -2 * bat_vec3_dot(n, v) / square, n) : v;
+}
+
+/* One step of the double reflection: the axis at `to` that turned least from `x` at `from`. */
+static batten_vec3 carry(const place *from, const place *to, batten_vec3 x)
+{
+    const batten_vec3 chord = bat_vec3_subtract(to->point, from->point);
+    const batten_vec3 axis = reflect(x, chord), tangent = reflect(from->tangent, chord);
+    const batten_vec3 carried = reflect(axis, bat_vec3_subtract(to->tangent, tangent));
+    return across(carried, to->tangent); /* rounding does not add up */
+}
+
+/* Walk from *at to `to` in equal steps that leave out no knot; `x` turns with it. */
+static batten_status walk(const batten_curve *spine, const double *knots, int knot_count, double from,
+                          double to, place *here, batten_vec3 *x)
+{
+    for (int span = 0; span + 1 < knot_count; span++) {
+        const double a = bat_max(from, knots[span]), b = bat_min(to, knots[span + 1]);
+        for (int i = 1; i <= STEPS_PER_SPAN && a < b; i++) {
+            place next;
+            const double s = (double)i / STEPS_PER_SPAN;
+            const batten_status status = place_at(spine, (1 - s) * a + s * b, &next);
+            if (status != BATTEN_OK)
+                return status;
+            *x = carry(here, &next, *x);
+            *here = next;
+        }
+    }
+    return BATTEN_OK;
+}
+
+static batten_status minimising(const batten_curve *spine, int count, const double *at,
+                                batten_frame *frames)
+{
+    const int knot_count = batten_curve_spans(spine, NULL);
+    double *knots = bat_array((size_t)knot_count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(spine, knots);
+    double u = knots[0];
+    place here;
+    batten_status status = place_at(spine, u, &here);
+    batten_vec3 x = {0, 0, 0};
+    if (status == BATTEN_OK)
+        x = first_axis(here.tangent);
+    for (int k = 0; status == BATTEN_OK && k < count; k++) {
+        status = walk(spine, knots, knot_count, u, at[k], &here, &x);
+        u = at[k];
+        frames[k] = (batten_frame){here.point, x, here.tangent};
+    }
+    bat_release(knots);
+    return status;
+}
+
+static batten_status frenet(const batten_curve *spine, double u, batten_frame *frame)
+{
+    place here;
+    const batten_status status = place_at(spine, u, &here);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 x = across(here.second, here.tangent);
+    const batten_vec3 bent = bat_vec3_cross(here.tangent, here.second);
+    /* Below, the direction of the normal is the rounding of the second derivative. */
+    if (!(bat_vec3_norm(bent) > 64 * DBL_EPSILON * bat_vec3_norm(here.second)))
+        return bat_fail(BATTEN_SINGULAR_HERE, "the spine is straight at %.17g: it has no Frenet frame there",
+                        u);
+    *frame = (batten_frame){here.point, x, here.tangent};
+    return BATTEN_OK;
+}
+
+static batten_status fixed(const batten_curve *spine, int count, const double *at, batten_frame *frames)
+{
+    place first, here;
+    batten_status status = place_at(spine, batten_curve_domain(spine).a, &first);
+    for (int k = 0; status == BATTEN_OK && k < count; k++) {
+        status = place_at(spine, at[k], &here);
+        frames[k] = (batten_frame){here.point, first_axis(first.tangent), first.tangent};
+    }
+    return status;
+}
+
+static batten_status check_places(const batten_curve *spine, int count, const double *at)
+{
+    const batten_interval domain = batten_curve_domain(spine);
+    if (count < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d frames are asked for", count);
+    const batten_status status = bat_parameters_check(count, at);
+    if (status == BATTEN_OK && (at[0] < domain.a || at[count - 1] > domain.b))
+        return bat_fail(BATTEN_OUT_OF_DOMAIN, "the places %g to %g are not all on the spine, %g to %g", at[0],
+                        at[count - 1], domain.a, domain.b);
+    return status;
+}
+
+batten_status batten_curve_frames(const batten_curve *spine, int count, const double *at,
+                                  batten_frame_kind kind, batten_frame *frames)
+{
+    batten_status status = check_places(spine, count, at);
+    if (status != BATTEN_OK)
+        return status;
+    batten_frame *made = bat_array((size_t)count, sizeof *made);
+    if (!made)
+        return BATTEN_OUT_OF_MEMORY;
+    if (kind == BATTEN_FRAME_FIXED)
+        status = fixed(spine, count, at, made);
+    else if (kind == BATTEN_FRAME_ROTATION_MINIMISING)
+        status = minimising(spine, count, at, made);
+    else
+        for (int k = 0; status == BATTEN_OK && k < count; k++)
+            status = frenet(spine, at[k], &made[k]);
+    if (status == BATTEN_OK)
+        memcpy(frames, made, (size_t)count * sizeof *frames);
+    bat_release(made);
+    return status;
+}
+
+/* ---- places of sections ---- */
+
+/* Arc lengths at 64 places of each span, by Simpson's rule; parameters by the cubic that has the speeds there. */
+typedef struct {
+    int count;
+    double *u, *length, *speed;
+} ruler;
+
+static batten_status measure(const batten_curve *spine, const double *knots, ruler *r)
+{
+    const int d = batten_curve_dimension(spine);
+    for (int i = 0; i < r->count; i++) {
+        const int span = i / STEPS_PER_SPAN;
+        const double s = (double)(i % STEPS_PER_SPAN) / STEPS_PER_SPAN;
+        double values[6];
+        r->u[i] = s == 0 ? knots[span] : (1 - s) * knots[span] + s * knots[span + 1];
+        batten_status status = batten_curve_evaluate(spine, r->u[i], 1, values);
+        r->speed[i] = bat_norm(d, values + d);
+        if (status == BATTEN_OK && i > 0) {
+            const double h = r->u[i] - r->u[i - 1];
+            const double before = r->speed[i - 1];
+            status = batten_curve_evaluate(spine, r->u[i - 1] + h / 2, 1, values);
+            r->length[i] = r->length[i - 1] + h / 6 * (before + 4 * bat_norm(d, values + d) + r->speed[i]);
+        }
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}
+
+/* u between two places where the length is the share x of the piece: the cubic with du / ds = 1 / speed. */
+static double between(const ruler *r, int i, double x)
+{
+    const double piece = r->length[i + 1] - r->length[i];
+    const double u0 = r->u[i], u1 = r->u[i + 1], y = 1 - x;
+    if (!(r->speed[i] > 0 && r->speed[i + 1] > 0))
+        return y * u0 + x * u1;
+    const double m0 = piece / r->speed[i], m1 = piece / r->speed[i + 1];
+    return (1 + 2 * x) * y * y * u0 + (1 + 2 * y) * x * x * u1 + x * y * (y * m0 - x * m1);
+}
+
+static void find_even(const ruler *r, int count, double *at)
+{
+    const double total = r->length[r->count - 1];
+    for (int k = 0, i = 0; k < count; k++) {
+        const double s = total * k / (count - 1);
+        while (i + 2 < r->count && r->length[i + 1] < s)
+            i++;
+        const double piece = r->length[i + 1] - r->length[i];
+        at[k] = between(r, i, piece > 0 ? bat_min(1, (s - r->length[i]) / piece) : 0);
+    }
+    at[count - 1] = r->u[r->count - 1];
+}
+
+static batten_status even_places(const batten_curve *spine, int count, double *at)
+{
+    const int knot_count = batten_curve_spans(spine, NULL);
+    ruler r = {.count = (knot_count - 1) * STEPS_PER_SPAN + 1};
+    double *knots = bat_array((size_t)knot_count, sizeof *knots);
+    r.u = bat_array((size_t)r.count, sizeof *r.u);
+    r.length = bat_array((size_t)r.count, sizeof *r.length);
+    r.speed = bat_array((size_t)r.count, sizeof *r.speed);
+    batten_status status = knots && r.u && r.length && r.speed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        batten_curve_spans(spine, knots);
+        status = measure(spine, knots, &r);
+    }
+    if (status == BATTEN_OK)
+        find_even(&r, count, at);
+    bat_release(r.speed);
+    bat_release(r.length);
+    bat_release(r.u);
+    bat_release(knots);
+    return status;
+}
+
+static batten_affine map_of(const batten_frame *frame, double twist, double scale)
+{
+    const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
+    const double c = cos(twist), s = sin(twist);
+    const batten_vec3 a = bat_vec3_along(bat_vec3_scale(frame->x, c), s, y);
+    const batten_vec3 b = bat_vec3_along(bat_vec3_scale(y, c), -s, frame->x);
+    const batten_vec3 o = frame->origin, z = frame->z;
+    return (batten_affine){{{scale * a.x, scale * b.x, scale * z.x},
+                            {scale * a.y, scale * b.y, scale * z.y},
+                            {scale * a.z, scale * b.z, scale * z.z}},
+                           {o.x, o.y, o.z}};
+}
+
+static batten_status check_laws(int count, const batten_skin_options *o)
+{
+    for (int k = 0; k < count; k++) {
+        if (o->twist && !isfinite(o->twist[k]))
+            return bat_fail(BATTEN_NOT_FINITE, "the twist of section %d is %g", k, o->twist[k]);
+        if (o->scale && !isfinite(o->scale[k]))
+            return bat_fail(BATTEN_NOT_FINITE, "the scale of section %d is %g", k, o->scale[k]);
+        if (o->scale && o->scale[k] <= 0)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the scale of section %d is %g, not above 0", k, o->scale[k]);
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_skin_places(int count, const batten_skin_options *o, batten_affine *maps)
+{
+    batten_status status = check_laws(count, o);
+    if (status != BATTEN_OK)
+        return status;
+    double *at = bat_array((size_t)count, sizeof *at);
+    batten_frame *frames = bat_array((size_t)count, sizeof *frames);
+    status = at && frames ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && o->spine_at)
+        memcpy(at, o->spine_at, (size_t)count * sizeof *at);
+    else if (status == BATTEN_OK)
+        status = even_places(o->spine, count, at);
+    if (status == BATTEN_OK)
+        status = batten_curve_frames(o->spine, count, at, o->frames, frames);
+    for (int k = 0; status == BATTEN_OK && k < count; k++)
+        maps[k] = map_of(&frames[k], o->twist ? o->twist[k] : 0, o->scale ? o->scale[k] : 1);
+    bat_release(frames);
+    bat_release(at);
+    return status;
+}

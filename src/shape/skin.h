@@ -1,0 +1,18 @@
+/* The parts of skinning: frames place the sections, common knots unify them within a tolerance. */
+#ifndef BAT_SKIN_H
+#define BAT_SKIN_H
+#include "shape/shape.h"
+#include <batten/skin.h>
+
+/* The maps that bring sections from the xy-plane to their places along the spine. @param maps [count] */
+batten_status bat_skin_places(int count, const batten_skin_options *options, batten_affine *maps);
+
+/*
+ * Give sections the same degree, few common knots and the domain [0, 1], no section moving farther than `tolerance`;
+ * corners stay. When that takes as many knots as the exact union, that.
+ * @param[out] out [count]; @param[out] deviation [count] bounds on how far each moved
+ */
+batten_status bat_skin_common_knots(int count, const batten_curve *const *sections, double tolerance,
+                                    batten_curve **out, double *deviation);
+
+#endif

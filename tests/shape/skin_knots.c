@@ -1,0 +1,172 @@
+#include "shape/sections.h"
+
+#include "shape/skin.h"
+
+/* The farthest that a line of the surface is from its section, at the same parameters. */
+static double measured(int count, batten_curve **sections, const double *v,
+                       const batten_surface *surface)
+{
+    double worst = 0;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i <= 500; i++) {
+            double given[3], found[3];
+            CHECK_OK(batten_curve_evaluate(sections[k], i / 500.0, 0, given));
+            CHECK_OK(batten_surface_evaluate(surface, i / 500.0, v[k], 0, found));
+            worst = fmax(worst, hypot(hypot(given[0] - found[0], given[1] - found[1]), given[2] - found[2]));
+        }
+    return worst;
+}
+
+static batten_skin_report check_family(int count, int points, double tolerance, double length,
+                                       void (*at)(double, double, double *))
+{
+    test_random random = test_random_begin("family");
+    batten_curve *sections[64];
+    double v[64];
+    for (int k = 0; k < count; k++)
+        sections[k] = jittered(&random, points, length * k / (count - 1), at);
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = tolerance;
+    batten_skin_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)sections, &options, NULL, v, &report,
+                                 &surface));
+    CHECK(report.deviation <= tolerance);
+    const double worst = measured(count, sections, v, surface);
+    CHECK(worst <= report.deviation * (1 + 1e-9));
+    CHECK(report.deviation < 3 * worst);
+    CHECK_INT(batten_surface_spans(surface, BATTEN_U, NULL) - 2, report.knot_count);
+    CHECK_INT(report.exact_knot_count, count * (points - 4));
+    batten_surface_unref(surface);
+    unref_all(count, sections);
+    return report;
+}
+
+TEST(K7_thirty_profiles_with_twenty_knots_each_share_few)
+{
+    const int count = test_cases(30) < 30 ? 4 : 30;
+    const batten_skin_report loose = check_family(count, 24, 1e-3, 3, airfoil);
+    const batten_skin_report fine = check_family(count, 24, 1e-4, 3, airfoil);
+    CHECK(loose.knot_count <= 20);
+    CHECK(fine.knot_count <= 30);
+    CHECK(fine.span_ratio > 0.1);
+}
+
+TEST(K7_the_frames_of_a_ship_share_few_knots_at_half_a_millimetre)
+{
+    const int count = test_cases(41) < 41 ? 4 : 41;
+    const batten_skin_report report = check_family(count, 19, 0.5e-3, 1, hull);
+    CHECK(report.knot_count <= 30);
+}
+
+static batten_status polyline_section(double x, double corner, batten_curve **out)
+{
+    const double points[] = {x, 0, 0, x, 1, 0.2, x, 1, 2};
+    const double knots[] = {0, 0, corner, 1, 1};
+    return batten_curve_create(3, 1, 3, points, NULL, knots, out);
+}
+
+TEST(corners_stay_where_they_are)
+{
+    batten_curve *sections[3] = {NULL, NULL, NULL};
+    for (int k = 0; k < 3; k++)
+        CHECK_OK(polyline_section(k, 0.5, &sections[k]));
+    test_random random = test_random_begin("corner");
+    batten_curve *smooth = jittered(&random, 20, 0.5, hull), *all[4];
+    memcpy(all, sections, sizeof sections);
+    all[3] = smooth;
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = 1e-3;
+    options.degree = 1;
+    batten_skin_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)all, &options, NULL, NULL, &report, &surface));
+    CHECK(report.deviation <= 1e-3 && report.knot_count < report.exact_knot_count);
+    CHECK_NEAR(report.normal_jump, acos(0) - atan(0.2), 0.02);
+    double out[3];
+    CHECK_OK(batten_surface_evaluate(surface, 0.5, 0, 0, out));
+    CHECK_NEAR(out[1], 1, 1e-3);
+    CHECK_NEAR(out[2], 0.2, 1e-3);
+    batten_surface_unref(surface);
+    unref_all(4, all);
+}
+
+TEST(when_corners_need_as_many_knots_as_the_union_the_skin_is_exact)
+{
+    batten_curve *sections[3] = {NULL, NULL, NULL};
+    for (int k = 0; k < 3; k++)
+        CHECK_OK(polyline_section(k, 0.3 + 0.2 * k, &sections[k]));
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = 1e-3;
+    batten_skin_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
+                                 &surface));
+    CHECK(report.deviation < 1e-14 && report.knot_count == 3 && report.exact_knot_count == 3);
+    batten_surface_unref(surface);
+    unref_all(3, sections);
+}
+
+TEST(rational_sections_keep_the_tolerance_too)
+{
+    batten_curve *sections[4] = {NULL, NULL, NULL, NULL};
+    test_random random = test_random_begin("rational");
+    for (int k = 0; k < 4; k++) {
+        batten_curve *arc = NULL, *space = NULL;
+        CHECK_OK(batten_curve_arc(2 + 0.1 * k, 2, &arc));
+        CHECK_OK(batten_curve_to_dimension(arc, 3, &space));
+        const batten_affine map = batten_affine_translation(100, 0, k);
+        CHECK_OK(batten_curve_transform(space, &map, &sections[k]));
+        for (int i = 0; i < 6; i++) {
+            batten_curve *refined = NULL;
+            CHECK_OK(batten_curve_insert_knot(sections[k], test_random_in(&random, 0.05, 0.95), 1, &refined));
+            batten_curve_unref(sections[k]);
+            sections[k] = refined;
+        }
+        batten_curve_unref(space);
+        batten_curve_unref(arc);
+    }
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = 1e-4;
+    batten_skin_report report;
+    batten_surface *surface = NULL;
+    double v[4];
+    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)sections, &options, NULL, v, &report,
+                                 &surface));
+    CHECK(batten_surface_is_rational(surface));
+    CHECK(report.deviation <= 1e-4 && report.knot_count < 12 && report.exact_knot_count == 25);
+    CHECK(measured(4, sections, v, surface) <= report.deviation * (1 + 1e-9) + 1e-12);
+    batten_surface_unref(surface);
+    unref_all(4, sections);
+}
+
+TEST(N6_tolerances_are_checked)
+{
+    test_random random = test_random_begin("tolerance");
+    batten_curve *sections[2] = {jittered(&random, 10, 0, airfoil), jittered(&random, 10, 1, airfoil)};
+    batten_skin_options options = batten_skin_defaults();
+    batten_surface *surface = NULL;
+    options.tolerance = 1e-15;
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
+                                     &surface),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance 1e-15 is lost in the rounding of coordinates of 1");
+    options.tolerance = -1;
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
+                                     &surface),
+                 BATTEN_BAD_ARGUMENT);
+    options.tolerance = NAN;
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
+                                     &surface),
+                 BATTEN_NOT_FINITE);
+    CHECK(surface == NULL);
+    /* Larger than the sections: no knots are left. */
+    options.tolerance = 100;
+    batten_skin_report report;
+    CHECK_OK(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
+                                 &surface));
+    CHECK_INT(report.knot_count, 0);
+    CHECK(report.deviation > 0 && report.span_ratio == 1);
+    batten_surface_unref(surface);
+    unref_all(2, sections);
+}
