@@ -1,0 +1,103 @@
+#include "exchange/csv/columns.h"
+
+#include <batten/model.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    bat_column_kind kind;
+} names[] = {
+    {"x", BAT_COLUMN_X},
+    {"y", BAT_COLUMN_Y},
+    {"half-breadth", BAT_COLUMN_Y},
+    {"half-breadths", BAT_COLUMN_Y},
+    {"halfbreadth", BAT_COLUMN_Y},
+    {"half-width", BAT_COLUMN_Y},
+    {"z", BAT_COLUMN_Z},
+    {"height", BAT_COLUMN_Z},
+    {"heights", BAT_COLUMN_Z},
+    {"waterline", BAT_COLUMN_Z},
+    {"waterlines", BAT_COLUMN_Z},
+    {"station", BAT_COLUMN_STATION},
+    {"stations", BAT_COLUMN_STATION},
+    {"line", BAT_COLUMN_LINE},
+    {"name", BAT_COLUMN_LINE},
+    {"section", BAT_COLUMN_SECTION},
+};
+
+#define LONGEST 48
+
+/* "Height (mm)" -> "height", "mm"; "z_m" -> "z", "m". Letters are made small, and '_' and blanks
+ * become '-'. */
+static void normalise(const char *text, char *name)
+{
+    size_t length = 0;
+    for (; text[length] && length < LONGEST - 1; length++) {
+        const char c = text[length];
+        name[length] = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        if (c == '_' || c == ' ')
+            name[length] = '-';
+    }
+    name[length] = '\0';
+}
+
+/* Cut the unit off a name and say it. */
+static double cut_unit(char *name)
+{
+    const size_t length = strlen(name);
+    char *open = strpbrk(name, "[(");
+    char *last = strrchr(name, '-');
+    double metres = 0;
+    if (open && open > name && length > 0 && strchr("])", name[length - 1])) {
+        name[length - 1] = '\0';
+        metres = batten_unit_metres(open + 1);
+        *open = '\0';
+        if (open[-1] == '-')
+            open[-1] = '\0';
+    } else if (last && batten_unit_metres(last + 1) > 0) {
+        metres = batten_unit_metres(last + 1);
+        *last = '\0';
+    }
+    return metres;
+}
+
+bat_column bat_column_of(const char *text)
+{
+    char name[LONGEST];
+    normalise(text, name);
+    bat_column column = {BAT_COLUMN_OTHER, false, cut_unit(name)};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+        if (strcmp(name, names[k].name) == 0)
+            column.kind = names[k].kind;
+    column.is_letter = column.kind != BAT_COLUMN_OTHER && name[1] == '\0';
+    return column;
+}
+
+static bool has_unit(bat_column_kind kind)
+{
+    return kind == BAT_COLUMN_X || kind == BAT_COLUMN_Y || kind == BAT_COLUMN_Z ||
+           kind == BAT_COLUMN_STATION;
+}
+
+batten_status bat_columns_unit(const bat_separated *table, const bat_column *columns, int count,
+                               double *unit_metres)
+{
+    double unit = 0;
+    int said = 0, silent = 0;
+    for (int k = 0; k < count; k++) {
+        if (!has_unit(columns[k].kind))
+            continue;
+        const double own = columns[k].unit_metres;
+        if (own > 0 && unit > 0 && own != unit)
+            return bat_field_fail(table, k, "'%.40s' is in another unit than the columns before",
+                                  table->fields[k].text);
+        unit = own > 0 ? own : unit;
+        said += own > 0;
+        silent += own == 0;
+    }
+    if (said && silent)
+        batten_notes_add(table->input->notes, table->input->file, table->line, "",
+                         "only some columns say a unit; all are taken to be in %g m", unit);
+    *unit_metres = unit;
+    return BATTEN_OK;
+}

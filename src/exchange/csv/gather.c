@@ -1,0 +1,401 @@
+#include "exchange/csv/gather.h"
+
+#include <batten/number.h>
+#include <stdlib.h>
+#include <string.h>
+
+void bat_gather_begin(bat_gathering *gathering, bat_input *input)
+{
+    *gathering = (bat_gathering){.input = input,
+                                 .points = {.size = sizeof(bat_gathered)},
+                                 .names = {.size = sizeof(char *)}};
+}
+
+void bat_gather_end(bat_gathering *gathering)
+{
+    char *const *names = gathering->names.items;
+    for (size_t i = 0; i < gathering->names.count; i++)
+        bat_release(names[i]);
+    bat_release(gathering->names.items);
+    bat_release(gathering->points.items);
+}
+
+batten_status bat_gather_name(bat_gathering *gathering, const char *text, const char **name)
+{
+    const size_t size = strlen(text) + 1;
+    char *kept = NULL;
+    batten_status status = bat_input_array(gathering->input, size, 1, &kept);
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(kept, text, size);
+    status = bat_list_add(gathering->input, &gathering->names, &kept);
+    if (status == BATTEN_OK)
+        *name = kept;
+    else
+        bat_release(kept);
+    return status;
+}
+
+batten_status bat_gather_point(bat_gathering *gathering, const bat_gathered *point)
+{
+    batten_status status =
+        bat_input_limit(gathering->input, point->row, gathering->points.count + 1,
+                        gathering->input->limits.points, "points in the table");
+    return status == BATTEN_OK ? bat_list_add(gathering->input, &gathering->points, point) : status;
+}
+
+/* ---- lines ---- */
+
+/* A point on its way to its station. */
+typedef struct {
+    bat_gathered point;
+    size_t order; /* as it came */
+    int line;     /* its line, -1 for none */
+    double rank;  /* mean height of its line, or its own */
+} sorted_point;
+
+typedef struct {
+    const char *name;
+    bool is_waterline;
+    double z, rank;
+    size_t members; /* where its points stand, and how many, in the array sorted by lines */
+    size_t count;
+} sorted_line;
+
+typedef struct {
+    bat_gathering *from;
+    size_t count;
+    sorted_point *points;
+    size_t line_count;
+    sorted_line *lines;
+    batten_offset_line *offset_lines;
+    batten_offset_point *offset_points;
+    batten_station *stations;
+    int station_count;
+    char (*line_texts)[BATTEN_NUMBER_SIZE + 2]; /* names made of numbers */
+    char (*station_texts)[BATTEN_NUMBER_SIZE];
+} table;
+
+static int compare(double a, double b)
+{
+    return (a > b) - (a < b);
+}
+
+static int compare_order(size_t a, size_t b)
+{
+    return (a > b) - (a < b);
+}
+
+/* Points of one line together: by name, or where they have none by height. */
+static int by_line(const void *a, const void *b)
+{
+    const sorted_point *p = a, *q = b;
+    const bool named = p->point.line && q->point.line;
+    int order = (q->point.line != NULL) - (p->point.line != NULL);
+    if (order == 0 && named)
+        order = strcmp(p->point.line, q->point.line);
+    return order ? order : compare(p->point.z, q->point.z);
+}
+
+static bool same_line(const bat_gathered *a, const bat_gathered *b)
+{
+    if (a->line && b->line)
+        return strcmp(a->line, b->line) == 0;
+    return !a->line && !b->line && a->z == b->z;
+}
+
+static sorted_line measure_line(const sorted_point *points, size_t begin, size_t end)
+{
+    const double low = points[begin].point.z;
+    double sum = 0;
+    for (size_t i = begin; i < end; i++)
+        sum += points[i].point.z / (double)(end - begin);
+    const bool level = low == points[end - 1].point.z;
+    return (sorted_line){.name = points[begin].point.line,
+                         .is_waterline = level,
+                         .z = level ? low + 0.0 : 0, /* never -0 */
+                         .rank = level ? low : sum,
+                         .members = begin,
+                         .count = end - begin};
+}
+
+static int by_rank(const void *a, const void *b)
+{
+    const sorted_line *p = a, *q = b;
+    const int order = compare(p->rank, q->rank);
+    return order ? order : strcmp(p->name ? p->name : "", q->name ? q->name : "");
+}
+
+/* Where the line that begins at `begin` ends. */
+static size_t end_of_line(const table *t, size_t begin)
+{
+    size_t end = begin + 1;
+    while (end < t->count && same_line(&t->points[begin].point, &t->points[end].point))
+        end++;
+    return end;
+}
+
+/* Find the lines, sort them by their mean height, and tell each point its line. */
+static batten_status find_lines(table *t)
+{
+    bat_input *input = t->from->input;
+    size_t count = 0;
+    qsort(t->points, t->count, sizeof *t->points, by_line);
+    for (size_t begin = 0; begin < t->count; begin = end_of_line(t, begin))
+        count += t->points[begin].point.line || t->from->by_height;
+    batten_status status = bat_input_array(input, count, sizeof *t->lines, &t->lines);
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, sizeof *t->offset_lines, &t->offset_lines);
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, sizeof *t->line_texts, &t->line_texts);
+    if (status != BATTEN_OK)
+        return status;
+
+    for (size_t begin = 0, end; begin < t->count; begin = end) {
+        end = end_of_line(t, begin);
+        if (t->points[begin].point.line || t->from->by_height)
+            t->lines[t->line_count++] = measure_line(t->points, begin, end);
+    }
+    qsort(t->lines, t->line_count, sizeof *t->lines, by_rank);
+    for (size_t k = 0; k < t->line_count; k++)
+        for (size_t i = 0; i < t->lines[k].count; i++) {
+            t->points[t->lines[k].members + i].line = (int)k;
+            t->points[t->lines[k].members + i].rank = t->lines[k].rank;
+        }
+    return BATTEN_OK;
+}
+
+static void make_lines(table *t)
+{
+    for (size_t k = 0; k < t->line_count; k++) {
+        const sorted_line *line = &t->lines[k];
+        memcpy(t->line_texts[k], "z=", 2);
+        batten_number_write(line->z, t->line_texts[k] + 2);
+        t->offset_lines[k] =
+            (batten_offset_line){.name = line->name ? line->name : t->line_texts[k],
+                                 .is_waterline = line->is_waterline,
+                                 .z = line->z};
+    }
+}
+
+/* ---- stations ---- */
+
+static int by_station(const void *a, const void *b)
+{
+    const sorted_point *p = a, *q = b;
+    int order = compare(p->point.station, q->point.station);
+    if (order == 0)
+        order = compare(p->rank, q->rank);
+    if (order == 0)
+        order = (p->line > q->line) - (p->line < q->line);
+    return order ? order : compare_order(p->order, q->order);
+}
+
+/* Two neighbours of one station and one line: only a waterline may come twice, and not twice to
+ * the same point. */
+static batten_status check_twice(const table *t, const sorted_point *p, const sorted_point *q)
+{
+    if (p->point.station != q->point.station || p->line != q->line)
+        return BATTEN_OK;
+    const bool same = p->point.y == q->point.y && p->point.z == q->point.z &&
+                      p->point.x == q->point.x;
+    if (!same && (p->line < 0 || t->lines[p->line].is_waterline))
+        return BATTEN_OK;
+    return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT, q->point.row,
+                          "station x = %g has a second point on %s%s%s, at height %g; the first "
+                          "is in line %d",
+                          q->point.station, q->point.line ? "line '" : "the same place",
+                          q->point.line ? q->point.line : "", q->point.line ? "'" : "", q->point.z,
+                          p->point.row);
+}
+
+/* Two columns or rows of the table that say the same x. */
+static batten_status check_source(const table *t, size_t begin, size_t i)
+{
+    const bat_gathered *first = &t->points[begin].point, *point = &t->points[i].point;
+    if (point->source == first->source)
+        return BATTEN_OK;
+    return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT, bat_max_int(first->row, point->row),
+                          "station x = %g stands twice in the table, as number %d and %d",
+                          point->station, bat_min_int(first->source, point->source),
+                          bat_max_int(first->source, point->source));
+}
+
+/* The name among the points begin .. end - 1 of one station, or NULL. */
+static batten_status name_of_station(const table *t, size_t begin, size_t end, const char **name)
+{
+    const sorted_point *first = NULL;
+    for (size_t i = begin; i < end; i++) {
+        const sorted_point *p = &t->points[i];
+        if (first && p->point.station_name &&
+            strcmp(first->point.station_name, p->point.station_name) != 0)
+            return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT,
+                                  bat_max_int(first->point.row, p->point.row),
+                                  "station '%.40s' stands at x = %g, where '%.40s' of line %d is",
+                                  p->point.station_name, p->point.station,
+                                  first->point.station_name,
+                                  bat_min_int(first->point.row, p->point.row));
+        if (!first && p->point.station_name)
+            first = p;
+    }
+    *name = first ? first->point.station_name : NULL;
+    return BATTEN_OK;
+}
+
+static batten_status make_station(table *t, size_t begin, size_t end)
+{
+    const char *name = NULL;
+    batten_status status = name_of_station(t, begin, end, &name);
+    for (size_t i = begin; status == BATTEN_OK && i < end; i++) {
+        const sorted_point *p = &t->points[i];
+        status = check_source(t, begin, i);
+        if (status == BATTEN_OK && i > begin)
+            status = check_twice(t, p - 1, p);
+        t->offset_points[i] = (batten_offset_point){p->point.x, p->point.y, p->point.z, p->line};
+    }
+    if (status != BATTEN_OK)
+        return status;
+    char *text = t->station_texts[t->station_count];
+    const double x = t->points[begin].point.station + 0.0; /* never -0 */
+    batten_number_write(x, text);
+    t->stations[t->station_count++] = (batten_station){.name = name ? name : text,
+                                                       .x = x,
+                                                       .point_count = (int)(end - begin),
+                                                       .points = &t->offset_points[begin]};
+    return BATTEN_OK;
+}
+
+/* Where the station that begins at `begin` ends. */
+static size_t end_of_station(const table *t, size_t begin)
+{
+    size_t end = begin + 1;
+    while (end < t->count && t->points[end].point.station == t->points[begin].point.station)
+        end++;
+    return end;
+}
+
+static batten_status make_stations(table *t)
+{
+    bat_input *input = t->from->input;
+    size_t count = 0;
+    qsort(t->points, t->count, sizeof *t->points, by_station);
+    for (size_t begin = 0; begin < t->count; begin = end_of_station(t, begin))
+        count++;
+    batten_status status = bat_input_array(input, count, sizeof *t->stations, &t->stations);
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, sizeof *t->station_texts, &t->station_texts);
+    for (size_t begin = 0, end; status == BATTEN_OK && begin < t->count; begin = end) {
+        end = end_of_station(t, begin);
+        status = make_station(t, begin, end);
+    }
+    return status;
+}
+
+/* ---- the whole ---- */
+
+/* Those of a station together, as they came. */
+static int by_station_alone(const void *a, const void *b)
+{
+    const sorted_point *p = a, *q = b;
+    const int order = compare(p->point.station, q->point.station);
+    return order ? order : compare_order(p->order, q->order);
+}
+
+/* Say which stations have no points, and whether the stations come in the order of x. */
+static void note_stations(const table *t)
+{
+    const bat_input *input = t->from->input;
+    bool sorted = true;
+    size_t last = 0;
+    for (size_t begin = 0, end; begin < t->count; begin = end) {
+        const sorted_point *first = &t->points[begin];
+        bool any = false;
+        end = end_of_station(t, begin);
+        for (size_t i = begin; i < end; i++)
+            any |= !t->points[i].point.is_absent;
+        if (!any)
+            batten_notes_add(input->notes, input->file, first->point.row, "",
+                             "station x = %g has no points; left out", first->point.station);
+        sorted &= first->order >= last;
+        last = first->order;
+    }
+    if (!sorted)
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "the stations do not come in the order of x; sorted");
+}
+
+static void drop_absent(table *t)
+{
+    size_t kept = 0;
+    qsort(t->points, t->count, sizeof *t->points, by_station_alone);
+    note_stations(t);
+    for (size_t i = 0; i < t->count; i++)
+        if (!t->points[i].point.is_absent)
+            t->points[kept++] = t->points[i];
+    t->count = kept;
+}
+
+static void release(table *t)
+{
+    bat_release(t->station_texts);
+    bat_release(t->line_texts);
+    bat_release(t->stations);
+    bat_release(t->offset_points);
+    bat_release(t->offset_lines);
+    bat_release(t->lines);
+    bat_release(t->points);
+}
+
+static batten_status make_model(double unit_metres, const batten_offsets *offsets,
+                                batten_model **out)
+{
+    const batten_object object = {
+        .name = "offsets", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets};
+    batten_model *model = NULL;
+    batten_status status = batten_model_create(unit_metres, &model);
+    if (status == BATTEN_OK)
+        status = batten_model_add(model, &object);
+    if (status == BATTEN_OK)
+        *out = model;
+    else
+        batten_model_unref(model);
+    return status;
+}
+
+/* The points that are there, ready for sorting. */
+static batten_status take_points(table *t)
+{
+    const bat_gathered *points = t->from->points.items;
+    bat_input *input = t->from->input;
+    t->count = t->from->points.count;
+    batten_status status = bat_input_array(input, t->count, sizeof *t->points, &t->points);
+    if (status != BATTEN_OK)
+        return status;
+    for (size_t i = 0; i < t->count; i++)
+        t->points[i] = (sorted_point){points[i], i, -1, points[i].z};
+    drop_absent(t);
+    if (t->count == 0)
+        return bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "there is no point in the table");
+    return bat_input_array(input, t->count, sizeof *t->offset_points, &t->offset_points);
+}
+
+batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
+{
+    table t = {.from = gathering};
+    batten_offsets *offsets = NULL;
+    batten_status status = take_points(&t);
+    if (status == BATTEN_OK)
+        status = find_lines(&t);
+    if (status == BATTEN_OK) {
+        make_lines(&t);
+        status = make_stations(&t);
+    }
+    if (status == BATTEN_OK)
+        status = batten_offsets_create(gathering->unit_metres, (int)t.line_count, t.offset_lines,
+                                       t.station_count, t.stations, &offsets);
+    if (status == BATTEN_OK)
+        status = make_model(gathering->unit_metres, offsets, out);
+    batten_offsets_unref(offsets);
+    release(&t);
+    return status;
+}

@@ -1,0 +1,56 @@
+#include "exchange/csv/columns.h"
+#include "exchange/csv/csv.h"
+
+bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table)
+{
+    bool along = false, breadth = false, height = false;
+    for (int k = 0; k < table->count; k++) {
+        const bat_column_kind kind = bat_column_of(table->fields[k].text).kind;
+        along |= kind == BAT_COLUMN_X || kind == BAT_COLUMN_STATION;
+        breadth |= kind == BAT_COLUMN_Y;
+        height |= kind == BAT_COLUMN_Z;
+    }
+    if (along && breadth && height)
+        return BAT_OFFSETS_LONG;
+    if (table->count > 1 && bat_is_matrix_corner(table->fields[0].text))
+        return BAT_OFFSETS_MATRIX;
+    if (table->count > 1 && bat_same_word(table->fields[0].text, "axis") &&
+        bat_same_word(table->fields[1].text, "name"))
+        return BAT_OFFSETS_LOFT;
+    return BAT_OFFSETS_NONE;
+}
+
+static batten_status read_table(bat_separated *table, bat_gathering *gathering)
+{
+    bool more = false;
+    batten_status status = bat_separated_next(table, &more);
+    if (status != BATTEN_OK)
+        return status;
+    switch (more ? bat_offsets_dialect_of(table) : BAT_OFFSETS_NONE) {
+    case BAT_OFFSETS_LONG:
+        return bat_offsets_long(table, gathering);
+    case BAT_OFFSETS_MATRIX:
+        return bat_offsets_matrix(table, gathering);
+    case BAT_OFFSETS_LOFT:
+        return bat_offsets_loft(table, gathering);
+    case BAT_OFFSETS_NONE:
+        break;
+    }
+    return bat_input_fail(table->input, BATTEN_BAD_FORMAT, table->line,
+                          "no table of offsets: the first row must name columns for station, "
+                          "height and half-breadth, or begin with station\\height or axis,name");
+}
+
+batten_status bat_read_offsets(bat_input *input, batten_model **out)
+{
+    bat_separated table;
+    bat_gathering gathering;
+    bat_separated_begin(&table, input);
+    bat_gather_begin(&gathering, input);
+    batten_status status = read_table(&table, &gathering);
+    if (status == BATTEN_OK)
+        status = bat_gather_finish(&gathering, out);
+    bat_gather_end(&gathering);
+    bat_separated_end(&table);
+    return status;
+}

@@ -1,0 +1,213 @@
+#include "exchange/csv/csv.h"
+
+#include <batten/number.h>
+#include <batten/units.h>
+#include <string.h>
+
+/* A note for each object that a format with one kind of object cannot hold. */
+static void note_left_out(const batten_model *model, batten_notes *notes, batten_object_kind kind,
+                          bool only_first)
+{
+    bool first = true;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        const bool fits = object->kind == kind && (first || !only_first);
+        first &= object->kind != kind;
+        if (!fits)
+            batten_notes_add(notes, "", 0, object->name, "the format cannot hold this; left out");
+    }
+}
+
+static const batten_object *first_of_kind(const batten_model *model, batten_object_kind kind)
+{
+    for (int i = 0; i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == kind)
+            return batten_model_object(model, i);
+    return NULL;
+}
+
+static batten_status nothing(const char *what)
+{
+    return bat_fail(BATTEN_NOT_COMPATIBLE, "the model has no %s to write", what);
+}
+
+/* "_mm"; "" without a unit. */
+static void put_unit(batten_text *text, double metres)
+{
+    const char *name = metres > 0 ? batten_unit_name(metres) : NULL;
+    if (name)
+        batten_text_add(text, "_%s", name);
+}
+
+static void note_unit(double metres, batten_notes *notes)
+{
+    if (metres > 0 && !batten_unit_name(metres))
+        batten_notes_add(notes, "", 0, "", "a unit of %g m has no name; it is not written", metres);
+}
+
+/* ---- offsets ---- */
+
+/* A field in quotes, its own doubled; what would end the line becomes a blank. */
+static void put_quoted(batten_text *text, const char *field)
+{
+    batten_text_bytes(text, ",\"", 2);
+    for (; *field; field++) {
+        const char c = *field == '\n' || *field == '\r' ? ' ' : *field;
+        batten_text_bytes(text, c == '"' ? "\"\"" : &c, c == '"' ? 2 : 1);
+    }
+    batten_text_bytes(text, "\"", 1);
+}
+
+/* Which of the columns that are not always there the table needs. */
+typedef struct {
+    bool station, line, section;
+} columns;
+
+/* Is the point on the waterline of its height, under the name that reading would give it? */
+static bool is_plain(const batten_offsets *offsets, const batten_offset_point *point)
+{
+    char name[BATTEN_NUMBER_SIZE + 2] = "z=";
+    if (point->line < 0)
+        return false;
+    const batten_offset_line *line = batten_offsets_line(offsets, point->line);
+    batten_number_write(point->z + 0.0, name + 2);
+    return line->is_waterline && strcmp(line->name, name) == 0;
+}
+
+static columns needed_columns(const batten_offsets *offsets)
+{
+    columns needed = {false, false, false};
+    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
+        const batten_station *station = batten_offsets_station(offsets, i);
+        char name[BATTEN_NUMBER_SIZE];
+        batten_number_write(station->x + 0.0, name);
+        needed.section |= station->name[0] && strcmp(station->name, name) != 0;
+        for (int k = 0; k < station->point_count; k++) {
+            needed.station |= station->points[k].x != station->x;
+            needed.line |= !is_plain(offsets, &station->points[k]);
+        }
+    }
+    return needed;
+}
+
+static void put_head(batten_text *text, columns needed, double unit)
+{
+    static const char *const names[] = {"station", "x", "z", "half_breadth"};
+    for (int k = needed.station ? 0 : 1; k < 4; k++) {
+        batten_text_add(text, "%s", names[k]);
+        put_unit(text, unit);
+        batten_text_add(text, "%s", k < 3 ? "," : "");
+    }
+    batten_text_add(text, "%s%s\n", needed.line ? ",line" : "", needed.section ? ",section" : "");
+}
+
+static void put_point(batten_text *text, columns needed, const batten_offsets *offsets,
+                      const batten_station *station, const batten_offset_point *point)
+{
+    if (needed.station) {
+        batten_text_number(text, station->x);
+        batten_text_bytes(text, ",", 1);
+    }
+    batten_text_number(text, point->x);
+    batten_text_bytes(text, ",", 1);
+    batten_text_number(text, point->z);
+    batten_text_bytes(text, ",", 1);
+    batten_text_number(text, point->y);
+    if (needed.line)
+        put_quoted(text, point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
+    if (needed.section)
+        put_quoted(text, station->name);
+    batten_text_bytes(text, "\n", 1);
+}
+
+batten_status bat_write_offsets(const batten_model *model, batten_notes *notes, batten_text *text)
+{
+    const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSETS);
+    if (!object)
+        return nothing("table of offsets");
+    const batten_offsets *offsets = object->offsets;
+    const double own = batten_offsets_unit_metres(offsets);
+    const double unit = own > 0 ? own : batten_model_unit_metres(model);
+    const columns needed = needed_columns(offsets);
+    note_left_out(model, notes, BATTEN_OBJECT_OFFSETS, true);
+    note_unit(unit, notes);
+    put_head(text, needed, unit);
+    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
+        const batten_station *station = batten_offsets_station(offsets, i);
+        for (int k = 0; k < station->point_count; k++)
+            put_point(text, needed, offsets, station, &station->points[k]);
+    }
+    return BATTEN_OK;
+}
+
+/* ---- points ---- */
+
+static void put_coordinates(batten_text *text, const double *point, int count)
+{
+    for (int k = 0; k < count; k++) {
+        if (k > 0)
+            batten_text_bytes(text, " ", 1);
+        batten_text_number(text, point[k]);
+    }
+    batten_text_bytes(text, "\n", 1);
+}
+
+batten_status bat_write_points(const batten_model *model, batten_notes *notes, batten_text *text)
+{
+    const double unit = batten_model_unit_metres(model);
+    bool first = true;
+    if (!first_of_kind(model, BATTEN_OBJECT_POINTS))
+        return nothing("points");
+    note_left_out(model, notes, BATTEN_OBJECT_POINTS, false);
+    note_unit(unit, notes);
+    if (unit > 0 && batten_unit_name(unit)) {
+        const char *name = batten_unit_name(unit);
+        batten_text_add(text, "x_%s y_%s z_%s\n", name, name, name);
+    }
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (object->kind != BATTEN_OBJECT_POINTS || object->point_count == 0)
+            continue;
+        if (!first)
+            batten_text_bytes(text, "\n", 1);
+        first = false;
+        for (int k = 0; k < object->point_count; k++)
+            put_coordinates(text, &object->points[3 * (size_t)k], 3);
+    }
+    return BATTEN_OK;
+}
+
+/* ---- aerofoils ---- */
+
+/* A name that could be taken for a comment, for points or for nothing is not written. */
+static bool is_good_name(const char *name)
+{
+    const size_t blanks = strspn(name, " \t\v\f");
+    const char first = name[blanks];
+    return first != '\0' && !strchr("#\"+-.0123456789", first) && !strpbrk(name, "\r\n");
+}
+
+batten_status bat_write_aerofoil(const batten_model *model, batten_notes *notes, batten_text *text)
+{
+    const batten_object *object = first_of_kind(model, BATTEN_OBJECT_POINTS);
+    if (!object || object->point_count < 3)
+        return nothing("row of 3 points or more");
+    const double *points = object->points;
+    if (bat_are_aerofoil_counts(&points[0], &points[3]))
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "an aerofoil that begins with the point (%g, %g) would be taken for one "
+                        "that begins with counts",
+                        points[0], points[1]);
+    bool flat = true;
+    for (int k = 0; k < object->point_count; k++)
+        flat &= points[3 * (size_t)k + 2] == 0;
+    note_left_out(model, notes, BATTEN_OBJECT_POINTS, true);
+    if (!flat)
+        batten_notes_add(notes, "", 0, object->name, "the format has no z; left out");
+    if (!is_good_name(object->name))
+        batten_notes_add(notes, "", 0, object->name, "the format cannot hold this name");
+    batten_text_add(text, "%s\n", is_good_name(object->name) ? object->name : "aerofoil");
+    for (int k = 0; k < object->point_count; k++)
+        put_coordinates(text, &points[3 * (size_t)k], 2);
+    return BATTEN_OK;
+}

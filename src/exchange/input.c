@@ -1,0 +1,168 @@
+#include "exchange/input.h"
+
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#define MEBIBYTE ((size_t)1 << 20)
+
+batten_limits batten_limits_defaults(void)
+{
+    return (batten_limits){.size = sizeof(batten_limits),
+                           .file_bytes = 1024 * MEBIBYTE,
+                           .memory_bytes = 0,
+                           .entities = 10000000,
+                           .nesting = 64,
+                           .string_bytes = MEBIBYTE,
+                           .line_bytes = 65536,
+                           .points = 10000000,
+                           .notes = 1000};
+}
+
+batten_read_options batten_read_defaults(void)
+{
+    return (batten_read_options){.size = sizeof(batten_read_options),
+                                 .format = BATTEN_FORMAT_AUTO,
+                                 .limits = NULL,
+                                 .file_name = ""};
+}
+
+batten_status bat_input_begin(const char *data, size_t size, const batten_read_options *options,
+                              const batten_job *job, batten_notes *notes, bat_input *input)
+{
+    const batten_limits *limits = options ? options->limits : NULL;
+    *input = (bat_input){.data = data,
+                         .size = size,
+                         .file = options && options->file_name ? options->file_name : "",
+                         .limits = limits ? *limits : batten_limits_defaults(),
+                         .work = {.job = job},
+                         .notes = notes};
+    if (input->limits.memory_bytes == 0)
+        input->limits.memory_bytes = 16 * MEBIBYTE + 40 * size;
+    return bat_input_limit(input, 0, size, input->limits.file_bytes, "bytes in the file");
+}
+
+static bool begins(const bat_input *input, const char *bytes, size_t length)
+{
+    return input->size >= length && memcmp(input->data, bytes, length) == 0;
+}
+
+static int line_of(const bat_input *input, size_t at)
+{
+    int line = 0;
+    bat_span text;
+    for (size_t next = 0; next <= at && line < INT_MAX && bat_next_line(input, &next, &text);)
+        line++;
+    return line;
+}
+
+batten_status bat_input_as_text(bat_input *input)
+{
+    if (begins(input, "\xff\xfe", 2) || begins(input, "\xfe\xff", 2))
+        return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
+                              "the text is in UTF-16; save it as UTF-8");
+    if (begins(input, "\xef\xbb\xbf", 3)) {
+        input->data += 3;
+        input->size -= 3;
+    }
+    while (input->size > 0 && input->data[input->size - 1] == '\x1a')
+        input->size--;
+    const char *zero = input->size ? memchr(input->data, 0, input->size) : NULL;
+    if (zero) {
+        const size_t at = (size_t)(zero - input->data);
+        return bat_input_fail(input, BATTEN_BAD_FORMAT, line_of(input, at),
+                              "byte %zu is zero; this is no text", at);
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_input_fail(const bat_input *input, batten_status status, int line,
+                             const char *format, ...)
+{
+    char place[16] = "", sentence[768];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    if (line > 0)
+        snprintf(place, sizeof place, "%d", line);
+    const bool named = input->file[0] != '\0';
+    return bat_fail(status, "%s%s%s%s%s", named ? input->file : line > 0 ? "line " : "",
+                    named && line > 0 ? ":" : "", place, named || line > 0 ? ": " : "", sentence);
+}
+
+batten_status bat_input_step(bat_input *input, size_t at)
+{
+    const double fraction = input->size ? (double)at / (double)input->size : 1;
+    return bat_work_step(&input->work, 1000, fraction, "reading");
+}
+
+batten_status bat_input_limit(const bat_input *input, int line, size_t count, size_t limit,
+                              const char *what)
+{
+    if (count <= limit)
+        return BATTEN_OK;
+    return bat_input_fail(input, BATTEN_TOO_LARGE, line, "%zu %s; the limit is %zu", count, what,
+                          limit);
+}
+
+static batten_status charge(bat_input *input, size_t count, size_t size)
+{
+    const size_t left = input->limits.memory_bytes - input->memory;
+    if (count > left / size)
+        return bat_input_fail(input, BATTEN_TOO_LARGE, 0,
+                              "reading needs more memory than the limit of %zu bytes",
+                              input->limits.memory_bytes);
+    input->memory += count * size;
+    return BATTEN_OK;
+}
+
+batten_status bat_input_array(bat_input *input, size_t count, size_t size, void *memory)
+{
+    batten_status status = charge(input, count, size);
+    if (status != BATTEN_OK)
+        return status;
+    void *array = bat_array(count, size);
+    if (!array)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(memory, &array, sizeof array);
+    return BATTEN_OK;
+}
+
+batten_status bat_list_add(bat_input *input, bat_list *list, const void *item)
+{
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity ? 2 * list->capacity : 16;
+        batten_status status = charge(input, capacity - list->capacity, list->size);
+        if (status != BATTEN_OK)
+            return status;
+        void *items = bat_resize(list->items, capacity, list->size);
+        if (!items)
+            return BATTEN_OUT_OF_MEMORY;
+        list->items = items;
+        list->capacity = capacity;
+    }
+    memcpy((char *)list->items + list->count * list->size, item, list->size);
+    list->count++;
+    return BATTEN_OK;
+}
+
+bool bat_is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool bat_next_line(const bat_input *input, size_t *at, bat_span *line)
+{
+    if (*at >= input->size)
+        return false;
+    const char *begin = input->data + *at, *end = input->data + input->size, *p = begin;
+    while (p < end && *p != '\n' && *p != '\r')
+        p++;
+    *line = (bat_span){begin, (size_t)(p - begin)};
+    if (p < end)
+        p += p[0] == '\r' && p + 1 < end && p[1] == '\n' ? 2 : 1;
+    *at = (size_t)(p - input->data);
+    return true;
+}

@@ -1,0 +1,55 @@
+/* What every reader is given, and how it speaks of it. */
+#ifndef BAT_INPUT_H
+#define BAT_INPUT_H
+#include "base/base.h"
+#include "base/work.h"
+#include <batten/exchange.h>
+
+typedef struct {
+    const char *data; /* without a byte order mark and without a final control-Z */
+    size_t size;
+    const char *file; /* for messages; may be "" */
+    batten_limits limits;
+    bat_work work;
+    batten_notes *notes;
+    size_t memory; /* bytes asked for so far */
+    /* Either makes the result BATTEN_PARTLY_READ: */
+    int left_out; /* entities that could not be read */
+    bool is_cut;  /* the end of the file is missing */
+} bat_input;
+
+/* Fill in the defaults and check the size of the file. */
+batten_status bat_input_begin(const char *data, size_t size, const batten_read_options *options,
+                              const batten_job *job, batten_notes *notes, bat_input *input);
+/* Skip a byte order mark, drop a final control-Z, refuse UTF-16 and zero bytes. */
+batten_status bat_input_as_text(bat_input *input);
+
+/* "hull.csv:12: " and the sentence; line 0 is left out. */
+batten_status bat_input_fail(const bat_input *input, batten_status status, int line,
+                             const char *format, ...) BATTEN_PRINTF(4, 5);
+/* Ask whether to go on: at[size] of the file has been reached. */
+batten_status bat_input_step(bat_input *input, size_t at);
+/* BATTEN_TOO_LARGE when `count` is above the limit on what `what` names. */
+batten_status bat_input_limit(const bat_input *input, int line, size_t count, size_t limit,
+                              const char *what);
+/* Zeroed memory that counts towards the limit; on failure *memory is untouched. */
+batten_status bat_input_array(bat_input *input, size_t count, size_t size, void *memory);
+
+/* A list that grows; begin with {.size = sizeof(item)} and release `items`. */
+typedef struct {
+    size_t size, count, capacity;
+    void *items;
+} bat_list;
+batten_status bat_list_add(bat_input *input, bat_list *list, const void *item);
+
+/* A stretch of text that is not followed by a zero byte. */
+typedef struct {
+    const char *bytes;
+    size_t length;
+} bat_span;
+
+/* The next line from *at on, without its end (LF, CRLF or CR); false at the end of the data. */
+bool bat_next_line(const bat_input *input, size_t *at, bat_span *line);
+bool bat_is_blank(char c);
+
+#endif

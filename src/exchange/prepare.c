@@ -1,0 +1,56 @@
+#include "exchange/prepare.h"
+
+batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
+{
+    batten_curve *space = NULL;
+    batten_status status = batten_curve_to_dimension(object->curve, 3, &space);
+    if (status == BATTEN_OK && batten_curve_is_clamped(space))
+        *out = batten_curve_ref(space);
+    else if (status == BATTEN_OK)
+        status = batten_curve_clamp(space, out);
+    batten_curve_unref(space);
+    return status;
+}
+
+static bool is_clamped(const batten_surface *surface, batten_direction direction)
+{
+    const double *knots = batten_surface_knots(surface, direction);
+    const int p = batten_surface_degree(surface, direction);
+    const int n = batten_surface_point_count(surface, direction);
+    return knots[0] == knots[p] && knots[n] == knots[n + p];
+}
+
+/* Clamp one direction; what is clamped keeps its bits. */
+static batten_status clamp(batten_direction direction, batten_surface **surface)
+{
+    batten_surface *clamped = NULL;
+    if (is_clamped(*surface, direction))
+        return BATTEN_OK;
+    batten_status status = batten_surface_clamp(*surface, direction, &clamped);
+    if (status == BATTEN_OK) {
+        batten_surface_unref(*surface);
+        *surface = clamped;
+    }
+    return status;
+}
+
+batten_status bat_prepare_surface(const batten_object *object, double tolerance,
+                                  batten_notes *notes, batten_surface **out)
+{
+    batten_surface *nurbs = NULL;
+    double error = 0;
+    if (batten_surface_dimension(object->surface) != 3)
+        return bat_fail(BATTEN_UNSUPPORTED, "surface '%.60s' has %d dimensions; the format needs 3",
+                        object->name, batten_surface_dimension(object->surface));
+    batten_status status = batten_surface_to_nurbs(object->surface, tolerance, &nurbs, &error);
+    if (status == BATTEN_OK && error > 0)
+        batten_notes_add(notes, "", 0, object->name, "approximated within %g", error);
+    if (status == BATTEN_OK)
+        status = clamp(BATTEN_U, &nurbs);
+    if (status == BATTEN_OK)
+        status = clamp(BATTEN_V, &nurbs);
+    if (status == BATTEN_OK)
+        *out = batten_surface_ref(nurbs);
+    batten_surface_unref(nurbs);
+    return status;
+}

@@ -1,0 +1,77 @@
+#include "exchange/csv/csv.h"
+#include "exchange/iges/iges.h"
+#include "exchange/step/step.h"
+
+batten_write_options batten_write_defaults(void)
+{
+    return (batten_write_options){.size = sizeof(batten_write_options),
+                                  .format = BATTEN_FORMAT_AUTO,
+                                  .name = "batten",
+                                  .tolerance = 0,
+                                  .date = NULL};
+}
+
+static batten_status write_as(const batten_model *model, const batten_write_options *options,
+                              batten_notes *notes, batten_text *text)
+{
+    switch (options->format) {
+    case BATTEN_FORMAT_OFFSETS:
+        return bat_write_offsets(model, notes, text);
+    case BATTEN_FORMAT_POINTS:
+        return bat_write_points(model, notes, text);
+    case BATTEN_FORMAT_AEROFOIL:
+        return bat_write_aerofoil(model, notes, text);
+    case BATTEN_FORMAT_IGES:
+        return bat_write_iges(model, options, notes, text);
+    case BATTEN_FORMAT_STEP:
+        return bat_write_step(model, options, notes, text);
+    case BATTEN_FORMAT_AUTO:
+        break;
+    }
+    return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
+}
+
+batten_status batten_write_memory(const batten_model *model, const batten_write_options *options,
+                                  batten_notes *notes, char **data, size_t *size)
+{
+    batten_write_options chosen = options ? *options : batten_write_defaults();
+    batten_text text = BATTEN_TEXT;
+    if (!chosen.name || !chosen.name[0])
+        chosen.name = "batten";
+    if (!(chosen.tolerance >= 0 && isfinite(chosen.tolerance)))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", chosen.tolerance);
+    batten_status status = write_as(model, &chosen, notes, &text);
+    if (status == BATTEN_OK)
+        status = batten_text_take(&text, data, size);
+    batten_text_free(&text);
+    return status;
+}
+
+static bool has_offsets(const batten_model *model)
+{
+    for (int i = 0; i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_OFFSETS)
+            return true;
+    return false;
+}
+
+batten_status batten_write_file(const batten_model *model, const char *path,
+                                const batten_write_options *options, batten_notes *notes)
+{
+    batten_write_options chosen = options ? *options : batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    if (chosen.format == BATTEN_FORMAT_AUTO) {
+        chosen.format = batten_format_of_name(path);
+        if (chosen.format == BATTEN_FORMAT_OFFSETS && !has_offsets(model))
+            chosen.format = BATTEN_FORMAT_POINTS;
+    }
+    if (chosen.format == BATTEN_FORMAT_AUTO)
+        return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format that is written",
+                        path);
+    batten_status status = batten_write_memory(model, &chosen, notes, &data, &size);
+    if (status == BATTEN_OK)
+        status = batten_save_file(path, data, size);
+    batten_release(data);
+    return status;
+}

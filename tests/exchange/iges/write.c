@@ -1,0 +1,139 @@
+#include "exchange/shapes.h"
+
+#include <stdlib.h>
+
+static void check_records(const char *data, size_t size)
+{
+    CHECK(size % 81 == 0);
+    for (size_t i = 80; i < size; i += 81)
+        CHECK(data[i] == '\n' && strchr("SGDPT", data[i - 8]));
+}
+
+TEST(what_is_written_reads_back_bit_for_bit_and_writes_the_same_bytes)
+{
+    static const double units[] = {1, 0.001, 0.0254, 0.3048, 0.01};
+    test_random random = test_random_begin(__func__);
+    for (int i = 0; i < test_cases(60); i++) {
+        batten_model *model = random_model(&random, units[i % 5]), *back = NULL;
+        char *first = NULL, *second = NULL;
+        size_t first_size = 0, second_size = 0;
+        CHECK_OK(write_bytes(model, BATTEN_FORMAT_IGES, &first, &first_size));
+        check_records(first, first_size);
+        CHECK_OK(read_bytes(first, first_size, BATTEN_FORMAT_AUTO, NULL, &back));
+        check_same_model(model, back);
+        CHECK_OK(write_bytes(back, BATTEN_FORMAT_IGES, &second, &second_size));
+        CHECK_INT((long long)second_size, (long long)first_size);
+        CHECK(memcmp(first, second, first_size) == 0);
+        batten_release(first);
+        batten_release(second);
+        batten_model_unref(back);
+        batten_model_unref(model);
+    }
+}
+
+static batten_model *model_with(const batten_curve *curve, double unit)
+{
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(unit, &model));
+    add_curve(model, "keel", curve);
+    return model;
+}
+
+static batten_model *round_trip(const batten_model *model)
+{
+    char *data = NULL;
+    size_t size = 0;
+    batten_model *back = NULL;
+    CHECK_OK(write_bytes(model, BATTEN_FORMAT_IGES, &data, &size));
+    CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
+    batten_release(data);
+    return back;
+}
+
+TEST(a_periodic_curve_is_written_clamped)
+{
+    const double points[] = {0, 0, 2, 0, 2, 2, 0, 2}, knots[] = {0, 1, 2, 3, 4};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create_periodic(2, 3, 4, points, NULL, knots, &curve));
+    batten_model *model = model_with(curve, 1), *back = round_trip(model);
+    const batten_curve *read = batten_model_object(back, 0)->curve;
+    CHECK(batten_curve_is_clamped(read));
+    CHECK_INT(batten_curve_dimension(read), 3);
+    for (int i = 0; i <= 40; i++) {
+        double p[2], q[3];
+        CHECK_OK(batten_curve_evaluate(curve, i / 10.0, 0, p));
+        CHECK_OK(batten_curve_evaluate(read, i / 10.0, 0, q));
+        CHECK_NEAR(q[0], p[0], 1e-14);
+        CHECK_NEAR(q[1], p[1], 1e-14);
+    }
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_curve_unref(curve);
+}
+
+TEST(a_model_without_a_unit_is_written_as_mm_with_a_note)
+{
+    test_random random = test_random_begin(__func__);
+    batten_curve *curve = random_curve(&random);
+    const double units[] = {0, 2.5};
+    for (int i = 0; i < 2; i++) {
+        batten_model *model = model_with(curve, units[i]), *back = round_trip(model);
+        CHECK_BITS(batten_model_unit_metres(back), 0.001);
+        const double first = batten_curve_points(curve)[0];
+        CHECK_NEAR(batten_curve_points(batten_model_object(back, 0)->curve)[0],
+                   i ? 2500 * first : first, 1e-9 * fabs(first));
+        batten_model_unref(back);
+        batten_model_unref(model);
+    }
+    batten_curve_unref(curve);
+}
+
+TEST(N5_minus_0_and_denormal_numbers_pass_through_IGES)
+{
+    const double points[] = {-0.0, 4.9e-324, 1e-300, 1e300, -2.2250738585072014e-308, 0.1};
+    const double knots[] = {-0.0, -0.0, 1e-310, 1e-310};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &curve));
+    batten_model *model = model_with(curve, 1), *back = round_trip(model);
+    check_same_model(model, back);
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_curve_unref(curve);
+}
+
+TEST(what_IGES_cannot_hold_is_noted)
+{
+    const double points[] = {0, 0, 0};
+    batten_model *model = NULL, *back = NULL;
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_IGES;
+    options.date = "2026-11-21T10:25:30";
+    test_random random = test_random_begin(__func__);
+    batten_curve *curve = random_curve(&random);
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "data",
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = 1,
+                                                      .points = points}));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "two\nlines",
+                                                      .layer = "hull",
+                                                      .kind = BATTEN_OBJECT_CURVE,
+                                                      .curve = curve}));
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(has_note(notes, "points and tables are not written to IGES"));
+        CHECK(has_note(notes, "layer 'hull' is no level"));
+    }
+    CHECK(strstr(data, "15H20261121.102530") != NULL);
+    CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
+    CHECK_TEXT(batten_model_object(back, 0)->name, "two lines");
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_curve_unref(curve);
+    batten_model_unref(back);
+    batten_model_unref(model);
+}

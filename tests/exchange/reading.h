@@ -1,0 +1,78 @@
+/* What the tests of readers share. */
+#ifndef TESTS_EXCHANGE_READING_H
+#define TESTS_EXCHANGE_READING_H
+#include <batten/exchange.h>
+
+#include "support/test.h"
+
+static inline batten_status read_bytes(const char *data, size_t size, batten_format format,
+                                       batten_notes *notes, batten_model **out)
+{
+    batten_read_options options = batten_read_defaults();
+    options.format = format;
+    options.file_name = "t";
+    return batten_read_memory(data, size, &options, NULL, notes, out);
+}
+
+static inline batten_status read_text(const char *text, batten_format format, batten_notes *notes,
+                                      batten_model **out)
+{
+    return read_bytes(text, strlen(text), format, notes, out);
+}
+
+/* Reading it as the format must fail so, with these words, and make no model. */
+static inline void check_refused(const char *text, batten_format format, batten_status status,
+                                 const char *words)
+{
+    batten_model *model = NULL;
+    CHECK_STATUS(read_text(text, format, NULL, &model), status);
+    CHECK(model == NULL);
+    CHECK_MESSAGE(words);
+}
+
+/* Is there a note with these words? */
+static inline bool has_note(const batten_notes *notes, const char *words)
+{
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        if (strstr(batten_notes_at(notes, i)->text, words))
+            return true;
+    return false;
+}
+
+/* Read, expecting success, with a note that has these words; "" for none at all. Under memory faults a note
+ * may be lost, so that only the reading itself is checked then. */
+static inline batten_model *read_noting(const char *text, batten_format format, const char *words)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(read_text(text, format, notes, &model));
+    const int count = batten_notes_count(notes), lost = batten_notes_dropped(notes);
+    if (lost == 0 && words[0])
+        CHECK(has_note(notes, words));
+    if (lost == 0 && !words[0])
+        CHECK_INT(count, 0);
+    batten_notes_free(notes);
+    return model;
+}
+
+static inline batten_status write_bytes(const batten_model *model, batten_format format,
+                                        char **data, size_t *size)
+{
+    batten_write_options options = batten_write_defaults();
+    options.format = format;
+    return batten_write_memory(model, &options, NULL, data, size);
+}
+
+/* The whole of a file, for tests that cut and change it; given back when the test ends. */
+static inline char *load_bytes(const char *path, size_t *size)
+{
+    char *data = NULL;
+    CHECK_OK(batten_load_file(path, (size_t)1 << 30, &data, size));
+    char *copy = test_array(*size + 1, 1);
+    memcpy(copy, data, *size);
+    batten_release(data);
+    return copy;
+}
+
+#endif
