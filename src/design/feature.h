@@ -1,0 +1,131 @@
+/* What a feature is made of: its public description, and the function that carries it out. */
+#ifndef BAT_DESIGN_FEATURE_H
+#define BAT_DESIGN_FEATURE_H
+#include "base/base.h"
+#include <batten/design.h>
+#include <batten/picture.h>
+
+/* One value of an argument, in design units and radians. */
+typedef struct {
+    double number[3]; /* LENGTH, ANGLE, NUMBER: [0]; POINT; RANGE: [0] and [1] */
+    int count;        /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature */
+    const char *text; /* WORD, TEXT, FILE; MODEL: its name */
+} bat_item;
+
+typedef struct {
+    int count;   /* 0: neither given nor standard */
+    bool given;  /* stands in the design */
+    bat_item *items;
+} bat_argument;
+
+/* What became of one feature, and how. */
+typedef struct {
+    bool done;
+    batten_feature_result shown;
+    batten_model *value;
+    batten_fair_report fairing;
+    batten_skin_report skin;
+    bool has_fit; /* the curves were interpolated with these options */
+    batten_interpolate_options fit;
+} bat_result;
+
+typedef struct bat_run bat_run;
+
+typedef struct {
+    batten_feature shown;
+    batten_status (*run)(bat_run *run);
+} bat_feature;
+
+#define BAT_PARAMETERS(table) (int)(sizeof(table) / sizeof((table)[0])), table
+
+/* One evaluation of one feature. A feature reads its arguments by name and puts objects into its model; an
+ * output puts bytes into `data`. */
+struct bat_run {
+    const char *name; /* of the feature, or the file of the output */
+    const batten_feature *feature;
+    const bat_argument *arguments;   /* [feature->parameter_count] */
+    const struct bat_document *document;
+    const bat_result *results;       /* of all features of the document */
+    const batten_job *job;
+    batten_notes *notes;
+    int line;
+    bat_result *result;              /* of a feature */
+    batten_model *model;             /* of a feature: empty at first */
+    char *data;                      /* of an output */
+    size_t size;
+};
+
+/* ---- arguments; the parameter must exist ---- */
+
+const bat_argument *bat_argument_of(const bat_run *run, const char *parameter);
+bool bat_has(const bat_run *run, const char *parameter); /* given, or with a standard value */
+double bat_number(const bat_run *run, const char *parameter);
+int bat_count(const bat_run *run, const char *parameter);
+int bat_word(const bat_run *run, const char *parameter); /* its place in the words; -1 for none */
+bool bat_yes(const bat_run *run, const char *parameter);
+const char *bat_text(const bat_run *run, const char *parameter); /* NULL for none */
+batten_vec3 bat_point(const bat_run *run, const char *parameter);
+/* The model of an argument that is no list. */
+const batten_model *bat_model(const bat_run *run, const char *parameter);
+
+double bat_unit_metres(const bat_run *run);
+double bat_tolerance(const bat_run *run); /* that of the design, in its units */
+/* Say something odd about this feature, with its line. */
+void bat_note(const bat_run *run, const char *format, ...) BATTEN_PRINTF(2, 3);
+
+/* ---- objects ---- */
+
+/* All objects of all models of an argument. */
+typedef struct {
+    int count;
+    const batten_object **at;
+} bat_objects;
+
+/* @param kinds  bits 1 << BATTEN_OBJECT_...; fails when there is none of these kinds */
+batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
+                         bat_objects *out);
+void bat_objects_release(bat_objects *objects);
+
+/* All objects of all models of an argument in one model of the design's unit. */
+batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out);
+
+#define BAT_POINTS (1u << BATTEN_OBJECT_POINTS)
+#define BAT_CURVES (1u << BATTEN_OBJECT_CURVE)
+#define BAT_SURFACES (1u << BATTEN_OBJECT_SURFACE)
+#define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSETS)
+#define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS)
+
+/* Put a curve or surface into the model under the feature's name and give its reference back, when the
+ * status so far is good; else hand the status on. */
+batten_status bat_put_curve(bat_run *run, batten_status status, batten_curve *curve);
+batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface *surface);
+/* The same as another object, with another shape; the data of a curve go when `keep_data` is false. */
+batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
+                                 const batten_object *like, bool keep_data);
+batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
+                                   const batten_object *like);
+
+/* Change every curve and surface of the principal input; what is NULL is not changed. Objects of other
+ * kinds pass through; at least one must be changed. */
+typedef struct {
+    batten_status (*curve)(const bat_run *run, const batten_curve *curve, batten_curve **out);
+    batten_status (*surface)(const bat_run *run, const batten_surface *surface,
+                             batten_surface **out);
+    bool keeps_data; /* the points that a curve was made from still belong to it */
+} bat_change;
+batten_status bat_change_all(bat_run *run, const bat_change *change);
+
+/* Map one object into the model, or every object of the principal input. */
+batten_status bat_transform_object(bat_run *run, const batten_affine *map,
+                                   const batten_object *object);
+batten_status bat_transform_all(bat_run *run, const batten_affine *map);
+
+/* An error of an approximation; the largest of several is shown. */
+void bat_report_error(bat_run *run, double max, double rms);
+
+/* ---- the list ---- */
+
+const bat_feature *bat_feature_find(const char *name);
+const bat_feature *bat_feature_at(int index);
+
+#endif

@@ -1,0 +1,41 @@
+#include "design/feature.h"
+
+#include <stdio.h>
+
+static const batten_parameter parameters[] = {
+    {"collect", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is put together"},
+};
+
+/* A name that another object has already gets a number. */
+static batten_status add_under_new_name(bat_run *run, const batten_object *object)
+{
+    batten_object named = *object;
+    char name[220];
+    named.name = name;
+    snprintf(name, sizeof name, "%.200s", object->name);
+    for (int i = 2; batten_model_find(run->model, name) >= 0; i++)
+        snprintf(name, sizeof name, "%.200s (%d)", object->name, i);
+    return batten_model_add(run->model, &named);
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects objects;
+    batten_status status = bat_gather(run, "collect", BAT_ALL, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = add_under_new_name(run, objects.at[i]);
+    bat_objects_release(&objects);
+    return status;
+}
+
+const bat_feature bat_feature_collect = {
+    .shown = {"collect", "The objects of several features as one",
+              "What stands under the same name in two of them gets a number: 'row (2)'.",
+              "features:\n"
+              "  low: {points: [[0, 0], [1, 0]]}\n"
+              "  high: {points: [[0, 1], [1, 1]]}\n"
+              "  all: {collect: [low, high]}\n",
+              "", "batten_model_add", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,67 @@
+#include "design/feature.h"
+
+static const batten_parameter parameters[] = {
+    {"join", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves or surfaces, in order"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "the gap allowed; the tolerance of the design by default"},
+    {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
+};
+
+static batten_status join_curves(bat_run *run, const bat_objects *all, double within)
+{
+    batten_curve *joined = batten_curve_ref(all->at[0]->curve);
+    batten_status status = BATTEN_OK;
+    for (int i = 1; i < all->count && status == BATTEN_OK; i++) {
+        batten_curve *longer = NULL;
+        status = batten_curve_join(joined, all->at[i]->curve, within, &longer);
+        if (status == BATTEN_OK) {
+            batten_curve_unref(joined);
+            joined = longer;
+        }
+    }
+    return bat_put_curve(run, status, joined);
+}
+
+static batten_status join_surfaces(bat_run *run, const bat_objects *all, double within)
+{
+    const batten_direction direction = (batten_direction)bat_word(run, "direction");
+    batten_surface *joined = batten_surface_ref(all->at[0]->surface);
+    batten_status status = BATTEN_OK;
+    for (int i = 1; i < all->count && status == BATTEN_OK; i++) {
+        batten_surface *longer = NULL;
+        status = batten_surface_join(joined, all->at[i]->surface, direction, within, &longer);
+        if (status == BATTEN_OK) {
+            batten_surface_unref(joined);
+            joined = longer;
+        }
+    }
+    return bat_put_surface(run, status, joined);
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects all;
+    const double within = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    batten_status status = bat_gather(run, "join", BAT_CURVES | BAT_SURFACES, &all);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 1; i < all.count && status == BATTEN_OK; i++)
+        if (all.at[i]->kind != all.at[0]->kind)
+            status = bat_fail(BATTEN_NOT_COMPATIBLE, "curves and surfaces cannot be joined: '%s', '%s'",
+                              all.at[0]->name, all.at[i]->name);
+    if (status == BATTEN_OK)
+        status = all.at[0]->kind == BATTEN_OBJECT_CURVE ? join_curves(run, &all, within)
+                                                        : join_surfaces(run, &all, within);
+    bat_objects_release(&all);
+    return status;
+}
+
+const bat_feature bat_feature_join = {
+    .shown = {"join", "Curves or surfaces end to end as one",
+              "Each must begin where the one before it ends, within the gap allowed.",
+              "features:\n"
+              "  aft: {line: [[0, 0], [2 m, 0]]}\n"
+              "  fore: {line: [[2 m, 0], [4 m, 1 m]]}\n"
+              "  keel: {join: [aft, fore]}\n",
+              "[PT97]", "batten_curve_join", BAT_PARAMETERS(parameters), false},
+    .run = run};

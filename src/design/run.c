@@ -1,0 +1,318 @@
+#include "design/document.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- arguments ---- */
+
+const bat_argument *bat_argument_of(const bat_run *run, const char *parameter)
+{
+    int i = 0;
+    while (i < run->feature->parameter_count &&
+           strcmp(run->feature->parameters[i].name, parameter) != 0)
+        i++;
+    assert(i < run->feature->parameter_count);
+    return &run->arguments[i];
+}
+
+static const bat_item *item_of(const bat_run *run, const char *parameter)
+{
+    static const bat_item none = {{0}, -1, NULL};
+    const bat_argument *argument = bat_argument_of(run, parameter);
+    return argument->count ? argument->items : &none;
+}
+
+bool bat_has(const bat_run *run, const char *parameter)
+{
+    return bat_argument_of(run, parameter)->count > 0;
+}
+
+double bat_number(const bat_run *run, const char *parameter)
+{
+    return item_of(run, parameter)->number[0];
+}
+
+int bat_count(const bat_run *run, const char *parameter)
+{
+    return bat_has(run, parameter) ? item_of(run, parameter)->count : 0;
+}
+
+int bat_word(const bat_run *run, const char *parameter)
+{
+    return item_of(run, parameter)->count;
+}
+
+bool bat_yes(const bat_run *run, const char *parameter)
+{
+    return item_of(run, parameter)->count == 1;
+}
+
+const char *bat_text(const bat_run *run, const char *parameter)
+{
+    return item_of(run, parameter)->text;
+}
+
+batten_vec3 bat_point(const bat_run *run, const char *parameter)
+{
+    const double *p = item_of(run, parameter)->number;
+    return (batten_vec3){p[0], p[1], p[2]};
+}
+
+const batten_model *bat_model(const bat_run *run, const char *parameter)
+{
+    return run->results[item_of(run, parameter)->count].value;
+}
+
+double bat_unit_metres(const bat_run *run)
+{
+    return run->document->unit_metres;
+}
+
+double bat_tolerance(const bat_run *run)
+{
+    return run->document->tolerance;
+}
+
+void bat_note(const bat_run *run, const char *format, ...)
+{
+    char sentence[600];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    batten_notes_add(run->notes, run->document->file_name, run->line, run->name, "%s", sentence);
+}
+
+/* ---- objects ---- */
+
+/* "curves or surfaces" */
+static void name_kinds(unsigned kinds, char *text, size_t size)
+{
+    static const char *const names[] = {"points", "curves", "surfaces", "tables of offsets"};
+    size_t used = 0;
+    *text = 0;
+    for (int i = 0; i < 4; i++)
+        if (kinds & (1u << i) && used < size)
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "", names[i]);
+}
+
+static bool is_wanted(const batten_object *object, unsigned kinds)
+{
+    return (kinds & (1u << object->kind)) ||
+           ((kinds & BAT_POINTS) && object->kind == BATTEN_OBJECT_CURVE && object->point_count &&
+            !(kinds & BAT_CURVES));
+}
+
+batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
+                         bat_objects *out)
+{
+    const bat_argument *argument = bat_argument_of(run, parameter);
+    int all = 0, count = 0;
+    for (int i = 0; i < argument->count; i++)
+        all += batten_model_count(run->results[argument->items[i].count].value);
+    const batten_object **found = bat_array((size_t)all, sizeof *found);
+    if (!found)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < argument->count; i++) {
+        const batten_model *model = run->results[argument->items[i].count].value;
+        for (int k = 0; k < batten_model_count(model); k++)
+            if (is_wanted(batten_model_object(model, k), kinds))
+                found[count++] = batten_model_object(model, k);
+    }
+    if (count > 0) {
+        *out = (bat_objects){count, found};
+        return BATTEN_OK;
+    }
+    bat_release(found);
+    char names[80];
+    name_kinds(kinds, names, sizeof names);
+    return bat_fail(BATTEN_BAD_ARGUMENT, "%s are needed, and '%s' has none", names,
+                    argument->count ? argument->items[0].text : "the input");
+}
+
+void bat_objects_release(bat_objects *objects)
+{
+    bat_release(objects->at);
+    *objects = (bat_objects){0, NULL};
+}
+
+batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out)
+{
+    bat_objects objects = {0, NULL};
+    batten_model *model = NULL;
+    batten_status status = bat_gather(run, parameter, BAT_ALL, &objects);
+    if (status == BATTEN_OK)
+        status = batten_model_create(bat_unit_metres(run), &model);
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = batten_model_add(model, objects.at[i]);
+    bat_objects_release(&objects);
+    if (status == BATTEN_OK)
+        *out = model;
+    else
+        batten_model_unref(model);
+    return status;
+}
+
+/* ---- putting objects into the model ---- */
+
+batten_status bat_put_curve(bat_run *run, batten_status status, batten_curve *curve)
+{
+    const batten_object like = {.name = run->name, .layer = ""};
+    return bat_put_curve_like(run, status, curve, &like, false);
+}
+
+batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface *surface)
+{
+    const batten_object like = {.name = run->name, .layer = ""};
+    return bat_put_surface_like(run, status, surface, &like);
+}
+
+batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
+                                 const batten_object *like, bool keep_data)
+{
+    batten_object object = *like;
+    object.kind = BATTEN_OBJECT_CURVE;
+    object.curve = curve;
+    object.surface = NULL;
+    if (!keep_data) {
+        object.point_count = 0;
+        object.points = object.parameters = NULL;
+    }
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &object);
+    batten_curve_unref(curve);
+    return status;
+}
+
+batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
+                                   const batten_object *like)
+{
+    const batten_object object = {.name = like->name,
+                                  .layer = like->layer,
+                                  .has_colour = like->has_colour,
+                                  .colour = {like->colour[0], like->colour[1], like->colour[2]},
+                                  .kind = BATTEN_OBJECT_SURFACE,
+                                  .surface = surface};
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &object);
+    batten_surface_unref(surface);
+    return status;
+}
+
+/* ---- changing all objects ---- */
+
+static batten_status change_one(bat_run *run, const bat_change *change,
+                                const batten_object *object)
+{
+    batten_curve *curve = NULL;
+    batten_surface *surface = NULL;
+    batten_status status;
+    if (object->kind == BATTEN_OBJECT_CURVE && change->curve) {
+        status = change->curve(run, object->curve, &curve);
+        return bat_put_curve_like(run, status, curve, object, change->keeps_data);
+    }
+    if (object->kind == BATTEN_OBJECT_SURFACE && change->surface) {
+        status = change->surface(run, object->surface, &surface);
+        return bat_put_surface_like(run, status, surface, object);
+    }
+    return batten_model_add(run->model, object);
+}
+
+batten_status bat_change_all(bat_run *run, const bat_change *change)
+{
+    const char *input = run->feature->parameters[0].name;
+    const unsigned kinds = (change->curve ? BAT_CURVES : 0) | (change->surface ? BAT_SURFACES : 0);
+    const batten_model *model = bat_model(run, input);
+    bat_objects objects;
+    batten_status status = bat_gather(run, input, kinds, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    bat_objects_release(&objects);
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
+        status = change_one(run, change, batten_model_object(model, i));
+    return status;
+}
+
+/* ---- affine maps ---- */
+
+static double *map_points(const batten_affine *map, int count, const double *points)
+{
+    double *mapped = bat_array3((size_t)count, 3, sizeof *mapped);
+    for (int i = 0; mapped && i < count; i++) {
+        const batten_vec3 p = batten_affine_apply(
+            *map, (batten_vec3){points[3 * i], points[3 * i + 1], points[3 * i + 2]});
+        mapped[3 * i] = p.x;
+        mapped[3 * i + 1] = p.y;
+        mapped[3 * i + 2] = p.z;
+    }
+    return mapped;
+}
+
+/* A plane curve is lifted into space, unless it would stay in its plane anyway. */
+static batten_status map_curve(const batten_affine *map, const batten_curve *curve,
+                               batten_curve **out)
+{
+    batten_curve *lifted = NULL;
+    batten_status status = batten_curve_to_dimension(curve, 3, &lifted);
+    if (status == BATTEN_OK)
+        status = batten_curve_transform(lifted, map, out);
+    batten_curve_unref(lifted);
+    return status;
+}
+
+batten_status bat_transform_object(bat_run *run, const batten_affine *map,
+                                   const batten_object *object)
+{
+    batten_object made = *object;
+    batten_curve *curve = NULL;
+    batten_surface *surface = NULL;
+    double *points = NULL;
+    batten_status status = BATTEN_OK;
+    if (object->kind == BATTEN_OBJECT_OFFSETS)
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "'%s' is a table of offsets, which cannot be moved; 'read' can scale and turn "
+                        "it, and the curves through it can be moved",
+                        object->name);
+    if (object->point_count) {
+        points = map_points(map, object->point_count, object->points);
+        status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+        made.points = points;
+    }
+    if (status == BATTEN_OK && object->curve) {
+        status = map_curve(map, object->curve, &curve);
+        made.curve = curve;
+    }
+    if (status == BATTEN_OK && object->surface) {
+        status = batten_surface_transform(object->surface, map, &surface);
+        made.surface = surface;
+    }
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &made);
+    batten_surface_unref(surface);
+    batten_curve_unref(curve);
+    bat_release(points);
+    return status;
+}
+
+batten_status bat_transform_all(bat_run *run, const batten_affine *map)
+{
+    bat_objects objects;
+    batten_status status = bat_gather(run, run->feature->parameters[0].name,
+                                      BAT_ALL, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = bat_transform_object(run, map, objects.at[i]);
+    bat_objects_release(&objects);
+    return status;
+}
+
+void bat_report_error(bat_run *run, double max, double rms)
+{
+    batten_feature_result *shown = &run->result->shown;
+    shown->error_max = shown->has_error ? bat_max(shown->error_max, max) : max;
+    shown->error_rms = shown->has_error ? bat_max(shown->error_rms, rms) : rms;
+    shown->has_error = true;
+}

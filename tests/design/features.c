@@ -1,0 +1,126 @@
+#include "design/feature.h"
+
+#include "support/test.h"
+
+#include <stdlib.h>
+
+/* A small hull for the examples that read offsets.csv: half-breadths of a parabolic boat. */
+static void write_offsets(const char *path)
+{
+    FILE *file = fopen(path, "w");
+    CHECK(file != NULL);
+    fputs("x_m,z_m,half_breadth_m\n", file);
+    for (int i = 0; i <= 6; i++)
+        for (int k = 0; k <= 5; k++) {
+            const double x = i - 3.0, z = 0.2 * k;
+            fprintf(file, "%.3f,%.3f,%.6f\n", x, z, (1.2 - x * x / 12) * sqrt(z + 0.04));
+        }
+    fclose(file);
+}
+
+static char *whole_design(const char *example)
+{
+    const size_t size = strlen(example) + 20;
+    char *text = test_array(size, 1);
+    snprintf(text, size, "batten: 1\n%s", example);
+    return text;
+}
+
+static batten_status open_example(const char *text, batten_design **out)
+{
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("example.yaml");
+    write_offsets(test_scratch("offsets.csv"));
+    return batten_design_parse(text, strlen(text), &options, NULL, out);
+}
+
+static batten_status make_output(batten_design *design, int i)
+{
+    char *data = NULL;
+    size_t size = 0;
+    const batten_status status = batten_design_output(design, i, NULL, NULL, &data, &size);
+    CHECK(status != BATTEN_OK || size > 0);
+    batten_release(data);
+    return status;
+}
+
+/* Does the design use the operation? */
+static bool uses(const batten_design *design, const batten_feature *feature)
+{
+    bool used = feature->is_output && batten_design_output_count(design) > 0;
+    for (int i = 0; i < batten_design_result_count(design); i++)
+        used |= strcmp(batten_design_result_at(design, i)->operation, feature->name) == 0;
+    return used;
+}
+
+static void run_example(const batten_feature *feature)
+{
+    batten_design *design = NULL;
+    const char *text = whole_design(feature->example);
+    CHECK_OK(open_example(text, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
+    CHECK(uses(design, feature));
+    for (int k = 0; k < batten_design_output_count(design); k++)
+        CHECK_OK(make_output(design, k));
+    batten_design_free(design);
+}
+
+/* In several tests, so that each is short when allocations fail one after another. */
+#define EXAMPLES_FROM(first)                                                                   \
+    for (int i = first; i < (first) + 8 && i < batten_feature_count(); i++)                    \
+        run_example(batten_feature_at(i))
+
+TEST(the_examples_of_the_manual_work_0)
+{
+    EXAMPLES_FROM(0);
+}
+
+TEST(the_examples_of_the_manual_work_1)
+{
+    EXAMPLES_FROM(8);
+}
+
+TEST(the_examples_of_the_manual_work_2)
+{
+    EXAMPLES_FROM(16);
+}
+
+TEST(the_examples_of_the_manual_work_3)
+{
+    EXAMPLES_FROM(24);
+}
+
+TEST(the_examples_of_the_manual_work_4)
+{
+    EXAMPLES_FROM(32);
+    CHECK(batten_feature_count() <= 40);
+}
+
+TEST(every_feature_is_described_whole)
+{
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const batten_feature *f = batten_feature_at(i);
+        CHECK(f->name && *f->name && f->summary && *f->summary && f->manual && *f->manual);
+        CHECK(f->example && *f->example && f->source && f->function && *f->function);
+        CHECK(f->parameter_count > 0);
+        CHECK_TEXT(f->parameters[0].name, f->name);
+        CHECK(f->parameters[0].required);
+        CHECK(batten_feature_find(f->name) == f);
+        for (int k = 0; k < f->parameter_count; k++) {
+            const batten_parameter *p = &f->parameters[k];
+            CHECK(p->summary && *p->summary && strlen(p->summary) < 100);
+            CHECK((p->kind == BATTEN_VALUE_WORD) == (p->words != NULL));
+            CHECK(!p->required || !p->standard);
+            for (int j = 0; j < k; j++)
+                CHECK(strcmp(p->name, f->parameters[j].name) != 0);
+        }
+    }
+    CHECK(batten_feature_find("nothing") == NULL);
+}
+
+TEST(a_misspelt_operation_has_a_nearest_name)
+{
+    CHECK_TEXT(batten_feature_nearest("pointz"), "points");
+    CHECK_TEXT(batten_feature_nearest("colect"), "collect");
+    CHECK(batten_feature_nearest("qqqqqq") == NULL);
+}
