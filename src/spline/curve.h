@@ -5,17 +5,29 @@
 #include <batten/standard.h>
 
 /* Limits of one object, and of one that is made by refining or joining others. */
-enum { BAT_MAX_POINTS = 10000000, BAT_MAX_MADE_POINTS = 1000000, BAT_MAX_WIDTH = 4 };
+enum { BAT_MAX_POINTS = 10000000, BAT_MAX_MADE_POINTS = 1000000, BAT_MAX_WIDTH = 4,
+       BAT_MAX_ROWS = (BATTEN_MAX_DEGREE + 1) * BAT_MAX_WIDTH };
 
-/* The non-empty spans in Bezier form. Rows are homogeneous, scaled as bat_curve_row says. */
+/* A span ready for evaluation. */
+typedef struct {
+    int knot;           /* index of the knot at its begin */
+    double a, b;        /* its ends */
+    bool tight;         /* bat_span_is_tight */
+    size_t stride;      /* from row to row; numbers beyond the width are 0 */
+    const double *rows; /* [p + 1][stride], Bezier, homogeneous and scaled as bat_curve_rows says */
+} bat_piece;
+
+/* All non-empty spans. */
 typedef struct {
     int count;
-    size_t width;
+    size_t stride;  /* 2 or 4, for vectors */
     double *breaks; /* [count + 1] distinct knots of the domain */
-    double *rows;   /* [count][p + 1][width] */
+    double *rows;   /* [count][p + 1][stride] */
     int *spans;     /* [count] index of the knot that begins the span */
-    bool *tight;    /* [count] bat_span_is_tight */
+    bool *tight;    /* [count] */
+    double slices;  /* `count` by the length of the domain */
     int *guide;     /* [count + 1] how many inner breaks lie before each of `count` equal slices of the domain */
+    bool bounded;   /* all numbers below 1e300: points, means of them, cannot overflow */
 } bat_pieces;
 
 struct batten_curve {
@@ -38,8 +50,8 @@ static inline size_t bat_curve_width(const batten_curve *curve)
 }
 
 /* Control points first .. first + count - 1 as rows of a spline: (x ..), or (w x .., w) with w scaled by a power
- * of two common to the curve, so that tiny or huge weights cost no accuracy. */
-void bat_curve_rows(const batten_curve *curve, int first, int count, double *rows);
+ * of two common to the curve, so that tiny or huge weights cost no accuracy; then 0 up to the stride. */
+void bat_curve_rows(const batten_curve *curve, int first, int count, size_t stride, double *rows);
 
 /* Bring u into the domain: by whole periods, or over the last few ulps. */
 batten_status bat_curve_place(const batten_curve *curve, batten_side side, double *u);
@@ -64,11 +76,21 @@ batten_status bat_curve_make_like(const batten_curve *like, int degree, int coun
 /* Points, weights and knots taken over unchanged, to alter some of them before bat_curve_finish. */
 batten_status bat_curve_copy(const batten_curve *curve, batten_curve **out);
 
+/* The span that begins at knot `span`; rows [BAT_MAX_ROWS] are the caller's. */
+bat_piece bat_curve_piece(const batten_curve *curve, int span, double *rows);
+/* Evaluate at u in a piece: out [order + 1][d]. The definition of what a batch computes. */
+void bat_curve_on_piece(const batten_curve *curve, const bat_piece *on, double u, int order, double *out);
+/* From derivatives a [..][stride] of the homogeneous curve of this degree to those of the curve, out [order + 1][d].
+ * Leibniz for w P = A: P(k) = (A(k) - sum over i of C(k, i) w(i) P(k - i)) / w. */
+void bat_divide(int degree, size_t d, int order, size_t stride, const double *a, double *out);
+/* OVERFLOW when one of the numbers computed at u is none. */
+batten_status bat_curve_check_result(double u, size_t count, const double *out);
+
 /* The Bezier pieces, made at the first batch of `count` parameters that is worth it; NULL when it is not, or when
  * memory is short: callers then work span by span. */
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);
 /* The piece that holds u, the last one closed on the right; u in the domain. */
-int bat_pieces_find(const bat_pieces *pieces, double u);
+bat_piece bat_pieces_find(const bat_pieces *pieces, int degree, double u);
 void bat_pieces_free(bat_pieces *pieces);
 
 /* The frame with axes square and of length one, z kept; and its y-axis. */

@@ -9,7 +9,7 @@ batten_status bat_curve_to_spline(const batten_curve *curve, bat_spline *out)
         bat_spline_make(curve->degree, curve->count, bat_curve_width(curve), out);
     if (status != BATTEN_OK)
         return status;
-    bat_curve_rows(curve, 0, curve->count, out->values);
+    bat_curve_rows(curve, 0, curve->count, out->width, out->values);
     memcpy(out->knots, curve->knots,
            ((size_t)curve->count + (size_t)curve->degree + 1) * sizeof *out->knots);
     return BATTEN_OK;
@@ -84,7 +84,7 @@ batten_status bat_curve_unwrap(const batten_curve *curve, int more, bat_spline *
         return status;
     bat_knots_wrap(more * m + p, m, curve->knots + p, made.knots);
     for (int i = 0; i < made.count; i++)
-        bat_curve_rows(curve, i % m, 1, made.values + (size_t)i * made.width);
+        bat_curve_rows(curve, i % m, 1, made.width, made.values + (size_t)i * made.width);
     *out = made;
     return BATTEN_OK;
 }

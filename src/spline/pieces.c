@@ -4,19 +4,18 @@
 #include <stdint.h>
 #include <string.h>
 
-void bat_curve_rows(const batten_curve *curve, int first, int count, double *rows)
+void bat_curve_rows(const batten_curve *curve, int first, int count, size_t stride, double *rows)
 {
     const size_t d = (size_t)curve->dimension;
     const double *point = curve->points + (size_t)first * d;
-    if (!curve->weights) {
-        memcpy(rows, point, (size_t)count * d * sizeof *rows);
-        return;
-    }
-    for (int i = 0; i < count; i++, point += d) {
-        const double w = curve->weights[first + i] * curve->weight_scale;
+    for (int i = 0; i < count; i++, point += d, rows += stride) {
+        const double w = curve->weights ? curve->weights[first + i] * curve->weight_scale : 1;
         for (size_t k = 0; k < d; k++)
-            *rows++ = w * point[k];
-        *rows++ = w;
+            rows[k] = w * point[k];
+        if (curve->weights)
+            rows[d] = w;
+        for (size_t k = bat_curve_width(curve); k < stride; k++)
+            rows[k] = 0;
     }
 }
 
@@ -39,9 +38,9 @@ static bat_pieces *allocate(const batten_curve *curve)
         return NULL;
     const size_t count = (size_t)batten_curve_spans(curve, NULL) - 1;
     made->count = (int)count;
-    made->width = bat_curve_width(curve);
+    made->stride = bat_curve_width(curve) > 2 ? 4 : 2;
     made->breaks = bat_array(count + 1, sizeof *made->breaks);
-    made->rows = bat_array3(count, ((size_t)curve->degree + 1) * made->width, sizeof *made->rows);
+    made->rows = bat_array3(count, ((size_t)curve->degree + 1) * made->stride, sizeof *made->rows);
     made->spans = bat_array(count, sizeof *made->spans);
     made->tight = bat_array(count, sizeof *made->tight);
     made->guide = bat_array(count + 1, sizeof *made->guide);
@@ -55,55 +54,64 @@ static void fill_rows(const batten_curve *curve, bat_pieces *pieces)
 {
     const int p = curve->degree;
     const double *U = curve->knots;
-    const size_t size = ((size_t)p + 1) * pieces->width;
+    const size_t size = ((size_t)p + 1) * pieces->stride;
     for (int k = p, i = 0; k < curve->count; k++) {
         if (U[k] == U[k + 1])
             continue;
         double *rows = pieces->rows + (size_t)i * size;
-        bat_curve_rows(curve, k - p, p + 1, rows);
-        bat_piece_from_rows(p, U, k, pieces->width, rows);
+        bat_curve_rows(curve, k - p, p + 1, pieces->stride, rows);
+        bat_piece_from_rows(p, U, k, pieces->stride, rows);
         pieces->tight[i] = bat_span_is_tight(p, U, k);
         pieces->spans[i++] = k;
     }
+    const size_t total = (size_t)pieces->count * size, numbers = (size_t)curve->count * (size_t)curve->dimension;
+    double largest = 0;
+    for (size_t i = 0; i < total; i++)
+        largest = bat_max(largest, fabs(pieces->rows[i]));
+    for (size_t i = 0; i < numbers; i++)
+        largest = bat_max(largest, fabs(curve->points[i]));
+    pieces->bounded = largest < 1e300;
 }
 
 /* Which of `count` equal slices of the domain u lies in; rises with u, whatever the rounding. */
-static int slice(const bat_pieces *pieces, double u)
+static inline int slice(const bat_pieces *pieces, double u)
 {
-    const double *breaks = pieces->breaks;
-    const int count = pieces->count;
-    return bat_min_int((int)((u - breaks[0]) / (breaks[count] - breaks[0]) * count), count - 1);
+    return bat_min_int((int)((u - pieces->breaks[0]) * pieces->slices), pieces->count - 1);
 }
 
 /* guide[j]: how many inner breaks lie in slices before j. Pieces that reach into slice j are those from guide[j] to
  * guide[j + 1]. */
 static void fill_guide(bat_pieces *pieces)
 {
+    const double slices = pieces->count / (pieces->breaks[pieces->count] - pieces->breaks[0]);
+    pieces->slices = isfinite(slices) ? slices : 0;
     for (int i = 1; i < pieces->count; i++)
         pieces->guide[slice(pieces, pieces->breaks[i]) + 1]++;
     for (int j = 0; j < pieces->count; j++)
         pieces->guide[j + 1] += pieces->guide[j];
 }
 
-int bat_pieces_find(const bat_pieces *pieces, double u)
+bat_piece bat_pieces_find(const bat_pieces *pieces, int degree, double u)
 {
     const int j = slice(pieces, u);
+    const double *breaks = pieces->breaks;
     int low = pieces->guide[j], high = pieces->guide[j + 1] + 1;
     while (high - low > 1) {
         const int middle = low + (high - low) / 2;
-        if (pieces->breaks[middle] <= u)
-            low = middle;
-        else
-            high = middle;
+        const bool right = breaks[middle] <= u;
+        low = right ? middle : low;
+        high = right ? high : middle;
     }
-    return low;
+    const size_t size = ((size_t)degree + 1) * pieces->stride;
+    return (bat_piece){pieces->spans[low], breaks[low],    breaks[low + 1],
+                       pieces->tight[low], pieces->stride, pieces->rows + (size_t)low * size};
 }
 
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count)
 {
     batten_curve *shared = (batten_curve *)(uintptr_t)curve; /* the cache is no part of the shape */
     bat_pieces *pieces = atomic_load_explicit(&shared->pieces, memory_order_acquire);
-    if (pieces || count < (size_t)(curve->count - curve->degree) / 8)
+    if (pieces || count < (size_t)(curve->count - curve->degree) / 8 + 1)
         return pieces;
     bat_pieces *made = allocate(curve);
     if (!made)

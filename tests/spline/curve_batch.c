@@ -1,0 +1,44 @@
+#include <batten/curve.h>
+
+#include "support/generate.h"
+
+#include <stdlib.h>
+
+enum { POINTS = 200 };
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void check_batch(test_random *random, const batten_curve *curve, bool sorted, int order)
+{
+    const int size = (order + 1) * batten_curve_dimension(curve);
+    double u[POINTS], out[POINTS * 5 * 3], one[5 * 3];
+    for (int i = 0; i < POINTS; i++)
+        u[i] = test_parameter(random, curve);
+    if (sorted)
+        qsort(u, POINTS, sizeof *u, by_value);
+    CHECK_OK(batten_curve_evaluate_many(curve, POINTS, u, order, NULL, out));
+    for (int i = 0; i < POINTS; i++) {
+        CHECK_OK(batten_curve_evaluate(curve, u[i], order, one));
+        for (int k = 0; k < size; k++)
+            CHECK_BITS(out[i * size + k], one[k]);
+    }
+}
+
+TEST(a_batch_has_the_bits_of_single_calls)
+{
+    test_random random = test_random_begin(__func__);
+    for (int i = 0; i < test_cases(400); i++) {
+        /* Every second one a cubic, which has loops of its own. */
+        const test_wish wish = {.tame = i % 8 != 0, .degree = i % 2 ? 3 : 0};
+        batten_curve *curve = i % 5 ? test_curve(&random, &wish) : test_periodic_curve(&random, &wish);
+        const batten_interval domain = batten_curve_domain(curve);
+        const int order = wish.tame ? i % 5 : 0;
+        if (domain.b - domain.a < 1e300)
+            check_batch(&random, curve, i % 3 == 0, order);
+        batten_curve_unref(curve);
+    }
+}
