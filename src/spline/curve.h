@@ -25,6 +25,7 @@ typedef struct {
     double *rows;   /* [count][p + 1][stride] */
     int *spans;     /* [count] index of the knot that begins the span */
     bool *tight;    /* [count] */
+    int step;       /* the first of a search, a power of two */
     double slices;  /* `count` by the length of the domain */
     int *guide;     /* [count + 1] how many inner breaks lie before each of `count` equal slices of the domain */
     bool bounded;   /* all numbers below 1e300: points, means of them, cannot overflow */
@@ -91,6 +92,9 @@ batten_status bat_curve_check_result(double u, size_t count, const double *out);
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count);
 /* The piece that holds u, the last one closed on the right; u in the domain. */
 bat_piece bat_pieces_find(const bat_pieces *pieces, int degree, double u);
+bat_piece bat_pieces_get(const bat_pieces *pieces, int degree, int index);
+/* Indices of the pieces that hold u[count]; -1 for the end of the domain and what lies outside. */
+void bat_pieces_locate(const bat_pieces *pieces, size_t count, const double *u, int *index);
 void bat_pieces_free(bat_pieces *pieces);
 
 /* The frame with axes square and of length one, z kept; and its y-axis. */

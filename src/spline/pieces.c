@@ -87,24 +87,51 @@ static void fill_guide(bat_pieces *pieces)
     pieces->slices = isfinite(slices) ? slices : 0;
     for (int i = 1; i < pieces->count; i++)
         pieces->guide[slice(pieces, pieces->breaks[i]) + 1]++;
-    for (int j = 0; j < pieces->count; j++)
+    int most = 0;
+    for (int j = 0; j < pieces->count; j++) {
+        most = bat_max_int(most, pieces->guide[j + 1]);
         pieces->guide[j + 1] += pieces->guide[j];
+    }
+    pieces->step = 1;
+    while (2 * pieces->step <= most)
+        pieces->step *= 2;
+}
+
+/* Index of the piece that holds u. As many halvings for each u, and no branch: random parameters are not to be
+ * guessed. */
+static inline int find(const bat_pieces *pieces, double u)
+{
+    const int j = slice(pieces, u), last = pieces->guide[j + 1];
+    int low = pieces->guide[j];
+    for (int step = pieces->step; step > 0; step /= 2) {
+        const int probe = bat_min_int(low + step, last);
+        low = pieces->breaks[probe] <= u ? probe : low;
+    }
+    return low;
+}
+
+bat_piece bat_pieces_get(const bat_pieces *pieces, int degree, int index)
+{
+    const size_t size = ((size_t)degree + 1) * pieces->stride;
+    return (bat_piece){pieces->spans[index], pieces->breaks[index],    pieces->breaks[index + 1],
+                       pieces->tight[index], pieces->stride, pieces->rows + (size_t)index * size};
 }
 
 bat_piece bat_pieces_find(const bat_pieces *pieces, int degree, double u)
 {
-    const int j = slice(pieces, u);
-    const double *breaks = pieces->breaks;
-    int low = pieces->guide[j], high = pieces->guide[j + 1] + 1;
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        const bool right = breaks[middle] <= u;
-        low = right ? middle : low;
-        high = right ? high : middle;
+    return bat_pieces_get(pieces, degree, find(pieces, u));
+}
+
+void bat_pieces_locate(const bat_pieces *pieces, size_t count, const double *u, int *index)
+{
+    const double *breaks = pieces->breaks, first = breaks[0], end = breaks[pieces->count];
+    int here = 0;
+    for (size_t i = 0; i < count; i++) {
+        const bool stays = u[i] >= breaks[here] && u[i] < breaks[here + 1];
+        if (!stays && u[i] >= first && u[i] < end)
+            here = find(pieces, u[i]);
+        index[i] = u[i] >= first && u[i] < end ? here : -1;
     }
-    const size_t size = ((size_t)degree + 1) * pieces->stride;
-    return (bat_piece){pieces->spans[low], breaks[low],    breaks[low + 1],
-                       pieces->tight[low], pieces->stride, pieces->rows + (size_t)low * size};
 }
 
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count)
