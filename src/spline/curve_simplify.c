@@ -16,7 +16,7 @@ static batten_status check_tolerance(double tolerance)
  */
 static double moved_per_row(const batten_curve *curve, double tolerance)
 {
-    double largest = 0, least = INFINITY;
+    double largest = 0, least = HUGE_VAL;
     for (int i = 0; curve->weights && i < curve->count; i++) {
         largest = bat_max(largest, bat_norm(curve->dimension, curve->points + i * curve->dimension));
         least = bat_min(least, curve->weights[i] * curve->weight_scale);

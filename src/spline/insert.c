@@ -69,7 +69,7 @@ batten_status bat_spline_insert(const bat_spline *spline, int count, const doubl
         advance(&work, knots[i]);
         insert_one(&work, knots[i]);
     }
-    advance(&work, INFINITY);
+    advance(&work, HUGE_VAL);
     *out = made;
     return BATTEN_OK;
 }

@@ -75,7 +75,7 @@ batten_status bat_knots_clip(double a, double b, double *u)
     if (!isfinite(*u))
         return bat_fail(BATTEN_NOT_FINITE, "the parameter is %g", *u);
     const double larger = bat_max(fabs(a), fabs(b));
-    const double allowed = 4 * (nextafter(larger, INFINITY) - larger);
+    const double allowed = 4 * (nextafter(larger, HUGE_VAL) - larger);
     if (*u < a - allowed || *u > b + allowed)
         return bat_fail(BATTEN_OUT_OF_DOMAIN, "the parameter %.17g is outside the domain [%.17g, %.17g]", *u,
                         a, b);
@@ -115,11 +115,11 @@ void bat_knots_wrap(int degree, int m, const double *period, double *knots)
     for (int j = p + m + 1; j <= m + 2 * p; j++)
         knots[j] = knots[j - m] == knots[j - m - 1]
                        ? knots[j - 1]
-                       : bat_max(nextafter(knots[j - 1], INFINITY), knots[j - m] + length);
+                       : bat_max(nextafter(knots[j - 1], HUGE_VAL), knots[j - m] + length);
     for (int j = p - 1; j >= 0; j--)
         knots[j] = knots[j + m] == knots[j + m + 1]
                        ? knots[j + 1]
-                       : bat_min(nextafter(knots[j + 1], -INFINITY), knots[j + m] - length);
+                       : bat_min(nextafter(knots[j + 1], -HUGE_VAL), knots[j + m] - length);
 }
 
 void bat_knots_reverse(int degree, int count, const double *knots, double *out)

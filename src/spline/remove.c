@@ -75,7 +75,7 @@ static void meet(const removal *work, int r, int s, double *left, const double *
     const int count = spline->degree - s, first = r - spline->degree;
     const size_t width = spline->width;
     int open = 0;
-    double least = INFINITY;
+    double least = HUGE_VAL;
     for (int k = 0; k <= count; k++) {
         const double here = residual(work, row_of(spline, first + k), alpha(spline, first + k, spline->knots[r]),
                                      right + (size_t)(k + 1) * width, left + (size_t)k * width);
