@@ -31,7 +31,7 @@ typedef struct {
  * zero: values up to this count as 0, besides those that are rounding of the largest
  * coefficient roots: [degree] *count: -1 when all coefficients count as 0 INCOMPLETE when more
  * than `degree` places count as 0: then the polynomial vanishes within rounding over long
- * parts. Cost: about degree^2 log2(1 / distance) for each root. Source: [RS07] 10.2, Descartes'
+ * parts. Cost: about degree^2 log2(1 / distance) for each root. Source: [LR81], Descartes'
  * rule of signs.
  */
 batten_status bat_bernstein_roots(int degree, const double *c, double zero, bat_root *roots,
