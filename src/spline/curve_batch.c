@@ -36,8 +36,8 @@ static void run_any(const batch *work, const bat_piece *on, size_t i, size_t end
 /* ---- cubics ---- */
 
 /* The Bernstein polynomials of degree 3, as bat_bernstein makes them. */
-#define BERNSTEIN_3(type, t)                                                                   \
-    const type s = 1 - t, tt = t * t, ss = s * s;                                              \
+#define BERNSTEIN_3(type, t, s)                                                                \
+    const type tt = t * t, ss = s * s;                                              \
     const type b0 = ss * s, b1 = 3 * t * ss, b2 = 3 * tt * s, b3 = tt * t
 
 /* Points, two of them in the lanes of a pair. */
@@ -47,8 +47,8 @@ BAT_INLINE size_t cubic_pairs(const int d, const bool rational, const batch *wor
     const double a = on->a, h = on->b - on->a, *r = on->rows;
     const size_t stride = d + rational > 2 ? 4 : 2;
     for (; i + 1 < end; i += 2) {
-        const bat_pair t = (bat_load(work->u + i) - a) / h;
-        BERNSTEIN_3(bat_pair, t);
+        const bat_pair u = bat_load(work->u + i), t = (u - a) / h, s = rational ? (on->b - u) / h : 1 - t;
+        BERNSTEIN_3(bat_pair, t, s);
         bat_pair x[4];
         for (size_t c = 0; c < (size_t)d + rational; c++)
             x[c] = b0 * r[c] + b1 * r[stride + c] + b2 * r[2 * stride + c] + b3 * r[3 * stride + c];
@@ -70,8 +70,8 @@ BAT_INLINE void cubic_points(const int d, const bool rational, const batch *work
     const size_t stride = d + rational > 2 ? 4 : 2;
     i = cubic_pairs(d, rational, work, on, i, end);
     for (; i < end; i++) {
-        const double t = (work->u[i] - a) / h;
-        BERNSTEIN_3(double, t);
+        const double u = work->u[i], t = (u - a) / h, s = rational ? (on->b - u) / h : 1 - t;
+        BERNSTEIN_3(double, t, s);
         double x[4];
         for (size_t c = 0; c < stride; c += 2)
             bat_store(x + c, b0 * bat_load(r + c) + b1 * bat_load(r + stride + c) +
@@ -101,8 +101,8 @@ BAT_INLINE void cubic_derivatives(const int d, const bool rational, const int or
     double f[12], g[8], x[12];
     cubic_differences(on, stride, f, g);
     for (; i < end; i++) {
-        const double t = (work->u[i] - a) / h;
-        BERNSTEIN_3(double, t);
+        const double u = work->u[i], t = (u - a) / h, s = rational ? (on->b - u) / h : 1 - t;
+        BERNSTEIN_3(double, t, s);
         const double c1 = 2 * t * s;
         for (size_t c = 0; c < stride; c += 2) {
             bat_store(x + c, b0 * bat_load(r + c) + b1 * bat_load(r + stride + c) +

@@ -30,8 +30,11 @@ static void homogeneous(const batten_curve *curve, const bat_piece *on, double u
     const int p = curve->degree;
     const size_t stride = on->stride;
     const double h = on->b - on->a, t = (u - on->a) / h;
+    /* Unequal weights can make the curve run at any speed, so near the end 1 - t must be known as well as t is near
+     * the start; that s + t is not quite 1 then cancels in the quotient. Without weights it would not. */
+    const double s = curve->weights ? (on->b - u) / h : 1 - t;
     double basis[BATTEN_MAX_DEGREE + 1], rows[BAT_MAX_ROWS];
-    bat_bernstein(p, t, basis);
+    bat_bernstein(p, t, s, basis);
     bat_combine(p, basis, stride, on->rows, out);
     if (order > 0)
         memcpy(rows, on->rows, ((size_t)p + 1) * stride * sizeof *rows);
@@ -40,7 +43,7 @@ static void homogeneous(const batten_curve *curve, const bat_piece *on, double u
             tight_rows(curve, on->knot, k, stride, rows);
         else
             bat_piece_derive(p - k + 1, h, stride, rows);
-        bat_bernstein(p - k, t, basis);
+        bat_bernstein(p - k, t, s, basis);
         bat_combine(p - k, basis, stride, rows, out + (size_t)k * stride);
     }
 }

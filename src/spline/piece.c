@@ -101,9 +101,8 @@ bool bat_span_is_tight(int degree, const double *knots, int span)
     return false;
 }
 
-void bat_bernstein(int degree, double t, double *out)
+void bat_bernstein(int degree, double t, double s, double *out)
 {
-    const double s = 1 - t;
     double power = 1;
     for (int i = 0; i <= degree; i++, power *= t)
         out[i] = bat_binomials[degree][i] * power;

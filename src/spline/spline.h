@@ -61,8 +61,8 @@ void bat_rows_derive(int degree, const double *knots, int span, size_t width, do
 /* Is the span so much narrower than its neighbours that differences of its Bezier rows would lose digits? Then
  * derivatives go through bat_rows_derive. 64 degree: at most 6 bits beyond those of equal spans are lost. */
 bool bat_span_is_tight(int degree, const double *knots, int span);
-/* Bernstein polynomials out [p + 1] at t; at 0 and 1 exactly 0 and 1. */
-void bat_bernstein(int degree, double t, double *out);
+/* Bernstein polynomials out [p + 1] at t, s = 1 - t; at 0 and 1 exactly 0 and 1. */
+void bat_bernstein(int degree, double t, double s, double *out);
 /* out [width] = sum of basis[i] rows[i]. */
 void bat_combine(int degree, const double *basis, size_t width, const double *rows, double *out);
 extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
