@@ -5,6 +5,7 @@
  * Numbers as text, the same in every locale: '.' is the decimal mark.
  */
 #include <batten/base.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,6 +38,17 @@ BATTEN_API int batten_number_write(double value, char *text);
  */
 BATTEN_API batten_status batten_number_read(const char *text, size_t length, double *value,
                                             size_t *used);
+
+/**
+ * Read a whole number in decimal digits with an optional sign: no '.', no exponent, no blanks.
+ *
+ * @param low, high  what is allowed
+ * @param[out] used  how many characters belong to it; may be NULL, and then all must
+ * @return BATTEN_OK; BATTEN_BAD_FORMAT when no whole number stands there; BATTEN_OVERFLOW when
+ * it is outside low .. high
+ */
+BATTEN_API batten_status batten_integer_read(const char *text, size_t length, int64_t low,
+                                             int64_t high, int64_t *value, size_t *used);
 
 #ifdef __cplusplus
 }

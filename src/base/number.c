@@ -580,3 +580,32 @@ batten_status batten_number_read(const char *text, size_t length, double *value,
         *used = (size_t)(end - text);
     return BATTEN_OK;
 }
+
+/* ---- whole numbers ---- */
+
+batten_status batten_integer_read(const char *text, size_t length, int64_t low, int64_t high,
+                                  int64_t *value, size_t *used)
+{
+    char shown[BAT_SHOWN_SIZE];
+    const bool is_signed = length > 0 && (text[0] == '+' || text[0] == '-');
+    const bool is_negative = is_signed && text[0] == '-';
+    size_t i = is_signed;
+    int64_t sum = 0;
+    bool is_large = false;
+    for (; i < length && is_digit(text[i]); i++) {
+        const int64_t digit = text[i] - '0';
+        is_large |= __builtin_mul_overflow(sum, (int64_t)10, &sum);
+        is_large |= is_negative ? __builtin_sub_overflow(sum, digit, &sum)
+                                : __builtin_add_overflow(sum, digit, &sum);
+    }
+    if (i == (size_t)is_signed || (!used && i < length))
+        return bat_fail(BATTEN_BAD_FORMAT, "'%s' is not a whole number",
+                        bat_shown(text, length, shown));
+    if (is_large || sum < low || sum > high)
+        return bat_fail(BATTEN_OVERFLOW, "the number %s is outside %lld .. %lld",
+                        bat_shown(text, i, shown), (long long)low, (long long)high);
+    *value = sum;
+    if (used)
+        *used = i;
+    return BATTEN_OK;
+}

@@ -298,6 +298,57 @@ TEST(reading_stops_at_the_length_given)
     CHECK_BITS(value, 1e5);
 }
 
+TEST(N4_whole_numbers_are_read_within_their_bounds)
+{
+    static const struct {
+        const char *text;
+        int64_t low, high, value;
+    } good[] = {{"0", 0, 0, 0},
+                {"-0", 0, 5, 0},
+                {"+007", 0, 10, 7},
+                {"9223372036854775807", 0, INT64_MAX, INT64_MAX},
+                {"-9223372036854775808", INT64_MIN, 0, INT64_MIN}};
+    for (int i = 0; i < COUNT(good); i++) {
+        int64_t value = 99;
+        CHECK_OK(batten_integer_read(good[i].text, strlen(good[i].text), good[i].low,
+                                     good[i].high, &value, NULL));
+        CHECK_INT(value, good[i].value);
+    }
+    int64_t value = 99;
+    size_t used = 99;
+    CHECK_OK(batten_integer_read("12,5", 4, 0, 100, &value, &used));
+    CHECK(value == 12 && used == 2);
+}
+
+TEST(N4_what_is_no_count_is_refused)
+{
+    static const struct {
+        const char *text;
+        batten_status status;
+    } bad[] = {{"", BATTEN_BAD_FORMAT},
+               {"-", BATTEN_BAD_FORMAT},
+               {"1e3", BATTEN_BAD_FORMAT},
+               {"1.0", BATTEN_BAD_FORMAT},
+               {"0x10", BATTEN_BAD_FORMAT},
+               {" 1", BATTEN_BAD_FORMAT},
+               {"-1", BATTEN_OVERFLOW},
+               {"101", BATTEN_OVERFLOW},
+               {"2147483648", BATTEN_OVERFLOW},
+               {"4294967297", BATTEN_OVERFLOW},
+               {"9223372036854775808", BATTEN_OVERFLOW},
+               {"18446744073709551617", BATTEN_OVERFLOW},
+               {"-9223372036854775809", BATTEN_OVERFLOW},
+               {"99999999999999999999999999999999", BATTEN_OVERFLOW}};
+    for (int i = 0; i < COUNT(bad); i++) {
+        int64_t value = 99;
+        CHECK_STATUS(
+            batten_integer_read(bad[i].text, strlen(bad[i].text), 0, 100, &value, NULL),
+            bad[i].status);
+        CHECK_MESSAGE(bad[i].text);
+        CHECK_INT(value, 99);
+    }
+}
+
 static void check_locale(const char *name)
 {
     if (!setlocale(LC_ALL, name))

@@ -1,0 +1,29 @@
+#!/bin/sh
+# A folder of src/ includes only itself and the folders before it in this list; the sister libraries and the
+# programs see the public headers alone, but for the inline helpers of base.
+# Usage: layers.sh SOURCE
+cd "$1" || exit 2
+allowed="."
+bad=""
+
+includes() { # the quoted includes of a folder: FILE:LINE:#include "folder/file.h"
+    find "$1" -name '*.[ch]' -exec grep -nH '^ *# *include *"' {} + 2> /dev/null
+}
+
+for folder in base numeric spline inspect shape fair mesh exchange; do
+    allowed="$allowed|$folder"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
+done
+for folder in picture design; do
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/base\.h\")")"
+done
+for folder in cli studio examples; do
+    [ -d "$folder" ] || continue
+    bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|mesh|exchange|picture|design)/|\.\./")"
+done
+bad="$bad$(find include -name '*.h' -exec grep -nH '^ *# *include *"' {} +)"
+
+if [ -n "$bad" ]; then
+    printf 'includes against the order of the folders:\n%s\n' "$bad"
+    exit 1
+fi
