@@ -57,7 +57,8 @@ typedef struct batten_skin_report {
  * that are periodic, all of them, stay so and are unified exactly whatever the tolerance. With `align` the
  * message says which sections were reversed.
  *
- * With a tolerance, a section moves at most as `report->deviation` says, a bound at equal parameters; corners
+ * With a tolerance, spans of sections are first stretched, corners held, so that their speed does not jump where
+ * their tangent goes on; then a section moves at most as `report->deviation` says, a bound at equal parameters; corners
  * stay corners; the ends of sections do not move. If that needs as many knots as the exact union, that is taken.
  *
  * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL

@@ -161,14 +161,29 @@ static bool all_periodic(const task *t)
     return periodic;
 }
 
+/* A jump of the speed would ask for knots that the shape does not need. */
+static batten_status even_speeds(task *t)
+{
+    for (int k = 0; k < t->count; k++) {
+        batten_curve *even = NULL;
+        const batten_status status = bat_skin_even_speed(t->placed[k], &even);
+        if (status != BATTEN_OK)
+            return status;
+        batten_curve_unref(t->placed[k]);
+        t->placed[k] = even;
+    }
+    return BATTEN_OK;
+}
+
 static batten_status unify(task *t)
 {
     const batten_curve *const *placed = (const batten_curve *const *)t->placed;
     t->periodic_u = all_periodic(t);
-    batten_status status;
-    if (t->options->tolerance > 0 && !t->periodic_u)
+    const bool exact = t->periodic_u || t->options->tolerance == 0;
+    batten_status status = exact ? BATTEN_OK : even_speeds(t);
+    if (status == BATTEN_OK && !exact)
         status = bat_skin_common_knots(t->count, placed, t->options->tolerance, t->unified, t->deviation);
-    else
+    else if (status == BATTEN_OK)
         status = batten_curves_unify(t->count, placed, t->unified);
     if (status != BATTEN_OK)
         return status;

@@ -7,6 +7,10 @@
 /* The maps that bring sections from the xy-plane to their places along the spine. @param maps [count] */
 batten_status bat_skin_places(int count, const batten_skin_options *options, batten_affine *maps);
 
+/* The same shape with spans stretched so that the speed does not jump where the tangent goes on; corners keep
+ * their parameters. Clamped. Rational sections, whose speed is not in their points alone, stay as they are. */
+batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **out);
+
 /*
  * Give sections the same degree, few common knots and the domain [0, 1], no section moving farther than `tolerance`;
  * corners stay. When that takes as many knots as the exact union, that.

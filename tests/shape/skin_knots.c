@@ -170,3 +170,53 @@ TEST(N6_tolerances_are_checked)
     batten_surface_unref(surface);
     unref_all(2, sections);
 }
+
+/* Two cubic pieces that meet with one tangent but with speeds `ratio` apart, at a place of its own. */
+static batten_curve *uneven_section(double x, double place, double ratio)
+{
+    const double points[] = {x, 0, 0,   x, 0.5, 0, x, 0.8, 0.1, x, 1, 0.3,
+                             x, 1 + 0.2 * ratio, 0.3 + 0.2 * ratio, x, 2, 1.5, x, 2, 2};
+    const double knots[] = {0, 0, 0, 0, place, place, place, 1, 1, 1, 1};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create(3, 3, 7, points, NULL, knots, &curve));
+    return curve;
+}
+
+TEST(speeds_are_made_even_without_moving_a_point)
+{
+    for (int c = 0; c < 5; c++) {
+        batten_curve *uneven = uneven_section(0, 0.3 + 0.1 * c, 0.5 + c * 0.4), *even = NULL;
+        CHECK_OK(bat_skin_even_speed(uneven, &even));
+        double knots[3], left[6], right[6];
+        CHECK_INT(batten_curve_spans(even, knots), 3);
+        CHECK(knots[0] == 0 && knots[2] == 1);
+        CHECK_OK(batten_curve_evaluate_side(even, knots[1], BATTEN_FROM_LEFT, 1, left));
+        CHECK_OK(batten_curve_evaluate_side(even, knots[1], BATTEN_FROM_RIGHT, 1, right));
+        for (int k = 0; k < 6; k++)
+            CHECK_NEAR(left[k], right[k], 1e-13);
+        for (int i = 0; i < 21; i++)
+            CHECK_BITS(batten_curve_points(even)[i], batten_curve_points(uneven)[i]);
+        batten_curve_unref(even);
+        batten_curve_unref(uneven);
+    }
+}
+
+TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
+{
+    batten_curve *sections[6];
+    for (int k = 0; k < 6; k++)
+        sections[k] = uneven_section(k, 0.3 + 0.07 * k, 0.5 + 0.3 * k);
+    batten_skin_options options = batten_skin_defaults();
+    batten_skin_report exact, few;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL, &exact,
+                                 &surface));
+    batten_surface_unref(surface);
+    options.tolerance = 2e-3;
+    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL, &few,
+                                 &surface));
+    CHECK(exact.normal_jump > 0.01 && few.normal_jump == 0);
+    CHECK(few.deviation <= 2e-3);
+    batten_surface_unref(surface);
+    unref_all(6, sections);
+}
