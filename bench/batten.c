@@ -1,0 +1,191 @@
+/* Batten on the workloads. */
+#include "bench.h"
+
+#include <batten/interpolate.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    const bench_work *work;
+    batten_curve *curve;
+    batten_surface *surface;
+    double *uv, *out, *normals;
+} contest;
+
+static void must(batten_status status)
+{
+    if (status == BATTEN_OK)
+        return;
+    fprintf(stderr, "bench: batten: %s\n", batten_message());
+    exit(1);
+}
+
+static size_t point_count(const bench_work *work)
+{
+    return work->kind == SURFACE_GRID || work->kind == SURFACE_THROUGH ? work->count * work->count
+                                                                       : work->count;
+}
+
+static void *open_curve(const bench_work *work)
+{
+    contest *c = calloc(1, sizeof *c);
+    const bench_curve *curve = &work->curve;
+    c->work = work;
+    c->out = bench_numbers(work->result_count);
+    must(batten_curve_create(3, curve->degree, curve->count, curve->points, curve->weights,
+                             curve->knots, &c->curve));
+    return c;
+}
+
+static void *open_surface(const bench_work *work)
+{
+    contest *c = calloc(1, sizeof *c);
+    const bench_surface *surface = &work->surface;
+    c->work = work;
+    c->out = bench_numbers(9 * point_count(work));
+    c->normals = bench_numbers(3 * point_count(work));
+    c->uv = bench_numbers(2 * work->count);
+    for (size_t i = 0; i < work->count; i++) {
+        c->uv[2 * i] = work->u[i];
+        c->uv[2 * i + 1] = work->v[i];
+    }
+    const batten_axis u = {surface->degree, surface->count, surface->knots[0], false};
+    const batten_axis v = {surface->degree, surface->count, surface->knots[1], false};
+    must(batten_surface_create(3, &u, &v, surface->points, surface->weights, &c->surface));
+    return c;
+}
+
+static void *open_data(const bench_work *work)
+{
+    contest *c = calloc(1, sizeof *c);
+    c->work = work;
+    return c;
+}
+
+static void close_contest(void *object)
+{
+    contest *c = object;
+    batten_curve_unref(c->curve);
+    batten_surface_unref(c->surface);
+    free(c->uv);
+    free(c->out);
+    free(c->normals);
+    free(c);
+}
+
+/* ---- curves ---- */
+
+static void run_curve(void *object)
+{
+    contest *c = object;
+    must(batten_curve_evaluate_many(c->curve, c->work->count, c->work->u, c->work->order, NULL, c->out));
+}
+
+static void run_curve_single(void *object)
+{
+    contest *c = object;
+    for (size_t i = 0; i < c->work->count; i++)
+        must(batten_curve_evaluate(c->curve, c->work->u[i], 0, c->out + 3 * i));
+}
+
+static void gather_curve(void *object, double *result)
+{
+    contest *c = object;
+    const size_t rows = (size_t)c->work->order + 1;
+    for (size_t i = 0; i < c->work->count * rows; i++) {
+        const double scale = i % rows == 0 ? 1 : i % rows == 1 ? 1e-3 : 1e-6;
+        for (size_t k = 0; k < 3; k++)
+            result[3 * i + k] = scale * c->out[3 * i + k];
+    }
+}
+
+/* ---- surfaces ---- */
+
+static void run_grid(void *object)
+{
+    contest *c = object;
+    const size_t n = c->work->count;
+    if (c->work->order == 0)
+        must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL, c->out));
+    else
+        must(batten_surface_normal_grid(c->surface, n, c->work->u, n, c->work->v, NULL, c->out,
+                                        c->normals));
+}
+
+/* The normals of scattered points are their caller's work. */
+static void run_points(void *object)
+{
+    contest *c = object;
+    const int order = c->work->order;
+    must(batten_surface_evaluate_many(c->surface, c->work->count, c->uv, order, NULL, c->out));
+    for (size_t i = 0; order > 0 && i < c->work->count; i++)
+        bench_unit_normal(c->out + 9 * i + 3, c->out + 9 * i + 6, c->normals + 3 * i);
+}
+
+static void run_surface_single(void *object)
+{
+    contest *c = object;
+    for (size_t i = 0; i < c->work->count; i++)
+        must(batten_surface_evaluate(c->surface, c->uv[2 * i], c->uv[2 * i + 1], 0, c->out + 3 * i));
+}
+
+static void gather_surface(void *object, double *result)
+{
+    contest *c = object;
+    const size_t count = point_count(c->work);
+    const size_t step = c->work->kind != SURFACE_GRID && c->work->order > 0 ? 9 : 3;
+    for (size_t i = 0; i < count; i++)
+        memcpy(result + 3 * i, c->out + step * i, 3 * sizeof *result);
+    if (c->work->order > 0)
+        memcpy(result + 3 * count, c->normals, 3 * count * sizeof *result);
+}
+
+/* ---- interpolation ---- */
+
+static void run_curve_through(void *object)
+{
+    contest *c = object;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given = c->work->u;
+    batten_curve_unref(c->curve);
+    c->curve = NULL;
+    must(batten_curve_interpolate(3, (int)c->work->count, c->work->data, &options, NULL, &c->curve));
+}
+
+static void gather_curve_through(void *object, double *result)
+{
+    contest *c = object;
+    must(batten_curve_evaluate_many(c->curve, c->work->count, c->work->u, 0, NULL, result));
+}
+
+static void run_surface_through(void *object)
+{
+    contest *c = object;
+    const int n = (int)c->work->count;
+    batten_grid_options options = batten_grid_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given_u = c->work->u;
+    options.given_v = c->work->v;
+    batten_surface_unref(c->surface);
+    c->surface = NULL;
+    must(batten_surface_interpolate(3, n, n, c->work->data, &options, NULL, NULL, NULL, NULL, &c->surface));
+}
+
+static void gather_surface_through(void *object, double *result)
+{
+    contest *c = object;
+    const size_t n = c->work->count;
+    must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL, result));
+}
+
+const bench_entry bench_batten[KIND_COUNT] = {
+    [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
+    [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
+    [SURFACE_GRID] = {open_surface, run_grid, gather_surface, close_contest},
+    [SURFACE_POINTS] = {open_surface, run_points, gather_surface, close_contest},
+    [SURFACE_SINGLE] = {open_surface, run_surface_single, gather_surface, close_contest},
+    [CURVE_THROUGH] = {open_data, run_curve_through, gather_curve_through, close_contest},
+    [SURFACE_THROUGH] = {open_data, run_surface_through, gather_surface_through, close_contest},
+};

@@ -1,0 +1,75 @@
+/*
+ * The race: rows of work that every contestant does on the same data, checked to agree, then timed.
+ *
+ * A contestant makes its own objects from the data (open), works (run: this alone is timed), and shows what came out
+ * in a common form (gather), so that no one pays for another's layout.
+ */
+#ifndef BENCH_H
+#define BENCH_H
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    CURVE_POINTS,   /* order 0 or 2, all parameters in one call where there is such a call */
+    CURVE_SINGLE,   /* one call for each parameter */
+    SURFACE_GRID,   /* order 0, or 1 for points and unit normals */
+    SURFACE_POINTS, /* the same at scattered parameters */
+    SURFACE_SINGLE, /* one call for each */
+    CURVE_THROUGH,  /* interpolation */
+    SURFACE_THROUGH,
+    KIND_COUNT
+} bench_kind;
+
+typedef struct {
+    int count, degree;
+    double *knots, *points, *weights; /* [count][3]; weights NULL or [count] */
+} bench_curve;
+
+typedef struct {
+    int count, degree; /* the same in both directions */
+    double *knots[2], *points, *weights; /* [count_u][count_v][3] */
+} bench_surface;
+
+/* A row, and its data. */
+typedef struct {
+    const char *name;
+    bench_kind kind;
+    int order;
+    bool rational, random;
+    size_t count;       /* parameters, or points to pass through; in each direction of a grid */
+    const char *unit;   /* "ns" for each point, or "ms" */
+    bench_curve curve;
+    bench_surface surface;
+    double *u, *v, *data; /* parameters; points to pass through */
+    size_t result_count;  /* numbers in the common form */
+} bench_work;
+
+/* What a contestant offers for one kind of work; NULL functions: nothing. */
+typedef struct {
+    void *(*open)(const bench_work *work);
+    void (*run)(void *object);
+    void (*gather)(void *object, double *result);
+    void (*close)(void *object);
+} bench_entry;
+
+/* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points, then all unit normals, u
+ * slowest; THROUGH: the shape at the parameters of its data. */
+
+extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT], bench_occt[KIND_COUNT],
+    bench_gsl[KIND_COUNT];
+
+/* Make and release the data of a row (data.c). */
+void bench_fill(bench_work *work);
+void bench_release(bench_work *work);
+double *bench_numbers(size_t count);
+/* The unit vector of a x b. */
+void bench_unit_normal(const double *a, const double *b, double *normal);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

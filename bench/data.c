@@ -1,0 +1,227 @@
+/* The data of all rows, from one generator, so that they are the same on every machine. Knots are uneven: no
+ * contestant can take a uniform short cut. */
+#include "bench.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+double *bench_numbers(size_t count)
+{
+    double *numbers = malloc((count ? count : 1) * sizeof *numbers);
+    if (!numbers) {
+        perror("bench");
+        exit(1);
+    }
+    return numbers;
+}
+
+/* A linear congruential generator with Knuth's multiplier. */
+typedef struct {
+    uint64_t state;
+} generator;
+
+static double in_unit(generator *g)
+{
+    g->state = g->state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(g->state >> 11) * 0x1p-53;
+}
+
+static double around_zero(generator *g)
+{
+    return 2 * in_unit(g) - 1;
+}
+
+static generator begin(uint64_t seed)
+{
+    generator g = {seed * 2862933555777941757u + 3037000493u};
+    in_unit(&g);
+    in_unit(&g);
+    return g;
+}
+
+static double *make_knots(int n, int p, double jitter, generator *g)
+{
+    double *knots = bench_numbers((size_t)(n + p + 1));
+    const int spans = n - p;
+    for (int i = 0; i <= p; i++) {
+        knots[i] = 0;
+        knots[n + i] = 1;
+    }
+    for (int i = 1; i < spans; i++)
+        knots[p + i] = (i + jitter * around_zero(g)) / spans;
+    return knots;
+}
+
+static double greville(const double *knots, int p, int i)
+{
+    double sum = 0;
+    for (int k = 1; k <= p; k++)
+        sum += knots[i + k];
+    return sum / p;
+}
+
+/* A cubic helix of 1000 points with a little noise. */
+static bench_curve make_curve(bool rational)
+{
+    enum { N = 1000 };
+    generator g = begin(1);
+    bench_curve curve = {N, 3, make_knots(N, 3, 0.3, &g), bench_numbers(3 * N), NULL};
+    for (int i = 0; i < N; i++) {
+        const double x = (double)i / (N - 1);
+        curve.points[3 * i] = 10 * cos(40 * x) + 0.05 * around_zero(&g);
+        curve.points[3 * i + 1] = 10 * sin(40 * x) + 0.05 * around_zero(&g);
+        curve.points[3 * i + 2] = 20 * x + 0.05 * around_zero(&g);
+    }
+    if (rational) {
+        curve.weights = bench_numbers(N);
+        for (int i = 0; i < N; i++)
+            curve.weights[i] = 0.5 + in_unit(&g);
+    }
+    return curve;
+}
+
+/* A bicubic wave z = f(x, y) of 100 x 100 points over [0, 10]^2, with x = 10 u, y = 10 v. */
+static bench_surface make_surface(bool rational)
+{
+    enum { N = 100 };
+    generator g = begin(2);
+    bench_surface surface = {.count = N, .degree = 3, .points = bench_numbers(3 * N * N)};
+    surface.knots[0] = make_knots(N, 3, 0.3, &g);
+    surface.knots[1] = make_knots(N, 3, 0.3, &g);
+    for (int j = 0; j < N; j++)
+        for (int i = 0; i < N; i++) {
+            double *point = surface.points + 3 * (i * N + j);
+            point[0] = 10 * greville(surface.knots[0], 3, i);
+            point[1] = 10 * greville(surface.knots[1], 3, j);
+            point[2] = 0.8 * cos(1.3 * point[0]) * cos(1.1 * point[1]) + 0.002 * around_zero(&g);
+        }
+    if (rational) {
+        surface.weights = bench_numbers(N * N);
+        for (int j = 0; j < N; j++)
+            for (int i = 0; i < N; i++)
+                surface.weights[i * N + j] = 0.5 + in_unit(&g);
+    }
+    return surface;
+}
+
+static double *make_parameters(size_t count, bool random, uint64_t seed)
+{
+    double *u = bench_numbers(count);
+    generator g = begin(seed);
+    for (size_t i = 0; i < count; i++)
+        u[i] = random ? in_unit(&g) : ((double)i + 0.5) / (double)count;
+    return u;
+}
+
+static double *make_cloud(size_t count)
+{
+    double *points = bench_numbers(3 * count);
+    generator g = begin(9);
+    for (size_t i = 0; i < count; i++) {
+        const double a = 40 * ((double)i + 0.3 * around_zero(&g)) / (double)count;
+        points[3 * i] = 10 * cos(a) + 0.2 * sin(9 * a);
+        points[3 * i + 1] = 10 * sin(a);
+        points[3 * i + 2] = 0.5 * a + 0.1 * cos(7 * a);
+    }
+    return points;
+}
+
+static double *centripetal(size_t count, const double *points)
+{
+    double *u = bench_numbers(count);
+    u[0] = 0;
+    for (size_t i = 1; i < count; i++) {
+        const double *a = points + 3 * i - 3, *b = a + 3;
+        u[i] = u[i - 1] + sqrt(sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
+                                    (b[2] - a[2]) * (b[2] - a[2])));
+    }
+    for (size_t i = 1; i < count; i++)
+        u[i] /= u[count - 1];
+    u[count - 1] = 1;
+    return u;
+}
+
+static double *grid_parameters(size_t count, uint64_t seed)
+{
+    double *u = bench_numbers(count);
+    generator g = begin(seed);
+    u[0] = 0;
+    for (size_t i = 1; i + 1 < count; i++)
+        u[i] = ((double)i + 0.25 * around_zero(&g)) / (double)(count - 1);
+    u[count - 1] = 1;
+    return u;
+}
+
+static double *grid_points(size_t count, const double *u, const double *v)
+{
+    double *points = bench_numbers(3 * count * count), *point = points;
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j < count; j++, point += 3) {
+            point[0] = 10 * u[i] + 0.1 * sin(5 * v[j]);
+            point[1] = 10 * v[j];
+            point[2] = sin(8 * u[i]) * cos(7 * v[j]);
+        }
+    return points;
+}
+
+void bench_fill(bench_work *work)
+{
+    const size_t n = work->count;
+    switch (work->kind) {
+    case CURVE_POINTS:
+    case CURVE_SINGLE:
+        work->curve = make_curve(work->rational);
+        work->u = make_parameters(n, work->random, 21);
+        work->result_count = n * 3 * (size_t)(work->order + 1);
+        break;
+    case SURFACE_GRID:
+        work->surface = make_surface(work->rational);
+        work->u = make_parameters(n, false, 0);
+        work->v = make_parameters(n, false, 0);
+        work->result_count = n * n * 3 * (size_t)(work->order + 1);
+        break;
+    case SURFACE_POINTS:
+    case SURFACE_SINGLE:
+        work->surface = make_surface(work->rational);
+        work->u = make_parameters(n, true, 31);
+        work->v = make_parameters(n, true, 32);
+        work->result_count = n * 3 * (size_t)(work->order + 1);
+        break;
+    case CURVE_THROUGH:
+        work->data = make_cloud(n);
+        work->u = centripetal(n, work->data);
+        work->result_count = 3 * n;
+        break;
+    default:
+        work->u = grid_parameters(n, 41);
+        work->v = grid_parameters(n, 42);
+        work->data = grid_points(n, work->u, work->v);
+        work->result_count = 3 * n * n;
+        break;
+    }
+}
+
+void bench_release(bench_work *work)
+{
+    free(work->curve.knots);
+    free(work->curve.points);
+    free(work->curve.weights);
+    free(work->surface.knots[0]);
+    free(work->surface.knots[1]);
+    free(work->surface.points);
+    free(work->surface.weights);
+    free(work->u);
+    free(work->v);
+    free(work->data);
+}
+
+void bench_unit_normal(const double *a, const double *b, double *normal)
+{
+    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
+    const double z = a[0] * b[1] - a[1] * b[0], length = sqrt(x * x + y * y + z * z);
+    normal[0] = x / length;
+    normal[1] = y / length;
+    normal[2] = z / length;
+}
