@@ -23,8 +23,9 @@ static void must(batten_status status)
 
 static size_t point_count(const bench_work *work)
 {
-    return work->kind == SURFACE_GRID || work->kind == SURFACE_THROUGH ? work->count * work->count
-                                                                       : work->count;
+    return work->kind == SURFACE_GRID || work->kind == SURFACE_THROUGH
+               ? work->count * work->count
+               : work->count;
 }
 
 static void *open_curve(const bench_work *work)
@@ -79,7 +80,8 @@ static void close_contest(void *object)
 static void run_curve(void *object)
 {
     contest *c = object;
-    must(batten_curve_evaluate_many(c->curve, c->work->count, c->work->u, c->work->order, NULL, c->out));
+    must(batten_curve_evaluate_many(c->curve, c->work->count, c->work->u, c->work->order, NULL,
+                                    c->out));
 }
 
 static void run_curve_single(void *object)
@@ -107,7 +109,8 @@ static void run_grid(void *object)
     contest *c = object;
     const size_t n = c->work->count;
     if (c->work->order == 0)
-        must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL, c->out));
+        must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL,
+                                          c->out));
     else
         must(batten_surface_normal_grid(c->surface, n, c->work->u, n, c->work->v, NULL, c->out,
                                         c->normals));
@@ -127,7 +130,8 @@ static void run_surface_single(void *object)
 {
     contest *c = object;
     for (size_t i = 0; i < c->work->count; i++)
-        must(batten_surface_evaluate(c->surface, c->uv[2 * i], c->uv[2 * i + 1], 0, c->out + 3 * i));
+        must(batten_surface_evaluate(c->surface, c->uv[2 * i], c->uv[2 * i + 1], 0,
+                                     c->out + 3 * i));
 }
 
 static void gather_surface(void *object, double *result)
@@ -151,7 +155,8 @@ static void run_curve_through(void *object)
     options.given = c->work->u;
     batten_curve_unref(c->curve);
     c->curve = NULL;
-    must(batten_curve_interpolate(3, (int)c->work->count, c->work->data, &options, NULL, &c->curve));
+    must(batten_curve_interpolate(3, (int)c->work->count, c->work->data, &options, NULL,
+                                  &c->curve));
 }
 
 static void gather_curve_through(void *object, double *result)
@@ -170,14 +175,16 @@ static void run_surface_through(void *object)
     options.given_v = c->work->v;
     batten_surface_unref(c->surface);
     c->surface = NULL;
-    must(batten_surface_interpolate(3, n, n, c->work->data, &options, NULL, NULL, NULL, NULL, &c->surface));
+    must(batten_surface_interpolate(3, n, n, c->work->data, &options, NULL, NULL, NULL, NULL,
+                                    &c->surface));
 }
 
 static void gather_surface_through(void *object, double *result)
 {
     contest *c = object;
     const size_t n = c->work->count;
-    must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL, result));
+    must(batten_surface_evaluate_grid(c->surface, n, c->work->u, n, c->work->v, 0, NULL,
+                                      result));
 }
 
 const bench_entry bench_batten[KIND_COUNT] = {

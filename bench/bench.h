@@ -1,8 +1,9 @@
 /*
- * The race: rows of work that every contestant does on the same data, checked to agree, then timed.
+ * The race: rows of work that every contestant does on the same data, checked to agree, then
+ * timed.
  *
- * A contestant makes its own objects from the data (open), works (run: this alone is timed), and shows what came out
- * in a common form (gather), so that no one pays for another's layout.
+ * A contestant makes its own objects from the data (open), works (run: this alone is timed),
+ * and shows what came out in a common form (gather), so that no one pays for another's layout.
  */
 #ifndef BENCH_H
 #define BENCH_H
@@ -30,7 +31,7 @@ typedef struct {
 } bench_curve;
 
 typedef struct {
-    int count, degree; /* the same in both directions */
+    int count, degree;                   /* the same in both directions */
     double *knots[2], *points, *weights; /* [count_u][count_v][3] */
 } bench_surface;
 
@@ -40,8 +41,8 @@ typedef struct {
     bench_kind kind;
     int order;
     bool rational, random;
-    size_t count;       /* parameters, or points to pass through; in each direction of a grid */
-    const char *unit;   /* "ns" for each point, or "ms" */
+    size_t count;     /* parameters, or points to pass through; in each direction of a grid */
+    const char *unit; /* "ns" for each point, or "ms" */
     bench_curve curve;
     bench_surface surface;
     double *u, *v, *data; /* parameters; points to pass through */
@@ -56,11 +57,11 @@ typedef struct {
     void (*close)(void *object);
 } bench_entry;
 
-/* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points, then all unit normals, u
- * slowest; THROUGH: the shape at the parameters of its data. */
+/* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
+ * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data. */
 
-extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT], bench_occt[KIND_COUNT],
-    bench_gsl[KIND_COUNT];
+extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],
+    bench_occt[KIND_COUNT], bench_gsl[KIND_COUNT];
 
 /* Make and release the data of a row (data.c). */
 void bench_fill(bench_work *work);

@@ -1,5 +1,5 @@
-/* The data of all rows, from one generator, so that they are the same on every machine. Knots are uneven: no
- * contestant can take a uniform short cut. */
+/* The data of all rows, from one generator, so that they are the same on every machine. Knots
+ * are uneven: no contestant can take a uniform short cut. */
 #include "bench.h"
 
 #include <math.h>
@@ -95,7 +95,8 @@ static bench_surface make_surface(bool rational)
             double *point = surface.points + 3 * (i * N + j);
             point[0] = 10 * greville(surface.knots[0], 3, i);
             point[1] = 10 * greville(surface.knots[1], 3, j);
-            point[2] = 0.8 * cos(1.3 * point[0]) * cos(1.1 * point[1]) + 0.002 * around_zero(&g);
+            point[2] =
+                0.8 * cos(1.3 * point[0]) * cos(1.1 * point[1]) + 0.002 * around_zero(&g);
         }
     if (rational) {
         surface.weights = bench_numbers(N * N);
@@ -134,8 +135,9 @@ static double *centripetal(size_t count, const double *points)
     u[0] = 0;
     for (size_t i = 1; i < count; i++) {
         const double *a = points + 3 * i - 3, *b = a + 3;
-        u[i] = u[i - 1] + sqrt(sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
-                                    (b[2] - a[2]) * (b[2] - a[2])));
+        u[i] =
+            u[i - 1] + sqrt(sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
+                                 (b[2] - a[2]) * (b[2] - a[2])));
     }
     for (size_t i = 1; i < count; i++)
         u[i] /= u[count - 1];

@@ -1,5 +1,6 @@
-/* The GNU Scientific Library on what it offers: basis functions, which the caller combines. Its splines through points
- * are three functions and no B-spline curve, so they do not take part. */
+/* The GNU Scientific Library on what it offers: basis functions, which the caller combines. Its
+ * splines through points are three functions and no B-spline curve, so they do not take part.
+ */
 #include "bench.h"
 
 #include <gsl/gsl_bspline.h>
@@ -28,7 +29,8 @@ static gsl_bspline_workspace *make_basis(const double *knots, int count, int deg
     return basis;
 }
 
-static contest *begin(const bench_work *work, const double *knots_u, const double *knots_v, int count)
+static contest *begin(const bench_work *work, const double *knots_u, const double *knots_v,
+                      int count)
 {
     contest *c = calloc(1, sizeof *c);
     c->work = work;
@@ -92,7 +94,9 @@ static void gather_curve(void *object, double *result)
     const size_t rows = (size_t)c->work->order + 1;
     for (size_t i = 0; i < c->work->count * rows; i++)
         for (size_t k = 0; k < 3; k++)
-            result[3 * i + k] = c->out[3 * i + k] * (i % rows == 0 ? 1 : i % rows == 1 ? 1e-3 : 1e-6);
+            result[3 * i + k] = c->out[3 * i + k] * (i % rows == 0   ? 1
+                                                     : i % rows == 1 ? 1e-3
+                                                                     : 1e-6);
 }
 
 static void run_surface(void *object)
@@ -107,7 +111,8 @@ static void run_surface(void *object)
         memset(out, 0, 3 * sizeof *out);
         for (size_t r = 0; r < 4; r++)
             for (size_t s = 0; s < 4; s++) {
-                const double f = gsl_vector_get(c->values[0], r) * gsl_vector_get(c->values[1], s);
+                const double f =
+                    gsl_vector_get(c->values[0], r) * gsl_vector_get(c->values[1], s);
                 for (size_t k = 0; k < 3; k++)
                     out[k] += f * c->work->surface.points[3 * ((a + r) * n + b + s) + k];
             }

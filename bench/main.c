@@ -1,4 +1,5 @@
-/* Runs the rows: `batten-bench [part of a name ...]`, a table on standard output; `-t FILE` also as TSV. */
+/* Runs the rows: `batten-bench [part of a name ...]`, a table on standard output; `-t FILE`
+ * also as TSV. */
 #define _XOPEN_SOURCE 700
 #include "bench.h"
 
@@ -11,30 +12,47 @@
 enum { MOST_RUNS = 15, PEERS = 4 };
 
 /* A row: a name that says what goes in, and what of bench_work it sets. */
-#define BENCH(text, ...) {.name = text, __VA_ARGS__}
+#define BENCH(text, ...)          \
+    {                             \
+        .name = text, __VA_ARGS__ \
+    }
 
 static const bench_work rows[] = {
     BENCH("curve, sorted", .kind = CURVE_POINTS, .count = 1000000, .unit = "ns"),
-    BENCH("curve, random", .kind = CURVE_POINTS, .random = true, .count = 1000000, .unit = "ns"),
-    BENCH("curve + 2 derivatives, sorted", .kind = CURVE_POINTS, .order = 2, .count = 1000000, .unit = "ns"),
-    BENCH("curve + 2 derivatives, random", .kind = CURVE_POINTS, .order = 2, .random = true, .count = 1000000, .unit = "ns"),
-    BENCH("rational curve, sorted", .kind = CURVE_POINTS, .rational = true, .count = 1000000, .unit = "ns"),
-    BENCH("rational curve, random", .kind = CURVE_POINTS, .rational = true, .random = true, .count = 1000000, .unit = "ns"),
-    BENCH("curve, one call a point, random", .kind = CURVE_SINGLE, .random = true, .count = 1000000, .unit = "ns"),
+    BENCH("curve, random", .kind = CURVE_POINTS, .random = true, .count = 1000000,
+          .unit = "ns"),
+    BENCH("curve + 2 derivatives, sorted", .kind = CURVE_POINTS, .order = 2, .count = 1000000,
+          .unit = "ns"),
+    BENCH("curve + 2 derivatives, random", .kind = CURVE_POINTS, .order = 2, .random = true,
+          .count = 1000000, .unit = "ns"),
+    BENCH("rational curve, sorted", .kind = CURVE_POINTS, .rational = true, .count = 1000000,
+          .unit = "ns"),
+    BENCH("rational curve, random", .kind = CURVE_POINTS, .rational = true, .random = true,
+          .count = 1000000, .unit = "ns"),
+    BENCH("curve, one call a point, random", .kind = CURVE_SINGLE, .random = true,
+          .count = 1000000, .unit = "ns"),
     BENCH("surface grid", .kind = SURFACE_GRID, .count = 1000, .unit = "ns"),
-    BENCH("surface grid + unit normal", .kind = SURFACE_GRID, .order = 1, .count = 1000, .unit = "ns"),
+    BENCH("surface grid + unit normal", .kind = SURFACE_GRID, .order = 1, .count = 1000,
+          .unit = "ns"),
     BENCH("surface, random", .kind = SURFACE_POINTS, .count = 1000000, .unit = "ns"),
-    BENCH("surface + unit normal, random", .kind = SURFACE_POINTS, .order = 1, .count = 1000000, .unit = "ns"),
-    BENCH("surface, one call a point, random", .kind = SURFACE_SINGLE, .count = 1000000, .unit = "ns"),
-    BENCH("rational surface grid", .kind = SURFACE_GRID, .rational = true, .count = 1000, .unit = "ns"),
-    BENCH("rational surface grid + unit normal", .kind = SURFACE_GRID, .order = 1, .rational = true, .count = 1000, .unit = "ns"),
-    BENCH("rational surface, random", .kind = SURFACE_POINTS, .rational = true, .count = 1000000, .unit = "ns"),
+    BENCH("surface + unit normal, random", .kind = SURFACE_POINTS, .order = 1, .count = 1000000,
+          .unit = "ns"),
+    BENCH("surface, one call a point, random", .kind = SURFACE_SINGLE, .count = 1000000,
+          .unit = "ns"),
+    BENCH("rational surface grid", .kind = SURFACE_GRID, .rational = true, .count = 1000,
+          .unit = "ns"),
+    BENCH("rational surface grid + unit normal", .kind = SURFACE_GRID, .order = 1,
+          .rational = true, .count = 1000, .unit = "ns"),
+    BENCH("rational surface, random", .kind = SURFACE_POINTS, .rational = true,
+          .count = 1000000, .unit = "ns"),
     BENCH("curve through 1e3 points", .kind = CURVE_THROUGH, .count = 1000, .unit = "ms"),
     BENCH("curve through 1e4 points", .kind = CURVE_THROUGH, .count = 10000, .unit = "ms"),
     BENCH("curve through 1e5 points", .kind = CURVE_THROUGH, .count = 100000, .unit = "ms"),
     BENCH("curve through 1e6 points", .kind = CURVE_THROUGH, .count = 1000000, .unit = "ms"),
-    BENCH("surface through 100 x 100 points", .kind = SURFACE_THROUGH, .count = 100, .unit = "ms"),
-    BENCH("surface through 500 x 500 points", .kind = SURFACE_THROUGH, .count = 500, .unit = "ms"),
+    BENCH("surface through 100 x 100 points", .kind = SURFACE_THROUGH, .count = 100,
+          .unit = "ms"),
+    BENCH("surface through 500 x 500 points", .kind = SURFACE_THROUGH, .count = 500,
+          .unit = "ms"),
 };
 
 static const struct {
@@ -109,7 +127,8 @@ static bool offered(int peer, const bench_work *work)
 
 static void check_all(const bench_work *work, void *const objects[PEERS])
 {
-    double *first = bench_numbers(work->result_count), *other = bench_numbers(work->result_count);
+    double *first = bench_numbers(work->result_count),
+           *other = bench_numbers(work->result_count);
     const double *expected = work->data ? work->data : first;
     for (int i = 0; i < PEERS; i++) {
         if (!objects[i])
@@ -145,7 +164,8 @@ static double per_item(const bench_work *row, double seconds)
 {
     if (strcmp(row->unit, "ms") == 0)
         return 1e3 * seconds;
-    return 1e9 * seconds / (double)(row->kind == SURFACE_GRID ? row->count * row->count : row->count);
+    return 1e9 * seconds /
+           (double)(row->kind == SURFACE_GRID ? row->count * row->count : row->count);
 }
 
 static void print_row(const bench_work *row, const bench_time times[PEERS], FILE *tsv)
@@ -155,7 +175,8 @@ static void print_row(const bench_work *row, const bench_time times[PEERS], FILE
     if (tsv)
         fprintf(tsv, "%s\t%s", row->name, row->unit);
     for (int i = 0; i < PEERS; i++) {
-        const double best = per_item(row, times[i].best), median = per_item(row, times[i].median);
+        const double best = per_item(row, times[i].best),
+                     median = per_item(row, times[i].median);
         if (i > 0 && best > 0 && (best_peer == 0 || best < best_peer))
             best_peer = best;
         if (best > 0)
@@ -192,7 +213,8 @@ int main(int argument_count, char **arguments)
             return 1;
         }
     }
-    printf("| workload | batten | sisl | occt | gsl | best peer / batten |\n|---|---|---|---|---|---|\n");
+    printf("| workload | batten | sisl | occt | gsl | best peer / batten "
+           "|\n|---|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         bench_time times[PEERS];
         if (!wanted(rows[i].name, argument_count - first, arguments + first))

@@ -1,5 +1,5 @@
-// Open CASCADE on the workloads: an adaptor that keeps the last span for sorted work, plain calls for scattered work,
-// whichever is faster there.
+// Open CASCADE on the workloads: an adaptor that keeps the last span for sorted work, plain
+// calls for scattered work, whichever is faster there.
 #include "bench.h"
 
 #include <GeomAPI_Interpolate.hxx>
@@ -18,7 +18,9 @@ namespace {
 struct Knots {
     TColStd_Array1OfReal values;
     TColStd_Array1OfInteger times;
-    explicit Knots(int n) : values(1, n), times(1, n) {}
+    explicit Knots(int n) : values(1, n), times(1, n)
+    {
+    }
 };
 
 Knots knots_of(const double *knots, int count, int degree)
@@ -58,8 +60,10 @@ void *open_curve(const bench_work *work)
         points(i + 1) = gp_Pnt(p[0], p[1], p[2]);
         weights(i + 1) = from.weights ? from.weights[i] : 1;
     }
-    c->curve = from.weights ? new Geom_BSplineCurve(points, weights, knots.values, knots.times, from.degree)
-                            : new Geom_BSplineCurve(points, knots.values, knots.times, from.degree);
+    c->curve =
+        from.weights
+            ? new Geom_BSplineCurve(points, weights, knots.values, knots.times, from.degree)
+            : new Geom_BSplineCurve(points, knots.values, knots.times, from.degree);
     c->points.resize(work->count);
     c->first.resize(work->count);
     c->second.resize(work->count);
@@ -71,7 +75,8 @@ void *open_surface(const bench_work *work)
     auto *c = new Contest{work, {}, {}, {}, {}, {}, {}};
     const bench_surface &from = work->surface;
     const int n = from.count;
-    const Knots u = knots_of(from.knots[0], n, from.degree), v = knots_of(from.knots[1], n, from.degree);
+    const Knots u = knots_of(from.knots[0], n, from.degree),
+                v = knots_of(from.knots[1], n, from.degree);
     TColgp_Array2OfPnt points(1, n, 1, n);
     TColStd_Array2OfReal weights(1, n, 1, n);
     for (int i = 0; i < n; i++)
@@ -81,9 +86,10 @@ void *open_surface(const bench_work *work)
             weights(i + 1, j + 1) = from.weights ? from.weights[i * n + j] : 1;
         }
     const int p = from.degree;
-    c->surface = from.weights
-                     ? new Geom_BSplineSurface(points, weights, u.values, v.values, u.times, v.times, p, p)
-                     : new Geom_BSplineSurface(points, u.values, v.values, u.times, v.times, p, p);
+    c->surface = from.weights ? new Geom_BSplineSurface(points, weights, u.values, v.values,
+                                                        u.times, v.times, p, p)
+                              : new Geom_BSplineSurface(points, u.values, v.values, u.times,
+                                                        v.times, p, p);
     const size_t count = work->kind == SURFACE_GRID ? work->count * work->count : work->count;
     c->points.resize(count);
     c->first.resize(count);
@@ -209,7 +215,8 @@ void gather_curve_through(void *object, double *result)
 
 } // namespace
 
-// In the order of bench_kind. Its grid interpolation chooses its own parameters and cannot take part.
+// In the order of bench_kind. Its grid interpolation chooses its own parameters and cannot take
+// part.
 extern "C" const bench_entry bench_occt[KIND_COUNT] = {
     {open_curve, run_curve, gather_curve, close_contest},
     {open_curve, run_curve, gather_curve, close_contest},

@@ -1,4 +1,5 @@
-/* SISL on the workloads. Its surfaces run u fastest; its grid call gives normals that are not unit. */
+/* SISL on the workloads. Its surfaces run u fastest; its grid call gives normals that are not
+ * unit. */
 #include "bench.h"
 
 #include <sisl.h>
@@ -39,8 +40,10 @@ static void *open_curve(const bench_work *work)
     c->out = bench_numbers(9 * work->count);
     c->data = bench_numbers((size_t)(width * n));
     for (int i = 0; i < n; i++)
-        weigh(curve->points + 3 * i, curve->weights ? curve->weights + i : NULL, c->data + width * i);
-    c->curve = newCurve(n, curve->degree + 1, curve->knots, c->data, curve->weights ? 2 : 1, 3, 1);
+        weigh(curve->points + 3 * i, curve->weights ? curve->weights + i : NULL,
+              c->data + width * i);
+    c->curve =
+        newCurve(n, curve->degree + 1, curve->knots, c->data, curve->weights ? 2 : 1, 3, 1);
     return c;
 }
 
@@ -78,7 +81,8 @@ static void *open_grid_data(const bench_work *work)
     c->data = bench_numbers(3 * n * n);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)
-            memcpy(c->data + 3 * (j * n + i), work->data + 3 * (i * n + j), 3 * sizeof *c->data);
+            memcpy(c->data + 3 * (j * n + i), work->data + 3 * (i * n + j),
+                   3 * sizeof *c->data);
     return c;
 }
 
@@ -101,7 +105,8 @@ static void run_curve_single(void *object)
     const int order = c->work->order;
     int left = 0, status = 0;
     for (size_t i = 0; i < c->work->count; i++)
-        s1227(c->curve, order, c->work->u[i], &left, c->out + 3 * (size_t)(order + 1) * i, &status);
+        s1227(c->curve, order, c->work->u[i], &left, c->out + 3 * (size_t)(order + 1) * i,
+              &status);
     must(status);
 }
 
@@ -122,7 +127,9 @@ static void gather_curve(void *object, double *result)
     const size_t rows = (size_t)c->work->order + 1;
     for (size_t i = 0; i < c->work->count * rows; i++)
         for (size_t k = 0; k < 3; k++)
-            result[3 * i + k] = c->out[3 * i + k] * (i % rows == 0 ? 1 : i % rows == 1 ? 1e-3 : 1e-6);
+            result[3 * i + k] = c->out[3 * i + k] * (i % rows == 0   ? 1
+                                                     : i % rows == 1 ? 1e-3
+                                                                     : 1e-6);
 }
 
 static void run_grid(void *object)
@@ -130,7 +137,8 @@ static void run_grid(void *object)
     contest *c = object;
     const int n = (int)c->work->count;
     int status = 0;
-    s1506(c->surface, c->work->order, n, c->work->u, n, c->work->v, c->out, c->normals, &status);
+    s1506(c->surface, c->work->order, n, c->work->u, n, c->work->v, c->out, c->normals,
+          &status);
     must(status);
 }
 
@@ -171,8 +179,8 @@ static void run_curve_through(void *object)
     if (c->curve)
         freeCurve(c->curve);
     c->curve = NULL;
-    s1357(c->work->data, n, 3, types, c->work->u, 0, 0, 1, 4, 0.0, &end, &c->curve, &parameters, &count,
-          &status);
+    s1357(c->work->data, n, 3, types, c->work->u, 0, 0, 1, 4, 0.0, &end, &c->curve, &parameters,
+          &count, &status);
     free(types);
     free(parameters);
     must(status);
@@ -195,7 +203,8 @@ static void run_surface_through(void *object)
     if (c->surface)
         freeSurf(c->surface);
     c->surface = NULL;
-    s1537(c->data, n, n, 3, c->work->u, c->work->v, 0, 0, 0, 0, 4, 4, 1, 1, &c->surface, &status);
+    s1537(c->data, n, n, 3, c->work->u, c->work->v, 0, 0, 0, 0, 4, 4, 1, 1, &c->surface,
+          &status);
     must(status);
 }
 
@@ -219,5 +228,6 @@ const bench_entry bench_sisl[KIND_COUNT] = {
     [SURFACE_POINTS] = {open_surface, run_points, gather_surface, close_contest},
     [SURFACE_SINGLE] = {open_surface, run_points, gather_surface, close_contest},
     [CURVE_THROUGH] = {open_curve_data, run_curve_through, gather_curve_through, close_contest},
-    [SURFACE_THROUGH] = {open_grid_data, run_surface_through, gather_surface_through, close_contest},
+    [SURFACE_THROUGH] = {open_grid_data, run_surface_through, gather_surface_through,
+                         close_contest},
 };

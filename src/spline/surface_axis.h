@@ -31,10 +31,30 @@ void bat_axis_free(bat_axis *axis);
 /* Bring a parameter into the domain: a periodic one by whole periods, any other by 4 ulps at
  * most. At the seam of a periodic axis `side` says which end of the domain is meant. */
 batten_status bat_axis_place(const bat_axis *axis, batten_side side, double *u);
-/* The span that holds u, counted among the non-empty ones; u in the domain. */
-int bat_axis_span(const bat_axis *axis, double u, batten_side side);
 /* The basis functions that live on a span and their derivatives, out [order + 1][p + 1]. */
 void bat_axis_basis(const bat_axis *axis, int span, double u, int order, double *out);
+
+/* Rises with u, whatever the rounding: the guide rests on that alone. */
+static inline int bat_axis_slice(const bat_axis *axis, double u)
+{
+    const int j = (int)((u - axis->breaks[0]) * axis->slice_rate);
+    return j < axis->slice_count ? j : axis->slice_count - 1;
+}
+
+/* The span that holds u, counted among the non-empty ones; u in the domain. */
+static inline int bat_axis_span(const bat_axis *axis, double u, batten_side side)
+{
+    const int j = bat_axis_slice(axis, u);
+    int low = axis->guide[j], high = axis->guide[j + 1];
+    while (low < high) {
+        const int middle = low + (high - low + 1) / 2;
+        if (axis->breaks[middle] <= u)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return side == BATTEN_FROM_LEFT && u == axis->breaks[low] && low > 0 ? low - 1 : low;
+}
 
 /* The first control point that bears on a span. */
 static inline int bat_axis_first_point(const bat_axis *axis, int span)

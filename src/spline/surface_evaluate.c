@@ -5,6 +5,7 @@
  */
 #include "spline/surface.h"
 
+#include "base/work.h"
 #include "spline/curve.h"
 #include "spline/surface_kernel.h"
 
@@ -13,7 +14,8 @@
 enum {
     SMALL_ORDER = 3, /* highest order that needs no allocation */
     SMALL_DERIVATIVES = BATTEN_SURFACE_DERIVATIVES(SMALL_ORDER),
-    MAX_POINTS = BATTEN_MAX_DEGREE + 1
+    MAX_POINTS = BATTEN_MAX_DEGREE + 1,
+    CHUNK = 1024
 };
 
 /* ---- room to work in ---- */
@@ -63,6 +65,30 @@ BAT_INLINE void contract(const int p, const int q, const size_t width, const dou
     }
 }
 
+/* The same for a bicubic patch without weights, and order 0 or 1. */
+BAT_INLINE void contract_cubic(const double *corner, const size_t stride, const int order,
+                               const double *u, const double *v, double *rows)
+{
+    bat_triple point, along_u, along_v;
+    for (int j = 0; j < 4; j++) {
+        const bat_triple at = bat_combine_triples(u, corner + 3 * j, stride);
+        const bat_triple term = bat_scale_triple(v[j], at);
+        point = j == 0 ? term : bat_add_triples(point, term);
+        if (order == 0)
+            continue;
+        const bat_triple rate = bat_combine_triples(u + 4, corner + 3 * j, stride);
+        const bat_triple term_u = bat_scale_triple(v[j], rate),
+                         term_v = bat_scale_triple(v[4 + j], at);
+        along_u = j == 0 ? term_u : bat_add_triples(along_u, term_u);
+        along_v = j == 0 ? term_v : bat_add_triples(along_v, term_v);
+    }
+    bat_store_triple(rows, point);
+    if (order == 0)
+        return;
+    bat_store_triple(rows + 3, along_u);
+    bat_store_triple(rows + 6, along_v);
+}
+
 static void evaluate_on(const bat_nurbs *nurbs, const int span[2], const double at[2],
                         int order, const workspace *room, double *out)
 {
@@ -75,7 +101,9 @@ static void evaluate_on(const bat_nurbs *nurbs, const int span[2], const double 
     bat_axis_basis(u, span[0], at[0], order, room->basis[0]);
     bat_axis_basis(v, span[1], at[1], order, room->basis[1]);
     if (p == 3 && q == 3 && width == 3 && order == 0)
-        contract(3, 3, 3, corner, stride, 0, room, rows);
+        contract_cubic(corner, stride, 0, room->basis[0], room->basis[1], rows);
+    else if (p == 3 && q == 3 && width == 3 && order == 1)
+        contract_cubic(corner, stride, 1, room->basis[0], room->basis[1], rows);
     else if (p == 3 && q == 3 && width == 3)
         contract(3, 3, 3, corner, stride, order, room, rows);
     else if (p == 3 && q == 3 && width == 4)
@@ -214,19 +242,26 @@ typedef struct {
     double *out;
 } batch;
 
+static bool is_inside(const bat_axis *axis, double u)
+{
+    return u >= axis->breaks[0] && u < axis->breaks[axis->span_count];
+}
+
 /* Before anything is written: are all parameters in the domain? */
 static batten_status check_parameters(const bat_nurbs *nurbs, size_t count, const double *uv)
 {
-    for (size_t i = 0; i < 2 * count; i++) {
-        const bat_axis *axis = &nurbs->axes[i % 2];
-        double u = uv[i];
-        if (u >= axis->breaks[0] && u <= axis->breaks[axis->span_count])
+    const bat_axis *axes = nurbs->axes;
+    for (size_t i = 0; i < count; i++, uv += 2) {
+        if (is_inside(&axes[0], uv[0]) && is_inside(&axes[1], uv[1]))
             continue;
-        const batten_status status = bat_axis_place(axis, BATTEN_FROM_RIGHT, &u);
-        if (status != BATTEN_OK)
-            return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]",
-                            i / 2, i % 2 ? 'v' : 'u', u, axis->breaks[0],
-                            axis->breaks[axis->span_count]);
+        for (int k = 0; k < 2; k++) {
+            double u = uv[k];
+            const batten_status status = bat_axis_place(&axes[k], BATTEN_FROM_RIGHT, &u);
+            if (status != BATTEN_OK)
+                return bat_fail(status, "point %zu: %c = %.17g is not in the domain [%g, %g]",
+                                i, k ? 'v' : 'u', u, axes[k].breaks[0],
+                                axes[k].breaks[axes[k].span_count]);
+        }
     }
     return BATTEN_OK;
 }
@@ -242,17 +277,19 @@ static batten_status evaluate_points(const batch *work, const workspace *room, s
         double at[2] = {work->uv[2 * i], work->uv[2 * i + 1]};
         int span[2];
         for (int k = 0; k < 2; k++) {
-            if (!(at[k] >= axes[k].breaks[0] && at[k] < axes[k].breaks[axes[k].span_count]))
+            if (!is_inside(&axes[k], at[k]))
                 bat_axis_place(&axes[k], BATTEN_FROM_RIGHT,
                                &at[k]); /* has been tried: succeeds */
             span[k] = bat_axis_span(&axes[k], at[k], BATTEN_FROM_RIGHT);
         }
         evaluate_on(nurbs, span, at, work->order, room, work->out + i * size);
     }
-    for (size_t i = begin; i < end; i++)
-        if (!bat_all_finite(work->out + i * size, size))
-            return overflow(work->uv[2 * i], work->uv[2 * i + 1]);
-    return BATTEN_OK;
+    if (bat_all_finite(work->out + begin * size, (end - begin) * size))
+        return BATTEN_OK;
+    size_t i = begin;
+    while (bat_all_finite(work->out + i * size, size))
+        i++;
+    return overflow(work->uv[2 * i], work->uv[2 * i + 1]);
 }
 
 static batten_status evaluate_chunk(void *context, size_t begin, size_t end)
@@ -278,9 +315,9 @@ batten_status bat_nurbs_evaluate_many(const batten_surface *surface, size_t coun
 {
     const bat_nurbs *nurbs = bat_surface_nurbs(surface);
     batch work = {nurbs, uv, order, out};
-    (void)job;
     const batten_status status = check_parameters(nurbs, count, uv);
-    return status == BATTEN_OK ? evaluate_chunk(&work, 0, count) : status;
+    return status == BATTEN_OK ? bat_parallel(job, count, CHUNK, evaluate_chunk, &work)
+                               : status;
 }
 
 batten_status batten_surface_evaluate_many(const batten_surface *surface, size_t count,

@@ -12,6 +12,8 @@
 
 #include <string.h>
 
+enum { CHUNK_POINTS = 4096, BLOCK = 32 };
+
 /* Neighbouring control points in v that some parameter needs. */
 typedef struct {
     int begin, end;
@@ -106,7 +108,6 @@ static void release(grid *work)
 
 static batten_status run_grid(grid *work, const batten_job *job, bat_chunk chunk)
 {
-    (void)job;
     const bat_axis *axes = work->nurbs->axes;
     batten_status status = check_parameters(&axes[BATTEN_U], work->count_u, work->u, "u");
     if (status == BATTEN_OK)
@@ -114,7 +115,8 @@ static batten_status run_grid(grid *work, const batten_job *job, bat_chunk chunk
     if (status == BATTEN_OK && work->count_u > 0 && work->count_v > 0) {
         status = prepare(work);
         if (status == BATTEN_OK)
-            status = chunk(work, 0, work->count_u);
+            status =
+                bat_parallel(job, work->count_u, CHUNK_POINTS / work->count_v + 1, chunk, work);
         release(work);
     }
     return status;
@@ -289,19 +291,22 @@ BAT_INLINE void frame_of_point(const int q, const int d, const bool rational,
 {
     double rows[3 * BAT_MAX_WIDTH];
     const size_t width = (size_t)d + rational;
-    derivatives_of_point(1, q, width, 1, basis, lines, line, rows);
-    if (!rational) {
+    derivatives_of_point(1, q, width, 1, basis, lines, line, rational || d < 3 ? rows : out);
+    if (rational) {
+        const double w = rows[d];
+        for (int c = 0; c < d; c++)
+            out[c] = rows[c] / w;
+        for (int k = 1; k < 3; k++)
+            for (int c = 0; c < d; c++)
+                out[3 * k + c] = (rows[k * (d + 1) + c] - rows[k * (d + 1) + d] * out[c]) / w;
+    } else if (d < 3) {
         for (int k = 0; k < 3; k++)
             for (int c = 0; c < d; c++)
                 out[3 * k + c] = rows[k * d + c];
-        return;
     }
-    const double w = rows[d];
-    for (int c = 0; c < d; c++)
-        out[c] = rows[c] / w;
-    for (int k = 1; k < 3; k++)
-        for (int c = 0; c < d; c++)
-            out[3 * k + c] = (rows[k * (d + 1) + c] - rows[k * (d + 1) + d] * out[c]) / w;
+    for (int k = 0; k < 3; k++)
+        for (int c = d; c < 3; c++)
+            out[3 * k + c] = 0;
 }
 
 /* A normal that needs a limit, or (0, 0, 0) where there is none. */
@@ -315,6 +320,21 @@ static batten_status rare_normal(const grid *work, size_t i, size_t j, double *n
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
+static batten_status normals_of_block(const grid *work, double (*frames)[9], double noise_u,
+                                      size_t i, size_t begin, size_t end)
+{
+    batten_status status = BATTEN_OK;
+    for (size_t j = begin; j < end && status == BATTEN_OK; j++) {
+        const double *frame = frames[j - begin];
+        double *normal = work->normals + (i * work->count_v + j) * 3;
+        if (!bat_regular_normal(frame + 3, frame + 6, noise_u, work->noise_v[j], normal))
+            status = rare_normal(work, i, j, normal);
+    }
+    return status;
+}
+
+/* First the frames of a block, then their normals: two loops that the processor can overlap
+ * within themselves. */
 BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rational,
                                         const grid *work, const double *lines, double noise_u,
                                         size_t i)
@@ -322,18 +342,17 @@ BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rat
     const size_t width = (size_t)d + rational;
     const size_t line = (size_t)work->nurbs->axes[BATTEN_V].count * width;
     batten_status status = BATTEN_OK;
-    for (size_t j = 0; j < work->count_v && status == BATTEN_OK; j++) {
-        const size_t at = (i * work->count_v + j) * 3;
-        double frame[9] = {0}, normal[3];
-        frame_of_point(q, d, rational, work->basis + j * 2 * ((size_t)q + 1),
-                       lines + (size_t)work->first[j] * width, line, frame);
-        if (work->points)
-            memcpy(work->points + at, frame, 3 * sizeof *frame);
-        if (!work->normals)
-            continue;
-        if (!bat_regular_normal(frame + 3, frame + 6, noise_u, work->noise_v[j], normal))
-            status = rare_normal(work, i, j, normal);
-        memcpy(work->normals + at, normal, sizeof normal);
+    for (size_t begin = 0; begin < work->count_v && status == BATTEN_OK; begin += BLOCK) {
+        const size_t end = begin + BLOCK < work->count_v ? begin + BLOCK : work->count_v;
+        double frames[BLOCK][9];
+        for (size_t j = begin; j < end; j++)
+            frame_of_point(q, d, rational, work->basis + j * 2 * ((size_t)q + 1),
+                           lines + (size_t)work->first[j] * width, line, frames[j - begin]);
+        for (size_t j = begin; work->points && j < end; j++)
+            memcpy(work->points + (i * work->count_v + j) * 3, frames[j - begin],
+                   3 * sizeof(double));
+        if (work->normals)
+            status = normals_of_block(work, frames, noise_u, i, begin, end);
     }
     return status;
 }

@@ -60,6 +60,54 @@ BAT_INLINE void bat_combine_rows(const int terms, const size_t length, const dou
     }
 }
 
+/* Rows of three numbers in registers: stores of pairs that are read back across their borders
+ * are slow. */
+typedef struct {
+    bat_pair xy[2 / BAT_LANES];
+    double z;
+} bat_triple;
+
+BAT_INLINE bat_triple bat_scaled_triple(double c, const double *row)
+{
+    bat_triple made = {.z = c * row[2]};
+    for (int k = 0; k < 2 / BAT_LANES; k++)
+        made.xy[k] = c * bat_load(row + k * BAT_LANES);
+    return made;
+}
+
+BAT_INLINE bat_triple bat_add_triples(bat_triple a, bat_triple b)
+{
+    for (int k = 0; k < 2 / BAT_LANES; k++)
+        a.xy[k] += b.xy[k];
+    a.z += b.z;
+    return a;
+}
+
+BAT_INLINE bat_triple bat_scale_triple(double c, bat_triple a)
+{
+    for (int k = 0; k < 2 / BAT_LANES; k++)
+        a.xy[k] = c * a.xy[k];
+    a.z = c * a.z;
+    return a;
+}
+
+BAT_INLINE void bat_store_triple(double *row, bat_triple a)
+{
+    for (int k = 0; k < 2 / BAT_LANES; k++)
+        bat_store(row + k * BAT_LANES, a.xy[k]);
+    row[2] = a.z;
+}
+
+/* bat_combine_rows of four rows of three numbers. */
+BAT_INLINE bat_triple bat_combine_triples(const double *c, const double *rows,
+                                          const size_t stride)
+{
+    bat_triple sum = bat_scaled_triple(c[0], rows);
+    sum = bat_add_triples(sum, bat_scaled_triple(c[1], rows + stride));
+    sum = bat_add_triples(sum, bat_scaled_triple(c[2], rows + 2 * stride));
+    return bat_add_triples(sum, bat_scaled_triple(c[3], rows + 3 * stride));
+}
+
 /* The point of homogeneous coordinates. */
 BAT_INLINE void bat_project(const int dimension, const double *h, double *point)
 {
