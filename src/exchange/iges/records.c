@@ -60,38 +60,36 @@ static batten_status add_directory(bat_iges_file *file, bat_span record, int lin
     return bat_list_add(file->input, &file->directory, &made);
 }
 
-/* What is wrong with a record, or NULL. */
-static const char *damage_of(bat_span record)
+/* The letter of a section, or 0. */
+static char section_of(bat_span record)
 {
-    if (record.length <= LETTER)
-        return "it ends before column 73";
-    if (memchr(record.bytes, '\t', LETTER))
-        return "it has a tab";
-    if (!strchr("SGDPT", record.bytes[LETTER]))
-        return "column 73 has no letter of a section";
-    return NULL;
+    const char letter = record.length > LETTER ? record.bytes[LETTER] : '\0';
+    return letter && strchr("SGDPT", letter) ? letter : '\0';
 }
 
-/* `section` is that of the record before: where a damaged record is taken to belong. */
+/* `section` is that of the record before: where a record without a letter is taken to belong. */
 static batten_status add_record(bat_iges_file *file, bat_span record, int line, char *section)
 {
-    const char *damage = damage_of(record);
-    if (damage)
+    const char letter = section_of(record);
+    const bool tab = memchr(record.bytes, '\t', record.length < LETTER ? record.length : LETTER);
+    const bool damaged = !letter || tab;
+    if (damaged)
         batten_notes_add(file->input->notes, file->input->file, line, "",
-                         "the record is damaged: %s", damage);
-    else if (strchr("SGDPT", record.bytes[LETTER]) < strchr("SGDPT", *section))
+                         "the record is damaged: %s",
+                         tab ? "it has a tab" : "column 73 has no letter of a section");
+    if (letter && strchr("SGDPT", letter) < strchr("SGDPT", *section))
         batten_notes_add(file->input->notes, file->input->file, line, "",
-                         "section %c comes after section %c", record.bytes[LETTER], *section);
-    if (!damage)
-        *section = record.bytes[LETTER];
-    file->has_start |= *section == 'S';
-    file->has_end |= *section == 'T';
-    if (*section == 'G' && !damage)
+                         "section %c comes after section %c", letter, *section);
+    if (letter)
+        *section = letter;
+    file->has_start |= letter == 'S';
+    file->has_end |= letter == 'T';
+    if (*section == 'G' && !damaged)
         return append(file->input, &file->global, record, GLOBAL_COLUMNS);
     if (*section == 'D')
-        return add_directory(file, record, line, damage != NULL);
+        return add_directory(file, record, line, damaged);
     if (*section == 'P')
-        return add_data(file, record, line, damage != NULL);
+        return add_data(file, record, line, damaged);
     return BATTEN_OK;
 }
 
@@ -135,8 +133,8 @@ static void number_data(bat_iges_file *file)
     int last = 0;
     for (size_t i = 0; i < count && bad == count; i++) {
         if (data[i].is_damaged)
-            continue;
-        if (data[i].number <= last)
+            data[i].number = last; /* not found before that record, which stands first */
+        else if (data[i].number <= last)
             bad = i;
         last = data[i].number;
     }
@@ -400,19 +398,12 @@ static size_t find_data(const bat_iges_file *file, int number)
 {
     const bat_iges_data *data = file->data.items;
     size_t low = 0, high = file->data.count;
-    if (high > 0 && data[high - 1].number == (int)high && number >= 1 && (size_t)number <= high &&
-        data[number - 1].number == number)
-        return (size_t)number - 1;
-    while (low < high) { /* damaged records, which have no number, count as what is before them */
+    while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (data[middle].number >= 0 && data[middle].number < number)
+        if (data[middle].number < number)
             low = middle + 1;
-        else if (data[middle].number >= 0)
-            high = middle;
-        else if (middle > low)
-            high = middle;
         else
-            low++;
+            high = middle;
     }
     return low < file->data.count && data[low].number == number ? low : file->data.count;
 }

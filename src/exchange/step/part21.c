@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#define COLUMNS 120
+/* 120 with the end of an instance. */
+#define COLUMNS 118
 
 void bat_step_token(bat_step *step, const char *token)
 {
@@ -35,6 +36,7 @@ void bat_step_close(bat_step *step)
 void bat_step_id(bat_step *step, int id, const char *after)
 {
     char token[32];
+    assert(strlen(after) < 16);
     snprintf(token, sizeof token, "#%d%s", id, after);
     bat_step_token(step, token);
 }
@@ -42,13 +44,15 @@ void bat_step_id(bat_step *step, int id, const char *after)
 void bat_step_integer(bat_step *step, int value, const char *after)
 {
     char token[32];
+    assert(strlen(after) < 16);
     snprintf(token, sizeof token, "%d%s", value, after);
     bat_step_token(step, token);
 }
 
 void bat_step_real(bat_step *step, double value, const char *after)
 {
-    char number[BAT_REAL_SIZE], token[BAT_REAL_SIZE + 8];
+    char number[BAT_REAL_SIZE], token[BAT_REAL_SIZE + 16];
+    assert(strlen(after) < 16);
     bat_real_write(value, number);
     snprintf(token, sizeof token, "%s%s", number, after);
     bat_step_token(step, token);

@@ -25,7 +25,7 @@ int bat_step_open(bat_step *step, const char *keyword);
 void bat_step_close(bat_step *step);
 /* Append a token; a line is broken before it, never inside. */
 void bat_step_token(bat_step *step, const char *token);
-/* A reference, an integer, a real: followed by `after`. */
+/* A reference, an integer, a real: followed by `after`, which has less than 16 characters. */
 void bat_step_id(bat_step *step, int id, const char *after);
 void bat_step_integer(bat_step *step, int value, const char *after);
 void bat_step_real(bat_step *step, double value, const char *after);

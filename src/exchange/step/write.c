@@ -67,7 +67,8 @@ static int put_length(bat_step *step, double metres)
     bat_step_token(step, "CONVERSION_BASED_UNIT(");
     bat_step_string(step, metres == 0.0254 ? "INCH" : metres == 0.3048 ? "FOOT" : name ? name : "UNIT",
                     ",");
-    bat_step_id(step, measure, ") LENGTH_UNIT() NAMED_UNIT(");
+    bat_step_id(step, measure, ") ");
+    bat_step_token(step, "LENGTH_UNIT() NAMED_UNIT(");
     bat_step_id(step, exponents, ")");
     bat_step_close(step);
     return id;
@@ -84,14 +85,18 @@ static void put_context(writing *w)
     const int accuracy = bat_step_open(step, "UNCERTAINTY_MEASURE_WITH_UNIT");
     bat_step_token(step, "LENGTH_MEASURE(");
     bat_step_real(step, step->tolerance, "),");
-    bat_step_id(step, length, ",'distance_accuracy_value',''");
+    bat_step_id(step, length, ",");
+    bat_step_token(step, "'distance_accuracy_value',''");
     bat_step_close(step);
-    w->context = bat_step_add(step, "",
-                              "GEOMETRIC_REPRESENTATION_CONTEXT(3) "
-                              "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#%d)) "
-                              "GLOBAL_UNIT_ASSIGNED_CONTEXT((#%d,#%d,#%d)) "
-                              "REPRESENTATION_CONTEXT('','3D')",
-                              accuracy, length, angle, solid);
+    w->context = bat_step_open(step, "");
+    bat_step_token(step, "GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((");
+    bat_step_id(step, accuracy, ")) ");
+    bat_step_token(step, "GLOBAL_UNIT_ASSIGNED_CONTEXT((");
+    bat_step_id(step, length, ",");
+    bat_step_id(step, angle, ",");
+    bat_step_id(step, solid, ")) ");
+    bat_step_token(step, "REPRESENTATION_CONTEXT('','3D')");
+    bat_step_close(step);
 }
 
 /* ---- the product ---- */

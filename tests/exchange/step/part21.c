@@ -1,0 +1,52 @@
+#include "exchange/step/step.h"
+
+#include "support/test.h"
+
+static void check_string(const char *value, const char *expected)
+{
+    bat_step step = {.text = BATTEN_TEXT};
+    bat_step_string(&step, value, "");
+    if (!step.text.failed)
+        CHECK_TEXT(step.text.bytes, expected);
+    batten_text_free(&step.text);
+}
+
+TEST(strings_are_escaped)
+{
+    check_string("", "''");
+    check_string("keel", "'keel'");
+    check_string("it's \\", "'it''s \\\\'");
+    check_string("\xc3\xbc", "'\\X2\\00FC\\X0\\'");
+    check_string("\xe2\x82\xac" "1", "'\\X2\\20AC\\X0\\1'");
+    check_string("\xf0\x9f\x9a\xa2", "'\\X4\\0001F6A2\\X0\\'");
+    check_string("a\nb\x7f", "'a\\X\\0Ab\\X\\7F'");
+    /* Bytes that are no UTF-8 stand for themselves: alone, too long a form, cut, a surrogate, too high. */
+    check_string("\xfc!", "'\\X\\FC!'");
+    check_string("\xc0\xaf", "'\\X\\C0\\X\\AF'");
+    check_string("\xe2\x82", "'\\X\\E2\\X\\82'");
+    check_string("\xed\xa0\x80", "'\\X\\ED\\X\\A0\\X\\80'");
+    check_string("\xf5\x80\x80\x80", "'\\X\\F5\\X\\80\\X\\80\\X\\80'");
+    check_string("\xe0\x80\x80", "'\\X\\E0\\X\\80\\X\\80'");
+}
+
+TEST(lines_are_broken_between_tokens)
+{
+    bat_step step = {.text = BATTEN_TEXT};
+    CHECK_INT(bat_step_open(&step, "LIST"), 1);
+    for (int i = 0; i < 100; i++)
+        bat_step_integer(&step, 1000 + i, ",");
+    bat_step_real(&step, 0.1, ",");
+    bat_step_id(&step, 7, "");
+    bat_step_close(&step);
+    CHECK_INT(bat_step_add(&step, "NEXT", "%d", 3), 2);
+    if (!step.text.failed) {
+        int column = 0;
+        for (const char *at = step.text.bytes; *at; at++) {
+            column = *at == '\n' ? 0 : column + 1;
+            CHECK(column <= 120);
+        }
+        CHECK_CONTAINS(step.text.bytes, ",0.1,#7);\n#2=NEXT(3);\n");
+        CHECK_CONTAINS(step.text.bytes, "#1=LIST(1000,1001,");
+    }
+    batten_text_free(&step.text);
+}
