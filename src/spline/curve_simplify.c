@@ -2,7 +2,7 @@
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
-static batten_status check_tolerance(double tolerance)
+batten_status bat_tolerance_check(double tolerance)
 {
     if (!(tolerance >= 0 && isfinite(tolerance)))
         return bat_fail(isfinite(tolerance) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
@@ -83,7 +83,7 @@ static batten_status apply(const batten_curve *curve, step make, request *asked,
 static batten_status removal(const batten_curve *curve, step make, request asked, int *removed,
                              double *error, batten_curve **out)
 {
-    batten_status status = check_tolerance(asked.tolerance);
+    batten_status status = bat_tolerance_check(asked.tolerance);
     if (status == BATTEN_OK)
         status = apply(curve, make, &asked, out);
     if (status == BATTEN_OK && removed)

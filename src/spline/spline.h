@@ -106,6 +106,8 @@ void bat_elevation_row(int degree, const double *knots, int span, const double *
  * `tolerance`, in the sense of bat_spline_remove. */
 batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
                                 double *error, bat_spline *out);
+/* A tolerance is a number, and not negative (curve_simplify.c). */
+batten_status bat_tolerance_check(double tolerance);
 /* Clamped at both ends of [a, b] inside the domain. */
 batten_status bat_spline_subrange(const bat_spline *spline, double a, double b, bat_spline *out);
 /* Both parts clamped at both ends; they share the row at u. */

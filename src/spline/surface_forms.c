@@ -172,9 +172,9 @@ batten_status batten_surface_from_power(int dimension, int degree_u, int patches
 {
     assert(breaks_u && breaks_v && coefficients && out);
     const piecewise u = {degree_u, patches_u, breaks_u}, v = {degree_v, patches_v, breaks_v};
-    if (!(tolerance >= 0 && isfinite(tolerance)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
-    batten_status status = check_net(dimension, &u, &v);
+    batten_status status = bat_tolerance_check(tolerance);
+    if (status == BATTEN_OK)
+        status = check_net(dimension, &u, &v);
     if (status != BATTEN_OK)
         return status;
     const size_t d = (size_t)dimension, lines = (size_t)(patches_u * degree_u) + 1;

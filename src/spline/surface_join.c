@@ -210,8 +210,9 @@ batten_status batten_surface_join(const batten_surface *first, const batten_surf
                                   batten_surface **out)
 {
     assert(first && second && out);
-    if (!(tolerance >= 0 && isfinite(tolerance)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
+    batten_status status = bat_tolerance_check(tolerance);
+    if (status != BATTEN_OK)
+        return status;
     if (first->dimension != second->dimension)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the surfaces have %d and %d dimensions",
                         first->dimension, second->dimension);
@@ -222,7 +223,7 @@ batten_status batten_surface_join(const batten_surface *first, const batten_surf
         degrees[k] = bat_max_int(batten_surface_degree(first, (batten_direction)k),
                                  batten_surface_degree(second, (batten_direction)k));
     batten_surface *a = NULL, *b = NULL;
-    batten_status status = prepare(first, degrees, rational, &a);
+    status = prepare(first, degrees, rational, &a);
     if (status == BATTEN_OK)
         status = prepare(second, degrees, rational, &b);
     if (status == BATTEN_OK)

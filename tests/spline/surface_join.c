@@ -56,7 +56,7 @@ TEST(edges_that_miss_each_other_are_refused_with_their_distance)
     /* Both edges are the same segment, but differently parametrised: up to 1/4 apart. */
     CHECK_STATUS(batten_surface_join(left, bent, BATTEN_U, 0.1, &made), BATTEN_NOT_COMPATIBLE);
     CHECK_STATUS(batten_surface_join(left, high, BATTEN_U, -1, &made), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_join(left, high, BATTEN_U, NAN, &made), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_join(left, high, BATTEN_U, NAN, &made), BATTEN_NOT_FINITE);
     const double points[] = {0, 1, 2, 3};
     const batten_axis axis = {1, 2, line, false};
     CHECK_OK(batten_surface_create(1, &axis, &axis, points, NULL, &plane));
