@@ -1,3 +1,4 @@
+#include "base/work.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
 
@@ -176,6 +177,7 @@ typedef struct {
     int dimension, count_u, count_v;
     const double *points;
     const batten_grid_options *options;
+    bat_work work;
     double *u, *v; /* [count + 1] */
     double spread_u, spread_v;
     bat_operator along_u, along_v;
@@ -409,17 +411,35 @@ static batten_status check_residual(const task *t, const batten_surface *surface
     return BATTEN_OK;
 }
 
-static batten_status solve(task *t, double *residual, batten_surface **out)
+/* One step for each data point. */
+static batten_status report(task *t, double fraction)
+{
+    return bat_work_step(&t->work, (uint64_t)t->count_u * (uint64_t)t->count_v, fraction, "grid");
+}
+
+static batten_status find_control(task *t)
 {
     batten_status status = find_both_parameters(t);
+    if (status == BATTEN_OK)
+        status = report(t, 0.3);
     if (status == BATTEN_OK)
         status = make_operators(t);
     if (status == BATTEN_OK)
         status = solve_along_u(t);
     if (status == BATTEN_OK)
+        status = report(t, 0.5);
+    if (status == BATTEN_OK)
         status = solve_rims(t);
     if (status == BATTEN_OK)
         status = solve_along_v(t);
+    if (status == BATTEN_OK)
+        status = report(t, 0.7);
+    return status;
+}
+
+static batten_status solve(task *t, double *residual, batten_surface **out)
+{
+    batten_status status = find_control(t);
     if (status != BATTEN_OK)
         return status;
     keep_poles(t);
@@ -458,10 +478,10 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
               .count_u = count_u,
               .count_v = count_v,
               .points = points,
-              .options = options ? options : &defaults};
+              .options = options ? options : &defaults,
+              .work = {job, 0}};
     batten_status status = check_grid(dimension, count_u, count_v, points, t.options);
     double residual = 0;
-    (void)job; /* a second for 500 x 500 points: nothing to ask */
     if (status == BATTEN_OK)
         status = solve(&t, &residual, out);
     if (status == BATTEN_OK) {

@@ -16,6 +16,7 @@ batten_skin_options batten_skin_defaults(void)
 typedef struct {
     int count; /* sections */
     const batten_skin_options *options;
+    bat_work work;
     batten_curve **placed;  /* [count] where they stand, in one dimension, run the same way */
     batten_curve **unified; /* [count] with common knots */
     double *deviation;      /* [count] */
@@ -182,7 +183,8 @@ static batten_status unify(task *t)
     const bool exact = t->periodic_u || t->options->tolerance == 0;
     batten_status status = exact ? BATTEN_OK : even_speeds(t);
     if (status == BATTEN_OK && !exact)
-        status = bat_skin_common_knots(t->count, placed, t->options->tolerance, t->unified, t->deviation);
+        status = bat_skin_common_knots(t->count, placed, t->options->tolerance, &t->work, t->unified,
+                                       t->deviation);
     else if (status == BATTEN_OK)
         status = batten_curves_unify(t->count, placed, t->unified);
     if (status != BATTEN_OK)
@@ -508,12 +510,17 @@ static batten_status skin(task *t, const batten_curve *const *sections, batten_s
         status = align(t);
     if (status == BATTEN_OK)
         status = unify(t);
+    const uint64_t steps = (uint64_t)t->points * (uint64_t)t->count;
+    if (status == BATTEN_OK)
+        status = bat_work_step(&t->work, steps, 0.5, "skin");
     if (status == BATTEN_OK)
         status = fill_rows(t);
     if (status == BATTEN_OK)
         status = find_parameters(t);
     if (status == BATTEN_OK)
         status = interpolate_across(t);
+    if (status == BATTEN_OK)
+        status = bat_work_step(&t->work, steps, 0.8, "skin");
     batten_surface *surface = NULL;
     if (status == BATTEN_OK)
         status = make_surface(t, &surface);
@@ -548,8 +555,7 @@ batten_status batten_surface_skin(int count, const batten_curve *const *sections
                                   batten_skin_report *report, batten_surface **out)
 {
     const batten_skin_options defaults = batten_skin_defaults();
-    task t = {.count = count, .options = options ? options : &defaults};
-    (void)job;
+    task t = {.count = count, .options = options ? options : &defaults, .work = {job, 0}};
     batten_status status = check(count, t.options);
     if (status != BATTEN_OK)
         return status;

@@ -1,6 +1,7 @@
 /* The parts of skinning: frames place the sections, common knots unify them within a tolerance. */
 #ifndef BAT_SKIN_H
 #define BAT_SKIN_H
+#include "base/work.h"
 #include "shape/shape.h"
 #include <batten/skin.h>
 
@@ -17,6 +18,6 @@ batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **ou
  * @param[out] out [count]; @param[out] deviation [count] bounds on how far each moved
  */
 batten_status bat_skin_common_knots(int count, const batten_curve *const *sections, double tolerance,
-                                    batten_curve **out, double *deviation);
+                                    bat_work *work, batten_curve **out, double *deviation);
 
 #endif

@@ -31,7 +31,8 @@ typedef struct {
     bat_spline *fitted; /* [count] upon the comb */
     double *deviation;  /* [count] */
     double *error;      /* [capacity + 1] largest of all sections in each span of the comb */
-    int limit;          /* inner knots of the exact union: more are not worth it */
+    int limit;          /* inner knots of all sections together: more are not worth it */
+    bat_work *work;
 } fitting;
 
 /* ---- speed along a section ---- */
@@ -504,9 +505,15 @@ static void forget_fits(fitting *f)
         bat_spline_free(&f->fitted[k]);
 }
 
+/* One step for each control point of each section. */
+static uint64_t fit_steps(const fitting *f, const comb *c)
+{
+    return (uint64_t)f->count * (uint64_t)(c->inner + f->degree + 1);
+}
+
 static batten_status fit_all(fitting *f, const comb *c, double *worst)
 {
-    batten_status status = BATTEN_OK;
+    batten_status status = bat_work_step(f->work, fit_steps(f, c), 0.1, "common knots");
     *worst = 0;
     memset(f->error, 0, (size_t)(f->limit + 2) * sizeof *f->error);
     forget_fits(f);
@@ -583,7 +590,10 @@ static batten_status shrink(const fitting *f, comb *c, comb *scratch)
             if (!c->held[i]) {
                 comb_copy(c, scratch);
                 comb_remove(scratch, i);
-                const batten_status status = all_keep(f, scratch, &suspect, &keep);
+                batten_status status =
+                    bat_work_step(f->work, fit_steps(f, c), 0.1 + 0.2 * (pass + (double)i / c->inner), "common knots");
+                if (status == BATTEN_OK)
+                    status = all_keep(f, scratch, &suspect, &keep);
                 if (status != BATTEN_OK)
                     return status;
             }
@@ -693,6 +703,28 @@ static int union_limit(const fitting *f)
     return (int)bat_min(total, 20000);
 }
 
+/* Has the exact union no more knots than these? Only asked when one section alone has as many. */
+static batten_status prefer_exact(const fitting *f, const batten_curve *const *sections, const comb *best,
+                                  bool *prefer)
+{
+    int most = 0;
+    for (int k = 0; k < f->count; k++)
+        most = bat_max_int(most, f->given[k].count - f->degree - 1);
+    *prefer = false;
+    if (best->inner < most)
+        return BATTEN_OK;
+    batten_curve **unified = bat_array((size_t)f->count, sizeof *unified);
+    if (!unified)
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status = batten_curves_unify(f->count, sections, unified);
+    if (status == BATTEN_OK)
+        *prefer = batten_curve_point_count(unified[0]) - f->degree - 1 <= best->inner;
+    for (int k = 0; k < f->count; k++)
+        batten_curve_unref(unified[k]);
+    bat_release(unified);
+    return status == BATTEN_TOO_LARGE ? BATTEN_OK : status;
+}
+
 static batten_status find(fitting *f, const batten_curve *const *sections, bool *met, batten_curve **out)
 {
     batten_status status = take_sections(f, sections);
@@ -706,6 +738,10 @@ static batten_status find(fitting *f, const batten_curve *const *sections, bool 
     status = f->error ? comb_make(f->limit, &best) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = search(f, &best, met);
+    bool exact = false;
+    if (status == BATTEN_OK && *met)
+        status = prefer_exact(f, sections, &best, &exact);
+    *met = *met && !exact;
     if (status == BATTEN_OK && *met)
         status = hand_over(f, &best, out);
     comb_free(&best);
@@ -713,9 +749,9 @@ static batten_status find(fitting *f, const batten_curve *const *sections, bool 
 }
 
 batten_status bat_skin_common_knots(int count, const batten_curve *const *sections, double tolerance,
-                                    batten_curve **out, double *deviation)
+                                    bat_work *work, batten_curve **out, double *deviation)
 {
-    fitting f = {.count = count, .tolerance = tolerance, .deviation = deviation};
+    fitting f = {.count = count, .tolerance = tolerance, .deviation = deviation, .work = work};
     f.given = bat_array((size_t)count, sizeof *f.given);
     f.fitted = bat_array((size_t)count, sizeof *f.fitted);
     bool met = false;

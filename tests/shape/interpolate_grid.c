@@ -422,3 +422,32 @@ TEST(grids_that_make_no_sense_are_refused)
     }
     CHECK(surface == NULL);
 }
+
+static bool stop_at(void *user)
+{
+    int *questions = user;
+    return (*questions)-- == 0;
+}
+
+TEST(I8_a_grid_can_be_cancelled_and_has_a_budget)
+{
+    double points[42];
+    fill_bicubic(points);
+    batten_grid_options options = given(us, vs);
+    batten_surface *surface = NULL;
+    for (int at = 0; at < 3; at++) {
+        int questions = at;
+        batten_job job = BATTEN_JOB;
+        job.is_cancelled = stop_at;
+        job.user = &questions;
+        CHECK_STATUS((questions = at,
+                      batten_surface_interpolate(1, 7, 6, points, &options, &job, NULL, NULL, NULL, &surface)),
+                     BATTEN_CANCELLED);
+    }
+    batten_job job = BATTEN_JOB;
+    job.work_limit = 100;
+    CHECK_STATUS(batten_surface_interpolate(1, 7, 6, points, &options, &job, NULL, NULL, NULL, &surface),
+                 BATTEN_INCOMPLETE);
+    CHECK_MESSAGE("grid: stopped at 70 %");
+    CHECK(surface == NULL);
+}

@@ -220,3 +220,47 @@ TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
     batten_surface_unref(surface);
     unref_all(6, sections);
 }
+
+static bool stop_at(void *user)
+{
+    int *questions = user;
+    return (*questions)-- == 0;
+}
+
+TEST(I8_the_search_for_common_knots_can_be_cancelled)
+{
+    test_random random = test_random_begin("cancel");
+    batten_curve *sections[4];
+    for (int k = 0; k < 4; k++)
+        sections[k] = jittered(&random, 12, k, airfoil);
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = 1e-3;
+    batten_surface *surface = NULL;
+    for (int at = 0; at < 12; at++) {
+        int questions = at;
+        batten_job job = BATTEN_JOB;
+        job.is_cancelled = stop_at;
+        job.user = &questions;
+        CHECK_STATUS((questions = at, batten_surface_skin(4, (const batten_curve *const *)sections, &options,
+                                                          &job, NULL, NULL, &surface)),
+                     BATTEN_CANCELLED);
+    }
+    CHECK(surface == NULL);
+    unref_all(4, sections);
+}
+
+TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
+{
+    batten_curve *sections[3] = {NULL, NULL, NULL};
+    for (int k = 0; k < 3; k++)
+        CHECK_OK(polyline_section(k, 0.5, &sections[k]));
+    batten_skin_options options = batten_skin_defaults();
+    options.tolerance = 1e-3;
+    batten_skin_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
+                                 &surface));
+    CHECK(report.knot_count == 1 && report.deviation == 0);
+    batten_surface_unref(surface);
+    unref_all(3, sections);
+}
