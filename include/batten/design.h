@@ -3,6 +3,19 @@
 /**
  * @file
  * The design document: a graph of named features in a text file.
+ *
+ * A design is parsed, evaluated as far as one asks, edited value by value, and its outputs are
+ * made:
+ *
+ *     batten_design_open("hull.yaml", false, notes, &design);
+ *     batten_design_set(design, "parameters.beam", "3.4 m", notes);
+ *     batten_design_evaluate(design, NULL, NULL, notes);
+ *     batten_design_output(design, 0, NULL, notes, &data, &size);
+ *
+ * Notes carry the file, the line, as entity the column ("column 14") for errors of the text or
+ * the feature for what happened in it, and a sentence. The message of a failure begins
+ * "file:line:column: ". A design is strict: any error of its text refuses the whole. One design
+ * belongs to one thread at a time; the models that it hands out may be shared.
  */
 #include <batten/exchange.h>
 #include <batten/fair.h>
@@ -14,24 +27,30 @@ extern "C" {
 
 /* ---- the table of features ---- */
 
+/**
+ * What a value may be. Lengths, angles, numbers and counts may also be expressions, "=beam/2 +
+ * 0.1 m", over the parameters of the design, with + - * / ^ ( ) and sin cos tan sqrt abs min
+ * max pi. A length without a unit is in the unit of the design; an angle needs deg or rad
+ * unless it is 0.
+ */
 typedef enum batten_value_kind {
     BATTEN_VALUE_MODEL,  /**< the result of another feature, by name */
     BATTEN_VALUE_LENGTH, /**< a number with a unit of length */
     BATTEN_VALUE_ANGLE,  /**< a number with deg or rad */
     BATTEN_VALUE_NUMBER,
-    BATTEN_VALUE_COUNT,  /**< a whole number */
-    BATTEN_VALUE_WORD,   /**< one of `words` */
+    BATTEN_VALUE_COUNT, /**< a whole number */
+    BATTEN_VALUE_WORD,  /**< one of `words` */
     BATTEN_VALUE_TEXT,
-    BATTEN_VALUE_FILE,   /**< a path below the folder of the design */
+    BATTEN_VALUE_FILE, /**< a path below the folder of the design */
     BATTEN_VALUE_YES_NO,
-    BATTEN_VALUE_POINT,  /**< [x, y, z], lengths */
-    BATTEN_VALUE_RANGE   /**< [a, b], lengths */
+    BATTEN_VALUE_POINT, /**< [x, y, z] or [x, y], lengths; or origin x y z -x -y -z */
+    BATTEN_VALUE_RANGE  /**< [a, b], lengths, a < b */
 } batten_value_kind;
 
 typedef struct batten_parameter {
     const char *name;
     batten_value_kind kind;
-    bool is_list;         /**< one or many of the kind */
+    bool is_list; /**< one or many of the kind */
     bool required;
     const char *standard; /**< the default, as one would write it; NULL for none */
     const char *words;    /**< "natural clamped ..." for BATTEN_VALUE_WORD */
@@ -42,16 +61,20 @@ typedef struct batten_feature {
     const char *name;    /**< the operation: "skin" */
     const char *summary; /**< one line */
     const char *manual;  /**< paragraphs of plain text */
-    const char *example; /**< a piece of a design file */
+    const char *example; /**< sections of a design file, without the line "batten: 1"; it works.
+                              Files that it reads: a table of offsets "offsets.csv" */
     const char *source;  /**< keys of the bibliography */
-    const char *function;/**< the C function */
+    const char *function; /**< the C function */
     int parameter_count;
-    const batten_parameter *parameters; /**< the first is the principal input */
-    bool is_output;      /**< stands under outputs: makes a file, not a value */
+    const batten_parameter *parameters; /**< the first is the principal input; it has the
+                                             name of the operation: {skin: frames} */
+    bool is_output;                     /**< stands under outputs: makes a file, not a value */
 } batten_feature;
 
+/** Features first, then outputs, in the order of the manual. */
 BATTEN_API int batten_feature_count(void);
 BATTEN_API const batten_feature *batten_feature_at(int index);
+/** NULL when there is none of that name. */
 BATTEN_API const batten_feature *batten_feature_find(const char *name);
 /** The known name nearest to a misspelt one, or NULL. */
 BATTEN_API const char *batten_feature_nearest(const char *name);
@@ -70,29 +93,47 @@ typedef struct batten_design_options {
 } batten_design_options;
 BATTEN_API batten_design_options batten_design_defaults(void);
 
-/** Parse a design; every error of the text goes to `notes` with line, column and nearest name.
- * @return BATTEN_BAD_FORMAT when there was one */
+/**
+ * Parse a design; every error of the text goes to `notes` with line, column and nearest name.
+ *
+ * @param text     UTF-8, `length` bytes; it is copied
+ * @param options  NULL for the defaults
+ * @param notes    may be NULL, here and below
+ * @return BATTEN_BAD_FORMAT when there was an error, BATTEN_TOO_LARGE over a limit; the message
+ * is the first one
+ */
 BATTEN_API batten_status batten_design_parse(const char *text, size_t length,
                                              const batten_design_options *options,
                                              batten_notes *notes, batten_design **out);
+/** The same from a file, whose folder is that of the design. Also BATTEN_FILE_ERROR. */
 BATTEN_API batten_status batten_design_open(const char *path, bool allow_outside,
                                             batten_notes *notes, batten_design **out);
+/** NULL is welcome. */
 BATTEN_API void batten_design_free(batten_design *design);
-/** The text as it stands: loaded and saved it is the same bytes. */
+/** The text as it stands: loaded and saved it is the same bytes. It ends with a zero byte;
+ * `length` may be NULL. Valid until the next edit. */
 BATTEN_API const char *batten_design_text(const batten_design *design, size_t *length);
+/** How many metres one unit of the design is: the unit of all its results. */
 BATTEN_API double batten_design_unit_metres(const batten_design *design);
 /**
  * Change one value; only the bytes of that value change (a new key is appended to its feature).
- * @param path  "parameters.beam", "features.hull.degree", "units"
- * @param value as one would write it: "3.4 m"
- * On failure the design is as before.
+ * A value in several lines cannot be changed as a whole; a new key needs a map that is there.
+ * Results that the edit does not reach are kept; pointers to other results, and to names, end.
+ *
+ * @param path  "parameters.beam", "features.hull.degree", "features.hull.skin", "units"
+ * @param value as one would write it: "3.4 m", "[1, 2, 3]"; quotes are added where YAML needs
+ * them
+ * @return BATTEN_NOT_FOUND when there is no such place, BATTEN_UNSUPPORTED for a value in
+ * several lines, else as batten_design_parse for the new text. On failure the design is as
+ * before.
  */
 BATTEN_API batten_status batten_design_set(batten_design *design, const char *path,
                                            const char *value, batten_notes *notes);
 
 /* ---- its results ---- */
 
-/** What became of one feature. */
+/** What became of one feature. Valid until the next edit or the next evaluation of this
+ * feature. */
 typedef struct batten_feature_result {
     const char *name;
     const char *operation;
@@ -100,31 +141,41 @@ typedef struct batten_feature_result {
     batten_status status;
     double seconds;
     bool has_error;
-    double error_max, error_rms;         /**< of an approximation, in design units */
+    double error_max, error_rms; /**< of an approximation, in design units */
     bool has_moves;
-    double move_max;                     /**< of fairing */
+    double move_max; /**< of fairing */
     int moved_count;
-    const batten_fair_report *fairing;   /**< or NULL */
-    const batten_skin_report *skin;      /**< or NULL */
+    const batten_fair_report *fairing; /**< or NULL */
+    const batten_skin_report *skin;    /**< or NULL */
 } batten_feature_result;
 
 /**
- * Evaluate the named feature (NULL: all) and what it needs; results are kept and used again until
- * an edit reaches them.
+ * Evaluate the named feature (NULL: all) and what it needs; results are kept and used again
+ * until an edit reaches them. A feature that fails ends those that need it; the others are
+ * evaluated all the same.
+ *
+ * @return the first failure, its message beginning with file, line, column and feature;
+ * BATTEN_PARTLY_READ when nothing failed but a file was read in part (its notes say what was
+ * left out); BATTEN_NOT_FOUND when there is no such feature; BATTEN_CANCELLED,
+ * BATTEN_OUT_OF_MEMORY at once
  */
 BATTEN_API batten_status batten_design_evaluate(batten_design *design, const char *feature,
                                                 const batten_job *job, batten_notes *notes);
+/** How many features were evaluated since the last edit that reached them, also those that
+ * failed. */
 BATTEN_API int batten_design_result_count(const batten_design *design);
 /** In the order of evaluation. */
 BATTEN_API const batten_feature_result *batten_design_result_at(const batten_design *design,
                                                                 int index);
+/** The result of one feature, or NULL when it was not evaluated. */
 BATTEN_API const batten_feature_result *batten_design_result(const batten_design *design,
                                                              const char *feature);
 
 BATTEN_API int batten_design_output_count(const batten_design *design);
 /** The file name of an output as written in the design. */
 BATTEN_API const char *batten_design_output_name(const batten_design *design, int index);
-/** Make one output: the bytes of its file. */
+/** Make one output: the bytes of its file; what it needs is evaluated first. Nothing is
+ * written: save the bytes with batten_save_file, and release them with batten_release. */
 BATTEN_API batten_status batten_design_output(batten_design *design, int index,
                                               const batten_job *job, batten_notes *notes,
                                               char **data, size_t *size);

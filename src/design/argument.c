@@ -22,7 +22,8 @@ static void complain_of(const reading *r, const char *what)
     if (principal)
         bat_complain(r->document, r->at, "%s %s", operation_of(r), what);
     else
-        bat_complain(r->document, r->at, "'%s' of %s %s", r->parameter->name, operation_of(r), what);
+        bat_complain(r->document, r->at, "'%s' of %s %s", r->parameter->name, operation_of(r),
+                     what);
 }
 
 /* ---- names and words ---- */
@@ -95,20 +96,27 @@ static void read_file(const reading *r, const char *word, bat_item *item)
     if (!*word)
         complain_of(r, "needs the name of a file");
     else if (!r->document->allow_outside && bat_path_leaves(word))
-        bat_complain(r->document, r->at,
-                     "the path %.200s leads out of the folder of the design; --allow-outside allows it",
-                     word);
+        bat_complain(
+            r->document, r->at,
+            "the path %.200s leads out of the folder of the design; --allow-outside allows it",
+            word);
 }
 
 /* ---- numbers ---- */
 
 static const char *kind_name(batten_value_kind kind)
 {
-    static const char *const names[] = {
-        "the name of a feature", "a length",          "an angle (with deg or rad)",
-        "a number",              "a whole number",    "a word",
-        "a text",                "the name of a file", "yes or no",
-        "a point [x, y, z]",     "a range [a, b]"};
+    static const char *const names[] = {"the name of a feature",
+                                        "a length",
+                                        "an angle (with deg or rad)",
+                                        "a number",
+                                        "a whole number",
+                                        "a word",
+                                        "a text",
+                                        "the name of a file",
+                                        "yes or no",
+                                        "a point [x, y, z]",
+                                        "a range [a, b]"};
     return names[kind];
 }
 
@@ -163,7 +171,7 @@ static void read_count(const reading *r, const char *word, bat_item *item)
         item->count = (int)q.value;
         return;
     }
-    snprintf(what, sizeof what, "must be a whole number, not %g", q.value);
+    snprintf(what, sizeof what, "must be a whole number, 0 or more; '%.60s' is none", word);
     complain_of(r, what);
 }
 
@@ -184,7 +192,8 @@ static bool named_point(const char *word, double *out)
 }
 
 /* The coordinates of a list of words. */
-static void read_coordinates(reading r, const bat_node *node, int least, int most, bat_item *item)
+static void read_coordinates(reading r, const bat_node *node, int least, int most,
+                             bat_item *item)
 {
     const bat_node *nodes = r.document->tree.nodes;
     char what[120];
@@ -255,7 +264,8 @@ static void read_item(const reading *r, const bat_node *node, bat_item *item)
         if (kind == BATTEN_VALUE_RANGE || !named_point(word, item->number)) {
             char what[160];
             snprintf(what, sizeof what, "needs %s%s, not '%.60s'", kind_name(kind),
-                     kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "", word);
+                     kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "",
+                     word);
             complain_of(r, what);
         }
         return;
@@ -373,22 +383,23 @@ batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
         if (entry->arguments[i].count)
             continue;
         if (f->parameters[i].required && !entry->arguments[i].given)
-            bat_complain(document, entry->key, "%s of '%s' needs '%s': %s", f->name, entry->name,
-                         f->parameters[i].name, f->parameters[i].summary);
+            bat_complain(document, entry->key, "%s of '%s' needs '%s': %s", f->name,
+                         entry->name, f->parameters[i].name, f->parameters[i].summary);
         else
             status = read_standard(&r, &entry->arguments[i]);
     }
     return status;
 }
 
-void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature), void *user)
+void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
+                      void *user)
 {
     if (!entry->feature || !entry->arguments)
         return;
     const batten_feature *f = &entry->feature->shown;
     for (int i = 0; i < f->parameter_count; i++)
-        for (int k = 0; f->parameters[i].kind == BATTEN_VALUE_MODEL &&
-                        k < entry->arguments[i].count; k++)
+        for (int k = 0;
+             f->parameters[i].kind == BATTEN_VALUE_MODEL && k < entry->arguments[i].count; k++)
             if (entry->arguments[i].items[k].count >= 0)
                 visit(user, entry->arguments[i].items[k].count);
 }

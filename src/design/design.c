@@ -263,8 +263,8 @@ static double seconds_now(void)
 /* ---- evaluation ---- */
 
 /* Put the place and the feature before the message of the last failure. */
-static batten_status fail_at(const bat_document *d, const bat_entry *entry, batten_status status,
-                             batten_notes *notes)
+static batten_status fail_at(const bat_document *d, const bat_entry *entry,
+                             batten_status status, batten_notes *notes)
 {
     char said[600];
     snprintf(said, sizeof said, "%s", batten_message());
@@ -351,7 +351,8 @@ static batten_status run_wanted(state *s, const bat_graph *graph, const bool *wa
         const batten_status status = run_feature(s, i, job ? &inner : NULL, notes);
         list_result(s, i);
         const bool ends = status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY;
-        if (status != BATTEN_OK && (ends || first == BATTEN_OK || first == BATTEN_PARTLY_READ)) {
+        if (status != BATTEN_OK &&
+            (ends || first == BATTEN_OK || first == BATTEN_PARTLY_READ)) {
             first = status;
             snprintf(message, sizeof message, "%s", batten_message());
         }
@@ -406,7 +407,8 @@ const batten_feature_result *batten_design_result_at(const batten_design *design
     return &design->now.results[design->now.evaluated[index]].shown;
 }
 
-const batten_feature_result *batten_design_result(const batten_design *design, const char *feature)
+const batten_feature_result *batten_design_result(const batten_design *design,
+                                                  const char *feature)
 {
     const int i = bat_document_feature(&design->now.document, feature);
     if (i < 0 || !design->now.results[i].shown.name)

@@ -190,11 +190,12 @@ static void list_parameter(bat_document *d, int node)
     for (int i = 0; i < (int)(sizeof taken / sizeof taken[0]); i++)
         ok &= strcmp(name, taken[i]) != 0;
     if (!ok)
-        bat_complain(d, at->key,
-                     "'%s' cannot name a parameter; use letters, digits and '_', and no function",
-                     name);
+        bat_complain(
+            d, at->key,
+            "'%s' cannot name a parameter; use letters, digits and '_', and no function", name);
     else if (at->kind != BAT_NODE_WORD)
-        bat_complain(d, node, "the parameter %s must be a number, with or without a unit", name);
+        bat_complain(d, node, "the parameter %s must be a number, with or without a unit",
+                     name);
     else
         d->parameters[d->parameter_count++] = (bat_parameter){.name = name, .node = node};
 }
@@ -234,7 +235,8 @@ static void complain_of_ring(bat_document *d, int node, const char *what, int co
     char ring[400];
     size_t used = 0;
     for (int i = 0; i <= count && used < sizeof ring; i++) {
-        const int more = snprintf(ring + used, sizeof ring - used, "%s%s", i ? " -> " : "", names[i]);
+        const int more =
+            snprintf(ring + used, sizeof ring - used, "%s%s", i ? " -> " : "", names[i]);
         used += (size_t)more;
     }
     bat_complain(d, node, "%s need each other in a ring: %s", what, ring);
@@ -249,8 +251,8 @@ static void evaluate_parameter(bat_document *d, bat_parameter *p)
     if (!p->known)
         bat_complain(d, p->node, "%s", batten_message());
     if (vanished)
-        batten_notes_add(d->complaints->notes, d->file_name, d->tree.nodes[p->node].line, p->name,
-                         "%s is too small for a number and became 0", word);
+        batten_notes_add(d->complaints->notes, d->file_name, d->tree.nodes[p->node].line,
+                         p->name, "%s is too small for a number and became 0", word);
     /* One error is enough: what uses it shall not complain too. */
     p->known = true;
 }
@@ -318,9 +320,11 @@ static void unknown_operation(bat_document *d, int key, bool is_output)
     }
     const bat_feature *other = bat_feature_find(word);
     if (other && other->shown.is_output != is_output)
-        bat_complain(d, key, "'%s' stands under '%s'", word, is_output ? "features" : "outputs");
+        bat_complain(d, key, "'%s' stands under '%s'", word,
+                     is_output ? "features" : "outputs");
     else
-        bat_complain(d, key, "there is no operation '%s'%s%s%s; the first key names the operation",
+        bat_complain(d, key,
+                     "there is no operation '%s'%s%s%s; the first key names the operation",
                      word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
 
@@ -442,8 +446,8 @@ static batten_status order_features(bat_document *d)
     d->order = bat_pool_array(&d->pool, count, sizeof *d->order);
     int *cycle = bat_pool_array(&d->pool, count + 1, sizeof *cycle);
     const char **names = bat_pool_array(&d->pool, count + 1, sizeof *names);
-    batten_status status = d->order && cycle && names ? bat_document_graph(d, &graph)
-                                                      : BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        d->order && cycle && names ? bat_document_graph(d, &graph) : BATTEN_OUT_OF_MEMORY;
     if (status != BATTEN_OK)
         return status;
     const int ring = bat_graph_order(&graph, d->order, cycle);

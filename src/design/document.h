@@ -1,4 +1,5 @@
-/* A design as parsed: names, typed arguments, order. It does not change; an edit parses anew. */
+/* A design as parsed: names, typed arguments, order. It does not change; an edit parses anew.
+ */
 #ifndef BAT_DESIGN_DOCUMENT_H
 #define BAT_DESIGN_DOCUMENT_H
 #include "design/feature.h"
@@ -8,7 +9,7 @@
 /* A feature or an output of the text. */
 typedef struct {
     const char *name;
-    int key, node; /* of the tree */
+    int key, node;              /* of the tree */
     const bat_feature *feature; /* NULL when it is wrong */
     bat_argument *arguments;
 } bat_entry;
@@ -54,7 +55,8 @@ void bat_document_free(bat_document *document);
 int bat_document_feature(const bat_document *document, const char *name);
 
 /* Note an error of the text at a node (-1: the whole file). */
-void bat_complain(bat_document *document, int node, const char *format, ...) BATTEN_PRINTF(3, 4);
+void bat_complain(bat_document *document, int node, const char *format, ...)
+    BATTEN_PRINTF(3, 4);
 
 /* ---- argument.c ---- */
 
@@ -63,14 +65,15 @@ bat_names bat_document_names(bat_document *document);
 /* Read the arguments of an entry from its node; wrong ones are complained about. */
 batten_status bat_arguments_read(bat_document *document, bat_entry *entry);
 /* The features that an entry needs: calls `visit` with each index. */
-void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature), void *user);
+void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
+                      void *user);
 
 /* ---- path.c ---- */
 
 /* Does a path, as written, leave the folder it is relative to? */
 bool bat_path_leaves(const char *path);
-/* The path of a file beside the design; with symlinks resolved it must stay below the design's folder.
- * Release it. */
+/* The path of a file beside the design; with symlinks resolved it must stay below the design's
+ * folder. Release it. */
 batten_status bat_path_beside(const bat_document *document, const char *path, char **out);
 
 /* ---- graph.c ---- */
@@ -84,7 +87,8 @@ typedef struct {
 
 /* An order in which each comes after what it needs.
  * @param[out] order  [count]
- * @param[out] cycle  [count + 1] the members of a ring, when there is one, the first again at the end
+ * @param[out] cycle  [count + 1] the members of a ring, when there is one, the first again at
+ * the end
  * @return the number of things in the ring; 0 when all are in order; -1 without memory */
 int bat_graph_order(const bat_graph *graph, int *order, int *cycle);
 /* Mark `from` and all that it needs. @param[in,out] marked [count] */

@@ -73,8 +73,8 @@ static void add_word(batten_text *out, const char *word, bool quoted)
     batten_text_bytes(out, "'", 1);
 }
 
-/* Everything before the new bytes; `*at` is where the value then begins, `*resume` where the old text
- * goes on. */
+/* Everything before the new bytes; `*at` is where the value then begins, `*resume` where the
+ * old text goes on. */
 static void add_before(batten_text *out, const char *text, size_t length, const bat_tree *tree,
                        const place *p, size_t *resume)
 {

@@ -4,10 +4,11 @@
 #include "design/yaml.h"
 
 /*
- * The text with another value at `path` ("features.hull.degree"), or with a new key at the end of its map.
+ * The text with another value at `path` ("features.hull.degree"), or with a new key at the end
+ * of its map.
  *
- * A value that needs quotes where it stands gets them. The new text is parsed, and everything but that value
- * must be as before.
+ * A value that needs quotes where it stands gets them. The new text is parsed, and everything
+ * but that value must be as before.
  *
  * @param tree  of the text
  * @param[out] out, out_length  the new text, with a zero byte after its end; release it

@@ -13,8 +13,8 @@ typedef struct {
 } bat_item;
 
 typedef struct {
-    int count;   /* 0: neither given nor standard */
-    bool given;  /* stands in the design */
+    int count;  /* 0: neither given nor standard */
+    bool given; /* stands in the design */
     bat_item *items;
 } bat_argument;
 
@@ -38,20 +38,20 @@ typedef struct {
 
 #define BAT_PARAMETERS(table) (int)(sizeof(table) / sizeof((table)[0])), table
 
-/* One evaluation of one feature. A feature reads its arguments by name and puts objects into its model; an
- * output puts bytes into `data`. */
+/* One evaluation of one feature. A feature reads its arguments by name and puts objects into
+ * its model; an output puts bytes into `data`. */
 struct bat_run {
     const char *name; /* of the feature, or the file of the output */
     const batten_feature *feature;
-    const bat_argument *arguments;   /* [feature->parameter_count] */
+    const bat_argument *arguments; /* [feature->parameter_count] */
     const struct bat_document *document;
-    const bat_result *results;       /* of all features of the document */
+    const bat_result *results; /* of all features of the document */
     const batten_job *job;
     batten_notes *notes;
     int line;
-    bat_result *result;              /* of a feature */
-    batten_model *model;             /* of a feature: empty at first */
-    char *data;                      /* of an output */
+    bat_result *result;  /* of a feature */
+    batten_model *model; /* of a feature: empty at first */
+    char *data;          /* of an output */
     size_t size;
 };
 
@@ -61,7 +61,8 @@ const bat_argument *bat_argument_of(const bat_run *run, const char *parameter);
 bool bat_has(const bat_run *run, const char *parameter); /* given, or with a standard value */
 double bat_number(const bat_run *run, const char *parameter);
 int bat_count(const bat_run *run, const char *parameter);
-int bat_word(const bat_run *run, const char *parameter); /* its place in the words; -1 for none */
+int bat_word(const bat_run *run,
+             const char *parameter); /* its place in the words; -1 for none */
 bool bat_yes(const bat_run *run, const char *parameter);
 const char *bat_text(const bat_run *run, const char *parameter); /* NULL for none */
 batten_vec3 bat_point(const bat_run *run, const char *parameter);
@@ -70,8 +71,11 @@ const batten_model *bat_model(const bat_run *run, const char *parameter);
 
 double bat_unit_metres(const bat_run *run);
 double bat_tolerance(const bat_run *run); /* that of the design, in its units */
-/* Say something odd about this feature, with its line. */
-void bat_note(const bat_run *run, const char *format, ...) BATTEN_PRINTF(2, 3);
+const char *bat_file_name(const bat_run *run);
+/* Say something odd about this feature, with its line: bat_note(run, "%d points ...", count).
+ */
+#define bat_note(run, ...) \
+    batten_notes_add((run)->notes, bat_file_name(run), (run)->line, (run)->name, __VA_ARGS__)
 
 /* ---- objects ---- */
 
@@ -95,23 +99,27 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSETS)
 #define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS)
 
-/* Put a curve or surface into the model under the feature's name and give its reference back, when the
- * status so far is good; else hand the status on. */
+/* Put a curve or surface into the model under the feature's name and give its reference back,
+ * when the status so far is good; else hand the status on. */
 batten_status bat_put_curve(bat_run *run, batten_status status, batten_curve *curve);
 batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface *surface);
-/* The same as another object, with another shape; the data of a curve go when `keep_data` is false. */
+/* The same as another object, with another shape; the data of a curve go when `keep_data` is
+ * false. */
 batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
                                  const batten_object *like, bool keep_data);
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
                                    const batten_object *like);
 
-/* Change every curve and surface of the principal input; what is NULL is not changed. Objects of other
- * kinds pass through; at least one must be changed. */
+/* Change every curve and surface of the principal input; what is NULL is not changed. Objects
+ * of other kinds pass through; at least one must be changed. */
 typedef struct {
     batten_status (*curve)(const bat_run *run, const batten_curve *curve, batten_curve **out);
     batten_status (*surface)(const bat_run *run, const batten_surface *surface,
                              batten_surface **out);
     bool keeps_data; /* the points that a curve was made from still belong to it */
+    /* Instead of `curve`: nearly the same curve, and how far it is from the given one. */
+    batten_status (*near_curve)(const bat_run *run, const batten_curve *curve, double *error,
+                                batten_curve **out);
 } bat_change;
 batten_status bat_change_all(bat_run *run, const bat_change *change);
 

@@ -8,9 +8,9 @@ typedef enum { UNSEEN, OPEN, DONE } mark;
 
 typedef struct {
     const bat_graph *graph;
-    mark *marks;  /* [count] */
-    int *stack;   /* [count] */
-    int *next;    /* [count] which need of each open thing comes next */
+    mark *marks; /* [count] */
+    int *stack;  /* [count] */
+    int *next;   /* [count] which need of each open thing comes next */
     int depth;
 } search;
 

@@ -71,7 +71,8 @@ static batten_status check_below(const char *folder, const char *path)
     if (status == BATTEN_OK)
         status = resolve(path, real_path);
     if (status == BATTEN_OK && !is_below(real, real_path))
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design", path);
+        status =
+            bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design", path);
     bat_release(real);
     return status;
 }

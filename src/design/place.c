@@ -49,7 +49,8 @@ static batten_affine to_frame(const batten_frame *frame)
 {
     const batten_vec3 z = unit(frame->z), y = unit(cross(z, frame->x)), x = cross(y, z);
     const batten_vec3 o = frame->origin;
-    return (batten_affine){{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}, {o.x, o.y, o.z}};
+    return (batten_affine){{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}},
+                           {o.x, o.y, o.z}};
 }
 
 batten_status bat_place_curve(bat_run *run, batten_status status, batten_curve *plane)
@@ -67,4 +68,11 @@ batten_status bat_place_curve(bat_run *run, batten_status status, batten_curve *
     batten_curve_unref(lifted);
     batten_curve_unref(plane);
     return bat_put_curve(run, status, placed);
+}
+
+batten_end bat_end(const bat_run *run, const char *own, const char *vector)
+{
+    const batten_vec3 v = bat_point(run, vector);
+    const int kind = bat_has(run, own) ? bat_word(run, own) : bat_word(run, "ends");
+    return (batten_end){(batten_end_kind)kind, {v.x, v.y, v.z}};
 }

@@ -67,7 +67,8 @@ static batten_status row_of_points(const batten_object *object, bat_rows *rows)
     if (status == BATTEN_OK)
         status = begin_row(rows->rows, object->name, object->point_count);
     if (status == BATTEN_OK && object->point_count) {
-        memcpy(rows->rows->points, object->points, 3 * (size_t)object->point_count * sizeof(double));
+        memcpy(rows->rows->points, object->points,
+               3 * (size_t)object->point_count * sizeof(double));
         rows->rows->count = object->point_count;
     }
     return status;

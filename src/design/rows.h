@@ -6,7 +6,7 @@
 typedef struct {
     const char *name; /* borrowed from the object */
     int count;
-    double *points;   /* [count][3] */
+    double *points; /* [count][3] */
 } bat_row;
 
 typedef struct {
@@ -18,13 +18,15 @@ typedef struct {
 batten_status bat_rows_of(const batten_object *object, bool lines, bat_rows *out);
 void bat_rows_release(bat_rows *rows);
 
-/* The axis along which all points have the same coordinate bit for bit (the last of several), or -1. */
+/* The axis along which all points have the same coordinate bit for bit (the last of several),
+ * or -1. */
 int bat_flat_axis(int count, const double *points);
 /* The points without the coordinate of an axis, [count][2], or [count][3] for axis -1. */
 double *bat_points_in_plane(int axis, int count, const double *points);
 /* Put coordinates back: `from` as bat_points_in_plane made it, into `to` [count][3]. */
 void bat_points_from_plane(int axis, int count, const double *from, double *to);
-/* The same of a curve: its projection along an axis, in the plane; axis -1: the curve in space. */
+/* The same of a curve: its projection along an axis, in the plane; axis -1: the curve in space.
+ */
 batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_curve **out);
 
 #endif

@@ -1,7 +1,6 @@
 #include "design/document.h"
 
 #include <assert.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -75,14 +74,9 @@ double bat_tolerance(const bat_run *run)
     return run->document->tolerance;
 }
 
-void bat_note(const bat_run *run, const char *format, ...)
+const char *bat_file_name(const bat_run *run)
 {
-    char sentence[600];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(sentence, sizeof sentence, format, arguments);
-    va_end(arguments);
-    batten_notes_add(run->notes, run->document->file_name, run->line, run->name, "%s", sentence);
+    return run->document->file_name;
 }
 
 /* ---- objects ---- */
@@ -95,14 +89,15 @@ static void name_kinds(unsigned kinds, char *text, size_t size)
     *text = 0;
     for (int i = 0; i < 4; i++)
         if (kinds & (1u << i) && used < size)
-            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "", names[i]);
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "",
+                                     names[i]);
 }
 
 static bool is_wanted(const batten_object *object, unsigned kinds)
 {
     return (kinds & (1u << object->kind)) ||
-           ((kinds & BAT_POINTS) && object->kind == BATTEN_OBJECT_CURVE && object->point_count &&
-            !(kinds & BAT_CURVES));
+           ((kinds & BAT_POINTS) && object->kind == BATTEN_OBJECT_CURVE &&
+            object->point_count && !(kinds & BAT_CURVES));
 }
 
 batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
@@ -209,8 +204,12 @@ static batten_status change_one(bat_run *run, const bat_change *change,
     batten_curve *curve = NULL;
     batten_surface *surface = NULL;
     batten_status status;
-    if (object->kind == BATTEN_OBJECT_CURVE && change->curve) {
-        status = change->curve(run, object->curve, &curve);
+    if (object->kind == BATTEN_OBJECT_CURVE && (change->curve || change->near_curve)) {
+        double error = 0;
+        status = change->curve ? change->curve(run, object->curve, &curve)
+                               : change->near_curve(run, object->curve, &error, &curve);
+        if (status == BATTEN_OK && change->near_curve)
+            bat_report_error(run, error, error);
         return bat_put_curve_like(run, status, curve, object, change->keeps_data);
     }
     if (object->kind == BATTEN_OBJECT_SURFACE && change->surface) {
@@ -223,7 +222,8 @@ static batten_status change_one(bat_run *run, const bat_change *change,
 batten_status bat_change_all(bat_run *run, const bat_change *change)
 {
     const char *input = run->feature->parameters[0].name;
-    const unsigned kinds = (change->curve ? BAT_CURVES : 0) | (change->surface ? BAT_SURFACES : 0);
+    const unsigned kinds = (change->curve || change->near_curve ? BAT_CURVES : 0) |
+                           (change->surface ? BAT_SURFACES : 0);
     const batten_model *model = bat_model(run, input);
     bat_objects objects;
     batten_status status = bat_gather(run, input, kinds, &objects);
@@ -271,10 +271,11 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
     double *points = NULL;
     batten_status status = BATTEN_OK;
     if (object->kind == BATTEN_OBJECT_OFFSETS)
-        return bat_fail(BATTEN_UNSUPPORTED,
-                        "'%s' is a table of offsets, which cannot be moved; 'read' can scale and turn "
-                        "it, and the curves through it can be moved",
-                        object->name);
+        return bat_fail(
+            BATTEN_UNSUPPORTED,
+            "'%s' is a table of offsets, which cannot be moved; 'read' can scale and turn "
+            "it, and the curves through it can be moved",
+            object->name);
     if (object->point_count) {
         points = map_points(map, object->point_count, object->points);
         status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -299,8 +300,7 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
 batten_status bat_transform_all(bat_run *run, const batten_affine *map)
 {
     bat_objects objects;
-    batten_status status = bat_gather(run, run->feature->parameters[0].name,
-                                      BAT_ALL, &objects);
+    batten_status status = bat_gather(run, run->feature->parameters[0].name, BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)

@@ -18,8 +18,8 @@ static void add_words(batten_text *out, const char *words)
 
 static void add_value(batten_text *out, const batten_parameter *p)
 {
-    static const char *const kinds[] = {
-        "feature", "length", "angle", "number", "count", "", "text", "file", "yes-no", "point", "range"};
+    static const char *const kinds[] = {"feature", "length", "angle",  "number", "count", "",
+                                        "text",    "file",   "yes-no", "point",  "range"};
     if (p->kind == BATTEN_VALUE_WORD)
         add_words(out, p->words);
     else
@@ -77,8 +77,9 @@ static void add_features(batten_text *out, const char *name, bool is_output)
             add_feature(out, batten_feature_at(i));
         }
     if (is_output)
-        batten_text_add(out, ",\n      {\"$ref\": \"#/$defs/feature\"},\n"
-                             "      {\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/feature\"}}");
+        batten_text_add(
+            out, ",\n      {\"$ref\": \"#/$defs/feature\"},\n"
+                 "      {\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/feature\"}}");
     batten_text_add(out, "\n    ]}");
 }
 
@@ -92,25 +93,34 @@ static const char head[] =
     "  \"type\": \"object\", \"additionalProperties\": false, \"required\": [\"batten\"],\n"
     "  \"properties\": {\n"
     "    \"batten\": {\"const\": 1, \"description\": \"version of the format\"},\n"
-    "    \"units\": {\"type\": \"string\", \"default\": \"m\", \"description\": \"the unit of lengths without one\"},\n"
-    "    \"tolerance\": {\"$ref\": \"#/$defs/length\", \"description\": \"what is the same point\"},\n"
+    "    \"units\": {\"type\": \"string\", \"default\": \"m\", \"description\": \"the unit of "
+    "lengths without one\"},\n"
+    "    \"tolerance\": {\"$ref\": \"#/$defs/length\", \"description\": \"what is the same "
+    "point\"},\n"
     "    \"title\": {\"type\": [\"string\", \"number\"]},\n"
-    "    \"parameters\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/length\"}},\n"
-    "    \"features\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/operation\"}},\n"
-    "    \"outputs\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": \"#/$defs/output\"}}\n"
+    "    \"parameters\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": "
+    "{\"$ref\": \"#/$defs/length\"}},\n"
+    "    \"features\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": "
+    "\"#/$defs/operation\"}},\n"
+    "    \"outputs\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": "
+    "\"#/$defs/output\"}}\n"
     "  },\n"
     "  \"$defs\": {\n"
     "    \"length\": {\"type\": [\"number\", \"string\"]},\n"
     "    \"angle\": {\"type\": [\"number\", \"string\"]},\n"
     "    \"number\": {\"type\": [\"number\", \"string\"]},\n"
-    "    \"count\": {\"anyOf\": [{\"type\": \"integer\", \"minimum\": 0}, {\"type\": \"string\", \"pattern\": \"^=\"}]},\n"
+    "    \"count\": {\"anyOf\": [{\"type\": \"integer\", \"minimum\": 0}, {\"type\": "
+    "\"string\", \"pattern\": \"^=\"}]},\n"
     "    \"feature\": {\"type\": [\"string\", \"number\"]},\n"
     "    \"text\": {\"type\": [\"string\", \"number\", \"boolean\"]},\n"
     "    \"file\": {\"type\": \"string\"},\n"
     "    \"yes-no\": {\"enum\": [\"yes\", \"no\", true, false]},\n"
-    "    \"point\": {\"anyOf\": [{\"enum\": [\"origin\", \"x\", \"y\", \"z\", \"-x\", \"-y\", \"-z\"]}, "
-    "{\"type\": \"array\", \"minItems\": 2, \"maxItems\": 3, \"items\": {\"$ref\": \"#/$defs/length\"}}]},\n"
-    "    \"range\": {\"type\": \"array\", \"minItems\": 2, \"maxItems\": 2, \"items\": {\"$ref\": \"#/$defs/length\"}},\n";
+    "    \"point\": {\"anyOf\": [{\"enum\": [\"origin\", \"x\", \"y\", \"z\", \"-x\", \"-y\", "
+    "\"-z\"]}, "
+    "{\"type\": \"array\", \"minItems\": 2, \"maxItems\": 3, \"items\": {\"$ref\": "
+    "\"#/$defs/length\"}}]},\n"
+    "    \"range\": {\"type\": \"array\", \"minItems\": 2, \"maxItems\": 2, \"items\": "
+    "{\"$ref\": \"#/$defs/length\"}},\n";
 
 batten_status batten_design_schema(char **json)
 {

@@ -110,7 +110,8 @@ static const char *unit_after(const char *at, char *name)
     return at + length;
 }
 
-static const char *const angle_words[] = {"deg", "degree", "degrees", "rad", "radian", "radians"};
+static const char *const angle_words[] = {"deg", "degree", "degrees",
+                                          "rad", "radian", "radians"};
 
 static double angle_unit(const char *name)
 {
@@ -168,7 +169,8 @@ static batten_status read_literal(reader *r, bat_quantity *out)
         const double radians = angle_unit(unit);
         if (metres <= 0 && radians <= 0)
             return bat_fail(BATTEN_BAD_FORMAT,
-                            "'%s' is no unit; known are m mm cm km um in ft mil mi deg rad", unit);
+                            "'%s' is no unit; known are m mm cm km um in ft mil mi deg rad",
+                            unit);
         r->at = after;
         made.length = metres > 0;
         made.angle = metres <= 0;
@@ -212,8 +214,22 @@ static bool same_dimension(const bat_quantity *a, const bat_quantity *b)
 /* ---- operators and functions ---- */
 
 typedef enum {
-    ADD, SUBTRACT, MULTIPLY, DIVIDE, POWER, NEGATE, OPEN, CALL_OPEN, COMMA,
-    SIN, COS, TAN, SQRT, ABS, MIN, MAX
+    ADD,
+    SUBTRACT,
+    MULTIPLY,
+    DIVIDE,
+    POWER,
+    NEGATE,
+    OPEN,
+    CALL_OPEN,
+    COMMA,
+    SIN,
+    COS,
+    TAN,
+    SQRT,
+    ABS,
+    MIN,
+    MAX
 } operation;
 
 /* Values and operations that wait: Dijkstra's shunting yard. */
@@ -229,7 +245,7 @@ static const struct {
     const char *name;
     operation operation;
     int arguments; /* 0: two or more */
-} functions[] = {{"sin", SIN, 1},   {"cos", COS, 1}, {"tan", TAN, 1}, {"sqrt", SQRT, 1},
+} functions[] = {{"sin", SIN, 1}, {"cos", COS, 1}, {"tan", TAN, 1}, {"sqrt", SQRT, 1},
                  {"abs", ABS, 1}, {"min", MIN, 0}, {"max", MAX, 0}};
 
 static int function_of(const char *name, size_t length)
@@ -265,7 +281,8 @@ static batten_status raise_to(const bat_quantity *a, const bat_quantity *b, bat_
         return bat_fail(BATTEN_BAD_FORMAT, "an exponent must be a number without a unit");
     if ((a->length || a->angle) && (k != floor(k) || fabs(k) > 9))
         return bat_fail(BATTEN_BAD_FORMAT,
-                        "a length or angle can be raised to whole numbers up to 9, not to %g", k);
+                        "a length or angle can be raised to whole numbers up to 9, not to %g",
+                        k);
     const int whole = a->length || a->angle ? (int)k : 0;
     *out = (bat_quantity){pow(a->value, k), a->length * whole, a->angle * whole};
     return BATTEN_OK;
@@ -509,7 +526,8 @@ static batten_status evaluate(yard *y, bat_quantity *out)
 {
     bool wants_value = true;
     batten_status status = BATTEN_OK;
-    for (y->read.at = skip_blanks(y->read.at); status == BATTEN_OK && (*y->read.at || wants_value);
+    for (y->read.at = skip_blanks(y->read.at);
+         status == BATTEN_OK && (*y->read.at || wants_value);
          y->read.at = skip_blanks(y->read.at))
         status = wants_value ? take_operand(y, &wants_value) : take_operator(y, &wants_value);
     if (status == BATTEN_OK)
@@ -533,8 +551,8 @@ static batten_status read_signed(reader *r, bat_quantity *out)
     if (status != BATTEN_OK)
         return status;
     if (*skip_blanks(r->at))
-        return bat_fail(BATTEN_BAD_FORMAT, "\"%.60s\" is no number: \"%.40s\" is left over", begin,
-                        skip_blanks(r->at));
+        return bat_fail(BATTEN_BAD_FORMAT, "\"%.60s\" is no number: \"%.40s\" is left over",
+                        begin, skip_blanks(r->at));
     if (minus)
         made.value = -made.value;
     *out = made;
@@ -565,7 +583,8 @@ batten_status bat_count_read(const char *text, int *out)
         return bat_fail(BATTEN_BAD_FORMAT, "a whole number is expected, not nothing");
     for (const char *c = text; *c; c++) {
         if (!is_digit(*c))
-            return bat_fail(BATTEN_BAD_FORMAT, "a whole number is expected, not \"%.40s\"", text);
+            return bat_fail(BATTEN_BAD_FORMAT, "a whole number is expected, not \"%.40s\"",
+                            text);
         if (value > (INT_MAX - (*c - '0')) / 10)
             return bat_fail(BATTEN_OVERFLOW, "the count %.40s is above the largest, %d", text,
                             INT_MAX);

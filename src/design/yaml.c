@@ -21,9 +21,9 @@ typedef struct {
     size_t skipped; /* the byte order mark */
     int capacity;
     int nesting, depth;
-    int open[MOST_NESTING];   /* the lists and maps that are not closed yet */
-    int last[MOST_NESTING];   /* the last item of each, or -1 */
-    int key[MOST_NESTING];    /* of a map: the key that waits for its value, or -1 */
+    int open[MOST_NESTING]; /* the lists and maps that are not closed yet */
+    int last[MOST_NESTING]; /* the last item of each, or -1 */
+    int key[MOST_NESTING];  /* of a map: the key that waits for its value, or -1 */
     bool seen_document;
 } builder;
 
@@ -145,7 +145,8 @@ static batten_status open_node(builder *b, const yaml_event_t *event)
     if (expects_key(b))
         return refuse(b, &event->start_mark, "a key must be a word, not a list or map");
     if (b->depth == b->nesting) {
-        *b->place = (bat_place){(int)event->start_mark.line + 1, (int)event->start_mark.column + 1};
+        *b->place =
+            (bat_place){(int)event->start_mark.line + 1, (int)event->start_mark.column + 1};
         return bat_fail(BATTEN_TOO_LARGE, "lists and maps nest deeper than the limit, %d",
                         b->nesting);
     }
@@ -195,8 +196,9 @@ static batten_status check_keys(builder *b, const bat_node *map)
     if (!again)
         return BATTEN_OK;
     *b->place = (bat_place){again->line, again->column};
-    return bat_fail(BATTEN_BAD_FORMAT, "'%s' stands here a second time; it is already in line %d",
-                    again->word, before->line);
+    return bat_fail(BATTEN_BAD_FORMAT,
+                    "'%s' stands here a second time; it is already in line %d", again->word,
+                    before->line);
 }
 
 static batten_status close_node(builder *b, const yaml_event_t *event)
@@ -227,7 +229,8 @@ static batten_status take_event(builder *b, const yaml_event_t *event)
         return refuse(b, &event->start_mark, "aliases (*name) are not used in designs");
     case YAML_DOCUMENT_START_EVENT:
         if (b->seen_document)
-            return refuse(b, &event->start_mark, "a second document begins here; one is allowed");
+            return refuse(b, &event->start_mark,
+                          "a second document begins here; one is allowed");
         b->seen_document = true;
         return BATTEN_OK;
     default:
@@ -254,8 +257,8 @@ static bat_place place_of_byte(const char *text, size_t byte)
 static batten_status check_bytes(const char *text, size_t length, bat_place *place)
 {
     *place = (bat_place){1, 1};
-    const bool marked = length >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 ||
-                                        memcmp(text, "\xFE\xFF", 2) == 0);
+    const bool marked =
+        length >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0);
     const bool zeros = length >= 2 && (!text[0]) != (!text[1]);
     if (marked || zeros)
         return bat_fail(BATTEN_BAD_FORMAT, "the text is UTF-16; save it as UTF-8");
@@ -281,7 +284,8 @@ static batten_status yaml_failed(const yaml_parser_t *parser, const char *text, 
         *place = place_of_byte(text, byte);
         return bat_fail(BATTEN_BAD_FORMAT, "%s at byte %zu", problem, byte);
     }
-    *place = (bat_place){(int)parser->problem_mark.line + 1, (int)parser->problem_mark.column + 1};
+    *place =
+        (bat_place){(int)parser->problem_mark.line + 1, (int)parser->problem_mark.column + 1};
     return bat_fail(BATTEN_BAD_FORMAT, "%s%s%s", parser->context ? parser->context : "",
                     parser->context ? ", " : "", problem);
 }

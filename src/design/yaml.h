@@ -9,14 +9,15 @@ typedef enum { BAT_NODE_WORD, BAT_NODE_LIST, BAT_NODE_MAP } bat_node_kind;
  * nodes[i] .. nodes[after - 1]. */
 typedef struct {
     bat_node_kind kind;
-    bool plain;        /* a word without quotes */
-    bool flow;         /* a list or map in brackets */
-    size_t begin, end; /* its bytes in the text; of a block list or map, up to its last item's end */
-    int line, column;  /* from 1; columns count characters */
-    const char *word;  /* of a word: what it says, without quotes */
-    int count;         /* of a list or map: how many items */
-    int first, next;   /* the first item, the next item of the parent; -1 for none */
-    int key;           /* of an item of a map: the word that is its key; else -1 */
+    bool plain; /* a word without quotes */
+    bool flow;  /* a list or map in brackets */
+    size_t begin,
+        end; /* its bytes in the text; of a block list or map, up to its last item's end */
+    int line, column; /* from 1; columns count characters */
+    const char *word; /* of a word: what it says, without quotes */
+    int count;        /* of a list or map: how many items */
+    int first, next;  /* the first item, the next item of the parent; -1 for none */
+    int key;          /* of an item of a map: the word that is its key; else -1 */
     int after;
 } bat_node;
 
@@ -32,8 +33,8 @@ typedef struct {
 } bat_place;
 
 /*
- * Parse YAML. Anchors, aliases, tags, block scalars, several documents, keys that are no words, and
- * equal keys in one map are refused, and so is what nests deeper than `nesting`.
+ * Parse YAML. Anchors, aliases, tags, block scalars, several documents, keys that are no words,
+ * and equal keys in one map are refused, and so is what nests deeper than `nesting`.
  *
  * @param[out] tree   free it with bat_tree_free, also after a failure
  * @param[out] place  where it is wrong

@@ -22,14 +22,13 @@ static const bat_argument *argument(const bat_document *d, const char *feature, 
 TEST(arguments_have_the_type_of_their_parameter)
 {
     bat_document d;
-    static const char good[] =
-        "batten: 1\nunits: mm\nfeatures:\n"
-        "  p: {points: [[1 m, 2 in], x]}\n"
-        "  one: {points: -x}\n"
-        "  m: {mirror: one, plane: z, at: 3 cm, keep: no}\n"
-        "  all: {collect: [one, m]}\n"
-        "  r: {rotate: one, by: 90 deg}\n"
-        "outputs:\n  all.xyz: [p, one]\n";
+    static const char good[] = "batten: 1\nunits: mm\nfeatures:\n"
+                               "  p: {points: [[1 m, 2 in], x]}\n"
+                               "  one: {points: -x}\n"
+                               "  m: {mirror: one, plane: z, at: 3 cm, keep: no}\n"
+                               "  all: {collect: [one, m]}\n"
+                               "  r: {rotate: one, by: 90 deg}\n"
+                               "outputs:\n  all.xyz: [p, one]\n";
     CHECK_OK(parse(good, &d));
     const bat_argument *points = argument(&d, "p", 0);
     CHECK_INT(points->count, 2);
@@ -55,11 +54,13 @@ TEST(arguments_of_the_wrong_kind_say_what_is_expected)
     static const struct {
         const char *feature, *says;
     } rows[] = {
-        {"{rotate: p, by: 3}", "'by' of rotate needs an angle (with deg or rad); '3' is a number"},
+        {"{rotate: p, by: 3}",
+         "'by' of rotate needs an angle (with deg or rad); '3' is a number"},
         {"{rotate: p, by: 3 m}", "'3 m' is a length"},
         {"{scale: p, by: 3 m}", "'by' of scale needs a number; '3 m' is a length"},
         {"{move: p, by: up}", "or one of origin x y z -x -y -z, not 'up'"},
-        {"{mirror: p, plane: center}", "cannot be 'center'; did you mean 'centre'?; it is one of: centre x y z"},
+        {"{mirror: p, plane: center}",
+         "cannot be 'center'; did you mean 'centre'?; it is one of: centre x y z"},
         {"{mirror: p, keep: maybe}", "must be yes or no, not 'maybe'"},
         {"{mirror: [p]}", "mirror needs the name of a feature, not a list"},
         {"{mirror: {a: b}}", "not a map"},
@@ -70,8 +71,8 @@ TEST(arguments_of_the_wrong_kind_say_what_is_expected)
     for (int i = 0; i < COUNT(rows); i++) {
         char source[300];
         bat_document d;
-        snprintf(source, sizeof source, "batten: 1\nfeatures:\n  p: {points: [0, 0]}\n  a: %s\n",
-                 rows[i].feature);
+        snprintf(source, sizeof source,
+                 "batten: 1\nfeatures:\n  p: {points: [0, 0]}\n  a: %s\n", rows[i].feature);
         CHECK_STATUS(parse(source, &d), BATTEN_BAD_FORMAT);
         CHECK_MESSAGE(rows[i].says);
     }

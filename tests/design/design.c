@@ -76,8 +76,9 @@ TEST(a_failed_edit_leaves_the_design_as_it_was)
 
 TEST(a_failing_feature_is_named_and_the_others_are_done)
 {
-    static const char bad[] = "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, 0], [2, 0]], columns: 2}\n"
-                              "  b: {collect: a}\n  c: {points: [0, 0]}\n";
+    static const char bad[] =
+        "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, 0], [2, 0]], columns: 2}\n"
+        "  b: {collect: a}\n  c: {points: [0, 0]}\n";
     batten_design *design = NULL;
     CHECK_OK(parse(bad, &design));
     CHECK_STATUS(batten_design_evaluate(design, NULL, NULL, NULL), BATTEN_BAD_ARGUMENT);
@@ -95,7 +96,6 @@ typedef struct {
     int answers;
     double last;
 } watcher;
-
 
 static void hear(void *user, double fraction, const char *what)
 {

@@ -19,8 +19,8 @@ static batten_status parse(const char *text, batten_design **out)
     *said = 0;
     for (int i = 0; notes && i < batten_notes_count(notes); i++) {
         const batten_note *n = batten_notes_at(notes, i);
-        used += (size_t)snprintf(said + used, sizeof said - used, "%s:%d: %s: %s\n", n->file, n->line,
-                                 n->entity, n->text);
+        used += (size_t)snprintf(said + used, sizeof said - used, "%s:%d: %s: %s\n", n->file,
+                                 n->line, n->entity, n->text);
     }
     if (notes && batten_notes_dropped(notes))
         *said = 0; /* no memory for one of them: borne silently */
@@ -56,41 +56,61 @@ TEST(errors_name_file_line_column_and_the_nearest_name)
         {"batten: 1\ntolerance: 0 mm\n", "must be above 0"},
         {"batten: 1\ntolerance: -1 mm\n", "must be above 0"},
         {"batten: 1\ntolerance: x\n", "hull.yaml:2:12: "},
-        {"batten: 1\nfeature:\n  a: {points: [0, 0]}\n", "hull.yaml:2:1: a design has no section 'feature'; did you mean 'features'?"},
+        {"batten: 1\nfeature:\n  a: {points: [0, 0]}\n",
+         "hull.yaml:2:1: a design has no section 'feature'; did you mean 'features'?"},
         {"- a\n", "hull.yaml:1:1: a design begins with"},
         {"batten: 1\nfeatures: 3\n", "'features' needs lines"},
         {"batten: 1\nfeatures:\n  a: 3\n", "hull.yaml:3:6: the feature 'a' needs the form"},
-        {"batten: 1\nfeatures:\n  a: {pionts: [0, 0]}\n", "hull.yaml:3:7: there is no operation 'pionts'; did you mean 'points'?"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0], clumns: 3}\n", "hull.yaml:3:23: points has no parameter 'clumns'; did you mean 'columns'?"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 1e3}\n", "hull.yaml:3:32: 'columns' of points is wrong: a whole number"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: -1}\n", "a whole number is expected, not \"-1\""},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 2147483648}\n", "above the largest"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: =1/2}\n", "must be a whole number, not 0.5"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, nan]}\n", "hull.yaml:3:19: points needs a length: a number is expected at \"nan\""},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 3 deg]}\n", "points needs a length; '3 deg' is an angle"},
+        {"batten: 1\nfeatures:\n  a: {pionts: [0, 0]}\n",
+         "hull.yaml:3:7: there is no operation 'pionts'; did you mean 'points'?"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0], clumns: 3}\n",
+         "hull.yaml:3:23: points has no parameter 'clumns'; did you mean 'columns'?"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 1e3}\n",
+         "hull.yaml:3:32: 'columns' of points is wrong: a whole number"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: -1}\n",
+         "a whole number is expected, not \"-1\""},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 2147483648}\n",
+         "above the largest"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0], columns: =1/2}\n",
+         "must be a whole number, 0 or more; '=1/2' is none"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, nan]}\n",
+         "hull.yaml:3:19: points needs a length: a number is expected at \"nan\""},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 3 deg]}\n",
+         "points needs a length; '3 deg' is an angle"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 1, 2, 3]}\n", "not 4 values"},
         {"batten: 1\nfeatures:\n  a: {points: {x: 1}}\n", "not a map"},
         {"batten: 1\nfeatures:\n  a: {points: []}\n", "at least one value"},
         {"batten: 1\nfeatures:\n  a: {points: [[0, [1]]]}\n", "list where a length"},
         {"batten: 1\nfeatures:\n  a: {points: left}\n", "one of origin x y z"},
-        {"batten: 1\nfeatures:\n  a: {columns: 3, points: [0, 0]}\n", "the first key names the operation"},
-        {"batten: 1\nfeatures:\n  a: {collect: stations}\n  station: {points: [0, 0]}\n", "hull.yaml:3:16: no feature is named 'stations'; did you mean 'station'?"},
-        {"batten: 1\nfeatures:\n  a: {collect: b}\n  b: {collect: a}\n", "features need each other in a ring: a -> b -> a"},
+        {"batten: 1\nfeatures:\n  a: {columns: 3, points: [0, 0]}\n",
+         "the first key names the operation"},
+        {"batten: 1\nfeatures:\n  a: {collect: stations}\n  station: {points: [0, 0]}\n",
+         "hull.yaml:3:16: no feature is named 'stations'; did you mean 'station'?"},
+        {"batten: 1\nfeatures:\n  a: {collect: b}\n  b: {collect: a}\n",
+         "features need each other in a ring: a -> b -> a"},
         {"batten: 1\nfeatures:\n  a: {collect: a}\n", "a -> a"},
-        {"batten: 1\nfeatures:\n  a: {select: b}\n  b: {points: [0, 0]}\n", "select of 'a' needs 'names'"},
-        {"batten: 1\nfeatures:\n  a: {write: b}\n", "hull.yaml:3:7: 'write' stands under 'outputs'"},
+        {"batten: 1\nfeatures:\n  a: {select: b}\n  b: {points: [0, 0]}\n",
+         "select of 'a' needs 'names'"},
+        {"batten: 1\nfeatures:\n  a: {write: b}\n",
+         "hull.yaml:3:7: 'write' stands under 'outputs'"},
         {"batten: 1\nfeatures:\n  '': {points: [0, 0]}\n", "a name is missing"},
-        {"batten: 1\nfeatures:\n  a: {points: [0, 0]}\n  a: {points: [1, 1]}\n", "hull.yaml:4:3: 'a' stands here a second time"},
-        {"batten: 1\nparameters:\n  a: =b\n  b: =a\n", "parameters need each other in a ring: a -> b -> a"},
-        {"batten: 1\nparameters:\n  a: =bee\n  beam: 3\n  bees: 1\n", "hull.yaml:3:6: no parameter is named 'bee'; did you mean 'bees'?"},
+        {"batten: 1\nfeatures:\n  a: {points: [0, 0]}\n  a: {points: [1, 1]}\n",
+         "hull.yaml:4:3: 'a' stands here a second time"},
+        {"batten: 1\nparameters:\n  a: =b\n  b: =a\n",
+         "parameters need each other in a ring: a -> b -> a"},
+        {"batten: 1\nparameters:\n  a: =bee\n  beam: 3\n  bees: 1\n",
+         "hull.yaml:3:6: no parameter is named 'bee'; did you mean 'bees'?"},
         {"batten: 1\nparameters:\n  3a: 1\n", "'3a' cannot name a parameter"},
         {"batten: 1\nparameters:\n  sin: 1\n", "'sin' cannot name a parameter"},
         {"batten: 1\nparameters:\n  a: [1]\n", "the parameter a must be a number"},
-        {"batten: 1\nparameters:\n  a: 1e400\n", "hull.yaml:3:6: the number \"1e400\" is too large"},
-        {"batten: 1\nparameters:\n  a: 3 m\nfeatures:\n  b: {points: [[=max(a, 1), 0]]}\n", "points"},
+        {"batten: 1\nparameters:\n  a: 1e400\n",
+         "hull.yaml:3:6: the number \"1e400\" is too large"},
+        {"batten: 1\nparameters:\n  a: 3 m\nfeatures:\n  b: {points: [[=max(a, 1), 0]]}\n",
+         "points"},
         {"batten: 1\noutputs:\n  ../a.step: b\n", "leads out of the folder"},
         {"batten: 1\noutputs:\n  a.step: b\n", "hull.yaml:3:11: no feature is named 'b'"},
-        {"batten: 1\noutputs:\n  a.step: {points: [0, 0]}\n", "'points' stands under 'features'"},
+        {"batten: 1\noutputs:\n  a.step: {points: [0, 0]}\n",
+         "'points' stands under 'features'"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;
@@ -139,12 +159,14 @@ TEST(F2_a_design_cut_anywhere_is_refused_or_whole)
 
 TEST(parameters_may_stand_in_any_order)
 {
-    static const char text[] = "batten: 1\nunits: mm\nparameters:\n  half: =beam / 2\n  beam: =length/4\n"
-                               "  length: 12 m\nfeatures:\n  a: {points: [=half, =beam]}\n";
+    static const char text[] =
+        "batten: 1\nunits: mm\nparameters:\n  half: =beam / 2\n  beam: =length/4\n"
+        "  length: 12 m\nfeatures:\n  a: {points: [=half, =beam]}\n";
     batten_design *design = NULL;
     CHECK_OK(parse(text, &design));
     CHECK_OK(batten_design_evaluate(design, NULL, NULL, NULL));
-    const batten_object *points = batten_model_object(batten_design_result(design, "a")->value, 0);
+    const batten_object *points =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
     CHECK_BITS(points->points[0], 1500);
     CHECK_BITS(points->points[1], 3000);
     batten_design_free(design);
@@ -153,7 +175,8 @@ TEST(parameters_may_stand_in_any_order)
 TEST(N3_a_vanishing_number_is_noted)
 {
     batten_design *design = NULL;
-    CHECK_OK(parse("batten: 1\nparameters: {a: 1e-400}\nfeatures: {p: {points: [1e-400, 1]}}\n", &design));
+    CHECK_OK(parse("batten: 1\nparameters: {a: 1e-400}\nfeatures: {p: {points: [1e-400, 1]}}\n",
+                   &design));
     batten_design_free(design);
     if (*said)
         CHECK_CONTAINS(said, "became 0");

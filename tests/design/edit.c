@@ -11,12 +11,15 @@ static batten_status parse(const char *source, batten_design **out)
 
 static const char *const styles[] = {
     "batten: 1\nunits: m # metres\nparameters:\n  x: 1 m   # the first\n  'y': 2\nfeatures:\n"
-    "  a: {points: [[0, 0], [=x, 0]], columns: 2} # two\n  b:\n    points: [[0, 1], [2, 1]]   # tail\n"
+    "  a: {points: [[0, 0], [=x, 0]], columns: 2} # two\n  b:\n    points: [[0, 1], [2, 1]]   "
+    "# tail\n"
     "    columns: 1\n\n# end\noutputs:\n  b.csv: {write: b}\n",
     "batten: 1\r\nunits: m\r\nparameters: {x: 1 m, 'y': 2}\r\nfeatures:\r\n"
     "  a: {points: [[0, 0], [=x, 0]], columns: 2}\r\n  b:\r\n    points: [[0, 1], [2, 1]]\r\n"
     "    columns: 1\r\noutputs: {b.csv: {write: b}}",
-    "\xEF\xBB\xBF" "{batten: 1, units: \"m\", parameters: {x: 1 m, 'y': 2}, features: {a: {points: [[0, 0], [=x, 0]], columns: 2},"
+    "\xEF\xBB\xBF"
+    "{batten: 1, units: \"m\", parameters: {x: 1 m, 'y': 2}, features: {a: {points: [[0, 0], "
+    "[=x, 0]], columns: 2},"
     " b: {points: [[0, 1],\n [2, 1]], columns: 1}}, outputs: {b.csv: {write: b}}}\n",
 };
 
@@ -84,12 +87,14 @@ TEST(a_new_key_is_appended_in_the_style_of_its_map)
          "batten: 1\r\nfeatures:\r\n  a:\r\n    points: [0, 0]\r\n    columns: 1"},
         {"batten: 1", "units", "mm", "batten: 1\nunits: mm"},
         {"{batten: 1}\n", "units", "mm", "{batten: 1, units: mm}\n"},
-        {"batten: 1\nparameters: {}\n", "parameters.x", "3 m", "batten: 1\nparameters: {x: 3 m}\n"},
+        {"batten: 1\nparameters: {}\n", "parameters.x", "3 m",
+         "batten: 1\nparameters: {x: 3 m}\n"},
         {"batten: 1\nfeatures:\n  a: {points: [0, 0], }\n", "features.a.columns", "1",
          "batten: 1\nfeatures:\n  a: {points: [0, 0], columns: 1, }\n"},
-        {"batten: 1\nfeatures:\n  a:\n    points:\n      - [0, 0]\n      - [1, 0]\n", "features.b",
-         "{collect: a}",
-         "batten: 1\nfeatures:\n  a:\n    points:\n      - [0, 0]\n      - [1, 0]\n  b: {collect: a}\n"},
+        {"batten: 1\nfeatures:\n  a:\n    points:\n      - [0, 0]\n      - [1, 0]\n",
+         "features.b", "{collect: a}",
+         "batten: 1\nfeatures:\n  a:\n    points:\n      - [0, 0]\n      - [1, 0]\n  b: "
+         "{collect: a}\n"},
         {"batten: 1\nparameters: {x: 1}\n", "parameters.y", "=max(x, 2)",
          "batten: 1\nparameters: {x: 1, y: '=max(x, 2)'}\n"},
     };
@@ -107,10 +112,18 @@ TEST(what_would_change_more_than_the_value_is_refused)
     static const struct {
         const char *path, *value;
     } rows[] = {
-        {"parameters.x", ""},        {"parameters.x", "1\ny: 2"},    {"parameters.x", "1 # no"},
-        {"features.a.columns", "1}"}, {"features.a.columns", "2, x: 3"}, {"parameters.x", "[1"},
-        {"parameters.x", "&a 1"},    {"", "1"},                      {"parameters.x", "'open"},
-        {"batten.x", "1"},           {"other.x", "1"},               {"features.b", "{collect: a}"},
+        {"parameters.x", ""},
+        {"parameters.x", "1\ny: 2"},
+        {"parameters.x", "1 # no"},
+        {"features.a.columns", "1}"},
+        {"features.a.columns", "2, x: 3"},
+        {"parameters.x", "[1"},
+        {"parameters.x", "&a 1"},
+        {"", "1"},
+        {"parameters.x", "'open"},
+        {"batten.x", "1"},
+        {"other.x", "1"},
+        {"features.b", "{collect: a}"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;

@@ -66,9 +66,9 @@ static void run_example(const batten_feature *feature)
 }
 
 /* In several tests, so that each is short when allocations fail one after another. */
-#define EXAMPLES_FROM(first)                                                                   \
-    for (int i = first; i < (first) + 8 && i < batten_feature_count(); i++)                    \
-        run_example(batten_feature_at(i))
+#define EXAMPLES_FROM(first)                                                \
+    for (int i = first; i < (first) + 8 && i < batten_feature_count(); i++) \
+    run_example(batten_feature_at(i))
 
 TEST(the_examples_of_the_manual_work_0)
 {

@@ -11,7 +11,8 @@ TEST(each_thing_comes_after_what_it_needs)
         int begin[61], needs[600], order[60], place[60], cycle[61], used = 0;
         for (int i = 0; i < count; i++) {
             begin[i] = used;
-            for (int k = 0; k < 5 && i > 0; k++) /* things of larger index need smaller ones, reversed */
+            for (int k = 0; k < 5 && i > 0;
+                 k++) /* things of larger index need smaller ones, reversed */
                 if (test_random_unit(&random) < 0.5)
                     needs[used++] = test_random_int(&random, 0, i - 1);
         }
@@ -50,8 +51,10 @@ TEST(a_ring_is_shown_with_its_members_in_order)
 TEST(S4_a_chain_of_a_hundred_thousand_needs_no_deep_stack)
 {
     const int count = 100000;
-    int *begin = test_array(count + 1, sizeof *begin), *needs = test_array(count, sizeof *needs);
-    int *order = test_array(count, sizeof *order), *cycle = test_array(count + 1, sizeof *cycle);
+    int *begin = test_array(count + 1, sizeof *begin),
+        *needs = test_array(count, sizeof *needs);
+    int *order = test_array(count, sizeof *order),
+        *cycle = test_array(count + 1, sizeof *cycle);
     bool *marked = test_array(count, sizeof *marked);
     for (int i = 0; i < count; i++) {
         begin[i] = i;

@@ -9,8 +9,10 @@
 
 TEST(paths_that_leave_the_folder_are_seen)
 {
-    static const char *const leave[] = {"/x", "..", "../x", "a/../../x", "a/b/../../../x", "./.."};
-    static const char *const stay[] = {"x", "a/x", "a/../x", "./x", "a/b/../../x", "..x", "a//x", ""};
+    static const char *const leave[] = {"/x",  "..", "../x", "a/../../x", "a/b/../../../x",
+                                        "./.."};
+    static const char *const stay[] = {"x",           "a/x", "a/../x", "./x",
+                                       "a/b/../../x", "..x", "a//x",   ""};
     for (int i = 0; i < COUNT(leave); i++)
         CHECK(bat_path_leaves(leave[i]));
     for (int i = 0; i < COUNT(stay); i++)

@@ -35,9 +35,11 @@ TEST(shapes_stand_in_the_frame_of_their_axis)
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;
         CHECK_OK(make(rows[i].feature, &design));
-        const batten_object *object = batten_model_object(batten_design_result(design, "a")->value, 0);
+        const batten_object *object =
+            batten_model_object(batten_design_result(design, "a")->value, 0);
         double p[3];
-        CHECK_OK(batten_curve_evaluate(object->curve, batten_curve_domain(object->curve).a, 0, p));
+        CHECK_OK(
+            batten_curve_evaluate(object->curve, batten_curve_domain(object->curve).a, 0, p));
         CHECK_NEAR(p[0], rows[i].x, 1e-14);
         CHECK_NEAR(p[1], rows[i].y, 1e-14);
         CHECK_NEAR(p[2], rows[i].z, 1e-14);

@@ -27,8 +27,10 @@ static const batten_object *object(const batten_design *design, const char *feat
 TEST(an_operation_applies_to_all_objects_of_its_kind)
 {
     batten_design *design = NULL;
-    CHECK_OK(make("  a: {line: [[0, 0], [3, 0]]}\n  b: {line: [[0, 1], [3, 1]]}\n  p: {points: [0, 9]}\n"
-                  "  all: {collect: [a, b, p]}\n  up: {elevate: all, by: 2}\n", &design));
+    CHECK_OK(make(
+        "  a: {line: [[0, 0], [3, 0]]}\n  b: {line: [[0, 1], [3, 1]]}\n  p: {points: [0, 9]}\n"
+        "  all: {collect: [a, b, p]}\n  up: {elevate: all, by: 2}\n",
+        &design));
     CHECK_INT(batten_model_count(batten_design_result(design, "up")->value), 3);
     CHECK_INT(batten_curve_degree(object(design, "up", 0)->curve), 3);
     CHECK_INT(batten_curve_degree(object(design, "up", 1)->curve), 3);
@@ -40,7 +42,8 @@ TEST(an_operation_applies_to_all_objects_of_its_kind)
 TEST(what_is_missing_for_an_operation_is_said)
 {
     batten_design *design = NULL;
-    CHECK_STATUS(make("  p: {points: [0, 9]}\n  e: {elevate: p}\n", &design), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(make("  p: {points: [0, 9]}\n  e: {elevate: p}\n", &design),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("e (elevate): curves or surfaces are needed, and 'p' has none");
     CHECK_STATUS(make("  p: {points: [0, 9]}\n  e: {swap: p}\n", &design), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("surfaces are needed");
@@ -49,8 +52,10 @@ TEST(what_is_missing_for_an_operation_is_said)
 TEST(a_mirrored_mirror_image_is_the_original)
 {
     batten_design *design = NULL;
-    CHECK_OK(make("  a: {interpolate: p}\n  p: {points: [[0, 1, 2], [3, 2, 1], [4, 4, 1], [7, 5, 3]]}\n"
-                  "  b: {mirror: a, keep: no}\n  c: {mirror: b, keep: no}\n  both: {mirror: a}\n", &design));
+    CHECK_OK(make(
+        "  a: {interpolate: p}\n  p: {points: [[0, 1, 2], [3, 2, 1], [4, 4, 1], [7, 5, 3]]}\n"
+        "  b: {mirror: a, keep: no}\n  c: {mirror: b, keep: no}\n  both: {mirror: a}\n",
+        &design));
     const batten_object *a = object(design, "a", 0), *c = object(design, "c", 0);
     for (int i = 0; i < 3 * batten_curve_point_count(a->curve); i++)
         CHECK_NEAR(batten_curve_points(a->curve)[i], batten_curve_points(c->curve)[i], 1e-14);
@@ -90,8 +95,10 @@ TEST(moving_rotating_and_scaling_do_what_they_say)
 TEST(G1_points_that_coincide_are_named)
 {
     batten_design *design = NULL;
-    CHECK_STATUS(make("  p: {points: [[0, 0], [1, 1], [1, 1], [2, 0]]}\n  c: {interpolate: p}\n", &design),
-                 BATTEN_COINCIDENT);
+    CHECK_STATUS(
+        make("  p: {points: [[0, 0], [1, 1], [1, 1], [2, 0]]}\n  c: {interpolate: p}\n",
+             &design),
+        BATTEN_COINCIDENT);
     CHECK_MESSAGE("c (interpolate): p: ");
 }
 
@@ -101,7 +108,8 @@ TEST(G2_two_points_give_their_line)
     CHECK_OK(make("  p: {points: [[0, 0], [1, 1]]}\n  c: {interpolate: p}\n", &design));
     double point[3];
     CHECK_OK(batten_curve_evaluate(object(design, "c", 0)->curve,
-                                   0.5 * batten_curve_domain(object(design, "c", 0)->curve).b, 0, point));
+                                   0.5 * batten_curve_domain(object(design, "c", 0)->curve).b,
+                                   0, point));
     CHECK_NEAR(point[0], 0.5, 1e-15);
     CHECK_NEAR(point[1], 0.5, 1e-15);
     batten_design_free(design);
@@ -110,10 +118,16 @@ TEST(G2_two_points_give_their_line)
 TEST(wrong_numbers_of_points_and_factors_are_refused)
 {
     static const char *const rows[] = {
-        "{line: [[0, 0]]}", "{line: [[0, 0], [1, 1], [2, 2]]}", "{conic: [[0, 0], [1, 1]]}",
-        "{conic: [[0, 0, 1], [1, 1], [2, 0]], through: [1, 0.3]}", "{scale: p, by: [1, 2]}",
-        "{scale: p, by: 0}", "{points: [[0, 0], [1, 1], [2, 2]], columns: 2}",
-        "{points: [[0, 0]], columns: 0}", "{move: p, by: [1]}", "{mirror: p, normal: origin}",
+        "{line: [[0, 0]]}",
+        "{line: [[0, 0], [1, 1], [2, 2]]}",
+        "{conic: [[0, 0], [1, 1]]}",
+        "{conic: [[0, 0, 1], [1, 1], [2, 0]], through: [1, 0.3]}",
+        "{scale: p, by: [1, 2]}",
+        "{scale: p, by: 0}",
+        "{points: [[0, 0], [1, 1], [2, 2]], columns: 2}",
+        "{points: [[0, 0]], columns: 0}",
+        "{move: p, by: [1]}",
+        "{mirror: p, normal: origin}",
         "{rotate: p, by: 1 rad, axis: origin}"};
     for (int i = 0; i < COUNT(rows); i++) {
         char text[200];

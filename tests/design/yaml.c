@@ -21,7 +21,8 @@ static const bat_node *at(const bat_tree *tree, int node, const char *key)
 
 TEST(words_know_their_bytes_lines_and_columns)
 {
-    static const char text[] = "a: 1 # \xC3\xA9\r\n\xC3\xA9t\xC3\xA9: {x: 'it''s', no: no}\nlist:\n  - p\n  - q r\n";
+    static const char text[] =
+        "a: 1 # \xC3\xA9\r\n\xC3\xA9t\xC3\xA9: {x: 'it''s', no: no}\nlist:\n  - p\n  - q r\n";
     bat_tree tree;
     bat_place place;
     CHECK_OK(parse(text, &tree, &place));
@@ -44,7 +45,9 @@ TEST(F4_a_byte_order_mark_is_skipped)
 {
     bat_tree tree;
     bat_place place;
-    CHECK_OK(parse("\xEF\xBB\xBF" "a: b\n", &tree, &place));
+    CHECK_OK(parse("\xEF\xBB\xBF"
+                   "a: b\n",
+                   &tree, &place));
     CHECK_INT((int)at(&tree, 0, "a")->begin, 6);
     CHECK_INT(at(&tree, 0, "a")->column, 4);
     bat_tree_free(&tree);
@@ -82,7 +85,8 @@ TEST(what_designs_do_not_use_is_refused_by_name)
 
 TEST(F1_an_empty_text_is_refused)
 {
-    static const char *const texts[] = {"", "\n", "   \n\n", "# only a comment\n", "\xEF\xBB\xBF"};
+    static const char *const texts[] = {"", "\n", "   \n\n", "# only a comment\n",
+                                        "\xEF\xBB\xBF"};
     for (int i = 0; i < COUNT(texts); i++) {
         bat_tree tree;
         bat_place place;
@@ -97,9 +101,14 @@ TEST(F4_other_encodings_and_NUL_are_refused)
         const char *bytes;
         size_t length;
         const char *says;
-    } rows[] = {{"\xFF\xFE" "a\0:\0", 6, "UTF-16"}, {"\xFE\xFF\0a\0:", 6, "UTF-16"},
-                {"a\0:\0 \0", 6, "UTF-16"},         {"a: b\nc: \0\n", 10, "NUL"},
-                {"a: \"\\0\"\n", 8, "NUL"},         {"a: \xE9\n", 5, "UTF-8"},
+    } rows[] = {{"\xFF\xFE"
+                 "a\0:\0",
+                 6, "UTF-16"},
+                {"\xFE\xFF\0a\0:", 6, "UTF-16"},
+                {"a\0:\0 \0", 6, "UTF-16"},
+                {"a: b\nc: \0\n", 10, "NUL"},
+                {"a: \"\\0\"\n", 8, "NUL"},
+                {"a: \xE9\n", 5, "UTF-8"},
                 {"a: \x01\n", 5, "control"}};
     for (int i = 0; i < COUNT(rows); i++) {
         bat_tree tree;
@@ -150,7 +159,8 @@ TEST(F3_line_ends_of_any_kind_give_the_same_words)
 
 TEST(F2_a_text_cut_anywhere_never_crashes)
 {
-    static const char text[] = "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, \"2\"]]}\n  b:\n    - x\n";
+    static const char text[] =
+        "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, \"2\"]]}\n  b:\n    - x\n";
     for (size_t length = 0; length < sizeof text; length++) {
         bat_tree tree;
         bat_place place;

@@ -3,7 +3,8 @@
 static const batten_parameter parameters[] = {
     {"arc", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the radius"},
     {"start", BATTEN_VALUE_ANGLE, false, false, "0", NULL, "where it begins"},
-    {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL, "how far it goes, up to 360 deg"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL,
+     "how far it goes, up to 360 deg"},
     BAT_PLACE,
 };
 
@@ -20,7 +21,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_arc = {
     .shown = {"arc", "A circular arc, exactly",
-              "An arc of degree 2 about 'at', in the plane at right angles to 'axis', counter-clockwise\n"
+              "An arc of degree 2 about 'at', in the plane at right angles to 'axis', "
+              "counter-clockwise\n"
               "seen against the axis. Angle 0 is along 'from', or where the plane meets the\n"
               "horizontal plane.",
               "features:\n"

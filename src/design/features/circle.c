@@ -17,7 +17,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_circle = {
     .shown = {"circle", "A full circle, exactly",
-              "A rational curve of degree 2 about 'at', in the plane at right angles to 'axis'. The\n"
+              "A rational curve of degree 2 about 'at', in the plane at right angles to "
+              "'axis'. The\n"
               "forms differ in their control points and in how evenly the parameter runs.",
               "features:\n"
               "  mast: {circle: 6 cm, at: [4 m, 0, 2 m]}\n",

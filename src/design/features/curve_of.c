@@ -9,21 +9,22 @@ static const batten_parameter parameters[] = {
     {"v", BATTEN_VALUE_NUMBER, true, false, NULL, NULL, "curves at these values of v"},
 };
 
-static batten_status add_curve(bat_run *run, const batten_object *object, batten_direction fixed,
-                               double at)
+static batten_status add_curve(bat_run *run, const batten_object *object,
+                               batten_direction fixed, double at)
 {
     char name[260], number[BATTEN_NUMBER_SIZE];
     batten_curve *curve = NULL;
     batten_object named = *object;
     batten_number_write(at, number);
-    snprintf(name, sizeof name, "%.200s %c=%s", object->name, fixed == BATTEN_U ? 'u' : 'v', number);
+    snprintf(name, sizeof name, "%.200s %c=%s", object->name, fixed == BATTEN_U ? 'u' : 'v',
+             number);
     named.name = name;
     const batten_status status = batten_surface_isocurve(object->surface, fixed, at, &curve);
     return bat_put_curve_like(run, status, curve, &named, false);
 }
 
-static batten_status add_curves(bat_run *run, const batten_object *object, const char *parameter,
-                                batten_direction fixed)
+static batten_status add_curves(bat_run *run, const batten_object *object,
+                                const char *parameter, batten_direction fixed)
 {
     const bat_argument *values = bat_argument_of(run, parameter);
     batten_status status = BATTEN_OK;

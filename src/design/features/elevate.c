@@ -11,7 +11,8 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return batten_curve_elevate(given, bat_count(run, "by"), out);
 }
 
-static batten_status surface(const bat_run *run, const batten_surface *given, batten_surface **out)
+static batten_status surface(const bat_run *run, const batten_surface *given,
+                             batten_surface **out)
 {
     return batten_surface_elevate(given, (batten_direction)bat_word(run, "direction"),
                                   bat_count(run, "by"), out);
@@ -19,7 +20,8 @@ static batten_status surface(const bat_run *run, const batten_surface *given, ba
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){curve, surface, true});
+    return bat_change_all(
+        run, &(bat_change){.curve = curve, .surface = surface, .keeps_data = true});
 }
 
 const bat_feature bat_feature_elevate = {

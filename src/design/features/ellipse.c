@@ -1,10 +1,12 @@
 #include "design/place.h"
 
 static const batten_parameter parameters[] = {
-    {"ellipse", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the first half axis, along 'from'"},
+    {"ellipse", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
+     "the first half axis, along 'from'"},
     {"b", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the second half axis"},
     {"start", BATTEN_VALUE_ANGLE, false, false, "0", NULL, "where it begins"},
-    {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL, "how far it goes, up to 360 deg"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL,
+     "how far it goes, up to 360 deg"},
     BAT_PLACE,
 };
 
@@ -18,9 +20,10 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_ellipse = {
-    .shown = {"ellipse", "An ellipse or a part of one, exactly",
-              "The point at angle t is (a cos t, b sin t) in the plane at right angles to 'axis'.",
-              "features:\n"
-              "  port: {ellipse: 20 cm, b: 12 cm, axis: y}\n",
-              "[PT97]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"ellipse", "An ellipse or a part of one, exactly",
+         "The point at angle t is (a cos t, b sin t) in the plane at right angles to 'axis'.",
+         "features:\n"
+         "  port: {ellipse: 20 cm, b: 12 cm, axis: y}\n",
+         "[PT97]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false},
     .run = run};

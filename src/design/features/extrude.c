@@ -24,10 +24,11 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_extrude = {
-    .shown = {"extrude", "The surface that a curve leaves when it is moved straight on",
-              "Every curve of the input makes one surface; u runs along the curve, v along the way.",
-              "features:\n"
-              "  deck-edge: {polyline: [[0, 1 m, 1 m], [4 m, 1.2 m, 1 m]]}\n"
-              "  bulwark: {extrude: deck-edge, along: [0, 0, 30 cm]}\n",
-              "[PT97]", "batten_surface_extruded", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"extrude", "The surface that a curve leaves when it is moved straight on",
+         "Every curve of the input makes one surface; u runs along the curve, v along the way.",
+         "features:\n"
+         "  deck-edge: {polyline: [[0, 1 m, 1 m], [4 m, 1.2 m, 1 m]]}\n"
+         "  bulwark: {extrude: deck-edge, along: [0, 0, 30 cm]}\n",
+         "[PT97]", "batten_surface_extruded", BAT_PARAMETERS(parameters), false},
     .run = run};

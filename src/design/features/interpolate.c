@@ -1,9 +1,8 @@
+#include "design/place.h"
 #include "design/rows.h"
 
 typedef enum { EACH_STATION, EACH_LINE, EACH_ROW } each;
 typedef enum { KNOTS_AUTO, KNOTS_AT_DATA, KNOTS_AVERAGED } knots;
-
-#define ENDS "not-a-knot natural clamped direction second parabolic bessel circle curvature fair"
 
 static const batten_parameter parameters[] = {
     {"interpolate", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
@@ -15,23 +14,17 @@ static const batten_parameter parameters[] = {
     {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "of the curves"},
     {"knots", BATTEN_VALUE_WORD, false, false, "auto", "auto data averaged",
      "where the knots are: at the data for cubics, else averaged"},
-    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", ENDS, "what holds at both ends"},
-    {"start", BATTEN_VALUE_WORD, false, false, NULL, ENDS, "what holds at the start"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
+     "what holds at both ends"},
+    {"start", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS, "what holds at the start"},
     {"start-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
      "the derivative, direction or curvature at the start"},
-    {"end", BATTEN_VALUE_WORD, false, false, NULL, ENDS, "what holds at the end"},
+    {"end", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS, "what holds at the end"},
     {"end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
      "the derivative, direction or curvature at the end"},
     {"periodic", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the curve closes smoothly; the first point is not repeated"},
 };
-
-static batten_end end_of(const bat_run *run, const char *own, const char *vector)
-{
-    const batten_vec3 v = bat_point(run, vector);
-    const int kind = bat_has(run, own) ? bat_word(run, own) : bat_word(run, "ends");
-    return (batten_end){(batten_end_kind)kind, {v.x, v.y, v.z}};
-}
 
 static batten_interpolate_options options_of(const bat_run *run)
 {
@@ -40,8 +33,8 @@ static batten_interpolate_options options_of(const bat_run *run)
     options.degree = bat_count(run, "degree");
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.knots_at_data = where == KNOTS_AUTO ? options.degree == 3 : where == KNOTS_AT_DATA;
-    options.start = end_of(run, "start", "start-vector");
-    options.end = end_of(run, "end", "end-vector");
+    options.start = bat_end(run, "start", "start-vector");
+    options.end = bat_end(run, "end", "end-vector");
     options.periodic = bat_yes(run, "periodic");
     return options;
 }
@@ -52,8 +45,8 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
     double *parameters_of = bat_array((size_t)row->count, sizeof *parameters_of);
     if (!parameters_of)
         return BATTEN_OUT_OF_MEMORY;
-    const batten_status status = batten_curve_interpolate(3, row->count, row->points,
-                                                          &run->result->fit, parameters_of, &curve);
+    const batten_status status = batten_curve_interpolate(
+        3, row->count, row->points, &run->result->fit, parameters_of, &curve);
     const batten_object like = {.name = row->name,
                                 .layer = from->layer,
                                 .point_count = row->count,
@@ -74,8 +67,8 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
         if (rows.rows[i].count >= 2)
             status = fit_row(run, &rows.rows[i], object);
         else
-            bat_note(run, "'%s' has %d points and is left out; a curve needs 2", rows.rows[i].name,
-                     rows.rows[i].count);
+            bat_note(run, "'%s' has %d points and is left out; a curve needs 2",
+                     rows.rows[i].name, rows.rows[i].count);
     }
     bat_rows_release(&rows);
     return status;
@@ -97,10 +90,14 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_interpolate = {
     .shown = {"interpolate", "Curves through points",
-              "Through each station or line of a table of offsets, or through each row of points. Cubics\n"
-              "have their knots at the data and need a condition at both ends: 'ends', or 'start' and\n"
-              "'end'; 'clamped', 'second' and 'curvature' take their vector from 'start-vector' and\n"
-              "'end-vector', 'direction' only its direction. Stations with a single point are left out,\n"
+              "Through each station or line of a table of offsets, or through each row of "
+              "points. Cubics\n"
+              "have their knots at the data and need a condition at both ends: 'ends', or "
+              "'start' and\n"
+              "'end'; 'clamped', 'second' and 'curvature' take their vector from "
+              "'start-vector' and\n"
+              "'end-vector', 'direction' only its direction. Stations with a single point are "
+              "left out,\n"
               "with a message. The curves keep their points for 'fair' and 'check'.",
               "features:\n"
               "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"

@@ -1,3 +1,4 @@
+#include "design/place.h"
 #include "design/rows.h"
 
 static const batten_parameter parameters[] = {
@@ -7,12 +8,13 @@ static const batten_parameter parameters[] = {
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
      "centripetal chord uniform foley foley-chord", "how parameters are given to the points"},
-    {"knots", BATTEN_VALUE_WORD, false, false, "averaged", "averaged data", "where the knots are"},
-    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot",
-     "not-a-knot natural clamped direction second parabolic bessel circle curvature fair",
+    {"knots", BATTEN_VALUE_WORD, false, false, "averaged", "averaged data",
+     "where the knots are"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
      "what holds on the rim, with knots at the data"},
     {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
-    {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the first row follows the last"},
+    {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first row follows the last"},
 };
 
 static batten_grid_options options_of(const bat_run *run)
@@ -28,7 +30,8 @@ static batten_grid_options options_of(const bat_run *run)
     return options;
 }
 
-/* Put the rows of an object after those that are there; the first row of all says how long they are. */
+/* Put the rows of an object after those that are there; the first row of all says how long they
+ * are. */
 static batten_status add_rows(const batten_object *object, bat_rows *all)
 {
     bat_rows more = {0, NULL};
@@ -38,11 +41,13 @@ static batten_status add_rows(const batten_object *object, bat_rows *all)
     const int first = all->count ? all->rows[0].count : more.count ? more.rows[0].count : 0;
     for (int i = 0; i < more.count && status == BATTEN_OK; i++)
         if (more.rows[i].count != first)
-            status = bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' has %d points, and the first row has %d",
-                              more.rows[i].name, more.rows[i].count, first);
-    bat_row *grown = status == BATTEN_OK ? bat_resize(all->rows, (size_t)(all->count + more.count),
-                                                      sizeof *grown)
-                                         : NULL;
+            status =
+                bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' has %d points, and the first row has %d",
+                         more.rows[i].name, more.rows[i].count, first);
+    bat_row *grown =
+        status == BATTEN_OK
+            ? bat_resize(all->rows, (size_t)(all->count + more.count), sizeof *grown)
+            : NULL;
     if (!grown) {
         bat_rows_release(&more);
         return status == BATTEN_OK ? BATTEN_OUT_OF_MEMORY : status;
@@ -68,12 +73,13 @@ static batten_status fit(bat_run *run, const bat_rows *all)
         for (int j = 0; j < count_v; j++)
             for (int k = 0; k < 3; k++)
                 points[(i * count_v + j) * 3 + k] = all->rows[j].points[3 * i + k];
-    const batten_status status = batten_surface_interpolate(3, count_u, count_v, points, &options,
-                                                            run->job, NULL, NULL, &report, &surface);
+    const batten_status status = batten_surface_interpolate(
+        3, count_u, count_v, points, &options, run->job, NULL, NULL, &report, &surface);
     bat_release(points);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
-        bat_note(run, "the parameters of single rows differ from the average by %.2g steps; "
-                      "'interpolate' and 'skin' will follow such points better",
+        bat_note(run,
+                 "the parameters of single rows differ from the average by %.2g steps; "
+                 "'interpolate' and 'skin' will follow such points better",
                  bat_max(report.spread_u, report.spread_v));
     if (status == BATTEN_OK)
         bat_report_error(run, report.residual, report.residual);
@@ -84,7 +90,8 @@ static batten_status run(bat_run *run)
 {
     bat_objects objects;
     bat_rows all = {0, NULL};
-    batten_status status = bat_gather(run, "interpolate-grid", BAT_POINTS | BAT_OFFSETS, &objects);
+    batten_status status =
+        bat_gather(run, "interpolate-grid", BAT_POINTS | BAT_OFFSETS, &objects);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
@@ -101,7 +108,8 @@ const bat_feature bat_feature_interpolate_grid = {
               "Every row must have as many points; u runs along the rows, v across them.",
               "features:\n"
               "  grid:\n"
-              "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, 1, 0.1],\n"
+              "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, "
+              "1, 0.1],\n"
               "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
               "    columns: 3\n"
               "  roof: {interpolate-grid: grid, degree-u: 2, degree-v: 2}\n",

@@ -41,13 +41,15 @@ static batten_status join_surfaces(bat_run *run, const bat_objects *all, double 
 static batten_status run(bat_run *run)
 {
     bat_objects all;
-    const double within = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    const double within =
+        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
     batten_status status = bat_gather(run, "join", BAT_CURVES | BAT_SURFACES, &all);
     if (status != BATTEN_OK)
         return status;
     for (int i = 1; i < all.count && status == BATTEN_OK; i++)
         if (all.at[i]->kind != all.at[0]->kind)
-            status = bat_fail(BATTEN_NOT_COMPATIBLE, "curves and surfaces cannot be joined: '%s', '%s'",
+            status = bat_fail(BATTEN_NOT_COMPATIBLE,
+                              "curves and surfaces cannot be joined: '%s', '%s'",
                               all.at[0]->name, all.at[i]->name);
     if (status == BATTEN_OK)
         status = all.at[0]->kind == BATTEN_OBJECT_CURVE ? join_curves(run, &all, within)

@@ -13,7 +13,8 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_move = {
-    .shown = {"move", "The same somewhere else", "Every object is moved, with the points it was made from.",
+    .shown = {"move", "The same somewhere else",
+              "Every object is moved, with the points it was made from.",
               "features:\n"
               "  mast: {circle: 6 cm}\n"
               "  mizzen: {move: mast, by: [-3 m, 0, 0]}\n",

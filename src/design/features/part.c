@@ -2,7 +2,8 @@
 
 static const batten_parameter parameters[] = {
     {"part", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves and surfaces"},
-    {"from", BATTEN_VALUE_NUMBER, false, true, NULL, NULL, "the parameter at which the part begins"},
+    {"from", BATTEN_VALUE_NUMBER, false, true, NULL, NULL,
+     "the parameter at which the part begins"},
     {"to", BATTEN_VALUE_NUMBER, false, true, NULL, NULL, "the parameter at which it ends"},
     {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
 };
@@ -12,7 +13,8 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return batten_curve_subrange(given, bat_number(run, "from"), bat_number(run, "to"), out);
 }
 
-static batten_status surface(const bat_run *run, const batten_surface *given, batten_surface **out)
+static batten_status surface(const bat_run *run, const batten_surface *given,
+                             batten_surface **out)
 {
     return batten_surface_subrange(given, (batten_direction)bat_word(run, "direction"),
                                    bat_number(run, "from"), bat_number(run, "to"), out);
@@ -20,13 +22,14 @@ static batten_status surface(const bat_run *run, const batten_surface *given, ba
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){curve, surface, false});
+    return bat_change_all(run, &(bat_change){.curve = curve, .surface = surface});
 }
 
-const bat_feature bat_feature_part = {
-    .shown = {"part", "The part between two parameters", "Exact; the part keeps its parameters.",
-              "features:\n"
-              "  keel: {line: [[0, 0], [3 m, 0]]}\n"
-              "  fore: {part: keel, from: 0.5, to: 1}\n",
-              "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
-    .run = run};
+const bat_feature bat_feature_part = {.shown = {"part", "The part between two parameters",
+                                                "Exact; the part keeps its parameters.",
+                                                "features:\n"
+                                                "  keel: {line: [[0, 0], [3 m, 0]]}\n"
+                                                "  fore: {part: keel, from: 0.5, to: 1}\n",
+                                                "[PT97]", "batten_curve_subrange",
+                                                BAT_PARAMETERS(parameters), false},
+                                      .run = run};

@@ -27,8 +27,8 @@ static batten_status run(bat_run *run)
     const bat_argument *all = bat_argument_of(run, "points");
     const int columns = bat_has(run, "columns") ? bat_count(run, "columns") : all->count;
     if (columns < 1 || all->count % columns)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d points do not make whole rows of %d", all->count,
-                        columns);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d points do not make whole rows of %d",
+                        all->count, columns);
     double *points = bat_array3((size_t)columns, 3, sizeof *points);
     batten_status status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < all->count / columns && status == BATTEN_OK; i++) {
@@ -42,11 +42,13 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_points = {
-    .shown = {"points", "Points that stand in the design itself",
-              "A list of points, each [x, y, z] or [x, y] with z = 0, with units or in the unit of the\n"
-              "design. With 'columns' the list is cut into rows of that many points: the form that\n"
-              "interpolate-grid takes.",
-              "features:\n"
-              "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n",
-              "", "batten_model_add", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"points", "Points that stand in the design itself",
+         "A list of points, each [x, y, z] or [x, y] with z = 0, with units or in the unit of "
+         "the\n"
+         "design. With 'columns' the list is cut into rows of that many points: the form that\n"
+         "interpolate-grid takes.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n",
+         "", "batten_model_add", BAT_PARAMETERS(parameters), false},
     .run = run};

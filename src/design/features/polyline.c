@@ -20,9 +20,10 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_polyline = {
-    .shown = {"polyline", "Straight lines through points",
-              "A curve of degree 1 with a corner at each inner point; its parameter is the length.",
-              "features:\n"
-              "  chine: {polyline: [[0, 0], [2 m, 0.5 m], [5 m, 0.6 m]]}\n",
-              "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"polyline", "Straight lines through points",
+         "A curve of degree 1 with a corner at each inner point; its parameter is the length.",
+         "features:\n"
+         "  chine: {polyline: [[0, 0], [2 m, 0.5 m], [5 m, 0.6 m]]}\n",
+         "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false},
     .run = run};

@@ -2,12 +2,15 @@
 
 static const batten_parameter parameters[] = {
     {"read", BATTEN_VALUE_FILE, false, true, NULL, NULL, "the file"},
-    {"format", BATTEN_VALUE_WORD, false, false, "auto", "auto offsets points aerofoil iges step",
-     "what is in it; by its content by default"},
+    {"format", BATTEN_VALUE_WORD, false, false, "auto",
+     "auto offsets points aerofoil iges step", "what is in it; by its content by default"},
     {"unit", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the unit of a file that names none"},
-    {"scale", BATTEN_VALUE_NUMBER, false, false, "1", NULL, "all numbers are multiplied by this"},
-    {"upside-down", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "offsets: heights were measured downwards"},
-    {"reverse", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "offsets: x was measured the other way"},
+    {"scale", BATTEN_VALUE_NUMBER, false, false, "1", NULL,
+     "all numbers are multiplied by this"},
+    {"upside-down", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "offsets: heights were measured downwards"},
+    {"reverse", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "offsets: x was measured the other way"},
     {"x", BATTEN_VALUE_RANGE, false, false, NULL, NULL, "offsets: keep these stations"},
     {"y", BATTEN_VALUE_RANGE, false, false, NULL, NULL, "offsets: keep these half-breadths"},
     {"z", BATTEN_VALUE_RANGE, false, false, NULL, NULL, "offsets: keep these heights"},
@@ -50,7 +53,8 @@ static batten_status find_factor(const bat_run *run, const batten_model *model, 
     const double named = given ? batten_unit_metres(given) : 0;
     const double own = batten_model_unit_metres(model);
     if (given && named <= 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'unit' is '%s', which is no unit of length", given);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'unit' is '%s', which is no unit of length",
+                        given);
     if (given && own > 0 && own != named)
         bat_note(run, "the file says that its unit is %g m; 'unit: %s' is used", own, given);
     if (bat_number(run, "scale") <= 0)
@@ -101,8 +105,10 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_read = {
     .shown = {"read", "What is in a file: a table of offsets, points, curves, surfaces",
-              "The path is relative to the design and stays below its folder. Lengths become those of the\n"
-              "design; a file that names no unit is taken to be in that of the design. Tables of offsets\n"
+              "The path is relative to the design and stays below its folder. Lengths become "
+              "those of the\n"
+              "design; a file that names no unit is taken to be in that of the design. Tables "
+              "of offsets\n"
               "can be turned, cut and trimmed.",
               "features:\n"
               "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",

@@ -2,7 +2,8 @@
 
 static const batten_parameter parameters[] = {
     {"refine", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves and surfaces"},
-    {"knots", BATTEN_VALUE_NUMBER, true, true, NULL, NULL, "the knots to insert, never decreasing"},
+    {"knots", BATTEN_VALUE_NUMBER, true, true, NULL, NULL,
+     "the knots to insert, never decreasing"},
     {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
 };
 
@@ -26,20 +27,23 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return status;
 }
 
-static batten_status surface(const bat_run *run, const batten_surface *given, batten_surface **out)
+static batten_status surface(const bat_run *run, const batten_surface *given,
+                             batten_surface **out)
 {
     int count;
     double *knots = list_knots(run, &count);
     const batten_direction direction = (batten_direction)bat_word(run, "direction");
     const batten_status status =
-        knots ? batten_surface_refine(given, direction, count, knots, out) : BATTEN_OUT_OF_MEMORY;
+        knots ? batten_surface_refine(given, direction, count, knots, out)
+              : BATTEN_OUT_OF_MEMORY;
     bat_release(knots);
     return status;
 }
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){curve, surface, true});
+    return bat_change_all(
+        run, &(bat_change){.curve = curve, .surface = surface, .keeps_data = true});
 }
 
 const bat_feature bat_feature_refine = {

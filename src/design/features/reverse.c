@@ -11,14 +11,15 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return batten_curve_reverse(given, out);
 }
 
-static batten_status surface(const bat_run *run, const batten_surface *given, batten_surface **out)
+static batten_status surface(const bat_run *run, const batten_surface *given,
+                             batten_surface **out)
 {
     return batten_surface_reverse(given, (batten_direction)bat_word(run, "direction"), out);
 }
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){curve, surface, false});
+    return bat_change_all(run, &(bat_change){.curve = curve, .surface = surface});
 }
 
 const bat_feature bat_feature_reverse = {

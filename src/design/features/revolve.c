@@ -28,7 +28,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_revolve = {
     .shown = {"revolve", "The surface that a curve leaves when it is turned about an axis",
-              "Exact, with u around the axis and v along the profile. A profile that crosses the axis\n"
+              "Exact, with u around the axis and v along the profile. A profile that crosses "
+              "the axis\n"
               "is refused; where it touches the axis the surface has a pole.",
               "features:\n"
               "  profile: {line: [[1 m, 0, 0], [0.6 m, 0, 2 m]]}\n"

@@ -2,7 +2,8 @@
 
 static const batten_parameter parameters[] = {
     {"rotate", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "what is turned"},
-    {"by", BATTEN_VALUE_ANGLE, false, true, NULL, NULL, "how far, counter-clockwise about the axis"},
+    {"by", BATTEN_VALUE_ANGLE, false, true, NULL, NULL,
+     "how far, counter-clockwise about the axis"},
     {"at", BATTEN_VALUE_POINT, false, false, "origin", NULL, "a point on the axis"},
     {"axis", BATTEN_VALUE_POINT, false, false, "z", NULL, "the direction of the axis"},
 };
@@ -19,7 +20,8 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_rotate = {
-    .shown = {"rotate", "The same, turned about an axis", "Every object is turned, with the points it was made from.",
+    .shown = {"rotate", "The same, turned about an axis",
+              "Every object is turned, with the points it was made from.",
               "features:\n"
               "  rib: {line: [[1 m, 0], [2 m, 0]]}\n"
               "  next: {rotate: rib, by: 15 deg}\n",

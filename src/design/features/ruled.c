@@ -22,7 +22,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_ruled = {
     .shown = {"ruled", "The surface of straight lines between two curves",
-              "Points of equal parameter are joined; u runs along the curves, v from the first to the\n"
+              "Points of equal parameter are joined; u runs along the curves, v from the first "
+              "to the\n"
               "second.",
               "features:\n"
               "  chine: {polyline: [[0, 0.5 m, 0], [4 m, 0.6 m, 0.1 m]]}\n"

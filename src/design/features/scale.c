@@ -2,7 +2,8 @@
 
 static const batten_parameter parameters[] = {
     {"scale", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "what is made larger or smaller"},
-    {"by", BATTEN_VALUE_NUMBER, true, true, NULL, NULL, "one factor, or one each for x, y and z"},
+    {"by", BATTEN_VALUE_NUMBER, true, true, NULL, NULL,
+     "one factor, or one each for x, y and z"},
     {"at", BATTEN_VALUE_POINT, false, false, "origin", NULL, "the point that stays"},
 };
 
@@ -25,7 +26,8 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_scale = {
-    .shown = {"scale", "The same in another size", "Every object is scaled, with the points it was made from.",
+    .shown = {"scale", "The same in another size",
+              "Every object is scaled, with the points it was made from.",
               "features:\n"
               "  port: {circle: 10 cm}\n"
               "  oval: {scale: port, by: [2, 1, 1]}\n",

@@ -4,7 +4,8 @@
 
 static const batten_parameter parameters[] = {
     {"select", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "from what"},
-    {"names", BATTEN_VALUE_TEXT, true, true, NULL, NULL, "the names of the objects, in the order wanted"},
+    {"names", BATTEN_VALUE_TEXT, true, true, NULL, NULL,
+     "the names of the objects, in the order wanted"},
 };
 
 static batten_status run(bat_run *run)
@@ -15,7 +16,8 @@ static batten_status run(bat_run *run)
     for (int i = 0; i < names->count && status == BATTEN_OK; i++) {
         const int at = batten_model_find(model, names->items[i].text);
         if (at < 0)
-            return bat_fail(BATTEN_NOT_FOUND, "'%s' has no object '%s'; its %d objects begin with '%s'",
+            return bat_fail(BATTEN_NOT_FOUND,
+                            "'%s' has no object '%s'; its %d objects begin with '%s'",
                             bat_text(run, "select"), names->items[i].text,
                             batten_model_count(model), batten_model_object(model, 0)->name);
         status = batten_model_add(run->model, batten_model_object(model, at));

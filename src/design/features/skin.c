@@ -1,6 +1,4 @@
-#include "design/feature.h"
-
-#define ENDS "not-a-knot natural clamped direction second parabolic bessel circle curvature fair"
+#include "design/place.h"
 
 static const batten_parameter parameters[] = {
     {"skin", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sections, in order"},
@@ -9,13 +7,20 @@ static const batten_parameter parameters[] = {
      "how far a section may move for the sake of few knots; 0 keeps all knots"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
      "centripetal chord uniform foley foley-chord", "how parameters are given to the sections"},
-    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", ENDS, "what holds at both ends"},
-    {"start", BATTEN_VALUE_WORD, false, false, NULL, ENDS, "what holds at the first section"},
-    {"start-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL, "the derivative or direction there"},
-    {"end", BATTEN_VALUE_WORD, false, false, NULL, ENDS, "what holds at the last section"},
-    {"end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL, "the derivative or direction there"},
-    {"periodic", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the first section follows the last"},
-    {"align", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "reverse sections that run against the first"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
+     "what holds at both ends"},
+    {"start", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS,
+     "what holds at the first section"},
+    {"start-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
+     "the derivative or direction there"},
+    {"end", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS,
+     "what holds at the last section"},
+    {"end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
+     "the derivative or direction there"},
+    {"periodic", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first section follows the last"},
+    {"align", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "reverse sections that run against the first"},
     {"spine", BATTEN_VALUE_MODEL, false, false, NULL, NULL,
      "a curve along which the sections, drawn in the xy-plane, are placed"},
     {"twist", BATTEN_VALUE_ANGLE, true, false, NULL, NULL, "of each section about the spine"},
@@ -23,13 +28,6 @@ static const batten_parameter parameters[] = {
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet", "how the sections turn along the spine"},
 };
-
-static batten_end end_of(const bat_run *run, const char *own, const char *vector)
-{
-    const batten_vec3 v = bat_point(run, vector);
-    const int kind = bat_has(run, own) ? bat_word(run, own) : bat_word(run, "ends");
-    return (batten_end){(batten_end_kind)kind, {v.x, v.y, v.z}};
-}
 
 /* One number for each section, or NULL where none is given. */
 static batten_status list_numbers(const bat_run *run, const char *parameter, int count,
@@ -73,8 +71,8 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     options.degree = bat_count(run, "degree");
     options.tolerance = bat_number(run, "within");
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
-    options.start = end_of(run, "start", "start-vector");
-    options.end = end_of(run, "end", "end-vector");
+    options.start = bat_end(run, "start", "start-vector");
+    options.end = bat_end(run, "end", "end-vector");
     options.periodic = bat_yes(run, "periodic");
     options.align = bat_yes(run, "align");
     options.frames = (batten_frame_kind)bat_word(run, "frames");
@@ -86,8 +84,8 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     options.twist = twist;
     options.scale = scale;
     if (status == BATTEN_OK)
-        status = batten_surface_skin(count, sections, &options, run->job, NULL, &run->result->skin,
-                                     &surface);
+        status = batten_surface_skin(count, sections, &options, run->job, NULL,
+                                     &run->result->skin, &surface);
     bat_release(scale);
     bat_release(twist);
     return bat_put_surface(run, status, surface);
@@ -114,9 +112,12 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_skin = {
     .shown = {"skin", "The surface through sections",
-              "u runs along the sections, v across them. Sections have knots of their own; to keep all\n"
-              "of them makes a heavy surface, so with 'within' few common knots are found such that no\n"
-              "section moves farther. With 'spine' the sections are drawn in the xy-plane and placed\n"
+              "u runs along the sections, v across them. Sections have knots of their own; to "
+              "keep all\n"
+              "of them makes a heavy surface, so with 'within' few common knots are found such "
+              "that no\n"
+              "section moves farther. With 'spine' the sections are drawn in the xy-plane and "
+              "placed\n"
               "along it.",
               "features:\n"
               "  aft: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"

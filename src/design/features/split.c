@@ -16,8 +16,9 @@ static batten_status split_object(bat_run *run, const batten_object *object)
     const bool is_curve = object->kind == BATTEN_OBJECT_CURVE;
     batten_status status =
         is_curve ? batten_curve_split(object->curve, at, &curves[0], &curves[1])
-                 : batten_surface_split(object->surface, (batten_direction)bat_word(run, "direction"),
-                                        at, &surfaces[0], &surfaces[1]);
+                 : batten_surface_split(object->surface,
+                                        (batten_direction)bat_word(run, "direction"), at,
+                                        &surfaces[0], &surfaces[1]);
     for (int i = 0; i < 2; i++) {
         batten_object half = *object;
         char name[220];
@@ -43,7 +44,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_split = {
     .shown = {"split", "Both parts of what is cut at a parameter",
-              "Exact; the parts of 'keel' are named 'keel 1' and 'keel 2' and keep their parameters.",
+              "Exact; the parts of 'keel' are named 'keel 1' and 'keel 2' and keep their "
+              "parameters.",
               "features:\n"
               "  keel: {line: [[0, 0], [3 m, 0]]}\n"
               "  halves: {split: keel, parameter: 0.5}\n",

@@ -4,7 +4,8 @@ static const batten_parameter parameters[] = {
     {"swap", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the surfaces"},
 };
 
-static batten_status surface(const bat_run *run, const batten_surface *given, batten_surface **out)
+static batten_status surface(const bat_run *run, const batten_surface *given,
+                             batten_surface **out)
 {
     (void)run;
     return batten_surface_swap(given, out);
@@ -12,11 +13,12 @@ static batten_status surface(const bat_run *run, const batten_surface *given, ba
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){NULL, surface, false});
+    return bat_change_all(run, &(bat_change){.surface = surface});
 }
 
 const bat_feature bat_feature_swap = {
-    .shown = {"swap", "The same surface with u and v exchanged", "Exact; the normal changes its side.",
+    .shown = {"swap", "The same surface with u and v exchanged",
+              "Exact; the normal changes its side.",
               "features:\n"
               "  buoy: {sphere: 30 cm}\n"
               "  turned: {swap: buoy}\n",

@@ -2,8 +2,8 @@
 
 static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
-    {"format", BATTEN_VALUE_WORD, false, false, "auto", "auto offsets points aerofoil iges step",
-     "by the ending of the file by default"},
+    {"format", BATTEN_VALUE_WORD, false, false, "auto",
+     "auto offsets points aerofoil iges step", "by the ending of the file by default"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "the accuracy that the file states; the tolerance of the design by default"},
@@ -31,7 +31,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_write = {
     .shown = {"write", "A file for other programs",
-              "The ending names the format: .step and .stp, .igs and .iges, .csv for tables and points.\n"
+              "The ending names the format: .step and .stp, .igs and .iges, .csv for tables "
+              "and points.\n"
               "'hull.step: hull' is short for 'hull.step: {write: hull}'.",
               "features:\n"
               "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
