@@ -100,6 +100,10 @@ BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
  * @param order  highest derivative wanted, >= 0; those above p of a polynomial curve are exactly 0
  * @param[out] out  [order + 1][d]; row k is the k-th derivative, in model units per u^k
  * @return BATTEN_OK, NOT_FINITE, BATTEN_OUT_OF_DOMAIN or BATTEN_OVERFLOW
+ *
+ * Error of a point: at most 8 p r |P| (rational, weights within 1:100: 10 p r |P|), r = 2^-53, |P| the
+ * largest coordinate. Cost: about p^2 blends of control points; after a batch on the same curve, p d
+ * multiplications. No allocation up to order 25.
  */
 BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double u, int order,
                                                double *out);
@@ -114,47 +118,78 @@ BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, s
                                                     const double *u, int order,
                                                     const batten_job *job, double *out);
 
-/* ---- exact changes: each makes a new curve of the same shape unless it says otherwise ---- */
+/* ---- changes: each makes a new curve of the same shape unless it says otherwise ----
+ *
+ * Control points that do not change keep their bits. A curve whose homogeneous points are too large
+ * for numbers is refused with OVERFLOW, one that would have more than 10 million points with
+ * TOO_LARGE. Cost grows with the number of points. */
 
+/**
+ * Insert a knot `times` times; with the times it stands there, p at most inside the domain, p + 1 at
+ * its ends. Periodic curves stay periodic (any u is reduced to the period).
+ * @return BATTEN_OK, BAD_ARGUMENT (times), NOT_FINITE, OUT_OF_DOMAIN or BAD_KNOTS (too often)
+ * Source: [Boehm80].
+ */
 BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u, int times,
                                                   batten_curve **out);
-/** Insert many knots at once. @param knots [count], never decreasing, inside the domain */
+/** Insert many knots at once: cost n + count p. Rules as for batten_curve_insert_knot.
+ * @param knots [count], never decreasing (else NOT_INCREASING), inside the domain */
 BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int count,
                                              const double *knots, batten_curve **out);
 /**
- * Remove a knot up to `times` times as long as the curve moves by no more than `tolerance`.
+ * Remove a knot up to `times` times as long as the curve moves by no more than `tolerance`. A
+ * periodic curve becomes clamped.
+ *
+ * @param u         a knot inside the domain; else NOT_FOUND
+ * @param tolerance model units, 0 or more; of a rational curve the bound takes the smallest weight
+ *                  and the largest coordinate into account, so it may be far too careful
  * @param[out] removed  how often it could be removed; may be NULL
  * @param[out] error    a bound on how far the curve moved; may be NULL
+ * Source: [Tiller92], with all equations checked.
  */
 BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, double u, int times,
                                                   double tolerance, int *removed, double *error,
                                                   batten_curve **out);
-/** Remove every knot that can go while the whole curve moves by no more than `tolerance`. */
+/** Remove every knot that can go, the cheapest first, while the whole curve moves by no more than
+ * `tolerance`: movements are added up span by span. A periodic curve becomes clamped. */
 BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, double tolerance,
                                                    int *removed, double *error,
                                                    batten_curve **out);
+/** Raise the degree by `by` >= 0, to 25 at most (else BAD_DEGREE); every distinct knot stands so many
+ * times more. Periodic curves stay periodic. Source: [Prautzsch84]. */
 BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
                                               batten_curve **out);
-/** Lower the degree to `degree`, moving the curve by at most `tolerance`; fails with
- * TOLERANCE_NOT_MET (and the error in the message) otherwise. @param[out] error a bound; may be NULL */
+/**
+ * Lower the degree to `degree` >= 1, moving the curve by at most `tolerance`; fails with
+ * TOLERANCE_NOT_MET (and the error in the message) otherwise. The result is clamped and keeps both
+ * ends; inner knots stand once less for each degree, but once at least. The reverse of elevation.
+ * @param[out] error a bound on how far the curve moved; may be NULL
+ */
 BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degree,
                                              double tolerance, double *error, batten_curve **out);
-/** Cut at u, inside the domain. Both parts keep their parameters and are clamped at the cut. */
+/** Cut at u, inside the domain. Both parts keep their parameters, are clamped at both ends, and share
+ * the point at the cut bit for bit. */
 BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
                                             batten_curve **left, batten_curve **right);
 /** The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
  * domain, up to one period from a. */
 BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double a, double b,
                                                batten_curve **out);
-/** Join end to start. The ends must be within `tolerance`; degrees and rationality are unified, the
- * second domain is moved to follow the first, the joining knot is kept p times. */
+/** Join end to start. The ends must be within `tolerance` (else NOT_COMPATIBLE) and meet halfway;
+ * degrees and rationality are unified, the second domain is moved to follow the first (BAD_KNOTS when
+ * knots fall together there), the joining knot is kept p times. At most 1 million points. */
 BATTEN_API batten_status batten_curve_join(const batten_curve *first, const batten_curve *second,
                                            double tolerance, batten_curve **out);
+/** The curve run backwards. Knots change their sign, which is exact: the domain [a, b] becomes
+ * [-b, -a], the point at u is found at -u, and reversing twice gives the same bits. Call
+ * batten_curve_set_domain where another domain is wanted. */
 BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out);
-/** Map the domain linearly to [a, b]; a > b is an error. */
+/** Map the domain linearly to [a, b], a < b. Points and weights keep their bits; knots that could not
+ * be told apart in the new domain are refused with BAD_KNOTS. Periodic stays periodic. */
 BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, double a, double b,
                                                  batten_curve **out);
-/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots. Rational. */
+/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else BAD_ARGUMENT.
+ * The result is rational; a periodic curve becomes clamped. */
 BATTEN_API batten_status batten_curve_moebius(const batten_curve *curve, double a, double b,
                                               double c, double d, batten_curve **out);
 /** The clamped form: also what a periodic curve becomes for formats that know no other. */
@@ -164,15 +199,25 @@ BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve, bat
 /** The curve in 1..3 dimensions: coordinates are dropped, or added as 0. */
 BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
                                                    batten_curve **out);
-/** A curve with one control point replaced. @param point [d] */
+/** A curve with control point `index` replaced, of a periodic curve with all its copies.
+ * @param point [d] */
 BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,
                                                  const double *point, batten_curve **out);
+/** The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a point
+ * leaves the numbers. */
 BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
                                                 const batten_affine *map, batten_curve **out);
 /**
  * Give curves the same degree, the same knots bit for bit and the same domain [0, 1], exactly.
  * Periodic curves stay periodic when all are, else all are clamped. Rational when one is.
+ *
+ * Knots of different curves that differ in [0, 1] by no more than rounding, 2 eps (max(|a|, |b|) /
+ * (b - a) + 1) for each curve with its domain [a, b], are taken for the same knot, and the best known
+ * value is used; knots of one curve are never joined.
+ *
  * @param[out] out  [count]; yours to unref
+ * @return also TOO_LARGE, before any work, when the curves would have more than about a million
+ *         control points in all; BAD_KNOTS when a curve's knots cannot be told apart in [0, 1]
  */
 BATTEN_API batten_status batten_curves_unify(int count, const batten_curve *const *curves,
                                              batten_curve **out);
@@ -188,7 +233,7 @@ BATTEN_API batten_status batten_curve_from_bezier(int dimension, int degree, int
                                                   const double *points, const double *weights,
                                                   const double *breaks, batten_curve **out);
 /** From points and derivatives at increasing parameters: degree 2 k - 1 where k values are given
- * at each. @param values [count][k][d], the point, first, second ... derivative; k = 1..4 */
+ * at each, inner knots k times. @param values [count][k][d], the point, first, second ... derivative; k = 1..4 */
 BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int k,
                                                    const double *parameters, const double *values,
                                                    batten_curve **out);

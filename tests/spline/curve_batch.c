@@ -42,3 +42,31 @@ TEST(a_batch_has_the_bits_of_single_calls)
         batten_curve_unref(curve);
     }
 }
+
+TEST(N2_batches_of_cubics_report_overflow_and_bad_parameters)
+{
+    const double points[] = {1.7e308, -1.7e308, 1.7e308, 1}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    const double u[] = {0.5, 0.75, 0.25, -1};
+    double out[12];
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create(1, 3, 4, points, NULL, knots, &curve));
+    CHECK_STATUS(batten_curve_evaluate_many(curve, 3, u, 2, NULL, out), BATTEN_OVERFLOW);
+    CHECK_OK(batten_curve_evaluate_many(curve, 3, u, 0, NULL, out));
+    CHECK_STATUS(batten_curve_evaluate_many(curve, 4, u, 0, NULL, out), BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("parameter 3 of the batch");
+    batten_curve_unref(curve);
+}
+
+TEST(a_batch_too_small_for_pieces_has_the_same_bits)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {.tame = true, .degree = 3, .most_points = 100};
+    batten_curve *curve = test_curve(&random, &wish);
+    const double u = test_parameter(&random, curve);
+    double one[9], batch[9];
+    CHECK_OK(batten_curve_evaluate_many(curve, 1, &u, 2, NULL, batch));
+    CHECK_OK(batten_curve_evaluate(curve, u, 2, one));
+    for (int k = 0; k < 3 * batten_curve_dimension(curve); k++)
+        CHECK_BITS(batch[k], one[k]);
+    batten_curve_unref(curve);
+}

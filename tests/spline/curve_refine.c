@@ -128,3 +128,104 @@ TEST(bezier_pieces_are_the_curve)
         batten_curve_unref(curve);
     }
 }
+
+static int count_knots(const batten_curve *curve, double u)
+{
+    int times = 0;
+    for (int i = 0; i < batten_curve_knot_count(curve); i++)
+        times += batten_curve_knots(curve)[i] == u;
+    return times;
+}
+
+static batten_curve *quadratic(bool periodic)
+{
+    const double points[] = {0, 1, 3, 2, 5}, knots[] = {0, 0, 0, 1, 2, 3, 3, 3}, period[] = {0, 1, 2, 3, 4, 5};
+    batten_curve *curve = NULL;
+    if (periodic)
+        CHECK_OK(batten_curve_create_periodic(1, 2, 5, points, NULL, period, &curve));
+    else
+        CHECK_OK(batten_curve_create(1, 2, 5, points, NULL, knots, &curve));
+    return curve;
+}
+
+TEST(K4_K6_insertion_never_exceeds_the_degree)
+{
+    batten_curve *curve = quadratic(false), *none = NULL, *made = NULL;
+    const double falling[] = {2, 1}, outside[] = {1, 4}, bad[] = {NAN}, twice[] = {0.5, 0.5, 2.5};
+    CHECK_STATUS(batten_curve_insert_knot(curve, 1, 2, &none), BATTEN_BAD_KNOTS);
+    CHECK_MESSAGE("would stand 3 times; 2 are allowed");
+    CHECK_STATUS(batten_curve_insert_knot(curve, 0, 1, &none), BATTEN_BAD_KNOTS);
+    CHECK_STATUS(batten_curve_insert_knot(curve, 1, 0, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_insert_knot(curve, 1, 4, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_insert_knot(curve, 7, 1, &none), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_refine(curve, 2, falling, &none), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_refine(curve, 2, outside, &none), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_refine(curve, 1, bad, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_refine(curve, 2147483647, twice, &none), BATTEN_TOO_LARGE);
+    CHECK_OK(batten_curve_refine(curve, 3, twice, &made));
+    CHECK_INT(batten_curve_point_count(made), 8);
+    batten_curve_unref(made);
+    batten_curve_unref(curve);
+}
+
+TEST(the_seam_of_a_periodic_curve_is_a_knot_like_others)
+{
+    batten_curve *curve = quadratic(true), *made = NULL, *none = NULL;
+    const double seam[] = {0.5, 5};
+    CHECK_OK(batten_curve_refine(curve, 2, seam, &made));
+    CHECK_INT(batten_curve_point_count(made), 9);
+    for (double u = 0; u <= 5; u += 0.125)
+        CHECK_NEAR(test_curve_distance(curve, u, made, u, 1), 0, 1e-14);
+    batten_curve_unref(made);
+    CHECK_OK(batten_curve_insert_knot(curve, 5.5, 1, &made)); /* any u is reduced */
+    CHECK_INT(count_knots(made, 0.5), 1);
+    batten_curve_unref(made);
+    const double thrice[] = {0, 5};
+    CHECK_STATUS(batten_curve_refine(curve, 2, thrice, &none), BATTEN_BAD_KNOTS);
+    batten_curve_unref(curve);
+}
+
+TEST(a_part_of_a_periodic_curve_may_cross_the_seam)
+{
+    batten_curve *curve = quadratic(true), *part = NULL, *none = NULL;
+    CHECK_OK(batten_curve_subrange(curve, 4.5, 6.25, &part));
+    CHECK(batten_curve_is_clamped(part));
+    for (double u = 4.5; u <= 6.25; u += 0.125)
+        CHECK_NEAR(test_curve_distance(curve, u, part, u, 1), 0, 1e-14);
+    batten_curve_unref(part);
+    CHECK_OK(batten_curve_subrange(curve, 1, 6, &part)); /* one whole period */
+    CHECK_NEAR(test_curve_distance(part, 1, part, 6, 1), 0, 1e-14);
+    batten_curve_unref(part);
+    CHECK_STATUS(batten_curve_subrange(curve, 1, 7, &none), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_subrange(curve, 2, 2, &none), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_subrange(curve, 2, 1, &none), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_subrange(curve, NAN, 1, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_split(curve, NAN, &part, &none), BATTEN_NOT_FINITE);
+    batten_curve_unref(curve);
+}
+
+TEST(K9_elevation_stops_at_degree_25)
+{
+    batten_curve *curve = quadratic(false), *made = NULL, *none = NULL;
+    CHECK_OK(batten_curve_elevate(curve, 23, &made));
+    CHECK_INT(batten_curve_degree(made), 25);
+    for (double u = 0; u <= 3; u += 0.125)
+        CHECK_NEAR(test_curve_distance(curve, u, made, u, 1), 0, 1e-13);
+    CHECK_STATUS(batten_curve_elevate(curve, 24, &none), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_elevate(curve, -1, &none), BATTEN_BAD_DEGREE);
+    batten_curve_unref(made);
+    batten_curve_unref(curve);
+}
+
+TEST(N2_rows_that_overflow_are_refused)
+{
+    const double points[] = {1e308, -1e308, 1e308}, knots[] = {0, 0, 0, 1, 1, 1}, weights[] = {1, 1.9, 1};
+    batten_curve *curve = NULL, *none = NULL, *other = NULL;
+    CHECK_OK(batten_curve_create(1, 2, 3, points, weights, knots, &curve));
+    CHECK_STATUS(batten_curve_insert_knot(curve, 0.5, 1, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_curve_elevate(curve, 1, &none), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_curve_split(curve, 0.5, &none, &other), BATTEN_OVERFLOW);
+    CHECK_STATUS(batten_curve_to_bezier(curve, &none), BATTEN_OVERFLOW);
+    CHECK(none == NULL && other == NULL);
+    batten_curve_unref(curve);
+}
