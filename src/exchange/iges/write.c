@@ -10,7 +10,6 @@
 
 /* The sections as they grow; the directory and the parameters have records of 80 columns. */
 typedef struct {
-    const batten_model *model;
     batten_notes *notes;
     batten_text global, directory, data;
     char line[96]; /* the record of the G or P section that is being filled */
@@ -19,6 +18,7 @@ typedef struct {
     double colours[64][3]; /* those written last, in percent, and the ids of their entities */
     int colour_ids[64];
     int colour_count;
+    double largest; /* coordinate written so far */
 } writing;
 
 #define GLOBAL_COLUMNS 72
@@ -188,7 +188,13 @@ static bool is_level(const double *points, size_t count)
     return true;
 }
 
-/* All weights equal: what IGES calls polynomial, though only missing weights are written so. */
+static void put_coordinate(writing *w, int id, double value)
+{
+    w->largest = bat_max(w->largest, fabs(value));
+    put_real(w, id, value, ',');
+}
+
+/* Missing weights are written as ones, and the entity calls itself polynomial. */
 static void put_weights(writing *w, int id, const double *weights, size_t i)
 {
     put_real(w, id, weights ? weights[i] : 1, ',');
@@ -207,7 +213,7 @@ static void put_segment(writing *w, int id, const batten_curve *curve)
     const double *points = batten_curve_points(curve);
     put_integer(w, id, 110, ',');
     for (int k = 0; k < 6; k++)
-        put_real(w, id, points[k], ',');
+        put_coordinate(w, id, points[k]);
 }
 
 static void put_spline(writing *w, int id, const batten_curve *curve)
@@ -229,7 +235,7 @@ static void put_spline(writing *w, int id, const batten_curve *curve)
     for (int i = 0; i < n; i++)
         put_weights(w, id, weights, (size_t)i);
     for (int i = 0; i < 3 * n; i++)
-        put_real(w, id, points[i], ',');
+        put_coordinate(w, id, points[i]);
     put_real(w, id, domain.a, ',');
     put_real(w, id, domain.b, ',');
     put_real(w, id, 0, ',');
@@ -279,8 +285,8 @@ static void put_surface(writing *w, int id, const batten_surface *surface)
     for (int j = 0; j < count_v; j++)
         for (int i = 0; i < count_u; i++)
             for (int k = 0; k < 3; k++)
-                put_real(w, id, points[3 * ((size_t)i * (size_t)count_v + (size_t)j) + (size_t)k],
-                         ',');
+                put_coordinate(
+                    w, id, points[3 * ((size_t)i * (size_t)count_v + (size_t)j) + (size_t)k]);
     put_domain(w, id, surface, BATTEN_U);
     put_domain(w, id, surface, BATTEN_V);
 }
@@ -382,15 +388,6 @@ static void put_unit(writing *w, double metres)
     put_string(w, 0, names[flag - 1], ',');
 }
 
-static double largest_coordinate(const batten_model *model)
-{
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    batten_model_box(model, &box);
-    const double low = bat_max(bat_max(-box.low.x, -box.low.y), -box.low.z);
-    const double high = bat_max(bat_max(box.high.x, box.high.y), box.high.z);
-    return bat_max(low, high);
-}
-
 static void write_global(writing *w, const batten_write_options *options, double unit,
                          double tolerance)
 {
@@ -412,7 +409,7 @@ static void write_global(writing *w, const batten_write_options *options, double
     put_real(w, 0, 0, ',');
     put_string(w, 0, date, ',');
     put_real(w, 0, tolerance, ',');
-    put_real(w, 0, largest_coordinate(w->model), ',');
+    put_real(w, 0, w->largest, ',');
     put_string(w, 0, "", ',');
     put_string(w, 0, "", ',');
     put_integer(w, 0, 11, ',');
@@ -453,7 +450,7 @@ batten_status bat_write_iges(const batten_model *model, const batten_write_optio
     batten_status status = choose_unit(model, notes, &scaled);
     if (status != BATTEN_OK)
         return status;
-    writing w = {.model = scaled, .notes = notes, .global = BATTEN_TEXT, .data = BATTEN_TEXT};
+    writing w = {.notes = notes, .global = BATTEN_TEXT, .data = BATTEN_TEXT};
     const double unit = batten_model_unit_metres(scaled);
     const double tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit;
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(scaled); i++)

@@ -1,0 +1,153 @@
+#include "promise.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void demand(int holds, const char *what)
+{
+    if (holds)
+        return;
+    fprintf(stderr, "broken promise: %s; last message: %s\n", what, batten_message());
+    abort();
+}
+
+static void demand_same(const double *a, const double *b, size_t count, const char *what)
+{
+    demand((a == NULL) == (b == NULL), what);
+    demand(!a || count == 0 || memcmp(a, b, count * sizeof *a) == 0, what);
+}
+
+static void same_curve(const batten_curve *a, const batten_curve *b)
+{
+    const size_t n = (size_t)batten_curve_point_count(a);
+    demand(batten_curve_degree(a) == batten_curve_degree(b), "a curve keeps its degree");
+    demand(batten_curve_point_count(b) == (int)n, "a curve keeps its count of points");
+    demand_same(batten_curve_points(a), batten_curve_points(b), 3 * n, "points of a curve");
+    demand_same(batten_curve_weights(a), batten_curve_weights(b), n, "weights of a curve");
+    demand_same(batten_curve_knots(a), batten_curve_knots(b), (size_t)batten_curve_knot_count(a),
+                "knots of a curve");
+}
+
+static void same_surface(const batten_surface *a, const batten_surface *b)
+{
+    size_t n = 1;
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        const int count = batten_surface_point_count(a, direction);
+        demand(batten_surface_degree(a, direction) == batten_surface_degree(b, direction) &&
+                   batten_surface_point_count(b, direction) == count,
+               "a surface keeps its degree and counts");
+        demand_same(batten_surface_knots(a, direction), batten_surface_knots(b, direction),
+                    (size_t)batten_surface_knot_count(a, direction), "knots of a surface");
+        n *= (size_t)count;
+    }
+    demand_same(batten_surface_points(a), batten_surface_points(b), 3 * n, "points of a surface");
+    demand_same(batten_surface_weights(a), batten_surface_weights(b), n, "weights of a surface");
+}
+
+static void same_offsets(const batten_offsets *a, const batten_offsets *b)
+{
+    const int count = batten_offsets_station_count(a);
+    demand(batten_offsets_station_count(b) == count, "a table keeps its stations");
+    for (int i = 0; i < count; i++) {
+        const batten_station *s = batten_offsets_station(a, i), *t = batten_offsets_station(b, i);
+        demand(s->point_count == t->point_count && s->x == t->x && strcmp(s->name, t->name) == 0,
+               "a station keeps its place, name and count of points");
+        for (int k = 0; k < s->point_count; k++) {
+            const batten_offset_point *p = &s->points[k], *q = &t->points[k];
+            demand_same(&p->x, &q->x, 1, "x of an offset");
+            demand_same(&p->y, &q->y, 1, "y of an offset");
+            demand_same(&p->z, &q->z, 1, "z of an offset");
+            demand((p->line < 0) == (q->line < 0), "a point keeps its line");
+        }
+    }
+}
+
+/* A curve or a surface that is not clamped is written clamped: another form of the same shape. */
+static int is_clamped(const batten_object *object)
+{
+    if (object->curve)
+        return batten_curve_is_clamped(object->curve);
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        const double *knots = batten_surface_knots(object->surface, direction);
+        const int p = batten_surface_degree(object->surface, direction);
+        const int n = batten_surface_point_count(object->surface, direction);
+        if (knots[0] != knots[p] || knots[n] != knots[n + p])
+            return 0;
+    }
+    return 1;
+}
+
+static void same_model(const batten_model *a, const batten_model *b)
+{
+    demand(batten_model_count(a) == batten_model_count(b), "a model keeps its objects");
+    for (int i = 0; i < batten_model_count(a); i++) {
+        const batten_object *p = batten_model_object(a, i), *q = batten_model_object(b, i);
+        demand(p->kind == q->kind && p->point_count == q->point_count, "an object keeps its kind");
+        demand_same(p->points, q->points, 3 * (size_t)p->point_count, "points");
+        if (p->curve && is_clamped(p))
+            same_curve(p->curve, q->curve);
+        if (p->surface && is_clamped(p))
+            same_surface(p->surface, q->surface);
+        if (p->offsets)
+            same_offsets(p->offsets, q->offsets);
+    }
+}
+
+static batten_status read_as(const char *data, size_t size, batten_format format,
+                             batten_notes *notes, batten_model **out)
+{
+    batten_limits limits = batten_limits_defaults();
+    batten_read_options options = batten_read_defaults();
+    limits.points = 100000;
+    limits.entities = 10000;
+    options.limits = &limits;
+    options.format = format;
+    return batten_read_memory(data, size, &options, NULL, notes, out);
+}
+
+static batten_status write_as(const batten_model *model, batten_format format, char **data,
+                              size_t *size)
+{
+    batten_write_options options = batten_write_defaults();
+    options.format = format;
+    return batten_write_memory(model, &options, NULL, data, size);
+}
+
+/* What was written must read, and write the same. */
+static void check_written(const batten_model *model, const char *first, size_t first_size,
+                          batten_format format)
+{
+    batten_model *back = NULL;
+    char *second = NULL;
+    size_t second_size = 0;
+    const batten_status reading = read_as(first, first_size, format, NULL, &back);
+    demand(reading == BATTEN_OK, "what was written reads back");
+    same_model(model, back);
+    demand(write_as(back, format, &second, &second_size) == BATTEN_OK, "it is written again");
+    demand(second_size == first_size && memcmp(first, second, first_size) == 0,
+           "the second writing gives the same bytes");
+    batten_release(second);
+    batten_model_unref(back);
+}
+
+void fuzz_promise(const uint8_t *data, size_t size, batten_format read, batten_format written)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    char *first = NULL;
+    size_t first_size = 0;
+    if (batten_notes_create(20, &notes) != BATTEN_OK)
+        return;
+    const batten_status status = read_as((const char *)data, size, read, notes, &model);
+    demand((status == BATTEN_OK || status == BATTEN_PARTLY_READ) == (model != NULL),
+           "a model comes with success alone");
+    if (model && batten_model_count(model) > 0 &&
+        write_as(model, written, &first, &first_size) == BATTEN_OK)
+        check_written(model, first, first_size, written);
+    batten_release(first);
+    batten_model_unref(model);
+    batten_notes_free(notes);
+}
