@@ -1,12 +1,12 @@
-#include "shape/skin.h"
 #include "numeric/vector.h"
+#include "shape/skin.h"
 #include "spline/curve.h"
 
 #include <float.h>
 #include <string.h>
 
-/* How finely a span is walked: the error of a double reflection falls with the fourth power of the
- * step; for a quarter of a helix 64 steps leave 1e-7 radians. */
+/* How finely a span is walked: the error of a double reflection falls with the fourth power of
+ * the step; for a quarter of a helix 64 steps leave 1e-7 radians. */
 enum { STEPS_PER_SPAN = 64 };
 
 typedef struct {
@@ -37,7 +37,8 @@ static batten_vec3 across(batten_vec3 v, batten_vec3 t)
     return length > 0 ? bat_vec3_scale(rest, 1 / length) : rest;
 }
 
-/* The first frame: x is the axis of the world that lies most across the tangent, the first of equals. */
+/* The first frame: x is the axis of the world that lies most across the tangent, the first of
+ * equals. */
 static batten_vec3 first_axis(batten_vec3 t)
 {
     const double x = fabs(t.x), y = fabs(t.y), z = fabs(t.z);
@@ -63,8 +64,8 @@ static batten_vec3 carry(const place *from, const place *to, batten_vec3 x)
 }
 
 /* Walk from *at to `to` in equal steps that leave out no knot; `x` turns with it. */
-static batten_status walk(const batten_curve *spine, const double *knots, int knot_count, double from,
-                          double to, place *here, batten_vec3 *x)
+static batten_status walk(const batten_curve *spine, const double *knots, int knot_count,
+                          double from, double to, place *here, batten_vec3 *x)
 {
     for (int span = 0; span + 1 < knot_count; span++) {
         const double a = bat_max(from, knots[span]), b = bat_min(to, knots[span + 1]);
@@ -114,13 +115,14 @@ static batten_status frenet(const batten_curve *spine, double u, batten_frame *f
     const batten_vec3 bent = bat_vec3_cross(here.tangent, here.second);
     /* Below, the direction of the normal is the rounding of the second derivative. */
     if (!(bat_vec3_norm(bent) > 64 * DBL_EPSILON * bat_vec3_norm(here.second)))
-        return bat_fail(BATTEN_SINGULAR_HERE, "the spine is straight at %.17g: it has no Frenet frame there",
-                        u);
+        return bat_fail(BATTEN_SINGULAR_HERE,
+                        "the spine is straight at %.17g: it has no Frenet frame there", u);
     *frame = (batten_frame){here.point, x, here.tangent};
     return BATTEN_OK;
 }
 
-static batten_status fixed(const batten_curve *spine, int count, const double *at, batten_frame *frames)
+static batten_status fixed(const batten_curve *spine, int count, const double *at,
+                           batten_frame *frames)
 {
     place first, here;
     batten_status status = place_at(spine, batten_curve_domain(spine).a, &first);
@@ -138,7 +140,8 @@ static batten_status check_places(const batten_curve *spine, int count, const do
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d frames are asked for", count);
     const batten_status status = bat_parameters_check(count, at);
     if (status == BATTEN_OK && (at[0] < domain.a || at[count - 1] > domain.b))
-        return bat_fail(BATTEN_OUT_OF_DOMAIN, "the places %g to %g are not all on the spine, %g to %g", at[0],
+        return bat_fail(BATTEN_OUT_OF_DOMAIN,
+                        "the places %g to %g are not all on the spine, %g to %g", at[0],
                         at[count - 1], domain.a, domain.b);
     return status;
 }
@@ -167,7 +170,8 @@ batten_status batten_curve_frames(const batten_curve *spine, int count, const do
 
 /* ---- places of sections ---- */
 
-/* Arc lengths at 64 places of each span, by Simpson's rule; parameters by the cubic that has the speeds there. */
+/* Arc lengths at 64 places of each span, by Simpson's rule; parameters by the cubic that has
+ * the speeds there. */
 typedef struct {
     int count;
     double *u, *length, *speed;
@@ -187,7 +191,8 @@ static batten_status measure(const batten_curve *spine, const double *knots, rul
             const double h = r->u[i] - r->u[i - 1];
             const double before = r->speed[i - 1];
             status = batten_curve_evaluate(spine, r->u[i - 1] + h / 2, 1, values);
-            r->length[i] = r->length[i - 1] + h / 6 * (before + 4 * bat_norm(d, values + d) + r->speed[i]);
+            r->length[i] =
+                r->length[i - 1] + h / 6 * (before + 4 * bat_norm(d, values + d) + r->speed[i]);
         }
         if (status != BATTEN_OK)
             return status;
@@ -195,7 +200,8 @@ static batten_status measure(const batten_curve *spine, const double *knots, rul
     return BATTEN_OK;
 }
 
-/* u between two places where the length is the share x of the piece: the cubic with du / ds = 1 / speed. */
+/* u between two places where the length is the share x of the piece: the cubic with du / ds = 1
+ * / speed. */
 static double between(const ruler *r, int i, double x)
 {
     const double piece = r->length[i + 1] - r->length[i];
@@ -227,7 +233,8 @@ static batten_status even_places(const batten_curve *spine, int count, double *a
     r.u = bat_array((size_t)r.count, sizeof *r.u);
     r.length = bat_array((size_t)r.count, sizeof *r.length);
     r.speed = bat_array((size_t)r.count, sizeof *r.speed);
-    batten_status status = knots && r.u && r.length && r.speed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        knots && r.u && r.length && r.speed ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         batten_curve_spans(spine, knots);
         status = measure(spine, knots, &r);
@@ -262,7 +269,8 @@ static batten_status check_laws(int count, const batten_skin_options *o)
         if (o->scale && !isfinite(o->scale[k]))
             return bat_fail(BATTEN_NOT_FINITE, "the scale of section %d is %g", k, o->scale[k]);
         if (o->scale && o->scale[k] <= 0)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "the scale of section %d is %g, not above 0", k, o->scale[k]);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the scale of section %d is %g, not above 0",
+                            k, o->scale[k]);
     }
     return BATTEN_OK;
 }

@@ -14,7 +14,8 @@ batten_interpolate_options batten_interpolate_defaults(void)
 
 /* ---- what holds at the ends ---- */
 
-/* One end, seen from there: its first points, the step to the second, and how the curve runs. */
+/* One end, seen from there: its first points, the step to the second, and how the curve runs.
+ */
 typedef struct {
     int dimension, count;
     const double *a, *b, *c;
@@ -52,8 +53,8 @@ static batten_status directed(const end_view *e, const double *direction, double
     return BATTEN_OK;
 }
 
-/* The tangent at a of the circle through a, b, c, as long as the arc to b is for the step; false
- * when there is no circle. */
+/* The tangent at a of the circle through a, b, c, as long as the arc to b is for the step;
+ * false when there is no circle. */
 static bool circle(const end_view *e, double *value)
 {
     const int d = e->dimension;
@@ -82,21 +83,22 @@ static bool circle(const end_view *e, double *value)
     return isfinite(arc);
 }
 
-static batten_status resolve_end(const end_view *e, const batten_end *end, batten_end_kind *kind,
-                                 double *value)
+static batten_status resolve_end(const end_view *e, const batten_end *end,
+                                 batten_end_kind *kind, double *value)
 {
     *kind = end->kind;
     if (end->kind == BATTEN_END_CIRCLE)
         *kind = circle(e, value) ? BATTEN_END_CLAMPED : BATTEN_END_BESSEL;
-    const bool has_vector =
-        end->kind == BATTEN_END_CLAMPED || end->kind == BATTEN_END_DIRECTION ||
-        end->kind == BATTEN_END_SECOND || end->kind == BATTEN_END_CURVATURE;
+    const bool has_vector = end->kind == BATTEN_END_CLAMPED ||
+                            end->kind == BATTEN_END_DIRECTION ||
+                            end->kind == BATTEN_END_SECOND || end->kind == BATTEN_END_CURVATURE;
     if (!has_vector)
         return BATTEN_OK;
     if (bat_first_not_finite(end->vector, (size_t)e->dimension) < (size_t)e->dimension)
         return bat_fail(BATTEN_NOT_FINITE, "the vector at the %s is not finite", e->name);
     if (e->dimension == 1 && end->kind == BATTEN_END_CURVATURE)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a curvature at the %s needs a plane or space", e->name);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curvature at the %s needs a plane or space",
+                        e->name);
     memcpy(value, end->vector, (size_t)e->dimension * sizeof *value);
     if (end->kind == BATTEN_END_DIRECTION) {
         *kind = BATTEN_END_CLAMPED;
@@ -125,7 +127,7 @@ static batten_status find_parameters(task *t)
 {
     const batten_interpolate_options *o = t->options;
     const int wanted = t->count + o->periodic;
-    t->parameters = bat_array((size_t)wanted, sizeof *t->parameters);
+    t->parameters = bat_resize(NULL, (size_t)wanted, sizeof *t->parameters);
     if (!t->parameters)
         return BATTEN_OUT_OF_MEMORY;
     if (o->parameters != BATTEN_GIVEN)
@@ -162,7 +164,8 @@ static batten_status find_conditions(task *t)
     for (int i = 0; i < o->derivative_count; i++) {
         if (bat_first_not_finite(o->derivatives[i].value, d) < d)
             return bat_fail(BATTEN_NOT_FINITE, "derivative %d is not finite", i);
-        memcpy(t->conditions + (size_t)i * d, o->derivatives[i].value, d * sizeof *t->conditions);
+        memcpy(t->conditions + (size_t)i * d, o->derivatives[i].value,
+               d * sizeof *t->conditions);
     }
     return BATTEN_OK;
 }
@@ -175,8 +178,9 @@ static batten_status apply(task *t)
 
 /* ---- curvature at an end ---- */
 
-/* The tangents at the ends, affine in the second derivatives there: base[e] + sum of response[e][f]
- * second[f]. An end whose curvature is not given has no second derivative to vary. */
+/* The tangents at the ends, affine in the second derivatives there: base[e] + sum of
+ * response[e][f] second[f]. An end whose curvature is not given has no second derivative to
+ * vary. */
 typedef struct {
     const double *wanted[2]; /* curvature; NULL for such an end */
     double base[2][3], response[2][2];
@@ -202,22 +206,23 @@ static batten_status find_model(task *t, end_model *model)
     batten_status status = apply(t);
     end_tangents(&t->op, t->dimension, t->control, model->base[0], model->base[1]);
     for (int f = 0; status == BATTEN_OK && f < 2; f++) {
-        status = bat_operator_apply(&t->op, 1, zeros, f == 0 ? &one : &zero, f == 1 ? &one : &zero,
-                                    zeros, t->control);
+        status = bat_operator_apply(&t->op, 1, zeros, f == 0 ? &one : &zero,
+                                    f == 1 ? &one : &zero, zeros, t->control);
         end_tangents(&t->op, 1, t->control, &model->response[0][f], &model->response[1][f]);
     }
     bat_release(zeros);
     return status;
 }
 
-/* Move the second derivative towards the one at right angles to the tangent that gives the wanted
- * curvature at this speed. Returns by how much it was off, against its size. `response`: how much
- * the tangent may change with the second derivatives. */
+/* Move the second derivative towards the one at right angles to the tangent that gives the
+ * wanted curvature at this speed. Returns by how much it was off, against its size. `response`:
+ * how much the tangent may change with the second derivatives. */
 static double step_second(int d, const double *wanted, const double *tangent, double response,
                           double *second)
 {
     const double square = inner(d, tangent, tangent), along = inner(d, wanted, tangent);
-    /* The step turns an error by a right angle and lengthens it by r; this damping serves it best. */
+    /* The step turns an error by a right angle and lengthens it by r; this damping serves it
+     * best. */
     const double r2 = 4 * inner(d, wanted, wanted) * square * response * response;
     const double damping = 1 / (1 + r2);
     double off = 0, size = DBL_MIN;
@@ -246,8 +251,8 @@ static double step_both(int d, const end_model *m, double second[2][3])
     return off;
 }
 
-/* Curvature is not linear: it divides by the square of the speed, which changes with it. The second
- * derivative stands at right angles to the tangent, so damped steps come to rest. */
+/* Curvature is not linear: it divides by the square of the speed, which changes with it. The
+ * second derivative stands at right angles to the tangent, so damped steps come to rest. */
 static batten_status apply_curvatures(task *t)
 {
     const batten_end *ends[2] = {&t->options->start, &t->options->end};
@@ -265,7 +270,8 @@ static batten_status apply_curvatures(task *t)
     for (int round = 0; off > 32 * DBL_EPSILON; round++) {
         if (round == 10000)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "the curvatures at the ends were not reached: they were off by %g of their size",
+                            "the curvatures at the ends were not reached: they were off by %g "
+                            "of their size",
                             off);
         off = step_both(t->dimension, &model, second);
     }
@@ -303,7 +309,7 @@ static batten_status interpolate(task *t, batten_curve **curve)
     if (status != BATTEN_OK)
         return status;
     const bat_operator *op = &t->op;
-    t->control = bat_array3((size_t)op->count, (size_t)t->dimension, sizeof *t->control);
+    t->control = bat_resize(NULL, (size_t)op->count, (size_t)t->dimension * sizeof *t->control);
     if (!t->control)
         return BATTEN_OUT_OF_MEMORY;
     const bool ends = t->options->knots_at_data && !t->options->periodic;
@@ -316,8 +322,8 @@ static batten_status interpolate(task *t, batten_curve **curve)
         return status;
     return op->periodic ? batten_curve_create_periodic(t->dimension, op->degree, op->count,
                                                        t->control, NULL, op->knots, curve)
-                        : batten_curve_create(t->dimension, op->degree, op->count, t->control, NULL,
-                                              op->knots, curve);
+                        : batten_curve_create(t->dimension, op->degree, op->count, t->control,
+                                              NULL, op->knots, curve);
 }
 
 batten_status batten_curve_interpolate(int dimension, int count, const double *points,

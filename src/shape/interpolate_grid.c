@@ -21,8 +21,8 @@ static int step_count(const bat_family *g)
 }
 
 /* The steps of one line as shares of its length; false when it has none. */
-static bool line_shares(const bat_family *g, int line, batten_parametrization kind, double *points,
-                        double *shares)
+static bool line_shares(const bat_family *g, int line, batten_parametrization kind,
+                        double *points, double *shares)
 {
     const size_t d = (size_t)g->dimension;
     const double *from = g->points + (size_t)line * g->line_step;
@@ -42,18 +42,19 @@ static batten_status accumulate(const bat_family *g, int used, double *u)
 {
     const int n = step_count(g);
     if (used == 0)
-        return bat_fail(BATTEN_COINCIDENT, "all %s coincide: every line across them is a single point", g->name);
+        return bat_fail(BATTEN_COINCIDENT,
+                        "all %s coincide: every line across them is a single point", g->name);
     u[0] = 0;
     for (int i = 0; i < n; i++) {
         const double share = u[i + 1] / used;
         if (!isfinite(share))
-            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name,
-                            i, (i + 1) % g->count);
+            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name, i,
+                            (i + 1) % g->count);
         /* A millionth of the mean step would leave a crease, not a surface. */
         if (share * n < 1e-6)
             return bat_fail(BATTEN_COINCIDENT,
-                            "%s %d and %d coincide: the step is %g of the length", g->name,
-                            i, (i + 1) % g->count, share);
+                            "%s %d and %d coincide: the step is %g of the length", g->name, i,
+                            (i + 1) % g->count, share);
         u[i + 1] = u[i] + share;
     }
     u[n] = 1;
@@ -95,23 +96,24 @@ static batten_status average(const bat_family *g, batten_parametrization kind, d
     return status;
 }
 
-batten_status bat_family_parametrize(const bat_family *g, batten_parametrization kind, double *u,
-                                     double *spread)
+batten_status bat_family_parametrize(const bat_family *g, batten_parametrization kind,
+                                     double *u, double *spread)
 {
     if ((int)kind < 0 || kind > BATTEN_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d", (int)kind);
     if (kind != BATTEN_GIVEN)
         return average(g, kind, u, spread);
     if (!g->given)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters of the %s shall be given, and are not",
-                        g->name);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the parameters of the %s shall be given, and are not", g->name);
     memcpy(u, g->given, ((size_t)g->count + g->periodic) * sizeof *u);
     return bat_parameters_check(g->count + g->periodic, u);
 }
 
 /* ---- checks ---- */
 
-static batten_status check_derivatives(const batten_grid_options *o, int d, int count_u, int count_v)
+static batten_status check_derivatives(const batten_grid_options *o, int d, int count_u,
+                                       int count_v)
 {
     const struct {
         const double *values;
@@ -149,7 +151,8 @@ static batten_status check_ends(const batten_grid_options *o)
         return BATTEN_OK;
     default:
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "ends of kind %d need vectors: give a surface `du` and `dv`", (int)o->ends);
+                        "ends of kind %d need vectors: give a surface `du` and `dv`",
+                        (int)o->ends);
     }
 }
 
@@ -157,8 +160,8 @@ static batten_status check_grid(int d, int count_u, int count_v, const double *p
                                 const batten_grid_options *o)
 {
     if (count_u < 2 || count_v < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2", count_u,
-                        count_v);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2",
+                        count_u, count_v);
     const long long total = (long long)count_u * count_v;
     if (total > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "the grid has %lld points; the limit is %d", total,
@@ -190,10 +193,10 @@ static batten_status find_both_parameters(task *t)
 {
     const batten_grid_options *o = t->options;
     const size_t d = (size_t)t->dimension, row = (size_t)t->count_v * d;
-    const bat_family u = {"u grid lines", t->dimension,  t->count_u, t->count_v, row,
-                         d,   o->periodic_u, t->points,  o->given_u};
-    const bat_family v = {"v grid lines", t->dimension,  t->count_v, t->count_u, d,
-                         row, o->periodic_v, t->points,  o->given_v};
+    const bat_family u = {"u grid lines", t->dimension, t->count_u, t->count_v, row, d,
+                          o->periodic_u,  t->points,    o->given_u};
+    const bat_family v = {"v grid lines", t->dimension, t->count_v, t->count_u, d, row,
+                          o->periodic_v,  t->points,    o->given_v};
     t->u = bat_array((size_t)t->count_u + 1, sizeof *t->u);
     t->v = bat_array((size_t)t->count_v + 1, sizeof *t->v);
     if (!t->u || !t->v)
@@ -245,8 +248,8 @@ static void end_slope(int d, int count, const double *row, const double *u, bool
             slope[k] = (Q[k] - P[k]) / h0;
 }
 
-/* Each corner's twist can be had from Sv along u and from Su along v: their mean, so that u and v may be
- * exchanged. */
+/* Each corner's twist can be had from Sv along u and from Su along v: their mean, so that u and
+ * v may be exchanged. */
 static void estimate_twists(const task *t, double *twists)
 {
     const int d = t->dimension;
@@ -270,10 +273,12 @@ static batten_status solve_along_u(task *t)
     t->lines = bat_array3((size_t)t->along_u.count, row, sizeof *t->lines);
     if (!t->lines)
         return BATTEN_OUT_OF_MEMORY;
-    return bat_operator_apply(&t->along_u, row, t->points, du, du ? du + row : NULL, NULL, t->lines);
+    return bat_operator_apply(&t->along_u, row, t->points, du, du ? du + row : NULL, NULL,
+                              t->lines);
 }
 
-/* Sv on the two rims is interpolated along u as the points were; the twists are its end slopes. */
+/* Sv on the two rims is interpolated along u as the points were; the twists are its end slopes.
+ */
 static batten_status solve_rims(task *t)
 {
     const size_t d = (size_t)t->dimension;
@@ -329,7 +334,8 @@ static batten_status solve_along_v(task *t)
 
 /* ---- poles ---- */
 
-/* When all data of a rim are one point, so are, but for rounding, all its control points: make them it. */
+/* When all data of a rim are one point, so are, but for rounding, all its control points: make
+ * them it. */
 static void keep_pole(const task *t, bool rim_of_u, bool at_start)
 {
     const size_t d = (size_t)t->dimension;
@@ -373,13 +379,16 @@ static double largest(size_t count, const double *values)
 }
 
 /* The largest distance of the surface from a row of data. */
-static batten_status row_residual(const task *t, const batten_surface *surface, int i, double *worst)
+static batten_status row_residual(const task *t, const batten_surface *surface, int i,
+                                  double *worst)
 {
     const int d = t->dimension;
     for (int j = 0; j < t->count_v; j++) {
-        const double *point = t->points + ((size_t)i * (size_t)t->count_v + (size_t)j) * (size_t)d;
+        const double *point =
+            t->points + ((size_t)i * (size_t)t->count_v + (size_t)j) * (size_t)d;
         double found[3], square = 0;
-        const batten_status status = batten_surface_evaluate(surface, t->u[i], t->v[j], 0, found);
+        const batten_status status =
+            batten_surface_evaluate(surface, t->u[i], t->v[j], 0, found);
         if (status != BATTEN_OK)
             return status;
         for (int k = 0; k < d; k++)
@@ -389,7 +398,8 @@ static batten_status row_residual(const task *t, const batten_surface *surface, 
     return BATTEN_OK;
 }
 
-static batten_status check_residual(const task *t, const batten_surface *surface, double *residual)
+static batten_status check_residual(const task *t, const batten_surface *surface,
+                                    double *residual)
 {
     const size_t d = (size_t)t->dimension;
     double worst = 0;
@@ -401,7 +411,8 @@ static batten_status check_residual(const task *t, const batten_surface *surface
     *residual = worst;
     const size_t control_count = (size_t)t->along_u.count * (size_t)t->along_v.count;
     const double size = largest(control_count * d, t->control);
-    /* Each of the two steps may miss a coordinate by 8 eps, and evaluation by 4 for each degree. */
+    /* Each of the two steps may miss a coordinate by 8 eps, and evaluation by 4 for each
+     * degree. */
     const double allowed =
         2 * (16 + 4 * (t->along_u.degree + t->along_v.degree)) * DBL_EPSILON * size;
     if (worst > allowed)
@@ -414,7 +425,8 @@ static batten_status check_residual(const task *t, const batten_surface *surface
 /* One step for each data point. */
 static batten_status report(task *t, double fraction)
 {
-    return bat_work_step(&t->work, (uint64_t)t->count_u * (uint64_t)t->count_v, fraction, "grid");
+    return bat_work_step(&t->work, (uint64_t)t->count_u * (uint64_t)t->count_v, fraction,
+                         "grid");
 }
 
 static batten_status find_control(task *t)
@@ -469,7 +481,8 @@ static void release(task *t)
 }
 
 batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
-                                         const double *points, const batten_grid_options *options,
+                                         const double *points,
+                                         const batten_grid_options *options,
                                          const batten_job *job, double *u, double *v,
                                          batten_grid_report *report, batten_surface **out)
 {

@@ -43,8 +43,8 @@ static batten_status check_point(const batten_station *station, int index, int l
                         text_of(station->name), point->x, point->y, point->z);
     if (point->line < -1 || point->line >= line_count)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "point %d of station \"%s\" is on line %d, but there are %d lines", index,
-                        text_of(station->name), point->line, line_count);
+                        "point %d of station \"%s\" is on line %d, but there are %d lines",
+                        index, text_of(station->name), point->line, line_count);
     return BATTEN_OK;
 }
 
@@ -56,20 +56,23 @@ static batten_status check_station(const batten_station *stations, int index, in
         return bat_fail(BATTEN_NOT_FINITE, "station %d, \"%s\", stands at x = %g", index, name,
                         station->x);
     if (index > 0 && station->x <= stations[index - 1].x)
-        return bat_fail(BATTEN_NOT_INCREASING,
-                        "station %d, \"%s\", stands at x = %g, not beyond the one before, at %g",
-                        index, name, station->x, stations[index - 1].x);
+        return bat_fail(
+            BATTEN_NOT_INCREASING,
+            "station %d, \"%s\", stands at x = %g, not beyond the one before, at %g", index,
+            name, station->x, stations[index - 1].x);
     if (station->point_count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "station %d, \"%s\", has %d points, and needs one",
-                        index, name, station->point_count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "station %d, \"%s\", has %d points, and needs one", index, name,
+                        station->point_count);
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < station->point_count; i++)
         status = check_point(station, i, line_count);
     return status;
 }
 
-static batten_status check_all(double unit_metres, int line_count, const batten_offset_line *lines,
-                               int station_count, const batten_station *stations)
+static batten_status check_all(double unit_metres, int line_count,
+                               const batten_offset_line *lines, int station_count,
+                               const batten_station *stations)
 {
     batten_status status = check_counts(unit_metres, line_count, station_count);
     for (int i = 0; status == BATTEN_OK && i < line_count; i++)
@@ -93,8 +96,9 @@ static void destroy(batten_offsets *offsets)
 }
 
 /* The arrays, of the sizes that these lines and stations need. */
-static batten_status allocate(int line_count, const batten_offset_line *lines, int station_count,
-                              const batten_station *stations, batten_offsets *offsets)
+static batten_status allocate(int line_count, const batten_offset_line *lines,
+                              int station_count, const batten_station *stations,
+                              batten_offsets *offsets)
 {
     size_t characters = 0, points = 0;
     for (int i = 0; i < line_count; i++)

@@ -72,13 +72,14 @@ static batten_status check_degree(const bat_request *r)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d, not 1 to %d", r->degree,
                         BATTEN_MAX_DEGREE);
     if (!r->periodic && r->knots_at_data && r->degree % 2 == 0)
-        return bat_fail(BATTEN_BAD_DEGREE,
-                        "knots at the data need an odd degree, and it is %d; averaged knots take any",
-                        r->degree);
+        return bat_fail(
+            BATTEN_BAD_DEGREE,
+            "knots at the data need an odd degree, and it is %d; averaged knots take any",
+            r->degree);
     if (r->degree != 3 && (r->start == BATTEN_END_FAIR || r->end == BATTEN_END_FAIR ||
                            r->start == BATTEN_END_PARABOLIC || r->end == BATTEN_END_PARABOLIC))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "fair and parabolic ends are cubic, and the degree is %d",
-                        r->degree);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "fair and parabolic ends are cubic, and the degree is %d", r->degree);
     return BATTEN_OK;
 }
 
@@ -89,12 +90,14 @@ static batten_status check_condition(const bat_request *r, int i)
         return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d is at point %d of %d", i, c->index,
                         r->count);
     if (c->order < 1 || c->order > r->degree)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d has the order %d, and the degree is %d", i,
-                        c->order, r->degree);
-    if (r->knots_at_data && c->index > 0 && c->index < r->count - 1)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "derivative %d is at point %d: with knots at the data only ends take them", i,
-                        c->index);
+                        "derivative %d has the order %d, and the degree is %d", i, c->order,
+                        r->degree);
+    if (r->knots_at_data && c->index > 0 && c->index < r->count - 1)
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "derivative %d is at point %d: with knots at the data only ends take them", i,
+            c->index);
     return BATTEN_OK;
 }
 
@@ -102,22 +105,24 @@ static batten_status check_request(const bat_request *r)
 {
     batten_status status = check_degree(r);
     if (status == BATTEN_OK && r->periodic && r->condition_count > 0)
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "a periodic curve takes no derivatives, and %d are given",
+        status = bat_fail(BATTEN_BAD_ARGUMENT,
+                          "a periodic curve takes no derivatives, and %d are given",
                           r->condition_count);
     for (int i = 0; status == BATTEN_OK && i < r->condition_count; i++)
         status = check_condition(r, i);
-    for (int side = 0; status == BATTEN_OK && r->knots_at_data && !r->periodic && side < 2; side++) {
-        const int given =
-            conditions_at(r, side ? r->count - 1 : 0, side ? r->end : r->start);
+    for (int side = 0; status == BATTEN_OK && r->knots_at_data && !r->periodic && side < 2;
+         side++) {
+        const int given = conditions_at(r, side ? r->count - 1 : 0, side ? r->end : r->start);
         if (given > (r->degree - 1) / 2)
-            status = bat_fail(BATTEN_BAD_ARGUMENT, "the %s has %d conditions, and degree %d takes %d",
+            status = bat_fail(BATTEN_BAD_ARGUMENT,
+                              "the %s has %d conditions, and degree %d takes %d",
                               side ? "end" : "start", given, r->degree, (r->degree - 1) / 2);
     }
     return status;
 }
 
-/* Put a row in its place among those of its data point: by increasing order, at the last point by
- * decreasing order, so that no pivot is lost. */
+/* Put a row in its place among those of its data point: by increasing order, at the last point
+ * by decreasing order, so that no pivot is lost. */
 static batten_status place_row(bat_operator *op, int *first, int *used, bat_row row)
 {
     bat_row *rows = op->rows + first[row.index];
@@ -127,8 +132,8 @@ static batten_status place_row(bat_operator *op, int *first, int *used, bat_row 
         rows[i] = rows[i - 1];
     rows[i] = row;
     if (i > 0 && rows[i - 1].order == row.order)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d at point %d is given twice", row.order,
-                        row.index);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d at point %d is given twice",
+                        row.order, row.index);
     return BATTEN_OK;
 }
 
@@ -226,8 +231,8 @@ static batten_status make_knots(const bat_request *r, bat_operator *op)
 
 /* The columns first .. last in which a row is not zero, and the span it is taken on; spans are
  * asked for in increasing order and `span` begins as p. */
-static void row_columns(const bat_request *r, const bat_operator *op, int i, int *span, int *first,
-                        int *last)
+static void row_columns(const bat_request *r, const bat_operator *op, int i, int *span,
+                        int *first, int *last)
 {
     const int p = op->degree, n = op->count;
     const bat_row row = op->rows[i];
@@ -251,10 +256,10 @@ static batten_status find_band(const bat_request *r, bat_operator *op)
     for (int i = 0, span = p, first, last; i < op->count; i++) {
         row_columns(r, op, i, &span, &first, &last);
         if (i < first || i > last) /* Schoenberg and Whitney */
-            return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                            "parameter %.17g of equation %d lies outside its knots, %.17g to %.17g",
-                            r->parameters[op->rows[i].index], i, op->knots[i],
-                            op->knots[i + p + 1]);
+            return bat_fail(
+                BATTEN_SINGULAR_SYSTEM,
+                "parameter %.17g of equation %d lies outside its knots, %.17g to %.17g",
+                r->parameters[op->rows[i].index], i, op->knots[i], op->knots[i + p + 1]);
         op->lower = bat_max_int(op->lower, i - first);
         op->upper = bat_max_int(op->upper, last - i);
     }
@@ -277,7 +282,8 @@ static void fill_matrix(const bat_request *r, bat_operator *op, double *basis)
 
 /* Row r of a periodic spline bears on the control values r .. r + p; solved for is the sequence
  * that begins p / 2 later, so that the band has its centre on the diagonal. */
-static void fill_periodic(const bat_request *r, bat_operator *op, const double *U, double *basis)
+static void fill_periodic(const bat_request *r, bat_operator *op, const double *U,
+                          double *basis)
 {
     const int p = op->degree, w = op->lower + op->upper + 1;
     for (int i = 0; i < op->count; i++) {
@@ -301,7 +307,7 @@ static batten_status make_periodic(const bat_request *r, bat_operator *op, doubl
 static batten_status make_banded(const bat_request *r, bat_operator *op, double *basis)
 {
     const size_t size = (size_t)op->count * (size_t)(op->lower + op->upper + 1);
-    op->factor = bat_array(size, sizeof *op->factor);
+    op->factor = bat_resize(NULL, size, sizeof *op->factor);
     if (!op->factor)
         return BATTEN_OUT_OF_MEMORY;
     fill_matrix(r, op, basis);
@@ -320,8 +326,8 @@ static batten_status make_matrix(const bat_request *r, bat_operator *op)
         return status;
     const size_t wide = (size_t)op->degree + 1;
     double *basis = bat_array(wide * (wide + 1), sizeof *basis);
-    op->matrix = bat_array3((size_t)op->count, (size_t)(op->lower + op->upper + 1),
-                            sizeof *op->matrix);
+    op->matrix =
+        bat_array3((size_t)op->count, (size_t)(op->lower + op->upper + 1), sizeof *op->matrix);
     if (!basis || !op->matrix)
         status = BATTEN_OUT_OF_MEMORY;
     else
@@ -340,8 +346,8 @@ static double dot(int count, const double *a, const double *b)
     return sum;
 }
 
-/* gradient = G^T G response, where row i of G gives the jump of the third derivative at inner knot i
- * of a cubic, from five control values. */
+/* gradient = G^T G response, where row i of G gives the jump of the third derivative at inner
+ * knot i of a cubic, from five control values. */
 static void jump_gradient(const bat_operator *op, const double *response, double *gradient)
 {
     const double *U = op->knots;
@@ -374,12 +380,13 @@ static batten_status make_fair(bat_operator *op)
     }
     for (int e = 0; e < op->fair_count; e++)
         for (int f = 0; f < op->fair_count; f++)
-            op->gram[e][f] = dot(op->count, op->gradient + (size_t)e * n, op->response + (size_t)f * n);
+            op->gram[e][f] =
+                dot(op->count, op->gradient + (size_t)e * n, op->response + (size_t)f * n);
     return BATTEN_OK;
 }
 
-/* The rows of the ends that are fair. With fewer jumps than such ends Bessel's slopes, which these rows begin with,
- * stay: then the parabola through three points has no jump. */
+/* The rows of the ends that are fair. With fewer jumps than such ends Bessel's slopes, which
+ * these rows begin with, stay: then the parabola through three points has no jump. */
 static void find_fair(const bat_request *r, bat_operator *op)
 {
     for (int i = 0; i < op->count; i++)

@@ -42,6 +42,20 @@ static const double *row_of(const right_side *b, const bat_row *row)
     }
 }
 
+/* Runs of data are copied at once. */
+static void fill_right_side(const right_side *b, double *x)
+{
+    const bat_operator *op = b->op;
+    for (int i = 0, end; i < op->count; i = end) {
+        for (end = i + 1; end < op->count && op->rows[i].source == BAT_FROM_DATA; end++)
+            if (op->rows[end].source != BAT_FROM_DATA ||
+                op->rows[end].index != op->rows[end - 1].index + 1)
+                break;
+        memcpy(x + (size_t)i * b->width, row_of(b, &op->rows[i]),
+               (size_t)(end - i) * b->width * sizeof *x);
+    }
+}
+
 /* Bessel's slopes at both ends; two points have but one slope. */
 static void make_slopes(const right_side *b)
 {
@@ -55,14 +69,16 @@ static void make_slopes(const right_side *b)
                      b->slopes + w);
 }
 
-/* In place: solve, and for a periodic spline turn the sequence so that it begins with point 0. */
+/* In place: solve, and for a periodic spline turn the sequence so that it begins with point 0.
+ */
 static batten_status solve(const bat_operator *op, size_t width, double *x)
 {
     if (!op->periodic) {
         bat_banded_solve(op->count, op->lower, op->upper, op->factor, width, x);
         return BATTEN_OK;
     }
-    const size_t shift = (size_t)(op->lower % op->count) * width, size = (size_t)op->count * width;
+    const size_t shift = (size_t)(op->lower % op->count) * width,
+                 size = (size_t)op->count * width;
     double *turned = bat_array(size, sizeof *turned);
     if (!turned)
         return BATTEN_OUT_OF_MEMORY;
@@ -87,10 +103,11 @@ static void make_fair(const right_side *b, double *x)
         for (int e = 0; e < ends; e++)
             for (size_t i = 0; i < n; i++)
                 pull[e] -= op->gradient[(size_t)e * n + i] * x[i * b->width + k];
-        change[0] = ends == 1 ? pull[0] / op->gram[0][0]
-                              : (pull[0] * op->gram[1][1] - pull[1] * op->gram[0][1]) / determinant;
-        change[1] = ends == 1 ? 0
-                              : (pull[1] * op->gram[0][0] - pull[0] * op->gram[1][0]) / determinant;
+        change[0] = ends == 1
+                        ? pull[0] / op->gram[0][0]
+                        : (pull[0] * op->gram[1][1] - pull[1] * op->gram[0][1]) / determinant;
+        change[1] =
+            ends == 1 ? 0 : (pull[1] * op->gram[0][0] - pull[0] * op->gram[1][0]) / determinant;
         for (int e = 0; e < ends; e++) {
             const bool at_start = op->rows[op->fair_row[e]].source == BAT_FROM_BESSEL_START;
             b->slopes[(at_start ? 0 : b->width) + k] += change[e];
@@ -100,7 +117,7 @@ static void make_fair(const right_side *b, double *x)
     }
 }
 
-static double largest(size_t count, const double *values)
+static inline double largest(size_t count, const double *values)
 {
     double size = 0;
     for (size_t i = 0; i < count; i++)
@@ -108,40 +125,61 @@ static double largest(size_t count, const double *values)
     return size;
 }
 
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+
 /* residual[width] of equation i: right side - matrix x. */
-static void residual_row(const right_side *b, const double *x, int i, double *residual)
+ALWAYS_INLINE void residual_row(const right_side *b, size_t width, const double *x, int i,
+                                double *residual)
 {
     const bat_operator *op = b->op;
     const int w = op->lower + op->upper + 1, n = op->count;
-    const double *a = op->matrix + (size_t)i * (size_t)w;
-    memcpy(residual, row_of(b, &op->rows[i]), b->width * sizeof *residual);
+    const double *a = op->matrix + (size_t)i * (size_t)w, *right = row_of(b, &op->rows[i]);
+    for (size_t k = 0; k < width; k++)
+        residual[k] = right[k];
     for (int j = 0; j < w; j++) {
         int column = i + j - op->lower;
         if (op->periodic)
             column = (i + j) % n;
         else if (column < 0 || column >= n)
             continue;
-        const double *row = x + (size_t)column * b->width;
-        for (size_t k = 0; k < b->width; k++)
+        const double *row = x + (size_t)column * width;
+        for (size_t k = 0; k < width; k++)
             residual[k] -= a[j] * row[k];
     }
 }
 
 /* By how much the spline misses its data at worst, and where. */
-static double worst_miss(const right_side *b, const double *x, double *residual, int *where)
+ALWAYS_INLINE double worst_of(const right_side *b, size_t width, const double *x,
+                              double *residual, int *where)
 {
     double worst = 0;
     for (int i = 0; i < b->op->count; i++) {
         if (b->op->rows[i].source != BAT_FROM_DATA)
             continue;
-        residual_row(b, x, i, residual);
-        const double miss = largest(b->width, residual);
+        residual_row(b, width, x, i, residual);
+        const double miss = largest(width, residual);
         if (miss > worst || miss != miss) {
             worst = miss;
             *where = b->op->rows[i].index;
         }
     }
     return worst;
+}
+
+/* The widths of numbers and of points get loops of their own. */
+static double worst_miss(const right_side *b, const double *x, double *residual, int *where)
+{
+    double few[3];
+    switch (b->width) {
+    case 1:
+        return worst_of(b, 1, x, few, where);
+    case 2:
+        return worst_of(b, 2, x, few, where);
+    case 3:
+        return worst_of(b, 3, x, few, where);
+    default:
+        return worst_of(b, b->width, x, residual, where);
+    }
 }
 
 /* One step of iterative refinement. */
@@ -152,7 +190,7 @@ static batten_status refine(const right_side *b, double *x)
     if (!step)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < b->op->count; i++)
-        residual_row(b, x, i, step + (size_t)i * b->width);
+        residual_row(b, b->width, x, i, step + (size_t)i * b->width);
     const batten_status status = solve(b->op, b->width, step);
     for (size_t i = 0; status == BATTEN_OK && i < size; i++)
         x[i] += step[i];
@@ -164,8 +202,8 @@ static batten_status check(const right_side *b, double *x, double *residual)
 {
     const size_t n = (size_t)b->op->count * b->width;
     for (int attempt = 0;; attempt++) {
-        const double size = bat_max(largest((size_t)b->op->data_count * b->width, b->data),
-                                    largest(n, x));
+        const double size =
+            bat_max(largest((size_t)b->op->data_count * b->width, b->data), largest(n, x));
         if (bat_first_not_finite(x, n) < n)
             return bat_fail(BATTEN_OVERFLOW, "a control point became too large");
         int where = 0;
@@ -173,9 +211,10 @@ static batten_status check(const right_side *b, double *x, double *residual)
         if (miss <= 8 * DBL_EPSILON * size)
             return BATTEN_OK;
         if (attempt == 1)
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "data point %d is missed by %g, more than 8 eps of the largest number %g",
-                            where, miss, size);
+            return bat_fail(
+                BATTEN_TOLERANCE_NOT_MET,
+                "data point %d is missed by %g, more than 8 eps of the largest number %g",
+                where, miss, size);
         const batten_status status = refine(b, x);
         if (status != BATTEN_OK)
             return status;
@@ -183,18 +222,17 @@ static batten_status check(const right_side *b, double *x, double *residual)
 }
 
 batten_status bat_operator_apply(const bat_operator *op, size_t width, const double *data,
-                                 const double *start, const double *end, const double *conditions,
-                                 double *control)
+                                 const double *start, const double *end,
+                                 const double *conditions, double *control)
 {
     double *scratch = bat_array3(4, width, sizeof *scratch);
     if (!scratch)
         return BATTEN_OUT_OF_MEMORY;
-    const right_side b = {op,         width,   data, start, end, conditions, scratch,
-                          scratch + 2 * width};
+    const right_side b = {op,  width,      data,    start,
+                          end, conditions, scratch, scratch + 2 * width};
     if (!op->periodic)
         make_slopes(&b);
-    for (int i = 0; i < op->count; i++)
-        memcpy(control + (size_t)i * width, row_of(&b, &op->rows[i]), width * sizeof *control);
+    fill_right_side(&b, control);
     batten_status status = solve(op, width, control);
     if (status == BATTEN_OK && op->fair_count > 0)
         make_fair(&b, control);

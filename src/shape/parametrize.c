@@ -4,10 +4,11 @@
 #include <float.h>
 #include <string.h>
 
-/* How long a step between points is: Euclidean, or after Nielson |L^-1 (S^-1 v)|, where S scales
- * each coordinate by its spread and L L^T is the correlation of the points. Then lengths, and
- * angles made of lengths, do not change under affine maps. Points that fill only a plane or a line
- * are measured within it: L has `rank` columns, and its rows are taken in the order `row`. */
+/* How long a step between points is: Euclidean, or after Nielson |L^-1 (S^-1 v)|, where S
+ * scales each coordinate by its spread and L L^T is the correlation of the points. Then
+ * lengths, and angles made of lengths, do not change under affine maps. Points that fill only a
+ * plane or a line are measured within it: L has `rank` columns, and its rows are taken in the
+ * order `row`. */
 typedef struct {
     int dimension, rank; /* rank 0: Euclidean */
     int row[3];
@@ -140,8 +141,9 @@ static metric metric_of(int d, int count, const double *points)
 
 /* ---- steps ---- */
 
-/* How much a corner lengthens the steps beside it: 3/2 min(turning angle, pi/2). The angle between
- * unit vectors u, v is 2 atan2(|u - v|, |u + v|), accurate for small and for large ones. */
+/* How much a corner lengthens the steps beside it: 3/2 min(turning angle, pi/2). The angle
+ * between unit vectors u, v is 2 atan2(|u - v|, |u + v|), accurate for small and for large
+ * ones. */
 static double corner(const metric *m, const double *a, const double *b, const double *c)
 {
     double u[3], v[3], sum[3], difference[3];
@@ -209,10 +211,11 @@ static double step_of(const polygon *p, batten_parametrization kind, int i)
 batten_status bat_points_check(int dimension, int count, const double *points, int least)
 {
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "points have %d coordinates, not 1 to 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "points have %d coordinates, not 1 to 3",
+                        dimension);
     if (count < least)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d points, and at least %d are needed",
-                        count, least);
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "there are %d points, and at least %d are needed", count, least);
     if (count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d points; the limit is %d", count,
                         (int)BAT_MAX_POINTS);
@@ -252,8 +255,9 @@ batten_status bat_parametrize(int dimension, int count, const double *points,
             return bad_pair(count, i, step);
         parameters[i + 1] = parameters[i] + step;
         if (parameters[i + 1] == parameters[i])
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide: the step %g is lost in %g",
-                            i, (i + 1) % count, step, parameters[i]);
+            return bat_fail(BATTEN_COINCIDENT,
+                            "points %d and %d coincide: the step %g is lost in %g", i,
+                            (i + 1) % count, step, parameters[i]);
     }
     return BATTEN_OK;
 }
@@ -263,8 +267,8 @@ batten_status batten_parametrize(int dimension, int count, const double *points,
 {
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status == BATTEN_OK && ((int)kind < 0 || kind >= BATTEN_GIVEN))
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "parametrization %d is none that can be computed",
-                          (int)kind);
+        status = bat_fail(BATTEN_BAD_ARGUMENT,
+                          "parametrization %d is none that can be computed", (int)kind);
     if (status != BATTEN_OK)
         return status;
     const size_t wanted = (size_t)count + closed;

@@ -1,7 +1,7 @@
 /*
- * The one mechanism under interpolation: a linear operator that turns data at parameters into the
- * control values of a spline. Curves give it rows of d numbers; a grid gives it whole lines of
- * points, along u and then along v; a skin gives it the control points of its sections.
+ * The one mechanism under interpolation: a linear operator that turns data at parameters into
+ * the control values of a spline. Curves give it rows of d numbers; a grid gives it whole lines
+ * of points, along u and then along v; a skin gives it the control points of its sections.
  */
 #ifndef BAT_SHAPE_H
 #define BAT_SHAPE_H
@@ -10,7 +10,8 @@
 
 /* Points of 1..3 finite coordinates, at least `least` of them. */
 batten_status bat_points_check(int dimension, int count, const double *points, int least);
-/* The steps between the parameters of checked points, 0 where points coincide; [count - 1], closed [count]. */
+/* The steps between the parameters of checked points, 0 where points coincide; [count - 1],
+ * closed [count]. */
 void bat_steps(int dimension, int count, const double *points, batten_parametrization kind,
                bool closed, double *steps);
 /* batten_parametrize for checked points; on failure `parameters` is spoilt. */
@@ -21,17 +22,19 @@ batten_status bat_parameters_check(int count, const double *parameters);
 
 /* A family of lines of points that shall have the same parameters: the rows of a grid. */
 typedef struct {
-    const char *name; /* of what crosses them, for messages: "u grid lines" */
+    const char *name;             /* of what crosses them, for messages: "u grid lines" */
     int dimension, count, lines;  /* `lines` of `count` points */
     size_t point_step, line_step; /* in numbers */
     bool periodic;
     const double *points, *given;
 } bat_family;
 
-/* Parameters 0 .. 1, the average of those of all lines that are not a single point; or those given.
- * @param u  [count], periodic [count + 1], zeros; @param spread  how far a line's own are from them, in steps */
-batten_status bat_family_parametrize(const bat_family *family, batten_parametrization kind, double *u,
-                                     double *spread);
+/* Parameters 0 .. 1, the average of those of all lines that are not a single point; or those
+ * given.
+ * @param u  [count], periodic [count + 1], zeros; @param spread  how far a line's own are from
+ * them, in steps */
+batten_status bat_family_parametrize(const bat_family *family, batten_parametrization kind,
+                                     double *u, double *spread);
 
 /* What is asked of the spline: its value at each parameter, and more. */
 typedef struct {
@@ -39,7 +42,8 @@ typedef struct {
     int count;                /* data */
     const double *parameters; /* [count], increasing; periodic [count + 1] */
     bool knots_at_data, periodic;
-    batten_end_kind start, end; /* with knots at the data; those that are linear: not CIRCLE, CURVATURE, DIRECTION */
+    batten_end_kind start, end; /* with knots at the data; those that are linear: not CIRCLE,
+                                   CURVATURE, DIRECTION */
     int condition_count;        /* derivatives at data points */
     const batten_derivative *conditions;
 } bat_request;
@@ -64,14 +68,16 @@ typedef struct {
     int degree, data_count;
     int count; /* control values; periodic: of one period */
     bool periodic;
-    double *knots;   /* [count + degree + 1]; periodic [count + 1] */
-    double step[4];  /* the first two steps of the parameters and the last two, for Bessel's slopes */
-    bat_row *rows;   /* [count] */
+    double *knots;  /* [count + degree + 1]; periodic [count + 1] */
+    double step[4]; /* the first two steps of the parameters and the last two, for Bessel's
+                       slopes */
+    bat_row *rows;  /* [count] */
     int lower, upper;
     double *matrix, *factor; /* bands; when periodic `cyclic` instead of `factor` */
     bat_cyclic *cyclic;
-    /* Ends that are FAIR: their rows, the control values for a unit slope there and zeros else, the gradient of
-     * the sum of squared jumps of the third derivative along these, and their Gram matrix. */
+    /* Ends that are FAIR: their rows, the control values for a unit slope there and zeros else,
+     * the gradient of the sum of squared jumps of the third derivative along these, and their
+     * Gram matrix. */
     int fair_count;
     int fair_row[2];
     double *response, *gradient; /* [fair_count][count] */
@@ -81,13 +87,15 @@ typedef struct {
 batten_status bat_operator_make(const bat_request *request, bat_operator *out);
 void bat_operator_free(bat_operator *op);
 /*
- * Control values [count][width] from data [data_count][width], the values that the ends CLAMPED and SECOND ask for
- * ([width] each; NULL for zeros) and those of the conditions [condition_count][width]. The result is checked
- * against the data: TOLERANCE_NOT_MET when a value is missed by more than 8 eps of the largest number.
+ * Control values [count][width] from data [data_count][width], the values that the ends CLAMPED
+ * and SECOND ask for
+ * ([width] each; NULL for zeros) and those of the conditions [condition_count][width]. The
+ * result is checked against the data: TOLERANCE_NOT_MET when a value is missed by more than 8
+ * eps of the largest number.
  */
 batten_status bat_operator_apply(const bat_operator *op, size_t width, const double *data,
-                                 const double *start, const double *end, const double *conditions,
-                                 double *control);
+                                 const double *start, const double *end,
+                                 const double *conditions, double *control);
 
 /* The slope at a of the parabola through a, b, c that are h0 and h1 apart. */
 void bat_bessel_slope(size_t width, double h0, double h1, const double *a, const double *b,

@@ -31,14 +31,17 @@ typedef struct {
 
 /* ---- checks ---- */
 
-static batten_status check_end(const batten_skin_options *o, const batten_end *end, const char *name)
+static batten_status check_end(const batten_skin_options *o, const batten_end *end,
+                               const char *name)
 {
     if (end->kind == BATTEN_END_NOT_A_KNOT || o->periodic)
         return BATTEN_OK;
     if (end->kind == BATTEN_END_CIRCLE || end->kind == BATTEN_END_CURVATURE)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a skin cannot have a circle or a curvature at its %s", name);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "a skin cannot have a circle or a curvature at its %s", name);
     if (o->degree % 2 == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "conditions at the %s need an odd degree, and it is %d", name,
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "conditions at the %s need an odd degree, and it is %d", name,
                         o->degree);
     if (bat_first_not_finite(end->vector, 3) < 3)
         return bat_fail(BATTEN_NOT_FINITE, "the vector at the %s is not finite", name);
@@ -50,13 +53,14 @@ static batten_status check_end(const batten_skin_options *o, const batten_end *e
 static batten_status check(int count, const batten_skin_options *o)
 {
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d sections, and a skin needs 2", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d sections, and a skin needs 2",
+                        count);
     if (count > BAT_MAX_MADE_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d sections; the limit is %d", count,
                         (int)BAT_MAX_MADE_POINTS);
     if (o->degree < 1 || o->degree > BATTEN_MAX_DEGREE)
-        return bat_fail(BATTEN_BAD_DEGREE, "the degree across the sections is %d, not 1 to %d", o->degree,
-                        BATTEN_MAX_DEGREE);
+        return bat_fail(BATTEN_BAD_DEGREE, "the degree across the sections is %d, not 1 to %d",
+                        o->degree, BATTEN_MAX_DEGREE);
     if (!isfinite(o->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
     if (o->tolerance < 0)
@@ -144,7 +148,8 @@ static batten_status align(task *t)
                 batten_curve_unref(t->placed[k]);
                 t->placed[k] = reversed;
                 status = sample(reversed, here);
-                bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k, reversed_count++);
+                bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k,
+                         reversed_count++);
             }
         }
         memcpy(before, here, sizeof before);
@@ -183,8 +188,8 @@ static batten_status unify(task *t)
     const bool exact = t->periodic_u || t->options->tolerance == 0;
     batten_status status = exact ? BATTEN_OK : even_speeds(t);
     if (status == BATTEN_OK && !exact)
-        status = bat_skin_common_knots(t->count, placed, t->options->tolerance, &t->work, t->unified,
-                                       t->deviation);
+        status = bat_skin_common_knots(t->count, placed, t->options->tolerance, &t->work,
+                                       t->unified, t->deviation);
     else if (status == BATTEN_OK)
         status = batten_curves_unify(t->count, placed, t->unified);
     if (status != BATTEN_OK)
@@ -192,12 +197,14 @@ static batten_status unify(task *t)
     const batten_curve *first = t->unified[0];
     t->rational = batten_curve_is_rational(first);
     t->width = (size_t)t->dimension + t->rational;
-    t->points = batten_curve_point_count(first) - (t->periodic_u ? batten_curve_degree(first) : 0);
+    t->points =
+        batten_curve_point_count(first) - (t->periodic_u ? batten_curve_degree(first) : 0);
     const double size = (double)t->points * (t->count + 2);
     if (size > BAT_MAX_MADE_POINTS)
-        return bat_fail(BATTEN_TOO_LARGE,
-                        "%d sections with %d common control points make a surface of %.3g; the limit is %d",
-                        t->count, t->points, size, (int)BAT_MAX_MADE_POINTS);
+        return bat_fail(
+            BATTEN_TOO_LARGE,
+            "%d sections with %d common control points make a surface of %.3g; the limit is %d",
+            t->count, t->points, size, (int)BAT_MAX_MADE_POINTS);
     return BATTEN_OK;
 }
 
@@ -231,7 +238,8 @@ static batten_status find_parameters(task *t)
     batten_status status = points && t->v ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         for (int k = 0; k < t->count; k++)
-            memcpy(points + (size_t)k * row, batten_curve_points(t->unified[k]), row * sizeof *points);
+            memcpy(points + (size_t)k * row, batten_curve_points(t->unified[k]),
+                   row * sizeof *points);
         const bat_family family = {.name = "sections",
                                    .dimension = t->dimension,
                                    .count = t->count,
@@ -253,13 +261,14 @@ static batten_end_kind linear_kind(batten_end_kind kind)
     return kind == BATTEN_END_DIRECTION ? BATTEN_END_CLAMPED : kind;
 }
 
-/* What the end asks of each control point: the same derivative of the surface along the whole section, or the same
- * direction with the length of the chord. Weights do not change there. */
+/* What the end asks of each control point: the same derivative of the surface along the whole
+ * section, or the same direction with the length of the chord. Weights do not change there. */
 static void fill_end(const task *t, const batten_end *end, int here, int next, double *values)
 {
     const size_t d = (size_t)t->dimension;
     const double step = fabs(t->v[next] - t->v[here]), length = bat_norm((int)d, end->vector);
-    const double *P = batten_curve_points(t->unified[here]), *Q = batten_curve_points(t->unified[next]);
+    const double *P = batten_curve_points(t->unified[here]),
+                 *Q = batten_curve_points(t->unified[next]);
     const double *w = batten_curve_weights(t->unified[here]);
     for (size_t i = 0; i < (size_t)t->points; i++) {
         double factor = w ? w[i] : 1;
@@ -291,7 +300,8 @@ static batten_status interpolate_across(task *t)
     else {
         fill_end(t, &o->start, 0, 1, ends);
         fill_end(t, &o->end, t->count - 1, t->count - 2, ends + row);
-        status = bat_operator_apply(&t->across, row, t->rows, ends, ends + row, NULL, t->control);
+        status =
+            bat_operator_apply(&t->across, row, t->rows, ends, ends + row, NULL, t->control);
     }
     bat_release(ends);
     return status;
@@ -309,7 +319,8 @@ static batten_status divide(const task *t, double *points, double *weights)
             const double weight = t->rational ? row[d] : 1;
             if (!(weight > 0))
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
-                                "between the sections the weight of control point (%zu, %zu) becomes %g: their "
+                                "between the sections the weight of control point (%zu, %zu) "
+                                "becomes %g: their "
                                 "weights differ too much",
                                 i, j, weight);
             for (size_t c = 0; c < d; c++)
@@ -328,7 +339,8 @@ static void keep_rims(const task *t, double *points, double *weights)
         const batten_curve *section = t->unified[end == 0 ? 0 : t->count - 1];
         const size_t j = end == 0 ? 0 : across - 1;
         for (size_t i = 0; i < (size_t)t->points; i++) {
-            memcpy(points + (i * across + j) * d, batten_curve_points(section) + i * d, d * sizeof *points);
+            memcpy(points + (i * across + j) * d, batten_curve_points(section) + i * d,
+                   d * sizeof *points);
             if (t->rational)
                 weights[i * across + j] = batten_curve_weights(section)[i];
         }
@@ -340,14 +352,17 @@ static batten_status make_surface(const task *t, batten_surface **surface)
     const size_t total = (size_t)t->points * (size_t)t->across.count;
     double *points = bat_array3(total, (size_t)t->dimension, sizeof *points);
     double *weights = bat_array(total, sizeof *weights);
-    batten_status status = points && weights ? divide(t, points, weights) : BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        points && weights ? divide(t, points, weights) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         const int p = batten_curve_degree(t->unified[0]);
         const double *U = batten_curve_knots(t->unified[0]) + (t->periodic_u ? p : 0);
         const batten_axis u = {p, t->points, U, t->periodic_u};
-        const batten_axis v = {t->across.degree, t->across.count, t->across.knots, t->across.periodic};
+        const batten_axis v = {t->across.degree, t->across.count, t->across.knots,
+                               t->across.periodic};
         keep_rims(t, points, weights);
-        status = batten_surface_create(t->dimension, &u, &v, points, t->rational ? weights : NULL, surface);
+        status = batten_surface_create(t->dimension, &u, &v, points,
+                                       t->rational ? weights : NULL, surface);
     }
     bat_release(weights);
     bat_release(points);
@@ -356,7 +371,8 @@ static batten_status make_surface(const task *t, batten_surface **surface)
 
 /* ---- what is true of it ---- */
 
-/* The largest distance of a section from its line on the surface, at the knots and midway between them. */
+/* The largest distance of a section from its line on the surface, at the knots and midway
+ * between them. */
 static batten_status section_distance(const task *t, const batten_surface *surface, int k,
                                       const double *knots, int knot_count, double *worst)
 {
@@ -365,7 +381,8 @@ static batten_status section_distance(const task *t, const batten_surface *surfa
     for (int i = 0; i < 2 * knot_count - 1; i++) {
         const double s = i % 2 == 0 ? knots[i / 2] : (knots[i / 2] + knots[i / 2 + 1]) / 2;
         double given[3], found[3];
-        batten_status status = batten_curve_evaluate(section, (1 - s) * domain.a + s * domain.b, 0, given);
+        batten_status status =
+            batten_curve_evaluate(section, (1 - s) * domain.a + s * domain.b, 0, given);
         if (status == BATTEN_OK)
             status = batten_surface_evaluate(surface, s, t->v[k], 0, found);
         if (status != BATTEN_OK)
@@ -375,8 +392,8 @@ static batten_status section_distance(const task *t, const batten_surface *surfa
     return BATTEN_OK;
 }
 
-static batten_status check_sections(const task *t, const batten_surface *surface, const double *knots,
-                                    int knot_count)
+static batten_status check_sections(const task *t, const batten_surface *surface,
+                                    const double *knots, int knot_count)
 {
     for (int k = 0; k < t->count; k++) {
         const int n = batten_curve_point_count(t->placed[k]) * t->dimension;
@@ -388,8 +405,8 @@ static batten_status check_sections(const task *t, const batten_surface *surface
             return status;
         const double allowed = t->deviation[k] + 1e-13 * size;
         if (!(worst <= allowed))
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET, "section %d is missed by %g, more than %g", k, worst,
-                            allowed);
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "section %d is missed by %g, more than %g", k, worst, allowed);
     }
     return BATTEN_OK;
 }
@@ -410,15 +427,17 @@ static double span_ratio(double *knots, int knot_count)
     return knots[0] / knots[spans / 2];
 }
 
-/* The angle between the normals on both sides of the knot line u at v; 0 where one of them vanishes. */
-static batten_status normal_jump(const batten_surface *surface, double u, double v, double *worst)
+/* The angle between the normals on both sides of the knot line u at v; 0 where one of them
+ * vanishes. */
+static batten_status normal_jump(const batten_surface *surface, double u, double v,
+                                 double *worst)
 {
     batten_vec3 normal[2];
     for (int side = 0; side < 2; side++) {
         double out[9];
-        const batten_status status =
-            batten_surface_evaluate_side(surface, u, v, side == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT,
-                                         BATTEN_FROM_RIGHT, 1, out);
+        const batten_status status = batten_surface_evaluate_side(
+            surface, u, v, side == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
+            1, out);
         if (status != BATTEN_OK)
             return status;
         normal[side] = bat_vec3_cross(bat_vec3_of(3, out + 3), bat_vec3_of(3, out + 6));
@@ -428,9 +447,10 @@ static batten_status normal_jump(const batten_surface *surface, double u, double
     return BATTEN_OK;
 }
 
-/* Only knots that stand p times or more can have a jump of the normal; it is looked for at 33 places of each. */
-static batten_status find_normal_jump(const task *t, const batten_surface *surface, const double *knots,
-                                      int knot_count, double *worst)
+/* Only knots that stand p times or more can have a jump of the normal; it is looked for at 33
+ * places of each. */
+static batten_status find_normal_jump(const task *t, const batten_surface *surface,
+                                      const double *knots, int knot_count, double *worst)
 {
     const batten_curve *first = t->unified[0];
     const int p = batten_curve_degree(first), n = batten_curve_point_count(first);
@@ -458,7 +478,8 @@ static batten_status count_exact(const task *t, int *count)
         const int own = batten_curve_spans(t->placed[k], knots + used);
         const batten_interval domain = batten_curve_domain(t->placed[k]);
         for (int i = 1; i + 1 < own; i++) /* the ends are not counted */
-            knots[used + (size_t)i - 1] = (knots[used + (size_t)i] - domain.a) / (domain.b - domain.a);
+            knots[used + (size_t)i - 1] =
+                (knots[used + (size_t)i] - domain.a) / (domain.b - domain.a);
         used += (size_t)(own - 2);
     }
     qsort(knots, used, sizeof *knots, by_value);
@@ -469,7 +490,8 @@ static batten_status count_exact(const task *t, int *count)
     return BATTEN_OK;
 }
 
-static batten_status inspect(const task *t, const batten_surface *surface, batten_skin_report *report)
+static batten_status inspect(const task *t, const batten_surface *surface,
+                             batten_skin_report *report)
 {
     const int knot_count = batten_surface_spans(surface, BATTEN_U, NULL);
     double *knots = bat_array((size_t)knot_count, sizeof *knots);
@@ -497,13 +519,14 @@ static batten_status inspect(const task *t, const batten_surface *surface, batte
 
 /* ---- the whole ---- */
 
-static batten_status skin(task *t, const batten_curve *const *sections, batten_skin_report *report,
-                          batten_surface **out)
+static batten_status skin(task *t, const batten_curve *const *sections,
+                          batten_skin_report *report, batten_surface **out)
 {
     t->placed = bat_array((size_t)t->count, sizeof *t->placed);
     t->unified = bat_array((size_t)t->count, sizeof *t->unified);
     t->deviation = bat_array((size_t)t->count, sizeof *t->deviation);
-    batten_status status = t->placed && t->unified && t->deviation ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        t->placed && t->unified && t->deviation ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = place_all(t, sections);
     if (status == BATTEN_OK && t->options->align)
@@ -551,8 +574,8 @@ static void release(task *t)
 }
 
 batten_status batten_surface_skin(int count, const batten_curve *const *sections,
-                                  const batten_skin_options *options, const batten_job *job, double *v,
-                                  batten_skin_report *report, batten_surface **out)
+                                  const batten_skin_options *options, const batten_job *job,
+                                  double *v, batten_skin_report *report, batten_surface **out)
 {
     const batten_skin_options defaults = batten_skin_defaults();
     task t = {.count = count, .options = options ? options : &defaults, .work = {job, 0}};
@@ -576,11 +599,12 @@ batten_status batten_surface_ruled(const batten_curve *first, const batten_curve
     return batten_surface_skin(2, both, &options, NULL, NULL, NULL, out);
 }
 
-batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along, batten_surface **out)
+batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
+                                      batten_surface **out)
 {
     if (!isfinite(along.x) || !isfinite(along.y) || !isfinite(along.z))
-        return bat_fail(BATTEN_NOT_FINITE, "the curve shall be extruded along (%g, %g, %g)", along.x,
-                        along.y, along.z);
+        return bat_fail(BATTEN_NOT_FINITE, "the curve shall be extruded along (%g, %g, %g)",
+                        along.x, along.y, along.z);
     if (bat_vec3_norm(along) == 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the vector to extrude along has no length");
     const batten_affine map = batten_affine_translation(along.x, along.y, along.z);

@@ -1,11 +1,12 @@
 /*
  * Few common knots for many curves.
  *
- * Sections that were faired one by one have knots of their own, and their union is a dense comb of slivers. Here all
- * are refitted, by least squares with their ends held, upon one vector: it begins with the average of their own
- * knots, or with none, gains the middles of the spans in which some section is too far off, and loses every knot that
- * is not needed. The better of the two beginnings is kept. How far a section moved is bounded by the control points
- * of the difference on the common refinement, and that bound is what is compared with the tolerance.
+ * Sections that were faired one by one have knots of their own, and their union is a dense comb
+ * of slivers. Here all are refitted, by least squares with their ends held, upon one vector: it
+ * begins with the average of their own knots, or with none, gains the middles of the spans in
+ * which some section is too far off, and loses every knot that is not needed. The better of the
+ * two beginnings is kept. How far a section moved is bounded by the control points of the
+ * difference on the common refinement, and that bound is what is compared with the tolerance.
  */
 #include "numeric/vector.h"
 #include "shape/skin.h"
@@ -37,11 +38,12 @@ typedef struct {
 
 /* ---- speed along a section ---- */
 
-/* Tangents that differ by more than this angle, in radians, are a corner and not an inaccuracy. */
+/* Tangents that differ by more than this angle, in radians, are a corner and not an inaccuracy.
+ */
 static const double corner_angle = 0.01;
 
-/* At a knot that stands p times, its first at i: by how much the curve is faster behind it, when its tangent
- * goes on; 0 at a corner, 1 at other knots. */
+/* At a knot that stands p times, its first at i: by how much the curve is faster behind it,
+ * when its tangent goes on; 0 at a corner, 1 at other knots. */
 static double speed_ratio(const batten_curve *curve, int i)
 {
     const int p = batten_curve_degree(curve), d = batten_curve_dimension(curve);
@@ -58,11 +60,12 @@ static double speed_ratio(const batten_curve *curve, int i)
     if (!(a > 0 && b > 0) || bat_dot(d, before, after) < cos(corner_angle) * a * b)
         return 0;
     const double ratio = (b / (U[i + p] - U[i])) / (a / (U[i] - U[i - 1]));
-    return ratio > 1.0 / 64 && ratio < 64 ? ratio : 0; /* beyond, stretching would leave slivers */
+    return ratio > 1.0 / 64 && ratio < 64 ? ratio
+                                          : 0; /* beyond, stretching would leave slivers */
 }
 
-/* Stretch the spans between two corners, or ends, U[first] and U[last], by the speeds there: `stretched` begins
- * with the knots in [first, last) and is made to end where they do. */
+/* Stretch the spans between two corners, or ends, U[first] and U[last], by the speeds there:
+ * `stretched` begins with the knots in [first, last) and is made to end where they do. */
 static void restore_length(const double *U, int first, int last, double *stretched)
 {
     const double given = U[last] - U[first], found = stretched[last] - stretched[first];
@@ -108,8 +111,8 @@ batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **ou
         stretch(clamped, knots);
         for (int i = n + 1; i <= n + p; i++)
             knots[i] = knots[n];
-        status = batten_curve_create(batten_curve_dimension(clamped), p, n, batten_curve_points(clamped), NULL,
-                                     knots, out);
+        status = batten_curve_create(batten_curve_dimension(clamped), p, n,
+                                     batten_curve_points(clamped), NULL, knots, out);
     }
     bat_release(knots);
     batten_curve_unref(clamped);
@@ -139,7 +142,8 @@ static batten_status take_rows(const fitting *f, const batten_curve *curve, bat_
     if (status != BATTEN_OK)
         return status;
     const double *P = batten_curve_points(curve), *w = batten_curve_weights(curve);
-    memcpy(out->knots, batten_curve_knots(curve), (size_t)(n + f->degree + 1) * sizeof *out->knots);
+    memcpy(out->knots, batten_curve_knots(curve),
+           (size_t)(n + f->degree + 1) * sizeof *out->knots);
     for (size_t i = 0; i < (size_t)n; i++) {
         for (size_t c = 0; c < d; c++)
             out->values[i * f->width + c] = (w ? w[i] : 1) * P[i * d + c];
@@ -176,7 +180,8 @@ static batten_status check_tolerance(const fitting *f)
             size = bat_max(size, fabs(f->given[k].values[i]));
     if (f->tolerance < 64 * DBL_EPSILON * size)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the tolerance %g is lost in the rounding of coordinates of %g; 0 asks for the exact skin",
+                        "the tolerance %g is lost in the rounding of coordinates of %g; 0 asks "
+                        "for the exact skin",
                         f->tolerance, size);
     return BATTEN_OK;
 }
@@ -228,8 +233,8 @@ static void comb_write(const comb *c, int p, double *U)
     memcpy(U + p + 1, c->knots, (size_t)c->inner * sizeof *U);
 }
 
-/* Does a knot of full multiplicity bend the section visibly? A bend of the derivative by j, rounded off
- * over the spans beside it, h, moves the curve by at least j h / 32. */
+/* Does a knot of full multiplicity bend the section visibly? A bend of the derivative by j,
+ * rounded off over the spans beside it, h, moves the curve by at least j h / 32. */
 static bool is_corner(const fitting *f, const bat_spline *s, int i)
 {
     const int p = s->degree;
@@ -238,7 +243,8 @@ static bool is_corner(const fitting *f, const bat_spline *s, int i)
     const double *row = s->values + (size_t)(i - 1) * f->width; /* the point on the knot */
     double jump[4];
     for (size_t c = 0; c < f->width; c++)
-        jump[c] = p * ((row[f->width + c] - row[c]) / after - (row[c] - *(row - f->width + c)) / before);
+        jump[c] = p * ((row[f->width + c] - row[c]) / after -
+                       (row[c] - *(row - f->width + c)) / before);
     return bat_norm((int)f->width, jump) * bat_min(before, after) / 32 > f->tolerance / 4;
 }
 
@@ -261,7 +267,8 @@ static bool find_corners(const fitting *f, comb *c)
     return true;
 }
 
-/* The x-quantile of a section's simple inner knots: a rising function of x in [0, 1] from 0 to 1. */
+/* The x-quantile of a section's simple inner knots: a rising function of x in [0, 1] from 0
+ * to 1. */
 static double quantile(const bat_spline *s, double x)
 {
     const int p = s->degree, spans = s->count - p;
@@ -325,20 +332,25 @@ static void add_sample(normal *e, double u, double weight)
     for (int j = 0; j <= p; j++) /* what the held ends give */
         if (first + j == 0 || first + j == n - 1)
             for (size_t c = 0; c < w; c++)
-                value[c] -= basis[j] * e->given->values[(first + j == 0 ? 0 : (size_t)e->given->count - 1) * w + c];
+                value[c] -=
+                    basis[j] *
+                    e->given
+                        ->values[(first + j == 0 ? 0 : (size_t)e->given->count - 1) * w + c];
     for (int j = 0; j <= p; j++) {
         const int row = first + j - 1;
         if (row < 0 || row >= n - 2)
             continue;
         for (int k = 0; k <= j; k++)
             if (first + k - 1 >= 0)
-                e->gram[(size_t)row * (size_t)(p + 1) + (size_t)(p - j + k)] += weight * basis[j] * basis[k];
+                e->gram[(size_t)row * (size_t)(p + 1) + (size_t)(p - j + k)] +=
+                    weight * basis[j] * basis[k];
         for (size_t c = 0; c < w; c++)
             e->fit->values[(size_t)(row + 1) * w + c] += weight * basis[j] * value[c];
     }
 }
 
-/* Between all neighbouring knots of both vectors, at as many Gauss-like places as the degree needs. */
+/* Between all neighbouring knots of both vectors, at as many Gauss-like places as the degree
+ * needs. */
 static void add_samples(normal *e)
 {
     const int p = e->fit->degree, per_span = p + 1;
@@ -382,15 +394,18 @@ static batten_status fit_section(const fitting *f, int k, const comb *c, bat_spl
     }
     const size_t row = f->width * sizeof *fit.values;
     memcpy(fit.values, given->values, row);
-    memcpy(fit.values + (size_t)(n - 1) * f->width, given->values + (size_t)(given->count - 1) * f->width, row);
+    memcpy(fit.values + (size_t)(n - 1) * f->width,
+           given->values + (size_t)(given->count - 1) * f->width, row);
     *out = fit;
     return BATTEN_OK;
 }
 
 /* ---- how far it moved ---- */
 
-/* What `s` lacks of the knots of `other`, both over [0, 1], and with `halve` the middles of all spans. */
-static int missing_knots(const bat_spline *s, const bat_spline *other, bool halve, double *missing)
+/* What `s` lacks of the knots of `other`, both over [0, 1], and with `halve` the middles of all
+ * spans. */
+static int missing_knots(const bat_spline *s, const bat_spline *other, bool halve,
+                         double *missing)
 {
     const int p = s->degree, end = s->count, other_end = other->count;
     int count = 0;
@@ -421,16 +436,18 @@ static batten_status refine_both(const bat_spline *a, const bat_spline *b, bat_s
     double *missing = bat_array(2 * ((size_t)a->count + (size_t)b->count), sizeof *missing);
     if (!missing)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = bat_spline_insert(a, missing_knots(a, b, true, missing), missing, fine_a);
+    batten_status status =
+        bat_spline_insert(a, missing_knots(a, b, true, missing), missing, fine_a);
     if (status == BATTEN_OK)
         status = bat_spline_insert(b, missing_knots(b, a, true, missing), missing, fine_b);
     bat_release(missing);
     return status;
 }
 
-/* Rational curves A / a and B / b differ by |(A - B) - (B / b) (a - b)| / a; coordinates from a point near by. */
-static double point_difference(const fitting *f, const double *A, const double *B, const double *origin,
-                               double radius, double least_weight)
+/* Rational curves A / a and B / b differ by |(A - B) - (B / b) (a - b)| / a; coordinates from a
+ * point near by. */
+static double point_difference(const fitting *f, const double *A, const double *B,
+                               const double *origin, double radius, double least_weight)
 {
     const int d = f->dimension;
     double difference[3];
@@ -442,8 +459,8 @@ static double point_difference(const fitting *f, const double *A, const double *
     return (bat_norm(d, difference) + radius * fabs(dw)) / least_weight;
 }
 
-static void find_extent(const fitting *f, const bat_spline *s, const double *origin, double *radius,
-                        double *least_weight)
+static void find_extent(const fitting *f, const bat_spline *s, const double *origin,
+                        double *radius, double *least_weight)
 {
     const int d = f->dimension;
     *radius = 0;
@@ -459,8 +476,8 @@ static void find_extent(const fitting *f, const bat_spline *s, const double *ori
 }
 
 /* Bounds in each span of the comb (`error` grows, may be NULL), and of the whole. */
-static double compare(const fitting *f, const bat_spline *given, const bat_spline *fit, const bat_spline *fine_a,
-                      const bat_spline *fine_b, double *error)
+static double compare(const fitting *f, const bat_spline *given, const bat_spline *fit,
+                      const bat_spline *fine_a, const bat_spline *fine_b, double *error)
 {
     const int p = f->degree;
     double origin[3] = {0, 0, 0}, radius, weight, other_radius, other_weight, worst = 0;
@@ -476,8 +493,9 @@ static double compare(const fitting *f, const bat_spline *given, const bat_splin
             greville += fine_a->knots[i + j] / p;
         while (span < fit->count - 1 && fit->knots[span + 1] <= greville)
             span++;
-        const double off = point_difference(f, fine_a->values + (size_t)i * f->width,
-                                            fine_b->values + (size_t)i * f->width, origin, radius, weight);
+        const double off =
+            point_difference(f, fine_a->values + (size_t)i * f->width,
+                             fine_b->values + (size_t)i * f->width, origin, radius, weight);
         worst = bat_max(worst, off);
         if (error)
             error[span - p] = bat_max(error[span - p], off);
@@ -485,8 +503,8 @@ static double compare(const fitting *f, const bat_spline *given, const bat_splin
     return worst;
 }
 
-static batten_status deviate(const fitting *f, const bat_spline *given, const bat_spline *fit, double *error,
-                             double *deviation)
+static batten_status deviate(const fitting *f, const bat_spline *given, const bat_spline *fit,
+                             double *error, double *deviation)
 {
     bat_spline fine_a = {0}, fine_b = {0};
     const batten_status status = refine_both(given, fit, &fine_a, &fine_b);
@@ -547,8 +565,8 @@ static batten_status all_keep(const fitting *f, const comb *c, int *suspect, boo
     return status;
 }
 
-/* Halve the spans that are too far off, but for those that are sixteen times better than the worst: a cubic gains
- * that much by one halving. False when the comb is full. */
+/* Halve the spans that are too far off, but for those that are sixteen times better than the
+ * worst: a cubic gains that much by one halving. False when the comb is full. */
 static bool add_knots(const fitting *f, double worst, comb *c)
 {
     const double enough = bat_max(f->tolerance, worst / 16);
@@ -591,7 +609,8 @@ static batten_status shrink(const fitting *f, comb *c, comb *scratch)
                 comb_copy(c, scratch);
                 comb_remove(scratch, i);
                 batten_status status =
-                    bat_work_step(f->work, fit_steps(f, c), 0.1 + 0.2 * (pass + (double)i / c->inner), "common knots");
+                    bat_work_step(f->work, fit_steps(f, c),
+                                  0.1 + 0.2 * (pass + (double)i / c->inner), "common knots");
                 if (status == BATTEN_OK)
                     status = all_keep(f, scratch, &suspect, &keep);
                 if (status != BATTEN_OK)
@@ -622,7 +641,8 @@ static void comb_free(comb *c)
 }
 
 /* Try one beginning; *best is replaced when it needs fewer knots. */
-static batten_status attempt(fitting *f, int averaged, comb *c, comb *scratch, comb *best, bool *met)
+static batten_status attempt(fitting *f, int averaged, comb *c, comb *scratch, comb *best,
+                             bool *met)
 {
     bool reached = false;
     c->inner = 0;
@@ -672,8 +692,8 @@ static batten_status to_curve(const fitting *f, const bat_spline *s, batten_curv
             for (size_t c = 0; c < d; c++)
                 points[i * d + c] = row[c] / weights[i];
         }
-        status = batten_curve_create(f->dimension, s->degree, s->count, points, f->rational ? weights : NULL,
-                                     s->knots, out);
+        status = batten_curve_create(f->dimension, s->degree, s->count, points,
+                                     f->rational ? weights : NULL, s->knots, out);
     }
     bat_release(weights);
     bat_release(points);
@@ -703,9 +723,10 @@ static int union_limit(const fitting *f)
     return (int)bat_min(total, 20000);
 }
 
-/* Has the exact union no more knots than these? Only asked when one section alone has as many. */
-static batten_status prefer_exact(const fitting *f, const batten_curve *const *sections, const comb *best,
-                                  bool *prefer)
+/* Has the exact union no more knots than these? Only asked when one section alone has as many.
+ */
+static batten_status prefer_exact(const fitting *f, const batten_curve *const *sections,
+                                  const comb *best, bool *prefer)
 {
     int most = 0;
     for (int k = 0; k < f->count; k++)
@@ -725,7 +746,8 @@ static batten_status prefer_exact(const fitting *f, const batten_curve *const *s
     return status == BATTEN_TOO_LARGE ? BATTEN_OK : status;
 }
 
-static batten_status find(fitting *f, const batten_curve *const *sections, bool *met, batten_curve **out)
+static batten_status find(fitting *f, const batten_curve *const *sections, bool *met,
+                          batten_curve **out)
 {
     batten_status status = take_sections(f, sections);
     if (status == BATTEN_OK)
@@ -748,8 +770,9 @@ static batten_status find(fitting *f, const batten_curve *const *sections, bool 
     return status;
 }
 
-batten_status bat_skin_common_knots(int count, const batten_curve *const *sections, double tolerance,
-                                    bat_work *work, batten_curve **out, double *deviation)
+batten_status bat_skin_common_knots(int count, const batten_curve *const *sections,
+                                    double tolerance, bat_work *work, batten_curve **out,
+                                    double *deviation)
 {
     fitting f = {.count = count, .tolerance = tolerance, .deviation = deviation, .work = work};
     f.given = bat_array((size_t)count, sizeof *f.given);

@@ -12,7 +12,8 @@ static batten_vec3 cross(batten_vec3 a, batten_vec3 b)
     return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* Two turns of the helix of radius 1 and pitch pi, from exact derivatives: so close that frames see no difference. */
+/* Two turns of the helix of radius 1 and pitch pi, from exact derivatives: so close that frames
+ * see no difference. */
 static batten_curve *helix(void)
 {
     double t[81], values[81 * 9];
@@ -82,7 +83,8 @@ TEST(the_first_frame_of_a_spine_along_z_is_that_of_the_world)
     CHECK_OK(batten_curve_frames(spine, 2, at, BATTEN_FRAME_ROTATION_MINIMISING, frames));
     CHECK(frames[1].x.x == 1 && frames[1].z.z == 1 && frames[1].origin.z == 2);
     batten_curve_unref(spine);
-    CHECK_OK(batten_curve_line(3, a, x, &spine)); /* along a ship: x of the section to the side, y up */
+    CHECK_OK(batten_curve_line(3, a, x,
+                               &spine)); /* along a ship: x of the section to the side, y up */
     CHECK_OK(batten_curve_frames(spine, 2, at, BATTEN_FRAME_ROTATION_MINIMISING, frames));
     CHECK(frames[0].x.y == 1 && cross(frames[0].z, frames[0].x).z == 1);
     batten_curve_unref(spine);
@@ -94,18 +96,24 @@ TEST(the_first_frame_of_a_spine_along_z_is_that_of_the_world)
 
 TEST(frames_that_do_not_exist_are_refused)
 {
-    const double a[] = {0, 0, 0}, b[] = {1, 1, 1}, at[] = {0, 1}, outside[] = {0, 2}, back[] = {1, 0};
+    const double a[] = {0, 0, 0}, b[] = {1, 1, 1}, at[] = {0, 1}, outside[] = {0, 2},
+                 back[] = {1, 0};
     const double cusp[] = {0, 0, 0, 0, 0, 0, 1, 0, 0}, knots[] = {0, 0, 0, 1, 1, 1};
     batten_frame frames[2];
     batten_curve *line = NULL, *halted = NULL;
     CHECK_OK(batten_curve_line(3, a, b, &line));
     CHECK_OK(batten_curve_create(3, 2, 3, cusp, NULL, knots, &halted));
-    CHECK_STATUS(batten_curve_frames(line, 2, at, BATTEN_FRAME_FRENET, frames), BATTEN_SINGULAR_HERE);
-    CHECK_STATUS(batten_curve_frames(line, 2, outside, BATTEN_FRAME_FIXED, frames), BATTEN_OUT_OF_DOMAIN);
-    CHECK_STATUS(batten_curve_frames(line, 2, back, BATTEN_FRAME_FIXED, frames), BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_frames(line, 0, at, BATTEN_FRAME_FIXED, frames), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_frames(line, 2, at, BATTEN_FRAME_FRENET, frames),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_curve_frames(line, 2, outside, BATTEN_FRAME_FIXED, frames),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_frames(line, 2, back, BATTEN_FRAME_FIXED, frames),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_frames(line, 0, at, BATTEN_FRAME_FIXED, frames),
+                 BATTEN_BAD_ARGUMENT);
     for (int kind = 0; kind < 3; kind++)
-        CHECK_STATUS(batten_curve_frames(halted, 2, at, (batten_frame_kind)kind, frames), BATTEN_SINGULAR_HERE);
+        CHECK_STATUS(batten_curve_frames(halted, 2, at, (batten_frame_kind)kind, frames),
+                     BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("the spine has no tangent at 0");
     batten_curve_unref(halted);
     batten_curve_unref(line);

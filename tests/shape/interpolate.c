@@ -73,8 +73,8 @@ TEST(a_spline_passes_its_points_and_is_smooth_between_whatever_its_ends)
 TEST(cubics_are_reproduced_by_every_end_that_knows_them)
 {
     const double t[] = {0, 0.5, 0.75, 2, 3.5, 4};
-    const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_CLAMPED, BATTEN_END_SECOND,
-                                     BATTEN_END_FAIR};
+    const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_CLAMPED,
+                                     BATTEN_END_SECOND, BATTEN_END_FAIR};
     double y[6], u[6];
     for (int i = 0; i < 6; i++)
         y[i] = cubic(t[i], 0);
@@ -259,8 +259,10 @@ TEST(fair_ends_make_the_jumps_least)
                      b = value_of(fair, t[count - 1], 1);
         for (int s = 0; s < 4; s++) {
             batten_curve *other = NULL;
-            options.start =
-                (batten_end){BATTEN_END_CLAMPED, {a + (c % 2 ? 0 : s < 2 ? 0.01 : -0.01)}};
+            options.start = (batten_end){BATTEN_END_CLAMPED,
+                                         {a + (c % 2   ? 0
+                                               : s < 2 ? 0.01
+                                                       : -0.01)}};
             options.end = (batten_end){BATTEN_END_CLAMPED, {b + (s % 2 ? 0.01 : -0.01)}};
             CHECK_OK(batten_curve_interpolate(1, count, y, &options, NULL, &other));
             CHECK(least <= jumps(other, count, t) + 1e-12);
@@ -271,7 +273,8 @@ TEST(fair_ends_make_the_jumps_least)
 }
 
 /* Points of the circle of radius r. */
-static void circle_points(double r, double from, double to, int count, bool closed, double *points)
+static void circle_points(double r, double from, double to, int count, bool closed,
+                          double *points)
 {
     for (int i = 0; i < count; i++) {
         const double angle = from + (to - from) * i / (closed ? count : count - 1);
@@ -286,7 +289,8 @@ static double radius_error(const batten_curve *curve, double r)
     double worst = 0;
     for (int i = 0; i <= 2000; i++) {
         double point[2];
-        CHECK_OK(batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * i / 2000, 0, point));
+        CHECK_OK(batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * i / 2000, 0,
+                                       point));
         worst = fmax(worst, fabs(hypot(point[0], point[1]) / r - 1));
     }
     return worst;
@@ -324,7 +328,8 @@ TEST(ends_of_circles_and_of_given_curvature_know_the_circle)
             if (kind == 1 || kind == 3)
                 options.start = (batten_end){BATTEN_END_CURVATURE, {-0.2, 0}};
             if (kind == 1)
-                options.end = (batten_end){BATTEN_END_CURVATURE, {-0.2 * cos(2), -0.2 * sin(2)}};
+                options.end =
+                    (batten_end){BATTEN_END_CURVATURE, {-0.2 * cos(2), -0.2 * sin(2)}};
             if (kind == 2)
                 options.start = (batten_end){BATTEN_END_DIRECTION, {0, 7}};
             batten_curve *curve = NULL;
@@ -337,8 +342,8 @@ TEST(ends_of_circles_and_of_given_curvature_know_the_circle)
             if (kind == 2)
                 CHECK_NEAR(hypot(out[2], out[3]), 1, 1e-12);
             if (kind == 1 || kind == 3)
-                CHECK_NEAR((out[2] * out[5] - out[3] * out[4]) / pow(hypot(out[2], out[3]), 3), 0.2,
-                           1e-5);
+                CHECK_NEAR((out[2] * out[5] - out[3] * out[4]) / pow(hypot(out[2], out[3]), 3),
+                           0.2, 1e-5);
             batten_curve_unref(curve);
         }
         if (kind < 2)
@@ -390,8 +395,10 @@ TEST(periodic_curves_of_every_degree_close_smoothly_from_any_start)
         check_passes(curve, d, count, points, u);
         const batten_interval domain = batten_curve_domain(curve);
         double left[26], right[26];
-        CHECK_OK(batten_curve_evaluate_side(curve, domain.b, BATTEN_FROM_LEFT, degree - 1, left));
-        CHECK_OK(batten_curve_evaluate_side(curve, domain.a, BATTEN_FROM_RIGHT, degree - 1, right));
+        CHECK_OK(
+            batten_curve_evaluate_side(curve, domain.b, BATTEN_FROM_LEFT, degree - 1, left));
+        CHECK_OK(
+            batten_curve_evaluate_side(curve, domain.a, BATTEN_FROM_RIGHT, degree - 1, right));
         for (int k = 0; k < 2 * (degree < 3 ? degree : 3); k++)
             CHECK_NEAR(left[k], right[k], 1e-11 * (1 + fabs(left[k])));
         for (int i = 0; i < 20; i++) {
@@ -442,7 +449,8 @@ TEST(derivatives_at_any_data_points_are_met)
         for (int i = 0; i < count; i++)
             for (int order = 1; order <= 1 + (degree > 3 && c % 2); order++)
                 if (c % 4 == 0 || test_random_unit(&random) < 0.5) {
-                    if (order == 2 && (wanted_count == 0 || wanted[wanted_count - 1].index != i))
+                    if (order == 2 &&
+                        (wanted_count == 0 || wanted[wanted_count - 1].index != i))
                         continue;
                     wanted[wanted_count] = (batten_derivative){i, order, {0, 0, 0}};
                     fill(&random, 3, wanted[wanted_count++].value);
@@ -502,8 +510,9 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
                 double u[5];
                 batten_curve *curve = NULL;
                 if (!averaged && degree % 2 == 0) {
-                    CHECK_STATUS(batten_curve_interpolate(2, count, points, &options, u, &curve),
-                                 BATTEN_BAD_DEGREE);
+                    CHECK_STATUS(
+                        batten_curve_interpolate(2, count, points, &options, u, &curve),
+                        BATTEN_BAD_DEGREE);
                     continue;
                 }
                 CHECK_OK(batten_curve_interpolate(2, count, points, &options, u, &curve));
@@ -521,7 +530,8 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
     CHECK_INT(batten_curve_degree(hermite), 3);
     batten_curve_unref(line);
     batten_curve_unref(hermite);
-    CHECK_STATUS(batten_curve_interpolate(2, 1, points, NULL, NULL, &line), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_interpolate(2, 1, points, NULL, NULL, &line),
+                 BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("there are 1 points, and at least 2");
 }
 
@@ -545,7 +555,8 @@ TEST(G9_schoenberg_and_whitney_speak_with_numbers)
     options.derivatives = wanted;
     options.derivative_count = 2;
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_interpolate(1, 6, y, &options, NULL, &curve), BATTEN_SINGULAR_SYSTEM);
+    CHECK_STATUS(batten_curve_interpolate(1, 6, y, &options, NULL, &curve),
+                 BATTEN_SINGULAR_SYSTEM);
     CHECK(curve == NULL);
 }
 
@@ -560,8 +571,8 @@ TEST(G10_reversed_points_give_the_reversed_curve)
                 backward[2 * i + k] = points[2 * (7 - i) + k];
         batten_interpolate_options options = batten_interpolate_defaults();
         const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_NATURAL,
-                                         BATTEN_END_PARABOLIC, BATTEN_END_BESSEL,
-                                         BATTEN_END_CIRCLE, BATTEN_END_FAIR};
+                                         BATTEN_END_PARABOLIC,  BATTEN_END_BESSEL,
+                                         BATTEN_END_CIRCLE,     BATTEN_END_FAIR};
         options.start.kind = kinds[c % 6];
         options.end.kind = kinds[c / 6 % 6];
         options.parameters = (batten_parametrization)(c % 5);
@@ -590,15 +601,18 @@ TEST(N1_what_is_not_finite_is_refused)
     CHECK_STATUS(batten_curve_interpolate(2, 2, bad, NULL, NULL, &curve), BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 0 of point 1 is inf");
     batten_interpolate_options options = given(t);
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     options = batten_interpolate_defaults();
     options.end = (batten_end){BATTEN_END_CLAMPED, {0, NAN}};
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
+                 BATTEN_NOT_FINITE);
     const batten_derivative derivative = {0, 1, {NAN}};
     options = batten_interpolate_defaults();
     options.derivatives = &derivative;
     options.derivative_count = 1;
-    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
+                 BATTEN_NOT_FINITE);
 }
 
 TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
@@ -620,7 +634,8 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
         CHECK_NEAR(out[1] / scales[s], expected[1], 1e-13);
         batten_curve_unref(curve);
     }
-    const double huge[] = {1.7e308, -1.7e308, 1.7e308, -1.7e308, 1.7e308}, t[] = {0, 1, 2, 3, 4};
+    const double huge[] = {1.7e308, -1.7e308, 1.7e308, -1.7e308, 1.7e308},
+                 t[] = {0, 1, 2, 3, 4};
     batten_interpolate_options options = given(t);
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_interpolate(1, 5, huge, &options, NULL, &none), BATTEN_OVERFLOW);
@@ -630,15 +645,16 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
 TEST(requests_that_make_no_sense_are_refused)
 {
     const double points[] = {0, 0, 1, 1, 2, 0, 3, 1}, t[] = {0, 2, 1, 3};
-    const batten_derivative wrong[] = {
-        {4, 1, {0}}, {-1, 1, {0}}, {1, 0, {0}}, {1, 4, {0}}, {1, 1, {0}}, {0, 1, {0}}, {0, 1, {0}}};
+    const batten_derivative wrong[] = {{4, 1, {0}}, {-1, 1, {0}}, {1, 0, {0}}, {1, 4, {0}},
+                                       {1, 1, {0}}, {0, 1, {0}},  {0, 1, {0}}};
     batten_curve *curve = NULL;
     batten_interpolate_options options = given(t);
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2 is 1, not above the one before, 2");
     options = given(NULL);
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     options = batten_interpolate_defaults();
     const int degrees[] = {-1, 0, 26};
     for (int i = 0; i < 3; i++) {
@@ -656,24 +672,31 @@ TEST(requests_that_make_no_sense_are_refused)
     options.knots_at_data = false;
     options.derivatives = wrong + 5;
     options.derivative_count = 2;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("derivative 1 at point 0 is given twice");
     options.knots_at_data = true;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the start has 2 conditions, and degree 3 takes 1");
     options.periodic = true;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     options.derivative_count = -1;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     options = batten_interpolate_defaults();
     options.degree = 5;
     options.start.kind = BATTEN_END_FAIR;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     options = batten_interpolate_defaults();
     options.start.kind = BATTEN_END_DIRECTION;
-    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     options.start.kind = BATTEN_END_CURVATURE;
-    CHECK_STATUS(batten_curve_interpolate(1, 4, t, &options, NULL, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_interpolate(1, 4, t, &options, NULL, &curve),
+                 BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
 

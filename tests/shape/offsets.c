@@ -91,7 +91,7 @@ TEST(selecting_everything_changes_only_what_no_point_is_on)
         for (int j = 0; j < stations[i].point_count; j++) {
             const batten_offset_point *old = &stations[i].points[j];
             const batten_offset_point *new = &batten_offsets_station(same, i)->points[j];
-            CHECK(new->x == old->x && new->y == old->y && new->z == old->z);
+            CHECK(new->x == old->x &&new->y == old->y &&new->z == old->z);
             CHECK_INT(new->line, old->line == 3 ? 2 : old->line);
         }
     batten_offsets_unref(same);
@@ -166,8 +166,9 @@ TEST(selections_that_make_no_sense_are_refused)
     CHECK_STATUS(batten_offsets_select(offsets, &selection, &out), BATTEN_NOT_FINITE);
     for (int k = 0; k < 3; k++) {
         selection = batten_offsets_everything();
-        *(k == 0 ? &selection.x : k == 1 ? &selection.y : &selection.z) =
-            (batten_interval){1, k == 2 ? NAN : 0};
+        *(k == 0   ? &selection.x
+          : k == 1 ? &selection.y
+                   : &selection.z) = (batten_interval){1, k == 2 ? NAN : 0};
         CHECK_STATUS(batten_offsets_select(offsets, &selection, &out), BATTEN_BAD_ARGUMENT);
     }
     CHECK(out == NULL);

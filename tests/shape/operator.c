@@ -6,8 +6,12 @@ static const double t[] = {0, 0.7, 1, 1.9, 2.2, 3.5, 4};
 
 static bat_request request(batten_end_kind ends)
 {
-    return (bat_request){
-        .degree = 3, .count = 7, .parameters = t, .knots_at_data = true, .start = ends, .end = ends};
+    return (bat_request){.degree = 3,
+                         .count = 7,
+                         .parameters = t,
+                         .knots_at_data = true,
+                         .start = ends,
+                         .end = ends};
 }
 
 TEST(the_rows_of_a_cubic_with_knots_at_the_data_have_a_closed_form)
@@ -35,7 +39,8 @@ TEST(the_rows_of_a_cubic_with_knots_at_the_data_have_a_closed_form)
 
 TEST(knots_are_left_out_where_conditions_are_missing)
 {
-    const bat_request free_ends = request(BATTEN_END_NOT_A_KNOT), natural = request(BATTEN_END_NATURAL);
+    const bat_request free_ends = request(BATTEN_END_NOT_A_KNOT),
+                      natural = request(BATTEN_END_NATURAL);
     bat_operator op;
     CHECK_OK(bat_operator_make(&free_ends, &op));
     CHECK_INT(op.count, 7);
@@ -71,8 +76,11 @@ TEST(the_equations_of_a_period_have_their_centre_on_the_diagonal)
     const double period[] = {0, 1, 2, 3, 4, 5, 6, 7};
     const double rows[2][3] = {{1 / 8.0, 6 / 8.0, 1 / 8.0}, {1 / 6.0, 4 / 6.0, 1 / 6.0}};
     for (int degree = 2; degree <= 3; degree++) {
-        const bat_request closed = {
-            .degree = degree, .count = 7, .parameters = period, .knots_at_data = true, .periodic = true};
+        const bat_request closed = {.degree = degree,
+                                    .count = 7,
+                                    .parameters = period,
+                                    .knots_at_data = true,
+                                    .periodic = true};
         bat_operator op;
         CHECK_OK(bat_operator_make(&closed, &op));
         CHECK(op.lower == 1 && op.upper == 1 && op.count == 7);

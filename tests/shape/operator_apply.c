@@ -19,8 +19,8 @@ TEST(bessels_slope_is_that_of_the_parabola)
 TEST(one_factorisation_serves_all_columns_with_the_same_bits)
 {
     test_random random = test_random_begin("columns");
-    const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_CLAMPED, BATTEN_END_BESSEL,
-                                     BATTEN_END_FAIR, BATTEN_END_PARABOLIC};
+    const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_CLAMPED,
+                                     BATTEN_END_BESSEL, BATTEN_END_FAIR, BATTEN_END_PARABOLIC};
     for (int c = 0; c < 10; c++) {
         const bat_request r = {.degree = 3,
                                .count = c < 5 ? 7 : 6,
@@ -82,7 +82,8 @@ TEST(solutions_are_checked_refined_and_refused)
         CHECK_NEAR(mended[i], right[i], 1e-14);
     for (int i = 0; i < 7 * (op.lower + op.upper + 1); i++)
         op.factor[i] *= 1 + 0.1 * (i % 3);
-    CHECK_STATUS(bat_operator_apply(&op, 1, data, NULL, NULL, NULL, mended), BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(bat_operator_apply(&op, 1, data, NULL, NULL, NULL, mended),
+                 BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("more than 8 eps of the largest number");
     bat_operator_free(&op);
 }

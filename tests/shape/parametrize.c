@@ -18,7 +18,8 @@ TEST(steps_are_powers_of_the_chord)
 
 TEST(foleys_steps_grow_at_corners)
 {
-    /* A right angle between chords 1 and 2: each step grows by 3/2 pi/2 of the neighbour's share. */
+    /* A right angle between chords 1 and 2: each step grows by 3/2 pi/2 of the neighbour's
+     * share. */
     const double points[] = {0, 0, 0, 1, 0, 0, 1, 2, 0};
     double t[3];
     CHECK_OK(batten_parametrize(3, 3, points, BATTEN_FOLEY_CHORD, false, t));
@@ -129,7 +130,8 @@ TEST(N2_tiny_and_huge_points_have_right_chords)
             points[i] = unit[i] * scales[s];
         for (int kind = BATTEN_CENTRIPETAL; kind < BATTEN_GIVEN; kind++) {
             double expected[3];
-            CHECK_OK(batten_parametrize(2, 3, unit, (batten_parametrization)kind, false, expected));
+            CHECK_OK(
+                batten_parametrize(2, 3, unit, (batten_parametrization)kind, false, expected));
             CHECK_OK(batten_parametrize(2, 3, points, (batten_parametrization)kind, false, t));
             CHECK_NEAR(t[1] / t[2], expected[1] / expected[2], 1e-14);
         }
@@ -144,7 +146,9 @@ TEST(requests_for_parameters_that_make_no_sense_are_refused)
 {
     double t[4];
     CHECK_STATUS(batten_parametrize(4, 1, corner, BATTEN_CHORD, false, t), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_parametrize(2, 1, corner, BATTEN_CHORD, false, t), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_parametrize(2, 20000000, corner, BATTEN_CHORD, false, t), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_parametrize(2, 1, corner, BATTEN_CHORD, false, t),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_parametrize(2, 20000000, corner, BATTEN_CHORD, false, t),
+                 BATTEN_TOO_LARGE);
     CHECK_STATUS(batten_parametrize(2, 3, corner, BATTEN_GIVEN, false, t), BATTEN_BAD_ARGUMENT);
 }

@@ -5,7 +5,8 @@
 
 #include "support/test.h"
 
-/* A cubic through `count` points at(s, x, point) of a curve over [0, 1], at jittered places: its knots are its own. */
+/* A cubic through `count` points at(s, x, point) of a curve over [0, 1], at jittered places:
+ * its knots are its own. */
 static inline batten_curve *jittered(test_random *random, int count, double x,
                                      void (*at)(double s, double x, double *point))
 {
@@ -32,7 +33,8 @@ static inline void airfoil(double s, double x, double *point)
     point[2] = (0.08 + 0.02 * x) * sin(turn) * (1 - 0.6 * cos(turn)) + 0.02 * x * sin(turn / 2);
 }
 
-/* Half a ship of 25 m at x in [0, 1] of its length: from the keel round the bilge to the deck. */
+/* Half a ship of 25 m at x in [0, 1] of its length: from the keel round the bilge to the deck.
+ */
 static inline void hull(double s, double x, double *point)
 {
     const double beam = 3 * pow(sin(2 * acos(0) * (0.1 + 0.8 * x)), 0.7), depth = 2.5 + x * x;

@@ -4,7 +4,8 @@ typedef const batten_curve *const *curves;
 
 static double distance_on(const batten_surface *a, const batten_surface *b)
 {
-    const batten_interval u = batten_surface_domain(a, BATTEN_U), v = batten_surface_domain(a, BATTEN_V);
+    const batten_interval u = batten_surface_domain(a, BATTEN_U),
+                          v = batten_surface_domain(a, BATTEN_V);
     double worst = 0;
     for (int i = 0; i <= 20; i++)
         for (int j = 0; j <= 20; j++) {
@@ -78,7 +79,8 @@ TEST(circles_of_linear_radius_make_a_cone_exactly)
         CHECK(batten_surface_is_rational(cone));
         for (int i = 0; i <= 200; i++) {
             double out[3];
-            CHECK_OK(batten_surface_evaluate(cone, i / 200.0, 30.0 * (i * 7 % 200) / 200, 0, out));
+            CHECK_OK(
+                batten_surface_evaluate(cone, i / 200.0, 30.0 * (i * 7 % 200) / 200, 0, out));
             CHECK_NEAR(hypot(out[0], out[1]), 1 + out[2] / 10, 1e-13);
         }
         batten_surface_unref(cone);
@@ -105,7 +107,8 @@ TEST(points_at_the_ends_are_poles)
     const int across = batten_surface_point_count(surface, BATTEN_V);
     const double *P = batten_surface_points(surface);
     for (int i = 0; i < batten_surface_point_count(surface, BATTEN_U); i++) {
-        CHECK(P[i * across * 3] == 0 && P[i * across * 3 + 1] == 0 && P[i * across * 3 + 2] == 0);
+        CHECK(P[i * across * 3] == 0 && P[i * across * 3 + 1] == 0 &&
+              P[i * across * 3 + 2] == 0);
         CHECK_NEAR(P[(i * across + across - 1) * 3 + 2], 4, 0);
     }
     batten_surface_unref(surface);
@@ -115,9 +118,9 @@ TEST(points_at_the_ends_are_poles)
 TEST(ends_hold_what_they_promise)
 {
     test_random random = test_random_begin("ends");
-    const batten_end_kind kinds[] = {BATTEN_END_NATURAL, BATTEN_END_CLAMPED, BATTEN_END_DIRECTION,
-                                     BATTEN_END_SECOND,  BATTEN_END_BESSEL,  BATTEN_END_FAIR,
-                                     BATTEN_END_PARABOLIC};
+    const batten_end_kind kinds[] = {
+        BATTEN_END_NATURAL, BATTEN_END_CLAMPED, BATTEN_END_DIRECTION, BATTEN_END_SECOND,
+        BATTEN_END_BESSEL,  BATTEN_END_FAIR,    BATTEN_END_PARABOLIC};
     batten_curve *sections[5];
     for (int k = 0; k < 5; k++)
         sections[k] = jittered(&random, 8, k, airfoil);
@@ -125,7 +128,8 @@ TEST(ends_hold_what_they_promise)
         batten_skin_options options = batten_skin_defaults();
         options.start = options.end = (batten_end){kinds[c], {1, 0.5, 0.25}};
         batten_surface *surface = NULL;
-        CHECK_OK(batten_surface_skin(5, (curves)sections, &options, NULL, NULL, NULL, &surface));
+        CHECK_OK(
+            batten_surface_skin(5, (curves)sections, &options, NULL, NULL, NULL, &surface));
         for (int i = 0; i <= 10; i++) {
             double out[18];
             CHECK_OK(batten_surface_evaluate(surface, i / 10.0, i % 2, 2, out));
@@ -134,11 +138,14 @@ TEST(ends_hold_what_they_promise)
             if (c == 0)
                 CHECK_NEAR(hypot(hypot(second[0], second[1]), second[2]), 0, 1e-9);
             if (c == 1)
-                CHECK_NEAR(hypot(hypot(first[0] - 1, first[1] - 0.5), first[2] - 0.25), 0, 1e-10);
+                CHECK_NEAR(hypot(hypot(first[0] - 1, first[1] - 0.5), first[2] - 0.25), 0,
+                           1e-10);
             if (c == 2)
-                CHECK_NEAR(fabs(first[1] - first[0] / 2) + fabs(first[2] - first[0] / 4), 0, 1e-9);
+                CHECK_NEAR(fabs(first[1] - first[0] / 2) + fabs(first[2] - first[0] / 4), 0,
+                           1e-9);
             if (c == 3)
-                CHECK_NEAR(hypot(hypot(second[0] - 1, second[1] - 0.5), second[2] - 0.25), 0, 1e-9);
+                CHECK_NEAR(hypot(hypot(second[0] - 1, second[1] - 0.5), second[2] - 0.25), 0,
+                           1e-9);
         }
         batten_surface_unref(surface);
     }
@@ -153,7 +160,8 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
         const double a = k * acos(0) / 2;
         for (int i = 0; i < 8; i++) {
             const double b = i * acos(0) / 2, r = 3 + cos(b);
-            points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a), points[3 * i + 2] = sin(b);
+            points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a),
+                       points[3 * i + 2] = sin(b);
         }
         batten_interpolate_options ring = batten_interpolate_defaults();
         ring.periodic = true;
@@ -167,11 +175,14 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
     batten_skin_report report;
     batten_surface *torus = NULL;
     CHECK_OK(batten_surface_skin(8, (curves)rings, &options, NULL, v, &report, &torus));
-    CHECK(batten_surface_is_periodic(torus, BATTEN_U) && batten_surface_is_periodic(torus, BATTEN_V));
+    CHECK(batten_surface_is_periodic(torus, BATTEN_U) &&
+          batten_surface_is_periodic(torus, BATTEN_V));
     CHECK(report.deviation == 0);
     double low[18], high[18];
-    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 2, low));
-    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 1, BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT, 2, high));
+    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
+                                          2, low));
+    CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 1, BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT, 2,
+                                          high));
     for (int k = 0; k < 18; k++)
         CHECK_NEAR(low[k], high[k], 1e-10);
     batten_surface_unref(torus);
@@ -261,7 +272,8 @@ TEST(equal_sections_on_a_straight_spine_make_a_cylinder)
 TEST(ruled_and_extruded_surfaces_are_exact)
 {
     test_random random = test_random_begin("ruled");
-    batten_curve *first = jittered(&random, 7, 0, airfoil), *second = jittered(&random, 9, 1, airfoil);
+    batten_curve *first = jittered(&random, 7, 0, airfoil),
+                 *second = jittered(&random, 9, 1, airfoil);
     batten_surface *ruled = NULL, *extruded = NULL;
     CHECK_OK(batten_surface_ruled(first, second, &ruled));
     CHECK_OK(batten_surface_extruded(first, (batten_vec3){0, 1, 2}, &extruded));
@@ -278,8 +290,10 @@ TEST(ruled_and_extruded_surfaces_are_exact)
             CHECK_NEAR(out[k], a[k] + 0.25 * k, 1e-14);
     }
     batten_surface *none = NULL;
-    CHECK_STATUS(batten_surface_extruded(first, (batten_vec3){0, 0, 0}, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_surface_extruded(first, (batten_vec3){0, NAN, 0}, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_extruded(first, (batten_vec3){0, 0, 0}, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_extruded(first, (batten_vec3){0, NAN, 0}, &none),
+                 BATTEN_NOT_FINITE);
     CHECK(none == NULL);
     batten_surface_unref(extruded);
     batten_surface_unref(ruled);
@@ -322,10 +336,12 @@ TEST(K7_the_knots_of_all_sections_are_in_the_union)
 TEST(G1_sections_that_coincide_are_named)
 {
     test_random random = test_random_begin("same");
-    batten_curve *one = jittered(&random, 8, 0, airfoil), *two = jittered(&random, 8, 1, airfoil);
+    batten_curve *one = jittered(&random, 8, 0, airfoil),
+                 *two = jittered(&random, 8, 1, airfoil);
     const batten_curve *sections[] = {one, two, two};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(3, sections, NULL, NULL, NULL, NULL, &surface), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_skin(3, sections, NULL, NULL, NULL, NULL, &surface),
+                 BATTEN_COINCIDENT);
     CHECK_MESSAGE("sections 1 and 2 coincide");
     batten_curve_unref(two);
     batten_curve_unref(one);
@@ -346,8 +362,9 @@ TEST(S5_skins_that_would_be_too_large_are_refused_before_the_work)
     if (count > 10) {
         CHECK_STATUS(batten_surface_skin(count, sections, &options, NULL, NULL, NULL, &surface),
                      BATTEN_TOO_LARGE);
-        CHECK_STATUS(batten_surface_skin(2000000, sections, &options, NULL, NULL, NULL, &surface),
-                     BATTEN_TOO_LARGE);
+        CHECK_STATUS(
+            batten_surface_skin(2000000, sections, &options, NULL, NULL, NULL, &surface),
+            BATTEN_TOO_LARGE);
     }
     CHECK(surface == NULL);
     batten_curve_unref(section);
@@ -356,11 +373,13 @@ TEST(S5_skins_that_would_be_too_large_are_refused_before_the_work)
 TEST(skins_that_make_no_sense_are_refused)
 {
     batten_curve *section = NULL;
-    const double a[] = {0, 0, 0}, b[] = {1, 0, 0}, nothing[] = {1, 0}, infinite[] = {1, INFINITY};
+    const double a[] = {0, 0, 0}, b[] = {1, 0, 0}, nothing[] = {1, 0},
+                 infinite[] = {1, INFINITY};
     CHECK_OK(batten_curve_line(3, a, b, &section));
     const batten_curve *sections[] = {section, section};
     batten_surface *surface = NULL;
-    CHECK_STATUS(batten_surface_skin(1, sections, NULL, NULL, NULL, NULL, &surface), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_surface_skin(1, sections, NULL, NULL, NULL, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
     for (int c = 0; c < 10; c++) {
         batten_skin_options options = batten_skin_defaults();
         options.spine = c >= 6 ? section : NULL;
@@ -382,7 +401,8 @@ TEST(skins_that_make_no_sense_are_refused)
                                        : c == 5 || c == 7 || c == 8 ? BATTEN_NOT_FINITE
                                        : c == 9                     ? BATTEN_NOT_INCREASING
                                                                     : BATTEN_BAD_ARGUMENT;
-        CHECK_STATUS(batten_surface_skin(2, sections, &options, NULL, NULL, NULL, &surface), expected);
+        CHECK_STATUS(batten_surface_skin(2, sections, &options, NULL, NULL, NULL, &surface),
+                     expected);
     }
     CHECK(surface == NULL);
     batten_curve_unref(section);

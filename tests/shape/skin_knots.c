@@ -12,7 +12,8 @@ static double measured(int count, batten_curve **sections, const double *v,
             double given[3], found[3];
             CHECK_OK(batten_curve_evaluate(sections[k], i / 500.0, 0, given));
             CHECK_OK(batten_surface_evaluate(surface, i / 500.0, v[k], 0, found));
-            worst = fmax(worst, hypot(hypot(given[0] - found[0], given[1] - found[1]), given[2] - found[2]));
+            worst = fmax(worst, hypot(hypot(given[0] - found[0], given[1] - found[1]),
+                                      given[2] - found[2]));
         }
     return worst;
 }
@@ -29,8 +30,8 @@ static batten_skin_report check_family(int count, int points, double tolerance, 
     options.tolerance = tolerance;
     batten_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)sections, &options, NULL, v, &report,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)sections, &options, NULL,
+                                 v, &report, &surface));
     CHECK(report.deviation <= tolerance);
     const double worst = measured(count, sections, v, surface);
     CHECK(worst <= report.deviation * (1 + 1e-9));
@@ -80,7 +81,8 @@ TEST(corners_stay_where_they_are)
     options.degree = 1;
     batten_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)all, &options, NULL, NULL, &report, &surface));
+    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)all, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.deviation <= 1e-3 && report.knot_count < report.exact_knot_count);
     CHECK_NEAR(report.normal_jump, acos(0) - atan(0.2), 0.02);
     double out[3];
@@ -100,8 +102,8 @@ TEST(when_corners_need_as_many_knots_as_the_union_the_skin_is_exact)
     options.tolerance = 1e-3;
     batten_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.deviation < 1e-14 && report.knot_count == 3 && report.exact_knot_count == 3);
     batten_surface_unref(surface);
     unref_all(3, sections);
@@ -119,7 +121,8 @@ TEST(rational_sections_keep_the_tolerance_too)
         CHECK_OK(batten_curve_transform(space, &map, &sections[k]));
         for (int i = 0; i < 6; i++) {
             batten_curve *refined = NULL;
-            CHECK_OK(batten_curve_insert_knot(sections[k], test_random_in(&random, 0.05, 0.95), 1, &refined));
+            CHECK_OK(batten_curve_insert_knot(sections[k], test_random_in(&random, 0.05, 0.95),
+                                              1, &refined));
             batten_curve_unref(sections[k]);
             sections[k] = refined;
         }
@@ -131,8 +134,8 @@ TEST(rational_sections_keep_the_tolerance_too)
     batten_skin_report report;
     batten_surface *surface = NULL;
     double v[4];
-    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)sections, &options, NULL, v, &report,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)sections, &options, NULL, v,
+                                 &report, &surface));
     CHECK(batten_surface_is_rational(surface));
     CHECK(report.deviation <= 1e-4 && report.knot_count < 12 && report.exact_knot_count == 25);
     CHECK(measured(4, sections, v, surface) <= report.deviation * (1 + 1e-9) + 1e-12);
@@ -143,39 +146,42 @@ TEST(rational_sections_keep_the_tolerance_too)
 TEST(N6_tolerances_are_checked)
 {
     test_random random = test_random_begin("tolerance");
-    batten_curve *sections[2] = {jittered(&random, 10, 0, airfoil), jittered(&random, 10, 1, airfoil)};
+    batten_curve *sections[2] = {jittered(&random, 10, 0, airfoil),
+                                 jittered(&random, 10, 1, airfoil)};
     batten_skin_options options = batten_skin_defaults();
     batten_surface *surface = NULL;
     options.tolerance = 1e-15;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
-                                     &surface),
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance 1e-15 is lost in the rounding of coordinates of 1");
     options.tolerance = -1;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
-                                     &surface),
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     options.tolerance = NAN;
-    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, NULL,
-                                     &surface),
+    CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
+                                     NULL, NULL, &surface),
                  BATTEN_NOT_FINITE);
     CHECK(surface == NULL);
     /* Larger than the sections: no knots are left. */
     options.tolerance = 100;
     batten_skin_report report;
-    CHECK_OK(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK_INT(report.knot_count, 0);
     CHECK(report.deviation > 0 && report.span_ratio == 1);
     batten_surface_unref(surface);
     unref_all(2, sections);
 }
 
-/* Two cubic pieces that meet with one tangent but with speeds `ratio` apart, at a place of its own. */
+/* Two cubic pieces that meet with one tangent but with speeds `ratio` apart, at a place of its
+ * own. */
 static batten_curve *uneven_section(double x, double place, double ratio)
 {
-    const double points[] = {x, 0, 0,   x, 0.5, 0, x, 0.8, 0.1, x, 1, 0.3,
-                             x, 1 + 0.2 * ratio, 0.3 + 0.2 * ratio, x, 2, 1.5, x, 2, 2};
+    const double points[] = {
+        x, 0, 0,   x, 0.5, 0, x, 0.8, 0.1, x, 1, 0.3, x, 1 + 0.2 * ratio, 0.3 + 0.2 * ratio,
+        x, 2, 1.5, x, 2,   2};
     const double knots[] = {0, 0, 0, 0, place, place, place, 1, 1, 1, 1};
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_create(3, 3, 7, points, NULL, knots, &curve));
@@ -209,12 +215,12 @@ TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
     batten_skin_options options = batten_skin_defaults();
     batten_skin_report exact, few;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL, &exact,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
+                                 &exact, &surface));
     batten_surface_unref(surface);
     options.tolerance = 2e-3;
-    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL, &few,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
+                                 &few, &surface));
     CHECK(exact.normal_jump > 0.01 && few.normal_jump == 0);
     CHECK(few.deviation <= 2e-3);
     batten_surface_unref(surface);
@@ -241,9 +247,10 @@ TEST(I8_the_search_for_common_knots_can_be_cancelled)
         batten_job job = BATTEN_JOB;
         job.is_cancelled = stop_at;
         job.user = &questions;
-        CHECK_STATUS((questions = at, batten_surface_skin(4, (const batten_curve *const *)sections, &options,
-                                                          &job, NULL, NULL, &surface)),
-                     BATTEN_CANCELLED);
+        CHECK_STATUS(
+            (questions = at, batten_surface_skin(4, (const batten_curve *const *)sections,
+                                                 &options, &job, NULL, NULL, &surface)),
+            BATTEN_CANCELLED);
     }
     CHECK(surface == NULL);
     unref_all(4, sections);
@@ -258,8 +265,8 @@ TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
     options.tolerance = 1e-3;
     batten_skin_report report;
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL, &report,
-                                 &surface));
+    CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
+                                 &report, &surface));
     CHECK(report.knot_count == 1 && report.deviation == 0);
     batten_surface_unref(surface);
     unref_all(3, sections);
