@@ -296,9 +296,9 @@ static uint64_t shortest(uint64_t m, int e, int *exponent)
 
     *exponent = k;
     uint64_t ten = high.whole - high.whole % 10;
-    if (ten == high.whole && !is_inside(ten, low, high, ends_belong) && ten >= 10)
+    if (ten == high.whole && !is_inside(ten, low, high, ends_belong))
         ten -= 10;
-    if (is_inside(ten, low, high, ends_belong) && ten > 0)
+    if (is_inside(ten, low, high, ends_belong))
         return ten;
 
     const scaled x = scale(p, 4 * m, e - 2, k);
@@ -441,7 +441,7 @@ static const char *read_digits(const char *c, const char *end, decimal *d, int64
             continue;
         }
         *any = true;
-        if (d->leading == 0 && *c == '0' && kept == 0) {
+        if (*c == '0' && kept == 0) {
             place++;
             continue;
         }

@@ -176,7 +176,7 @@ static batten_status find_places(search *s)
 static void restrict_to(int degree, const double *c, double a, double b, double *out)
 {
     bat_bernstein_split(degree, c, b, out, NULL);
-    bat_bernstein_split(degree, out, b > 0 ? a / b : 0, NULL, out);
+    bat_bernstein_split(degree, out, a / b, NULL, out);
 }
 
 /* The order of the root at an end: the first difference there that is not 0. `step` is 1 from
@@ -205,7 +205,7 @@ static double sharpened(int degree, const double *c, double a, double b, int m, 
         for (int i = 0; i <= degree - k; i++)
             row[i] = row[i + 1] - row[i];
     const int n = degree - (m - 1);
-    if (n < 1 || !(row[0] * row[n] < 0))
+    if (!(row[0] * row[n] < 0))
         return middle;
     return a + (b - a) * single_root(n, row, b - a);
 }
@@ -217,11 +217,10 @@ static bat_root weigh(const search *s, const double *c, place p, double room_a, 
 {
     if (p.a == p.b)
         return (bat_root){p.t, 1};
-    if (p.a == 0 || p.b == 1) {
-        const int order = order_at_end(s->degree, c, p.a == 0 ? 1 : -1, s->zero);
-        if (order > 0)
-            return (bat_root){p.a == 0 ? 0 : 1, order};
-    }
+    if (p.a == 0)
+        return (bat_root){0, order_at_end(s->degree, c, 1, s->zero)};
+    if (p.b == 1)
+        return (bat_root){1, order_at_end(s->degree, c, -1, s->zero)};
     const double width = p.b - p.a;
     const double a = bat_max(room_a, p.a - width), b = bat_min(room_b, p.b + width);
     restrict_to(s->degree, c, a, b, scratch);

@@ -100,15 +100,6 @@ void bat_dense_solve(int n, const double *lu, const int *pivots, size_t width, d
     solve_upper(n, n, lu, width, b);
 }
 
-/* The largest number of a column from row `first` on. */
-static double column_size(int rows, size_t stride, int first, const double *column)
-{
-    double size = 0;
-    for (int i = first; i < rows; i++)
-        size = bat_max(size, fabs(column[(size_t)i * stride]));
-    return size;
-}
-
 /* column -= v (2 v.column / v.v), both from row `first` on; `vv` is v.v. */
 static void reflect(int rows, int first, size_t v_stride, const double *v, double vv,
                     size_t stride, double *column)
@@ -121,33 +112,29 @@ static void reflect(int rows, int first, size_t v_stride, const double *v, doubl
         column[(size_t)i * stride] -= factor * v[(size_t)i * v_stride];
 }
 
-/* Turn column k into Householder's vector; its new diagonal element, and v.v, which is 0 when
- * there is nothing to reflect. */
-static double householder(int rows, size_t stride, int k, double *column, double *vv)
-{
-    double *top = column + (size_t)k * stride;
-    const double size = column_size(rows, stride, k, column);
-    double sum = 0;
-    for (int i = k; i < rows && size > 0; i++) {
-        const double scaled = column[(size_t)i * stride] / size;
-        sum += scaled * scaled;
-    }
-    const double norm = size * sqrt(sum);
-    const double diagonal = *top > 0 ? -norm : norm;
-    *top -= diagonal;
-    *vv = 0;
-    for (int i = k; i < rows; i++)
-        *vv += column[(size_t)i * stride] * column[(size_t)i * stride];
-    return diagonal;
-}
-
-/* The Euclidean norm of column k from row `first` on, safe enough to compare. */
+/* The Euclidean norm of column k from row `first` on, whatever its size. */
 static double column_norm(int rows, size_t stride, int first, const double *column)
 {
     double norm = 0;
     for (int i = first; i < rows; i++)
         norm = hypot(norm, column[(size_t)i * stride]);
     return norm;
+}
+
+/* Turn column k into Householder's vector, scaled so that its square `*vv` lies between 1 and
+ * 4; the new diagonal element, which is 0 when there is nothing to reflect. */
+static double householder(int rows, size_t stride, int k, double *column, double *vv)
+{
+    double *top = column + (size_t)k * stride;
+    const double norm = column_norm(rows, stride, k, column);
+    const double diagonal = *top > 0 ? -norm : norm;
+    *top -= diagonal;
+    *vv = 0;
+    for (int i = k; i < rows && norm > 0; i++) {
+        column[(size_t)i * stride] /= norm;
+        *vv += column[(size_t)i * stride] * column[(size_t)i * stride];
+    }
+    return diagonal;
 }
 
 batten_status bat_dense_least_squares(int rows, int columns, double *a, size_t width, double *b)
@@ -160,7 +147,7 @@ batten_status bat_dense_least_squares(int rows, int columns, double *a, size_t w
         const double whole = column_norm(rows, stride, 0, column);
         double vv;
         const double diagonal = householder(rows, stride, k, column, &vv);
-        if (!(fabs(diagonal) > rows * DBL_EPSILON * whole) || !(vv > 0) || !isfinite(vv))
+        if (!(fabs(diagonal) > rows * DBL_EPSILON * whole) || !isfinite(diagonal))
             return bat_fail(BATTEN_SINGULAR_SYSTEM,
                             "unknown %d of %d depends on those before it: %g of its %g is left",
                             k, columns, fabs(diagonal), whole);

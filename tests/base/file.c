@@ -62,7 +62,8 @@ static int failing_fchmod(int file, mode_t mode)
 
 static int failing_fsync(int file)
 {
-    return must_fail("fsync") ? -1 : real_system.fsync(file);
+    (void)file; /* waiting for the disk proves nothing here */
+    return must_fail("fsync") ? -1 : 0;
 }
 
 static int failing_close(int file)
@@ -481,27 +482,75 @@ TEST(F8_odd_file_names_work_and_are_shown_escaped)
 }
 
 static const char *meddled_path;
+static int meddling;
 
+/* What somebody else does to the file while it is being saved. */
 static int meddling_fsync(int file)
 {
-    put(meddled_path, "by somebody else");
+    char other[300];
+    snprintf(other, sizeof other, "%s.other", meddled_path);
+    switch (meddling) {
+    case 0: /* written longer */
+        put(meddled_path, "by somebody else");
+        break;
+    case 1: /* replaced by one of the same size */
+        put(other, "new");
+        CHECK(rename(other, meddled_path) == 0);
+        break;
+    case 2: /* written with the same size */
+        CHECK(utimensat(AT_FDCWD, meddled_path, (struct timespec[2]){{1, 0}, {1, 0}}, 0) == 0);
+        break;
+    default:
+        unlink(meddled_path);
+    }
     return real_system.fsync(file);
 }
 
 TEST(a_file_that_changes_meanwhile_is_not_overwritten)
 {
-    meddled_path = in(folder("meddle"), "a");
-    put(meddled_path, "old");
-    real_system = bat_system;
-    bat_system.fsync = meddling_fsync;
-    const batten_status status = save(meddled_path, "mine");
-    uninstall();
-    if (status != BATTEN_OUT_OF_MEMORY) {
-        CHECK_INT(status, BATTEN_FILE_ERROR);
-        CHECK_MESSAGE("changed by another programme");
-        CHECK(holds(meddled_path, "by somebody else"));
+    const char *where = folder("meddle");
+    meddled_path = in(where, "a");
+    for (meddling = 0; meddling < 4; meddling++) {
+        put(meddled_path, "old");
+        real_system = bat_system;
+        bat_system.fsync = meddling_fsync;
+        const batten_status status = save(meddled_path, "mine");
+        uninstall();
+        if (status != BATTEN_OUT_OF_MEMORY) {
+            CHECK_INT(status, BATTEN_FILE_ERROR);
+            CHECK_MESSAGE("changed by another programme");
+            CHECK(!holds(meddled_path, "mine"));
+            CHECK_INT(entry_count(where), meddling < 3);
+        }
     }
-    CHECK_INT(entry_count(folder("meddle")), 1);
+}
+
+static ssize_t no_write(int file, const void *bytes, size_t size)
+{
+    (void)file, (void)bytes, (void)size;
+    return 0;
+}
+
+static ssize_t endless_readlink(const char *path, char *buffer, size_t size)
+{
+    (void)path;
+    memset(buffer, 'x', size);
+    return (ssize_t)size;
+}
+
+TEST(W1_a_system_that_writes_nothing_or_links_without_end_is_not_waited_for)
+{
+    const char *path = in(folder("odd_system"), "a");
+    real_system = bat_system;
+    bat_system.write = no_write;
+    batten_status status = save(path, "text");
+    uninstall();
+    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+    bat_system.readlink = endless_readlink;
+    status = save(path, "text");
+    uninstall();
+    CHECK(status == BATTEN_FILE_ERROR || status == BATTEN_OUT_OF_MEMORY);
+    CHECK_INT(entry_count(folder("odd_system")), 0);
 }
 
 static int taken_open(const char *path, int flags, mode_t mode)

@@ -6,6 +6,7 @@ TEST(S1_products_that_wrap_are_refused)
 {
     CHECK(bat_array(SIZE_MAX / 2 + 1, 2) == NULL);
     CHECK(bat_array3(SIZE_MAX / 4, 8, 1) == NULL);
+    CHECK(bat_array((size_t)PTRDIFF_MAX + 1, 1) == NULL);
     CHECK_MESSAGE("no memory");
 }
 

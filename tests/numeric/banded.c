@@ -57,7 +57,7 @@ static void check_solution(const problem *p)
 
 static const struct {
     int lower, upper;
-} bands[] = {{0, 0}, {1, 1}, {2, 2}, {0, 2}, {3, 0}, {1, 3}, {4, 2}, {25, 25}};
+} bands[] = {{0, 0}, {1, 1}, {2, 2}, {0, 2}, {2, 1}, {1, 2}, {3, 0}, {1, 3}, {4, 2}, {25, 25}};
 static const int widths[] = {1, 2, 3, 4};
 
 TEST(a_band_matrix_times_its_solution_is_the_right_side)
@@ -123,8 +123,11 @@ TEST(a_singular_band_matrix_is_refused_naming_the_row)
     CHECK_MESSAGE("row 1 of 3");
     double zero[2] = {0, 0};
     CHECK_STATUS(bat_banded_factor(2, 0, 0, zero), BATTEN_SINGULAR_SYSTEM);
-    double infinite[2] = {1, INFINITY};
-    CHECK_STATUS(bat_banded_factor(2, 0, 0, infinite), BATTEN_SINGULAR_SYSTEM);
+    for (int lower = 0; lower <= 2; lower++) {
+        double infinite[10] = {0};
+        infinite[lower] = INFINITY;
+        CHECK_STATUS(bat_banded_factor(2, lower, lower, infinite), BATTEN_SINGULAR_SYSTEM);
+    }
 }
 
 TEST(a_small_matrix_is_not_a_singular_one)

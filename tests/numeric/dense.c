@@ -101,11 +101,26 @@ TEST(a_least_squares_residual_is_orthogonal_to_the_columns)
         }
 }
 
+TEST(N2_least_squares_do_not_care_for_the_scale)
+{
+    static const double scales[] = {1e-300, 1e-160, 1, 1e160, 1e300};
+    for (int s = 0; s < COUNT(scales); s++) {
+        double a[6] = {1, 1, 1, 2, 1, 4}, b[3] = {3, 5, 9};
+        for (int i = 0; i < 6; i++)
+            a[i] *= scales[s];
+        CHECK_OK(bat_dense_least_squares(3, 2, a, 1, b));
+        CHECK_NEAR(b[0] * scales[s], 1, 32 * DBL_EPSILON);
+        CHECK_NEAR(b[1] * scales[s], 2, 32 * DBL_EPSILON);
+    }
+}
+
 TEST(a_dependent_column_is_refused_naming_it)
 {
     double a[8] = {1, 2, 3, 6, -1, -2, 0.1, 0.2}, b[4] = {1, 2, 3, 4};
     CHECK_STATUS(bat_dense_least_squares(4, 2, a, 1, b), BATTEN_SINGULAR_SYSTEM);
     CHECK_MESSAGE("unknown 1 of 2");
+    double infinite[2] = {INFINITY, 1};
+    CHECK_STATUS(bat_dense_least_squares(2, 1, infinite, 1, b), BATTEN_SINGULAR_SYSTEM);
     double zero[2] = {0, 0};
     CHECK_STATUS(bat_dense_least_squares(2, 1, zero, 1, b), BATTEN_SINGULAR_SYSTEM);
 }
