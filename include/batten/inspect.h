@@ -21,19 +21,23 @@ typedef struct batten_curve_local {
     double torsion;        /**< 1 / length; 0 in the plane */
 } batten_curve_local;
 
-/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes: tangent from the first derivative
- * that does not, the rest 0. */
+/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes; then `out` has the point, the
+ * tangent from the first derivative that does not vanish, and 0 for the rest. In space normal and
+ * binormal are 0 where the curve is straight. */
 BATTEN_API batten_status batten_curve_local_at(const batten_curve *curve, double u,
                                                batten_side side, batten_curve_local *out);
 
-/** Length over [a, b] (the whole domain with NaN for both), within `tolerance` (model units).
+/** Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance` (model
+ * units, above 0; one below the rounding of the numbers is met as far as they can, see `error`).
+ * Gauss-Legendre on each span, halved until both halves agree with the whole.
  * @param[out] error an estimate of the error; may be NULL */
 BATTEN_API batten_status batten_curve_length(const batten_curve *curve, double tolerance,
                                              double *length, double *error);
 BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, double a, double b,
                                                      double tolerance, double *length,
                                                      double *error);
-/** Parameters at which the arc length from the start is s[i] (increasing).
+/** Parameters at which the arc length from the start is s[i] (never decreasing, at most `tolerance`
+ * outside the length).
  * @param[out] u [count] */
 BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
                                                 const double *s, double tolerance, double *u);
@@ -44,10 +48,13 @@ typedef struct batten_parameters {
     double *at;
 } batten_parameters;
 
-/** All inflections of a plane curve (sign changes of curvature, also those at knots). */
+/** All inflections of a plane curve: sign changes of curvature, also those at knots and at the seam
+ * of a periodic curve. Of a function (dimension 1) those of its second derivative. Sign changes
+ * within the rounding of the control points are none, so a straight line has no inflections. */
 BATTEN_API batten_status batten_curve_inflections(const batten_curve *curve,
                                                   batten_parameters *out);
-/** All local extrema of curvature inside the domain, also those at knots. */
+/** All local extrema of curvature (in the plane signed) inside the domain, also those at knots where
+ * its rate changes sign. Of a function those of its second derivative. */
 BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curve,
                                                         batten_parameters *out);
 /** All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
@@ -72,6 +79,8 @@ typedef struct batten_surface_local {
     double kappa1, kappa2;     /**< principal curvatures, kappa1 >= kappa2 */
     batten_vec3 direction1, direction2; /**< principal directions; any at an umbilic */
 } batten_surface_local;
+/** @return BATTEN_SINGULAR_HERE where Su and Sv do not span a plane but the normal has a limit; then
+ * `out` has the point, the normal, and 0 for the rest. */
 BATTEN_API batten_status batten_surface_local_at(const batten_surface *surface, double u, double v,
                                                  batten_surface_local *out);
 /** Gaussian and mean curvature on a grid. @param[out] gaussian, mean [count_u][count_v]; either may be
@@ -88,14 +97,16 @@ typedef struct batten_deviation {
     int worst;      /**< index of the farthest point */
     double at[2];   /**< its foot's parameters */
 } batten_deviation;
-/** Distance of points [count][dimension] from a curve.
+/** Distance of points [count][dimension] from a curve: the global minimum, ends included. Every root
+ * of (C - Q) . C' is found on each span whose box comes near enough.
  * @param start [count] first guesses, or NULL: the whole curve is searched
  * @param[out] distances [count], or NULL */
 BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int count,
                                                 const double *points, const double *start,
                                                 const batten_job *job, double *distances,
                                                 batten_deviation *out);
-/** The same for a surface, points [count][3]; start [count][2] or NULL. */
+/** The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every valley
+ * of a grid of (degree + 2)^2 samples on each patch whose box comes near enough. */
 BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface, int count,
                                                   const double *points, const double *start,
                                                   const batten_job *job, double *distances,
@@ -115,7 +126,9 @@ typedef struct batten_polylines {
 /**
  * Where a surface meets the plane `normal . x = offset`, found along isoparametric lines on a
  * `cells_u` x `cells_v` grid (every point is on the surface and on the plane to rounding; loops
- * smaller than a cell can be missed).
+ * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and its
+ * parameters jump. A rim of the surface that lies in the plane belongs to the section; a line in
+ * its inside where the plane only touches does not.
  */
 BATTEN_API batten_status batten_surface_section(const batten_surface *surface, batten_vec3 normal,
                                                 double offset, int cells_u, int cells_v,

@@ -1,0 +1,13 @@
+/* Inflections and extrema of a curve whose control points are only known within `uncertainty`:
+ * sign changes that such moves may make or undo are not counted. */
+#ifndef BAT_INFLECTIONS_H
+#define BAT_INFLECTIONS_H
+#include "base/base.h"
+#include <batten/inspect.h>
+
+batten_status bat_curve_inflections(const batten_curve *curve, double uncertainty,
+                                    batten_parameters *out);
+batten_status bat_curve_curvature_extrema(const batten_curve *curve, double uncertainty,
+                                          batten_parameters *out);
+
+#endif

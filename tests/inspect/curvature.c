@@ -1,0 +1,144 @@
+#include "inspect/shapes.h"
+
+TEST(a_circle_has_the_curvature_of_its_radius_and_no_rate)
+{
+    batten_curve *circle = NULL;
+    CHECK_OK(shape_ellipse(2, 2, 1, -3, &circle));
+    for (int k = 0; k <= 1000; k++) {
+        batten_curve_local at;
+        CHECK_OK(batten_curve_local_at(circle, k / 1000.0,
+                                       k % 2 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));
+        CHECK_NEAR(at.curvature, 0.5, 1e-11);
+        CHECK_NEAR(at.curvature_rate, 0, 1e-10);
+        CHECK_NEAR(at.point.x + at.normal.x * 2, 1, 1e-12); /* the centre lies to the left */
+        CHECK_NEAR(at.point.y + at.normal.y * 2, -3, 1e-12);
+        CHECK_NEAR(at.binormal.z, 1, 0);
+        CHECK_NEAR(at.torsion, 0, 0);
+    }
+    batten_curve_unref(circle);
+}
+
+TEST(an_ellipse_has_the_curvature_of_its_equation)
+{
+    batten_curve *ellipse = NULL;
+    CHECK_OK(shape_ellipse(3, 1, 0, 0, &ellipse));
+    for (int k = 0; k < 100; k++) {
+        batten_curve_local at;
+        CHECK_OK(batten_curve_local_at(ellipse, (k + 0.5) / 100, BATTEN_FROM_RIGHT, &at));
+        const double q = at.point.x * at.point.x / 81 + at.point.y * at.point.y;
+        CHECK_NEAR(at.curvature, 1 / (9 * pow(q, 1.5)), 1e-11);
+    }
+    batten_curve_unref(ellipse);
+}
+
+TEST(the_end_of_a_bezier_curve_has_the_curvature_and_torsion_of_its_first_legs)
+{
+    test_random random = test_random_begin("bezier end");
+    for (int n = test_cases(100); n > 0; n--) {
+        const int degree = test_random_int(&random, 3, 9);
+        double b[30];
+        for (int i = 0; i < 3 * (degree + 1); i++)
+            b[i] = test_random_in(&random, -1, 1);
+        batten_curve *curve = NULL;
+        batten_curve_local at;
+        CHECK_OK(shape_bezier(3, degree, b, &curve));
+        CHECK_OK(batten_curve_local_at(curve, 0, BATTEN_FROM_RIGHT, &at));
+        double d[3][3], c[3];
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                d[i][k] = b[3 * (i + 1) + k] - b[3 * i + k];
+        for (int k = 0; k < 3; k++)
+            c[k] =
+                d[0][(k + 1) % 3] * d[1][(k + 2) % 3] - d[0][(k + 2) % 3] * d[1][(k + 1) % 3];
+        const double size = sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+        const double leg = sqrt(d[0][0] * d[0][0] + d[0][1] * d[0][1] + d[0][2] * d[0][2]);
+        const double det = c[0] * d[2][0] + c[1] * d[2][1] + c[2] * d[2][2], m = degree;
+        const double curvature = (m - 1) / m * size / (leg * leg * leg);
+        const double torsion = (m - 2) / m * det / (size * size);
+        CHECK_NEAR(at.curvature, curvature, 1e-10 * curvature);
+        CHECK_NEAR(at.torsion, torsion, 1e-9 * (1 + fabs(torsion)));
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(the_rate_of_curvature_is_its_difference_quotient)
+{
+    const double points[2][12] = {{0, 0, 1, 2, 3, -1, 4, 1},
+                                  {0, 0, 0, 1, 2, 1, 3, -1, 2, 4, 1, 0}};
+    for (int d = 2; d <= 3; d++) {
+        batten_curve *curve = NULL;
+        CHECK_OK(shape_bezier(d, 3, points[d - 2], &curve));
+        for (int k = 1; k < 10; k++) {
+            batten_curve_local a, b, at;
+            const double u = k / 10.0, h = 1e-5;
+            CHECK_OK(batten_curve_local_at(curve, u - h, BATTEN_FROM_RIGHT, &a));
+            CHECK_OK(batten_curve_local_at(curve, u + h, BATTEN_FROM_RIGHT, &b));
+            CHECK_OK(batten_curve_local_at(curve, u, BATTEN_FROM_RIGHT, &at));
+            CHECK_NEAR(at.curvature_rate, (b.curvature - a.curvature) / (2 * h * at.speed),
+                       1e-6 * (1 + fabs(at.curvature_rate)));
+        }
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(G4_a_cusp_is_singular_and_has_the_tangent_of_the_next_derivative)
+{
+    /* (t^2, t^3) on [-1, 1] with a knot at the cusp: C'' = (2, 0) */
+    const double breaks[3] = {-1, 0, 1};
+    const double powers[2][4][2] = {{{1, -1}, {-2, 3}, {1, -3}, {0, 1}},
+                                    {{0, 0}, {0, 0}, {1, 0}, {0, 1}}};
+    batten_curve *curve = NULL;
+    batten_curve_local at;
+    CHECK_OK(batten_curve_from_power(2, 3, 2, breaks, &powers[0][0][0], 1e-12, &curve));
+    CHECK_STATUS(batten_curve_local_at(curve, 0, BATTEN_FROM_RIGHT, &at), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("first derivative vanishes");
+    CHECK_NEAR(at.tangent.x, 1, 1e-15);
+    CHECK_NEAR(at.curvature, 0, 0);
+    CHECK_STATUS(batten_curve_local_at(curve, 0, BATTEN_FROM_LEFT, &at), BATTEN_SINGULAR_HERE);
+    CHECK_NEAR(at.tangent.x, -1, 1e-15);
+    CHECK_OK(batten_curve_local_at(curve, 0.5, BATTEN_FROM_LEFT, &at));
+    batten_curve_unref(curve);
+}
+
+TEST(G3_a_curve_that_is_a_point_has_no_tangent)
+{
+    const double points[6] = {7, 7, 7, 7, 7, 7};
+    batten_curve *curve = NULL;
+    batten_curve_local at;
+    CHECK_OK(shape_bezier(2, 2, points, &curve));
+    CHECK_STATUS(batten_curve_local_at(curve, 0.5, BATTEN_FROM_RIGHT, &at),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_NEAR(vec3_size(at.tangent), 0, 0);
+    CHECK_NEAR(at.point.x, 7, 1e-15);
+    batten_curve_unref(curve);
+}
+
+TEST(a_straight_line_in_space_has_no_normal)
+{
+    const double points[6] = {0, 0, 0, 1, 2, 3};
+    batten_curve *line = NULL;
+    batten_curve_local at;
+    CHECK_OK(shape_bezier(3, 1, points, &line));
+    CHECK_OK(batten_curve_local_at(line, 0.25, BATTEN_FROM_LEFT, &at));
+    CHECK_NEAR(at.curvature, 0, 0);
+    CHECK_NEAR(vec3_size(at.normal), 0, 0);
+    CHECK_NEAR(vec3_size(at.tangent), 1, 1e-15);
+    CHECK_STATUS(batten_curve_local_at(line, 2, BATTEN_FROM_LEFT, &at), BATTEN_OUT_OF_DOMAIN);
+    batten_curve_unref(line);
+}
+
+TEST(the_teeth_of_a_circle_end_on_a_circle)
+{
+    batten_curve *circle = NULL;
+    batten_tooth teeth[4 * 5 + 1];
+    CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
+    CHECK_OK(batten_curve_comb(circle, 5, 3, teeth));
+    for (int k = 0; k < COUNT(teeth); k++) {
+        CHECK_NEAR(teeth[k].u, k / 20.0, 1e-15);
+        CHECK_NEAR(vec3_size(teeth[k].foot), 2, 1e-12);
+        CHECK_NEAR(vec3_size(teeth[k].tip), 2 + 3 * 0.5, 1e-11);
+    }
+    CHECK_STATUS(batten_curve_comb(circle, 0, 3, teeth), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_comb(circle, 1, NAN, teeth), BATTEN_NOT_FINITE);
+    batten_curve_unref(circle);
+}

@@ -1,0 +1,100 @@
+#include "inspect/shapes.h"
+
+TEST(distances_from_a_circle_are_differences_of_radii)
+{
+    test_random random = test_random_begin("circle");
+    batten_curve *circle = NULL;
+    CHECK_OK(shape_ellipse(2, 2, 10, -4, &circle));
+    double points[100], radii[50], distances[50], square = 0;
+    for (int i = 0; i < 50; i++) {
+        const double angle = test_random_in(&random, 0, 2 * PI);
+        radii[i] = test_random_in(&random, 0, 4.5);
+        points[2 * i] = 10 + radii[i] * cos(angle);
+        points[2 * i + 1] = -4 + radii[i] * sin(angle);
+        square += (radii[i] - 2) * (radii[i] - 2);
+    }
+    batten_deviation found;
+    CHECK_OK(batten_curve_deviation(circle, 50, points, NULL, NULL, distances, &found));
+    for (int i = 0; i < 50; i++) {
+        CHECK_NEAR(distances[i], fabs(radii[i] - 2), 1e-13);
+        CHECK(distances[i] <= found.max);
+    }
+    CHECK_NEAR(found.rms, sqrt(square / 50), 1e-13);
+    CHECK_NEAR(distances[found.worst], found.max, 0);
+    batten_curve_unref(circle);
+}
+
+TEST(I1_no_scan_finds_a_nearer_point)
+{
+    test_random random = test_random_begin("nearest");
+    for (int n = test_cases(40); n > 0; n--) {
+        const int d = test_random_int(&random, 2, 3), degree = test_random_int(&random, 1, 7);
+        const int count = degree + 1 + test_random_int(&random, 0, 5);
+        double points[60], weights[20], knots[40], q[3], u[1];
+        batten_curve *curve = NULL;
+        for (int i = 0; i < count; i++) {
+            weights[i] = pow(10, test_random_in(&random, -1, 1));
+            for (int k = 0; k < d; k++)
+                points[i * d + k] = test_random_in(&random, -1, 1);
+        }
+        for (int i = 0; i < count + degree + 1; i++)
+            knots[i] = i <= degree  ? 0
+                       : i >= count ? 1
+                                    : (i - degree) / (double)(count - degree);
+        CHECK_OK(batten_curve_create(d, degree, count, points, n % 2 ? weights : NULL, knots,
+                                     &curve));
+        for (int k = 0; k < d; k++)
+            q[k] = test_random_in(&random, -1.5, 1.5);
+        u[0] = test_random_unit(&random);
+        batten_deviation found;
+        CHECK_OK(batten_curve_deviation(curve, 1, q, n % 3 ? u : NULL, NULL, NULL, &found));
+        double at[3];
+        CHECK_OK(batten_curve_evaluate(curve, found.at[0], 0, at));
+        for (int k = 0; k <= 4000; k++) {
+            double square = 0;
+            CHECK_OK(batten_curve_evaluate(curve, k / 4000.0, 0, at));
+            for (int j = 0; j < d; j++)
+                square += (at[j] - q[j]) * (at[j] - q[j]);
+            CHECK(found.max <= sqrt(square) * (1 + 1e-14));
+        }
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(I1_centre_end_and_cusp_have_their_nearest_points)
+{
+    const double powers[2][4][2] = {{{1, -1}, {-2, 3}, {1, -3}, {0, 1}},
+                                    {{0, 0}, {0, 0}, {1, 0}, {0, 1}}};
+    const double breaks[3] = {-1, 0, 1}, centre[2] = {0, 0}, left[2] = {-3, 0},
+                 right[2] = {5, 1};
+    batten_curve *circle = NULL, *cusp = NULL;
+    batten_deviation found;
+    CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
+    CHECK_OK(batten_curve_deviation(circle, 1, centre, NULL, NULL, NULL, &found));
+    CHECK_NEAR(found.max, 2, 1e-15);
+    CHECK_OK(batten_curve_from_power(2, 3, 2, breaks, &powers[0][0][0], 1e-12, &cusp));
+    CHECK_OK(batten_curve_deviation(cusp, 1, left, NULL, NULL, NULL, &found));
+    CHECK_NEAR(found.max, 3, 1e-15);
+    CHECK_NEAR(found.at[0], 0, 1e-8);
+    CHECK_OK(batten_curve_deviation(cusp, 1, right, NULL, NULL, NULL, &found));
+    CHECK_NEAR(found.max, 4, 1e-14);
+    CHECK_NEAR(found.at[0], 1, 0);
+    batten_curve_unref(cusp);
+    batten_curve_unref(circle);
+}
+
+TEST(points_that_are_not_finite_or_missing_are_refused)
+{
+    const double bad[4] = {0, 0, NAN, 1}, good[2] = {1, 1}, guess[1] = {NAN};
+    batten_curve *circle = NULL;
+    batten_deviation found;
+    CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
+    CHECK_STATUS(batten_curve_deviation(circle, 2, bad, NULL, NULL, NULL, &found),
+                 BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("point 1");
+    CHECK_STATUS(batten_curve_deviation(circle, 0, bad, NULL, NULL, NULL, &found),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_deviation(circle, 1, good, guess, NULL, NULL, &found),
+                 BATTEN_NOT_FINITE);
+    batten_curve_unref(circle);
+}

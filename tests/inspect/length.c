@@ -1,0 +1,135 @@
+#include "inspect/shapes.h"
+
+TEST(a_circle_is_two_pi_long)
+{
+    batten_curve *circle = NULL;
+    double length, error;
+    CHECK_OK(shape_ellipse(1, 1, 5, 5, &circle));
+    CHECK_OK(batten_curve_length(circle, 1e-12, &length, &error));
+    CHECK_NEAR(length, 2 * PI, 1e-12);
+    CHECK(error <= 1e-12);
+    CHECK_OK(batten_curve_length_between(circle, 0.125, 0.5, 1e-12, &length, NULL));
+    CHECK_NEAR(length, 0.75 * PI, 1e-12);
+    CHECK_OK(batten_curve_length_between(circle, NAN, NAN, 1e-12, &length, NULL));
+    CHECK_NEAR(length, 2 * PI, 1e-12);
+    batten_curve_unref(circle);
+}
+
+TEST(parabola_and_ellipse_have_their_known_lengths)
+{
+    /* y = x^2 on [0, 1]; the perimeter of the ellipse 3 : 1 is 12 E(8/9), by the
+     * arithmetic-geometric mean */
+    const double parabola[6] = {0, 0, 0.5, 0, 1, 1};
+    double a = 3, b = 1, c = sqrt(8), sum = 0, power = 0.5, length;
+    for (int n = 0; n < 8; n++) {
+        sum += power * c * c;
+        c = (a - b) / 2;
+        const double mean = (a + b) / 2;
+        b = sqrt(a * b);
+        a = mean;
+        power *= 2;
+    }
+    batten_curve *curve = NULL;
+    CHECK_OK(shape_bezier(2, 2, parabola, &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-13, &length, NULL));
+    CHECK_NEAR(length, 1.478942857544598, 1e-13);
+    batten_curve_unref(curve);
+    CHECK_OK(shape_ellipse(3, 1, 0, 0, &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_NEAR(length, 2 * PI * (9 - sum) / a, 1e-11);
+    batten_curve_unref(curve);
+}
+
+TEST(G4_the_length_over_a_cusp_is_that_of_its_branches)
+{
+    /* (t^2, t^3) on [-1, 1] in one piece: each branch is (13 sqrt 13 - 8) / 27 long */
+    const double powers[4][2] = {{1, -1}, {-2, 3}, {1, -3}, {0, 1}}, breaks[2] = {-1, 1};
+    batten_curve *curve = NULL;
+    double length, error;
+    CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, &powers[0][0], 1e-12, &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-12, &length, &error));
+    CHECK_NEAR(length, 2 * (13 * sqrt(13) - 8) / 27, 1e-11);
+    CHECK(error <= 1e-11);
+    batten_curve_unref(curve);
+}
+
+TEST(equal_lengths_of_a_circle_are_equal_angles)
+{
+    batten_curve *circle = NULL;
+    double s[9], u[9];
+    CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
+    for (int k = 0; k < 9; k++)
+        s[k] = 4 * PI * k / 8;
+    CHECK_OK(batten_curve_at_length(circle, 9, s, 1e-10, u));
+    for (int k = 0; k < 9; k++) {
+        double point[2];
+        CHECK_OK(batten_curve_evaluate(circle, u[k], 0, point));
+        CHECK_NEAR(point[0], 2 * cos(2 * PI * k / 8), 1e-9);
+        CHECK_NEAR(point[1], 2 * sin(2 * PI * k / 8), 1e-9);
+    }
+    batten_curve_unref(circle);
+}
+
+TEST(length_and_its_inverse_agree_on_random_curves)
+{
+    test_random random = test_random_begin("inverse of length");
+    for (int n = test_cases(30); n > 0; n--) {
+        const int degree = test_random_int(&random, 1, 7);
+        double points[24], whole, part, s, u;
+        for (int i = 0; i < 3 * (degree + 1); i++)
+            points[i] = test_random_in(&random, -1, 1);
+        batten_curve *curve = NULL;
+        CHECK_OK(shape_bezier(3, degree, points, &curve));
+        CHECK_OK(batten_curve_length(curve, 1e-11, &whole, NULL));
+        s = test_random_unit(&random) * whole;
+        CHECK_OK(batten_curve_at_length(curve, 1, &s, 1e-10, &u));
+        CHECK_OK(batten_curve_length_between(curve, 0, u, 1e-11, &part, NULL));
+        CHECK_NEAR(part, s, 1e-10);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(G3_a_curve_that_is_a_point_has_length_0)
+{
+    const double points[6] = {7, 7, 7, 7, 7, 7};
+    batten_curve *curve = NULL;
+    double length, s = 0, u;
+    CHECK_OK(shape_bezier(2, 2, points, &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-9, &length, NULL));
+    CHECK_NEAR(length, 0, 1e-15);
+    CHECK_OK(batten_curve_at_length(curve, 1, &s, 1e-9, &u));
+    CHECK_NEAR(u, 0, 0);
+    batten_curve_unref(curve);
+}
+
+TEST(N6_a_tolerance_that_is_not_positive_is_refused_and_a_tiny_one_ends_at_rounding)
+{
+    batten_curve *circle = NULL;
+    double length = 3, error;
+    CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
+    const double bad[] = {0, -1, NAN, HUGE_VAL};
+    for (int k = 0; k < COUNT(bad); k++)
+        CHECK_STATUS(batten_curve_length(circle, bad[k], &length, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_NEAR(length, 3, 0);
+    CHECK_OK(batten_curve_length(circle, 1e-300, &length, &error));
+    CHECK_NEAR(length, 2 * PI, 1e-13);
+    CHECK(error < 1e-12);
+    batten_curve_unref(circle);
+}
+
+TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
+{
+    batten_curve *circle = NULL;
+    const double beyond[2] = {1, 7}, backwards[2] = {1, 0.5}, bad[1] = {NAN};
+    double u[2] = {9, 9}, length;
+    CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
+    CHECK_STATUS(batten_curve_at_length(circle, 2, beyond, 1e-9, u), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_at_length(circle, 2, backwards, 1e-9, u), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_at_length(circle, 1, bad, 1e-9, u), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 0.2, 1e-9, &length, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_length_between(circle, 0.7, 2, 1e-9, &length, NULL),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_NEAR(u[0], 9, 0);
+    batten_curve_unref(circle);
+}

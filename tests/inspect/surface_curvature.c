@@ -1,0 +1,108 @@
+#include "inspect/shapes.h"
+
+static double dot(batten_vec3 a, batten_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+TEST(a_torus_has_the_curvatures_of_its_equation)
+{
+    const double R = 3, r = 1;
+    batten_surface *torus = NULL;
+    CHECK_OK(shape_torus(R, r, false, &torus));
+    for (int i = 0; i < 60; i++) {
+        batten_surface_local at;
+        CHECK_OK(
+            batten_surface_local_at(torus, (i + 0.3) / 60, ((7 * i) % 60 + 0.5) / 60, &at));
+        const double ring = hypot(at.point.x, at.point.y), c = (ring - R) / r;
+        CHECK_NEAR(at.gaussian, c / (r * ring), 1e-11);
+        CHECK_NEAR(fabs(at.mean), (R + 2 * r * c) / (2 * r * ring), 1e-11);
+        CHECK(at.kappa1 >= at.kappa2);
+        CHECK_NEAR(at.kappa1 * at.kappa2, at.gaussian, 1e-11);
+        CHECK_NEAR(vec3_size(at.direction1), 1, 1e-12);
+        CHECK_NEAR(dot(at.direction1, at.direction2), 0, 1e-12);
+        CHECK_NEAR(dot(at.direction1, at.normal), 0, 1e-12);
+        /* outwards, the curve around the tube bends away from the normal by 1 / r */
+        const double sign =
+            dot(at.normal, (batten_vec3){at.point.x, at.point.y, 0}) * c > 0 ? -1 : 1;
+        CHECK_NEAR(sign < 0 ? at.kappa2 : at.kappa1, sign / r, 1e-10);
+        /* and its direction has no part around the axis */
+        const batten_vec3 tube = sign < 0 ? at.direction2 : at.direction1;
+        CHECK_NEAR(-tube.x * at.point.y + tube.y * at.point.x, 0, 1e-9);
+    }
+    batten_surface_unref(torus);
+}
+
+TEST(a_sphere_is_umbilic_and_a_cylinder_has_no_gaussian_curvature)
+{
+    batten_surface *sphere = NULL, *plane = NULL;
+    batten_surface_local at;
+    CHECK_OK(shape_torus(0, 2, true, &sphere));
+    for (int i = 1; i < 10; i++) {
+        CHECK_OK(batten_surface_local_at(sphere, i / 10.0, (i + 0.5) / 11, &at));
+        CHECK_NEAR(at.gaussian, 0.25, 1e-11);
+        CHECK_NEAR(fabs(at.mean), 0.5, 1e-11);
+        CHECK_NEAR(at.kappa1, at.kappa2, 1e-7);
+    }
+    batten_surface_unref(sphere);
+    /* z = x^2 as a cylinder: curvature 2 at its lowest line, 0 across */
+    const double points[18] = {-1, 0, 1, -1, 1, 1, 0, 0, -1, 0, 1, -1, 1, 0, 1, 1, 1, 1};
+    const double ku[6] = {0, 0, 0, 1, 1, 1}, kv[4] = {0, 0, 1, 1};
+    const batten_axis u = {2, 3, ku, false}, v = {1, 2, kv, false};
+    CHECK_OK(batten_surface_create(3, &u, &v, points, NULL, &plane));
+    CHECK_OK(batten_surface_local_at(plane, 0.5, 0.3, &at));
+    CHECK_NEAR(at.kappa1, 2, 1e-12);
+    CHECK_NEAR(at.kappa2, 0, 1e-12);
+    CHECK_NEAR(fabs(at.direction1.x), 1, 1e-12);
+    batten_surface_unref(plane);
+}
+
+TEST(G5_a_pole_has_a_normal_but_no_curvature_from_its_tangents)
+{
+    batten_surface *sphere = NULL;
+    batten_surface_local at;
+    double gaussian[2], mean[2];
+    const double u[1] = {0.3}, v[2] = {0, 0.5};
+    CHECK_OK(shape_torus(0, 2, true, &sphere));
+    CHECK_STATUS(batten_surface_local_at(sphere, 0.3, 0, &at), BATTEN_SINGULAR_HERE);
+    CHECK_NEAR(fabs(at.normal.z), 1, 1e-12);
+    CHECK_NEAR(at.point.z, -2, 1e-15);
+    CHECK_OK(batten_surface_curvature_grid(sphere, 1, u, 2, v, NULL, gaussian, mean));
+    CHECK(isnan(gaussian[0]) && isnan(mean[0]));
+    CHECK_NEAR(gaussian[1], 0.25, 1e-12);
+    CHECK_OK(batten_surface_curvature_grid(sphere, 1, u, 2, v, NULL, NULL, NULL));
+    batten_surface_unref(sphere);
+}
+
+TEST(the_grid_has_the_curvatures_of_single_points)
+{
+    batten_surface *torus = NULL;
+    double u[12], v[9], gaussian[108], mean[108];
+    for (int i = 0; i < 12; i++)
+        u[i] = (i + 0.5) / 12;
+    for (int j = 0; j < 9; j++)
+        v[j] = (j + 0.25) / 9;
+    CHECK_OK(shape_torus(3, 1, false, &torus));
+    CHECK_OK(batten_surface_curvature_grid(torus, 12, u, 9, v, NULL, gaussian, mean));
+    for (int i = 0; i < 12; i++)
+        for (int j = 0; j < 9; j++) {
+            batten_surface_local at;
+            CHECK_OK(batten_surface_local_at(torus, u[i], v[j], &at));
+            CHECK_NEAR(gaussian[9 * i + j], at.gaussian, 1e-12);
+            CHECK_NEAR(mean[9 * i + j], at.mean, 1e-12);
+        }
+    batten_surface_unref(torus);
+}
+
+TEST(a_surface_in_the_plane_has_no_curvature)
+{
+    const double points[8] = {0, 0, 0, 1, 1, 0, 1, 1}, knots[4] = {0, 0, 1, 1}, at[1] = {0.5};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *flat = NULL;
+    batten_surface_local local;
+    CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &flat));
+    CHECK_STATUS(batten_surface_local_at(flat, 0.5, 0.5, &local), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_surface_curvature_grid(flat, 1, at, 1, at, NULL, NULL, NULL),
+                 BATTEN_NOT_COMPATIBLE);
+    batten_surface_unref(flat);
+}

@@ -1,0 +1,73 @@
+#include "inspect/shapes.h"
+
+TEST(distances_from_sphere_and_torus_are_those_of_their_radii)
+{
+    test_random random = test_random_begin("sphere and torus");
+    batten_surface *surface = NULL;
+    for (int which = 0; which < 2; which++) {
+        double points[90], expected[30], distances[30];
+        CHECK_OK(shape_torus(which ? 3 : 0, 1, !which, &surface));
+        for (int i = 0; i < 30; i++) {
+            for (int k = 0; k < 3; k++)
+                points[3 * i + k] = test_random_in(&random, -4, 4);
+            const double *p = points + 3 * i;
+            const double ring = which ? hypot(p[0], p[1]) - 3 : hypot(p[0], p[1]);
+            expected[i] = fabs(hypot(ring, p[2]) - 1);
+        }
+        batten_deviation found;
+        CHECK_OK(batten_surface_deviation(surface, 30, points, NULL, NULL, distances, &found));
+        for (int i = 0; i < 30; i++)
+            CHECK_NEAR(distances[i], expected[i], 1e-12);
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(I1_no_scan_of_a_surface_finds_a_nearer_point)
+{
+    test_random random = test_random_begin("surface scan");
+    for (int n = test_cases(10); n > 0; n--) {
+        const double knots[10] = {0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1};
+        const batten_axis axis = {3, 6, knots, false};
+        double points[108], q[3], guess[2], at[3];
+        batten_surface *surface = NULL;
+        batten_deviation found;
+        for (int i = 0; i < 36; i++) {
+            points[3 * i] = i / 6 + test_random_in(&random, -0.3, 0.3);
+            points[3 * i + 1] = i % 6 + test_random_in(&random, -0.3, 0.3);
+            points[3 * i + 2] = test_random_in(&random, -1, 1);
+        }
+        CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+        for (int k = 0; k < 3; k++)
+            q[k] = test_random_in(&random, -2, 7);
+        for (int k = 0; k < 2; k++)
+            guess[k] = test_random_unit(&random);
+        CHECK_OK(
+            batten_surface_deviation(surface, 1, q, n % 2 ? guess : NULL, NULL, NULL, &found));
+        for (int i = 0; i <= 100; i++)
+            for (int j = 0; j <= 100; j++) {
+                double square = 0;
+                CHECK_OK(batten_surface_evaluate(surface, i / 100.0, j / 100.0, 0, at));
+                for (int k = 0; k < 3; k++)
+                    square += (at[k] - q[k]) * (at[k] - q[k]);
+                CHECK(found.max <= sqrt(square) * (1 + 1e-12));
+            }
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(points_of_a_surface_lie_on_it)
+{
+    batten_surface *torus = NULL;
+    batten_deviation found;
+    double points[300];
+    CHECK_OK(shape_torus(5, 2, false, &torus));
+    for (int i = 0; i < 100; i++)
+        CHECK_OK(
+            batten_surface_evaluate(torus, (i % 10) / 9.0, (i / 10) / 9.0, 0, points + 3 * i));
+    CHECK_OK(batten_surface_deviation(torus, 100, points, NULL, NULL, NULL, &found));
+    CHECK_NEAR(found.max, 0, 1e-7); /* a square root of the rounding of squares */
+    const double bad[3] = {0, NAN, 0};
+    CHECK_STATUS(batten_surface_deviation(torus, 1, bad, NULL, NULL, NULL, &found),
+                 BATTEN_NOT_FINITE);
+    batten_surface_unref(torus);
+}
