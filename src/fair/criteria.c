@@ -1,0 +1,229 @@
+#include "fair/criteria.h"
+#include "inspect/inflections.h"
+#include "numeric/quadrature.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Curvature and its rate at one parameter; of a function (dimension 1) its second and third
+ * derivative, and du for ds. Where the curve is singular it counts as straight. */
+typedef struct {
+    double curvature, rate, speed;
+} bend;
+
+static batten_status bend_at(const batten_curve *curve, double u, batten_side side, bend *out)
+{
+    if (batten_curve_dimension(curve) == 1) {
+        double values[4];
+        batten_status status = batten_curve_evaluate_side(curve, u, side, 3, values);
+        if (status == BATTEN_OK)
+            *out = (bend){values[2], values[3], 1};
+        return status;
+    }
+    batten_curve_local at;
+    const batten_status status = batten_curve_local_at(curve, u, side, &at);
+    if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
+        return status;
+    *out = (bend){at.curvature, at.curvature_rate, at.speed};
+    return BATTEN_OK;
+}
+
+/* ---- integrals ---- */
+
+enum { NODES = 16 };
+
+typedef struct {
+    double nodes[NODES], weights[NODES];
+} rule;
+
+static batten_status add_span(const batten_curve *curve, const rule *r, double a, double b,
+                              batten_fairness *out)
+{
+    const double half = (b - a) / 2;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < NODES; i++) {
+        bend at;
+        status = bend_at(curve, a + half * (1 + r->nodes[i]), BATTEN_FROM_RIGHT, &at);
+        if (status != BATTEN_OK)
+            return status;
+        const double weight = half * r->weights[i] * at.speed;
+        out->energy += weight * at.curvature * at.curvature;
+        out->variation += weight * at.rate * at.rate;
+        out->max_curvature = bat_max(out->max_curvature, fabs(at.curvature));
+    }
+    return status;
+}
+
+static batten_status note_curvature(const batten_curve *curve, double u, batten_fairness *out)
+{
+    for (int side = 0; side < 2; side++) {
+        bend at;
+        batten_status status = bend_at(curve, u, (batten_side)side, &at);
+        if (status != BATTEN_OK)
+            return status;
+        out->max_curvature = bat_max(out->max_curvature, fabs(at.curvature));
+    }
+    return BATTEN_OK;
+}
+
+/* ---- jumps of the third derivative ---- */
+
+/*
+ * The derivative of the curvature vector with respect to arc length, across the tangent; of a
+ * function the third derivative. With v = |C'| and the part across C' marked by x:
+ * (C'''x - 3 (C' . C'') / v^2 C''x) / v^3.
+ */
+static batten_status third_at(const batten_curve *curve, double u, batten_side side,
+                              double out[3])
+{
+    const int d = batten_curve_dimension(curve);
+    double c[4 * 3];
+    batten_status status = batten_curve_evaluate_side(curve, u, side, 3, c);
+    if (status != BATTEN_OK)
+        return status;
+    const double v2 = bat_dot(d, c + d, c + d), a = bat_dot(d, c + d, c + 2 * d);
+    const double b = bat_dot(d, c + d, c + 3 * d), cube = v2 * sqrt(v2);
+    for (int k = 0; k < d; k++) {
+        const double second = v2 > 0 ? c[2 * d + k] - a / v2 * c[d + k] : 0;
+        const double third = v2 > 0 ? c[3 * d + k] - b / v2 * c[d + k] : 0;
+        out[k] = d == 1 ? c[3] : v2 > 0 ? (third - 3 * a / v2 * second) / cube : 0;
+    }
+    return BATTEN_OK;
+}
+
+/* `left` and `right` are the parameters that stand for the two sides: the same, but for the
+ * seam of a closed curve. */
+static batten_status add_jump(const batten_curve *curve, double left, double right, double *sum)
+{
+    double before[3], after[3];
+    batten_status status = third_at(curve, left, BATTEN_FROM_LEFT, before);
+    if (status == BATTEN_OK)
+        status = third_at(curve, right, BATTEN_FROM_RIGHT, after);
+    for (int k = 0; status == BATTEN_OK && k < batten_curve_dimension(curve); k++)
+        *sum += (after[k] - before[k]) * (after[k] - before[k]);
+    return status;
+}
+
+static batten_status add_spans(const batten_curve *curve, batten_fairness *out)
+{
+    const int count = batten_curve_spans(curve, NULL);
+    double *knots = bat_array((size_t)count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    rule gauss;
+    bat_gauss(NODES, gauss.nodes, gauss.weights);
+    batten_curve_spans(curve, knots);
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < count; k++) {
+        status = note_curvature(curve, knots[k], out);
+        if (status == BATTEN_OK && k + 1 < count)
+            status = add_span(curve, &gauss, knots[k], knots[k + 1], out);
+        if (status == BATTEN_OK && k > 0 && k + 1 < count)
+            status = add_jump(curve, knots[k], knots[k], &out->jumps);
+    }
+    if (status == BATTEN_OK && batten_curve_is_periodic(curve))
+        status = add_jump(curve, knots[count - 1], knots[0], &out->jumps);
+    bat_release(knots);
+    return status;
+}
+
+/* ---- the verdict ---- */
+
+static batten_status count_turns(const batten_curve *curve, int required, double uncertainty,
+                                 batten_fairness *out)
+{
+    batten_parameters extrema = {0}, inflections = {0};
+    batten_status status = bat_curve_curvature_extrema(curve, uncertainty, &extrema);
+    if (status == BATTEN_OK && batten_curve_dimension(curve) < 3)
+        status = bat_curve_inflections(curve, uncertainty, &inflections);
+    out->curvature_extrema = extrema.count;
+    out->inflections = inflections.count;
+    out->excess_inflections = bat_max_int(0, inflections.count - required);
+    out->fair = out->excess_inflections == 0;
+    for (int k = 0; status == BATTEN_OK && k < extrema.count; k++)
+        status = note_curvature(curve, extrema.at[k], out);
+    batten_release(extrema.at);
+    batten_release(inflections.at);
+    return status;
+}
+
+batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
+                                 batten_fairness *out)
+{
+    batten_fairness found = {0};
+    batten_status status = count_turns(curve, required, uncertainty, &found);
+    if (status == BATTEN_OK)
+        status = add_spans(curve, &found);
+    if (status == BATTEN_OK)
+        *out = found;
+    return status;
+}
+
+/* Waves as small as this part of the bound are where the search for the least energy was ended.
+ */
+#define SETTLED 1e-6
+
+batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
+                                  const double *within, const double *z, batten_fairness *out)
+{
+    batten_curve *curve = NULL;
+    int required = 0;
+    double largest = 0;
+    for (int i = 0; i < batten->count; i++)
+        largest = bat_max(largest, within[i]);
+    batten_status status =
+        bat_required_inflections(width, batten->count, batten->t, points, within, &required);
+    if (status == BATTEN_OK)
+        status = bat_batten_curve(batten, width, z, &curve);
+    if (status == BATTEN_OK)
+        status = bat_curve_fairness(curve, required, SETTLED * largest, out);
+    batten_curve_unref(curve);
+    return status;
+}
+
+void bat_fairness_add(batten_fairness *sum, const batten_fairness *one)
+{
+    sum->inflections += one->inflections;
+    sum->excess_inflections += one->excess_inflections;
+    sum->curvature_extrema += one->curvature_extrema;
+    sum->jumps += one->jumps;
+    sum->energy += one->energy;
+    sum->variation += one->variation;
+    sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
+    sum->fair = sum->fair && one->fair;
+}
+
+/* ---- any curve ---- */
+
+/* The values of a function stand at the distinct knots of its curve. */
+static batten_status check_points(const batten_curve *curve, int count, const double *points)
+{
+    const int d = batten_curve_dimension(curve), spans = batten_curve_spans(curve, NULL);
+    const size_t values = (size_t)bat_max_int(count, 0) * (size_t)d;
+    if (count < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d points", count);
+    if (bat_first_not_finite(points, values) < values)
+        return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
+                        bat_first_not_finite(points, values) / (size_t)d);
+    if (d == 1 && count != spans)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "%d values, but the function has %d distinct knots", count, spans);
+    return BATTEN_OK;
+}
+
+batten_status batten_curve_fairness(const batten_curve *curve, int count, const double *points,
+                                    batten_fairness *out)
+{
+    const int d = batten_curve_dimension(curve);
+    int required = 0;
+    batten_status status = points ? check_points(curve, count, points) : BATTEN_OK;
+    if (status == BATTEN_OK && points && d < 3) {
+        double *knots = bat_array((size_t)batten_curve_spans(curve, NULL), sizeof *knots);
+        if (!knots)
+            return BATTEN_OUT_OF_MEMORY;
+        batten_curve_spans(curve, knots);
+        status = bat_required_inflections(d, count, knots, points, NULL, &required);
+        bat_release(knots);
+    }
+    return status == BATTEN_OK ? bat_curve_fairness(curve, required, 0, out) : status;
+}

@@ -1,0 +1,27 @@
+/* The numbers behind the word "fair". */
+#ifndef BAT_CRITERIA_H
+#define BAT_CRITERIA_H
+#include "fair/batten.h"
+
+/*
+ * The fewest inflections of any curve that passes every point within its bound: the least
+ * number of changes between pieces that turn left only and pieces that turn right only. In the
+ * plane; of a function (width 1) over t; in space 0. `within` NULL: the bounds are roundoff,
+ * and what is counted are the sign changes of the circle rate. Cost: count log(count).
+ */
+batten_status bat_required_inflections(int width, int count, const double *t,
+                                       const double *points, const double *within, int *out);
+
+/* Fairness of a curve when `required` inflections are no fault, and neither are those that
+ * would go if its points moved by `uncertainty`. */
+batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
+                                 batten_fairness *out);
+
+/* Of a batten through z; required is what the points within their bounds require. */
+batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
+                                  const double *within, const double *z, batten_fairness *out);
+
+/* The fairness of a family: sums, maxima, all fair. Begins with {.fair = true}. */
+void bat_fairness_add(batten_fairness *sum, const batten_fairness *one);
+
+#endif
