@@ -1,0 +1,26 @@
+#include "base/base.h"
+#include <batten/picture.h>
+
+batten_picture_options batten_picture_defaults(void)
+{
+    return (batten_picture_options){
+        .size = sizeof(batten_picture_options),
+        .format = BATTEN_PICTURE_PNG,
+        .width = 1200,
+        .height = 800,
+        .title = "",
+        .view = BATTEN_VIEW_AUTO,
+        /* From ahead of the bow, to port, a little above: 50 and 22 degrees. */
+        .azimuth = 50 * 3.14159265358979323846 / 180,
+        .elevation = 22 * 3.14159265358979323846 / 180,
+        .shading = BATTEN_SHADING_PLAIN,
+        .isolines = 10,
+        .stripes = 24,
+    };
+}
+
+batten_lines_plan_options batten_lines_plan_defaults(void)
+{
+    return (batten_lines_plan_options){.size = sizeof(batten_lines_plan_options),
+                                       .design_waterline = (double)NAN};
+}
