@@ -10,27 +10,33 @@ int bat_stroke_steps(const batten_curve *curve)
     return bat_min_int(48, bat_max_int(6, 1024 / bat_max_int(spans, 1)));
 }
 
-/* Parameters at every knot and evenly between. */
-static batten_status parameters_of(const batten_curve *curve, size_t *count, double **out)
+batten_status bat_divide(int knot_count, const double *knots, int steps, size_t *count,
+                         double **out)
 {
-    const int steps = bat_stroke_steps(curve), knot_count = batten_curve_spans(curve, NULL);
-    double *knots = bat_array((size_t)knot_count, sizeof *knots);
     double *u = bat_array3((size_t)knot_count, (size_t)steps, sizeof *u);
-    if (!knots || !u) {
-        bat_release(u);
-        bat_release(knots);
+    if (!u)
         return BATTEN_OUT_OF_MEMORY;
-    }
-    batten_curve_spans(curve, knots);
     size_t n = 0;
     for (int i = 0; i + 1 < knot_count; i++)
         for (int k = 0; k < steps; k++)
             u[n++] = knots[i] + (knots[i + 1] - knots[i]) * k / steps;
     u[n++] = knots[knot_count - 1];
-    bat_release(knots);
     *count = n;
     *out = u;
     return BATTEN_OK;
+}
+
+static batten_status parameters_of(const batten_curve *curve, size_t *count, double **out)
+{
+    const int knot_count = batten_curve_spans(curve, NULL);
+    double *knots = bat_array((size_t)knot_count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(curve, knots);
+    const batten_status status =
+        bat_divide(knot_count, knots, bat_stroke_steps(curve), count, out);
+    bat_release(knots);
+    return status;
 }
 
 /* From d coordinates to three, in place; the last point first, since rows grow. */
