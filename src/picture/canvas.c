@@ -17,7 +17,7 @@ static cairo_status_t append(void *closure, const unsigned char *data, unsigned 
     return bytes->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
-static batten_status check_size(int width, int height)
+batten_status bat_canvas_check_size(int width, int height)
 {
     const int smaller = bat_min_int(width, height), larger = bat_max_int(width, height);
     if (smaller < LEAST_SIZE)
@@ -65,7 +65,7 @@ static void set_fonts(cairo_t *cairo)
 batten_status bat_canvas_begin(batten_picture_format format, int width, int height, double em,
                                const char *title, bat_canvas *out)
 {
-    batten_status status = check_size(width, height);
+    batten_status status = bat_canvas_check_size(width, height);
     if (status != BATTEN_OK)
         return status;
     *out = (bat_canvas){.format = format, .width = width, .height = height, .em = em};

@@ -42,7 +42,9 @@ typedef struct {
     batten_status status;
 } bat_canvas;
 
-/* A white sheet. `em` is the size of its text. BAD_ARGUMENT or TOO_LARGE for sizes that cannot be. */
+/* BAD_ARGUMENT or TOO_LARGE for sizes that cannot be. */
+batten_status bat_canvas_check_size(int width, int height);
+/* A white sheet. `em` is the size of its text. */
 batten_status bat_canvas_begin(batten_picture_format format, int width, int height, double em,
                                const char *title, bat_canvas *out);
 /* Hand over the file, or report the first thing that went wrong; the canvas is gone in either case. */

@@ -1,0 +1,542 @@
+#include "picture/light.h"
+#include "picture/raster.h"
+#include "picture/sheet.h"
+#include "picture/stroke.h"
+#include "picture/tiles.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* About so many grid points in all surfaces together. */
+static const double point_limit = 1500000;
+
+/* What each sample of a surface carries. */
+enum { NORMAL = 0, LINE_U = 3, LINE_V = 4, CURVATURE = 5 };
+
+/* One surface, ready to be filled in. */
+typedef struct {
+    bat_tiles tiles; /* after fit_picture its points are in samples, depth towards the eye */
+    const bat_scene *scene;
+    bat_light albedo;
+    double lines;        /* isolines in each direction */
+    bool edges[2];       /* does the domain end in u, in v, at edges? */
+    bool shows_isolines;
+} solid;
+
+typedef struct {
+    const batten_model *model;
+    const batten_picture_options *options;
+    const batten_job *job;
+    bat_view view;
+    bat_scene scene;
+    int solid_count;
+    solid *solids;
+    bat_strokes curves; /* after fit_picture in samples too */
+    bat_light *curve_lights;
+    double least, greatest; /* raw Gaussian curvatures */
+    double em;
+} picture;
+
+static const bat_colour soft[] = {{0.66, 0.75, 0.84}, {0.85, 0.73, 0.58}, {0.68, 0.80, 0.68},
+                                  {0.82, 0.69, 0.74}, {0.74, 0.71, 0.85}, {0.62, 0.79, 0.79}};
+
+/* ---- gathering ---- */
+
+static bool is_surface(const batten_object *object)
+{
+    return object->kind == BATTEN_OBJECT_SURFACE &&
+           batten_surface_dimension(object->surface) == 3;
+}
+
+static int longest_axis(const batten_box *box)
+{
+    const double range[] = {box->high.x - box->low.x, box->high.y - box->low.y,
+                            box->high.z - box->low.z};
+    const int longer = range[1] > range[0] ? 1 : 0;
+    return range[2] > range[longer] ? 2 : longer;
+}
+
+static double diagonal(const batten_box *box)
+{
+    return hypot(hypot(box->high.x - box->low.x, box->high.y - box->low.y),
+                 box->high.z - box->low.z);
+}
+
+/* The box of the surfaces; their count, 0 when there is none. */
+static int surfaces_box(const batten_model *model, batten_box *box)
+{
+    int count = 0;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (!is_surface(object))
+            continue;
+        const batten_box b = batten_surface_box(object->surface);
+        if (count++ == 0) {
+            *box = b;
+            continue;
+        }
+        box->low = (batten_vec3){bat_min(box->low.x, b.low.x), bat_min(box->low.y, b.low.y),
+                                 bat_min(box->low.z, b.low.z)};
+        box->high = (batten_vec3){bat_max(box->high.x, b.high.x), bat_max(box->high.y, b.high.y),
+                                  bat_max(box->high.z, b.high.z)};
+    }
+    return count;
+}
+
+static batten_status make_solid(picture *p, const batten_object *object, double size, solid *out)
+{
+    const batten_picture_options *o = p->options;
+    /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror images change faster than
+     * the shape. */
+    const double tolerance = 0.2 * size / bat_max_int(o->width, o->height);
+    const bool curvature = o->shading == BATTEN_SHADING_GAUSSIAN;
+    const int least = curvature || o->shading == BATTEN_SHADING_ZEBRA ? 8 : 4;
+    const batten_surface *s = object->surface;
+    solid made = {.scene = &p->scene, .lines = o->isolines};
+    const batten_status status =
+        bat_tiles_make(s, tolerance, least, (size_t)(point_limit / p->solid_count), curvature,
+                       p->job, &made.tiles);
+    if (status != BATTEN_OK)
+        return status;
+    made.edges[0] = !batten_surface_is_closed(s, BATTEN_U, 1e-9 * size);
+    made.edges[1] = !batten_surface_is_closed(s, BATTEN_V, 1e-9 * size);
+    made.shows_isolines = o->shading == BATTEN_SHADING_ISOLINES;
+    *out = made;
+    return BATTEN_OK;
+}
+
+static batten_status gather_solids(picture *p, double size)
+{
+    const int wanted = p->solid_count;
+    p->solids = bat_array((size_t)wanted, sizeof *p->solids);
+    if (!p->solids)
+        return BATTEN_OUT_OF_MEMORY;
+    int count = 0;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(p->model) && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(p->model, i);
+        if (!is_surface(object))
+            continue;
+        const bat_colour colour = soft[(size_t)count % (sizeof soft / sizeof soft[0])];
+        status = make_solid(p, object, size, &p->solids[count]);
+        p->solids[count++].albedo = bat_light_of(
+            object->has_colour
+                ? (bat_colour){object->colour[0], object->colour[1], object->colour[2]}
+                : colour);
+    }
+    return status;
+}
+
+static batten_status gather_curves(picture *p)
+{
+    const int count = batten_model_count(p->model);
+    p->curve_lights = bat_array((size_t)count, sizeof *p->curve_lights);
+    if (!p->curve_lights)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(p->model, i);
+        if (object->kind != BATTEN_OBJECT_CURVE)
+            continue;
+        const bat_colour dark = {0.12, 0.16, 0.24};
+        p->curve_lights[p->curves.count] = bat_light_of(
+            object->has_colour
+                ? (bat_colour){object->colour[0], object->colour[1], object->colour[2]}
+                : dark);
+        bat_stroke stroke = {0, NULL};
+        status = bat_stroke_curve(object->curve, &stroke);
+        if (status == BATTEN_OK)
+            status = bat_strokes_add(&p->curves, stroke);
+    }
+    return status;
+}
+
+/* ---- range of the colours ---- */
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Samples of |K| over all surfaces, evenly thinned to at most `room`; notes the extremes. */
+static size_t sample_curvatures(picture *p, size_t room, double *samples)
+{
+    size_t total = 0, kept = 0;
+    for (int i = 0; i < p->solid_count; i++)
+        total += p->solids[i].tiles.count_u * p->solids[i].tiles.count_v;
+    const size_t every = total / room + 1;
+    p->least = HUGE_VAL;
+    p->greatest = -HUGE_VAL;
+    for (int i = 0; i < p->solid_count; i++) {
+        const bat_tiles *t = &p->solids[i].tiles;
+        for (size_t k = 0; k < t->count_u * t->count_v; k++) {
+            if (isnan(t->gaussian[k]))
+                continue;
+            p->least = bat_min(p->least, t->gaussian[k]);
+            p->greatest = bat_max(p->greatest, t->gaussian[k]);
+            if (k % every == 0)
+                samples[kept++] = fabs(t->gaussian[k]);
+        }
+    }
+    return kept;
+}
+
+/* The colours end where 95 of 100 samples lie inside: a few sharp places must not bleach all others. */
+static batten_status choose_range(picture *p, double size)
+{
+    enum { ROOM = 60000 };
+    double *samples = bat_array(ROOM + (size_t)p->solid_count, sizeof *samples);
+    if (!samples)
+        return BATTEN_OUT_OF_MEMORY;
+    const size_t count = sample_curvatures(p, ROOM, samples);
+    qsort(samples, count, sizeof *samples, ascending);
+    /* What is developable but for roundings stays white. */
+    double range = 1e-6 / (size * size);
+    if (count > 0)
+        range = bat_max(range, samples[(size_t)(0.95 * (double)(count - 1))]);
+    bat_release(samples);
+    p->scene.range = bat_round_step(range, 1);
+    return isfinite(p->scene.range)
+               ? BATTEN_OK
+               : bat_fail(BATTEN_OVERFLOW, "Gaussian curvatures up to %g are too large to show",
+                          range);
+}
+
+/* ---- from space to samples ---- */
+
+static void project_points(const bat_view *view, size_t count, double *points, double low[2],
+                           double high[2])
+{
+    for (size_t i = 0; i < count; i++) {
+        double q[3];
+        bat_view_project(view, points + 3 * i, q);
+        memcpy(points + 3 * i, q, sizeof q);
+        for (int k = 0; k < 2; k++) {
+            low[k] = bat_min(low[k], q[k]);
+            high[k] = bat_max(high[k], q[k]);
+        }
+    }
+}
+
+static void move_points(const bat_plot *plot, size_t count, double *points)
+{
+    for (size_t i = 0; i < count; i++) {
+        double *p = points + 3 * i;
+        p[0] = BAT_SAMPLES * bat_plot_x(plot, p[0]);
+        p[1] = BAT_SAMPLES * bat_plot_y(plot, p[1]);
+        p[2] = BAT_SAMPLES * plot->scale * p[2];
+    }
+}
+
+/* The part of the picture that title and legend leave to the shape. */
+static bat_rectangle stage(const picture *p)
+{
+    const batten_picture_options *o = p->options;
+    const double em = p->em, top = *o->title ? 4 * em : 2 * em;
+    const double right = o->shading == BATTEN_SHADING_GAUSSIAN ? 9 * em : 2 * em;
+    const double bottom = o->shading == BATTEN_SHADING_ZEBRA ? 3.5 * em : 2 * em;
+    return (bat_rectangle){2 * em, top, bat_max(o->width - 2 * em - right, 8),
+                           bat_max(o->height - top - bottom, 8)};
+}
+
+static batten_status fit_picture(picture *p)
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (int i = 0; i < p->solid_count; i++) {
+        const bat_tiles *t = &p->solids[i].tiles;
+        project_points(&p->view, t->count_u * t->count_v, t->points, low, high);
+    }
+    for (size_t i = 0; i < p->curves.count; i++)
+        project_points(&p->view, p->curves.strokes[i].count, p->curves.strokes[i].points, low,
+                       high);
+    const bat_plot plot = bat_plot_fit(stage(p), low, high);
+    if (!isfinite(plot.x0) || !isfinite(plot.y0) || !(plot.scale > 0))
+        return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw", low[0],
+                        high[0]);
+    for (int i = 0; i < p->solid_count; i++) {
+        const bat_tiles *t = &p->solids[i].tiles;
+        move_points(&plot, t->count_u * t->count_v, t->points);
+    }
+    for (size_t i = 0; i < p->curves.count; i++)
+        move_points(&plot, p->curves.strokes[i].count, p->curves.strokes[i].points);
+    return BATTEN_OK;
+}
+
+/* ---- colours of samples ---- */
+
+static void put(bat_light light, float colour[3])
+{
+    colour[0] = (float)light.red;
+    colour[1] = (float)light.green;
+    colour[2] = (float)light.blue;
+}
+
+/* How strongly a line covers this sample, 0 or 1: lines are so many samples to both sides. */
+static bool is_on_line(const solid *s, const bat_fragment *f, int direction)
+{
+    const int n = LINE_U + direction;
+    const double place = f->value[n], line = round(place);
+    const bool is_edge = line <= 0 || line >= s->lines;
+    if (is_edge ? !s->edges[direction] && !s->shows_isolines : !s->shows_isolines)
+        return false;
+    const double half = (is_edge && s->edges[direction] ? 1.7 : 0.5) * BAT_SAMPLES;
+    return fabs(place - line) < half * f->slope[n];
+}
+
+static void shade_solid(const void *user, const bat_fragment *f, float colour[3])
+{
+    const solid *s = user;
+    double n[3] = {f->value[NORMAL], f->value[NORMAL + 1], f->value[NORMAL + 2]};
+    const double length = sqrt(bat_dot(n, n));
+    /* Where no corner has a normal, the surface is taken to face the eye. */
+    for (int k = 0; k < 3; k++)
+        n[k] = length > 0 ? n[k] / length : s->scene->eye[k];
+
+    bat_light light;
+    if (s->scene->shading == BATTEN_SHADING_ZEBRA)
+        light = bat_light_zebra(s->scene, n);
+    else if (s->scene->shading == BATTEN_SHADING_GAUSSIAN)
+        light = bat_light_gaussian(s->scene, f->value[CURVATURE], n);
+    else
+        light = bat_light_plain(s->scene, s->albedo, n);
+    const double ink = is_on_line(s, f, 0) || is_on_line(s, f, 1) ? 0.12 : 1;
+    put((bat_light){ink * light.red, ink * light.green, ink * light.blue}, colour);
+}
+
+static void shade_flat(const void *user, const bat_fragment *f, float colour[3])
+{
+    (void)f;
+    put(*(const bat_light *)user, colour);
+}
+
+/* ---- filling ---- */
+
+static bat_corner corner(const solid *s, size_t i, size_t j)
+{
+    const bat_tiles *t = &s->tiles;
+    const size_t at = i * t->count_v + j;
+    const double *p = t->points + 3 * at, *n = t->normals + 3 * at;
+    const double u = (t->u[i] - t->u[0]) / (t->u[t->count_u - 1] - t->u[0]);
+    const double v = (t->v[j] - t->v[0]) / (t->v[t->count_v - 1] - t->v[0]);
+    return (bat_corner){p[0], p[1], p[2],
+                        {n[0], n[1], n[2], s->lines * u, s->lines * v,
+                         t->gaussian ? t->gaussian[at] : 0}};
+}
+
+/* Does the cell reach into the band? Most do not, and making corners costs more than asking. */
+static bool touches(const bat_raster *band, const solid *s, size_t i, size_t j)
+{
+    const size_t n = s->tiles.count_v, at = i * n + j;
+    const double *y = s->tiles.points + 1;
+    const double a = y[3 * at], b = y[3 * (at + 1)], c = y[3 * (at + n)], d = y[3 * (at + n + 1)];
+    return bat_max(bat_max(a, b), bat_max(c, d)) >= band->first_row &&
+           bat_min(bat_min(a, b), bat_min(c, d)) <= band->first_row + band->rows;
+}
+
+static void fill_solid(bat_raster *band, const solid *s)
+{
+    for (size_t i = 0; i + 1 < s->tiles.count_u; i++)
+        for (size_t j = 0; j + 1 < s->tiles.count_v; j++) {
+            if (!touches(band, s, i, j))
+                continue;
+            const bat_corner a = corner(s, i, j), b = corner(s, i + 1, j);
+            const bat_corner c = corner(s, i + 1, j + 1), d = corner(s, i, j + 1);
+            bat_raster_triangle(band, &a, &b, &c, shade_solid, s);
+            bat_raster_triangle(band, &a, &c, &d, shade_solid, s);
+        }
+}
+
+/* A segment as two triangles, `half` samples to both sides and beyond its ends, a little nearer to the eye than
+ * the surface that it lies on. */
+static void fill_segment(bat_raster *band, const double *from, const double *to, double half,
+                         double nearer, const bat_light *light)
+{
+    double x = to[0] - from[0], y = to[1] - from[1];
+    const double length = hypot(x, y);
+    x = length > 0 ? half * x / length : half;
+    y = length > 0 ? half * y / length : 0;
+    bat_corner c[4] = {{.x = from[0] - x - y, .y = from[1] - y + x, .depth = from[2] + nearer},
+                       {.x = from[0] - x + y, .y = from[1] - y - x, .depth = from[2] + nearer},
+                       {.x = to[0] + x + y, .y = to[1] + y - x, .depth = to[2] + nearer},
+                       {.x = to[0] + x - y, .y = to[1] + y + x, .depth = to[2] + nearer}};
+    bat_raster_triangle(band, &c[0], &c[1], &c[2], shade_flat, light);
+    bat_raster_triangle(band, &c[0], &c[2], &c[3], shade_flat, light);
+}
+
+static void fill_curves(bat_raster *band, const picture *p)
+{
+    const double half = 0.9 * BAT_SAMPLES, nearer = 3 * BAT_SAMPLES;
+    for (size_t i = 0; i < p->curves.count; i++) {
+        const bat_stroke *s = &p->curves.strokes[i];
+        for (size_t k = 0; k + 1 < s->count; k++)
+            fill_segment(band, s->points + 3 * k, s->points + 3 * (k + 1), half, nearer,
+                         &p->curve_lights[i]);
+    }
+}
+
+static batten_status ask(const picture *p, double fraction)
+{
+    if (!p->job)
+        return BATTEN_OK;
+    if (p->job->progress)
+        p->job->progress(p->job->user, fraction, "shading");
+    if (p->job->is_cancelled && p->job->is_cancelled(p->job->user))
+        return bat_fail(BATTEN_CANCELLED, "cancelled after %.0f %% of the picture",
+                        100 * fraction);
+    return BATTEN_OK;
+}
+
+static batten_status fill_image(const picture *p, bat_canvas *canvas)
+{
+    enum { BAND = 32 };
+    const int width = p->options->width, height = p->options->height;
+    cairo_surface_t *image = canvas->surface;
+    cairo_surface_flush(image);
+    /* cairo aligns its rows so that they may be read as words. */
+    uint32_t *pixels = (uint32_t *)(void *)cairo_image_surface_get_data(image);
+    const size_t stride = (size_t)cairo_image_surface_get_stride(image) / sizeof *pixels;
+    if (!pixels)
+        return bat_fail(BATTEN_OUT_OF_MEMORY, "no memory for a picture of %d x %d", width, height);
+
+    static const float top[3] = {1, 1, 1}, bottom[3] = {0.80f, 0.84f, 0.88f};
+    bat_raster band;
+    batten_status status = bat_raster_make(width * BAT_SAMPLES, BAND * BAT_SAMPLES, &band);
+    if (status != BATTEN_OK)
+        return status;
+    for (int y = 0; y < height && status == BATTEN_OK; y += BAND) {
+        band.rows = BAT_SAMPLES * bat_min_int(BAND, height - y);
+        bat_raster_begin(&band, y * BAT_SAMPLES, height * BAT_SAMPLES, top, bottom);
+        for (int i = 0; i < p->solid_count; i++)
+            fill_solid(&band, &p->solids[i]);
+        fill_curves(&band, p);
+        bat_raster_resolve(&band, pixels + (size_t)y * stride, stride);
+        status = ask(p, (double)y / height);
+    }
+    bat_raster_free(&band);
+    cairo_surface_mark_dirty(image);
+    return status;
+}
+
+/* ---- title and legend ---- */
+
+static void write_colours(bat_canvas *canvas, const picture *p)
+{
+    enum { STEPS = 128 };
+    const double em = p->em, height = 0.5 * canvas->height, wide = 1.2 * em;
+    const double x = canvas->width - 7.5 * em, y = 0.5 * (canvas->height - height);
+    for (int i = 0; i < STEPS; i++)
+        bat_canvas_box(canvas, bat_colour_diverging(1 - 2 * (i + 0.5) / STEPS),
+                       (bat_rectangle){x, y + height * i / STEPS, wide, height / STEPS + 0.5});
+    bat_canvas_frame(canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID},
+                     (bat_rectangle){x, y, wide, height});
+    for (int i = -2; i <= 2; i++) {
+        char text[BATTEN_NUMBER_SIZE];
+        bat_digits_text(0.5 * i * p->scene.range, 3, text);
+        bat_canvas_text(canvas, bat_ink, 0.85 * em, BAT_LEFT, x + wide + 0.5 * em,
+                        y + 0.25 * (2 - i) * height, text);
+    }
+    const char *unit = batten_unit_name(batten_model_unit_metres(p->model));
+    char text[64], number[BATTEN_NUMBER_SIZE];
+    snprintf(text, sizeof text, "K in 1/%s\u00b2", unit ? unit : "unit");
+    bat_canvas_bold(canvas, bat_ink, 0.85 * em, BAT_LEFT, x, y - 3.2 * em, text);
+    bat_digits_text(p->greatest, 3, number);
+    snprintf(text, sizeof text, "max %s", number);
+    bat_canvas_text(canvas, bat_grey, 0.8 * em, BAT_LEFT, x, y - 1.6 * em, text);
+    bat_digits_text(p->least, 3, number);
+    snprintf(text, sizeof text, "min %s", number);
+    bat_canvas_text(canvas, bat_grey, 0.8 * em, BAT_LEFT, x, y + height + 1.6 * em, text);
+}
+
+static void write_around(bat_canvas *canvas, const picture *p)
+{
+    const double em = p->em, middle = 0.5 * canvas->width;
+    bat_canvas_bold(canvas, bat_ink, 1.25 * em, BAT_MIDDLE, middle, 2 * em, p->options->title);
+    if (p->options->shading == BATTEN_SHADING_GAUSSIAN && p->least <= p->greatest)
+        write_colours(canvas, p);
+    if (p->options->shading == BATTEN_SHADING_ZEBRA) {
+        char text[BATTEN_NUMBER_SIZE + 80], number[BATTEN_NUMBER_SIZE];
+        bat_digits_text(p->options->stripes, 4, number);
+        snprintf(text, sizeof text, "zebra: %s stripes over the half turn", number);
+        bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, middle, canvas->height - 1.5 * em,
+                        text);
+    }
+}
+
+static batten_status make_picture(picture *p, char **data, size_t *size)
+{
+    const batten_picture_options *o = p->options;
+    bat_canvas canvas;
+    batten_status status = bat_canvas_begin(BATTEN_PICTURE_PNG, o->width, o->height, p->em,
+                                            o->title, &canvas);
+    if (status != BATTEN_OK)
+        return status;
+    status = fill_image(p, &canvas);
+    if (status == BATTEN_OK) {
+        write_around(&canvas, p);
+        return bat_canvas_finish(&canvas, data, size);
+    }
+    bat_canvas_end(&canvas);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static batten_status check_options(const batten_picture_options *o)
+{
+    if (o->format != BATTEN_PICTURE_PNG)
+        return bat_fail(BATTEN_UNSUPPORTED, "shaded pictures are PNG; SVG and PDF show lines only");
+    if (o->isolines < 1 || o->isolines > 1000)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d isolines are asked for; from 1 to 1000 are drawn",
+                        o->isolines);
+    if (!(o->stripes > 0 && o->stripes <= 1000))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%g zebra stripes are asked for; up to 1000 are drawn",
+                        o->stripes);
+    if (!isfinite(o->azimuth) || !isfinite(o->elevation))
+        return bat_fail(BATTEN_NOT_FINITE, "azimuth %g and elevation %g must be finite",
+                        o->azimuth, o->elevation);
+    return bat_canvas_check_size(o->width, o->height);
+}
+
+static batten_status prepare(picture *p)
+{
+    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    const batten_picture_options *o = p->options;
+    p->solid_count = surfaces_box(p->model, &box);
+    const double size = diagonal(&box);
+    if (p->solid_count == 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "none of the %d objects of the model is a surface in space: there is "
+                        "nothing to shade",
+                        batten_model_count(p->model));
+    if (!isfinite(size))
+        return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw", box.high.x);
+    p->em = bat_max(5, 0.0165 * bat_min_int(o->width, o->height));
+    p->view = bat_view_make(o->view, o->azimuth, o->elevation);
+    p->scene = bat_scene_make(o->shading, &p->view, longest_axis(&box), o->stripes);
+
+    batten_status status = gather_solids(p, size);
+    if (status == BATTEN_OK)
+        status = gather_curves(p);
+    if (status == BATTEN_OK && o->shading == BATTEN_SHADING_GAUSSIAN)
+        status = choose_range(p, size);
+    return status == BATTEN_OK ? fit_picture(p) : status;
+}
+
+batten_status batten_draw_shaded(const batten_model *model, const batten_picture_options *options,
+                                 const batten_job *job, char **data, size_t *size)
+{
+    picture p = {.model = model, .options = options, .job = job};
+    batten_status status = check_options(options);
+    if (status == BATTEN_OK)
+        status = prepare(&p);
+    if (status == BATTEN_OK)
+        status = make_picture(&p, data, size);
+    for (int i = 0; p.solids && i < p.solid_count; i++)
+        bat_tiles_free(&p.solids[i].tiles);
+    bat_release(p.solids);
+    bat_strokes_free(&p.curves);
+    bat_release(p.curve_lights);
+    return status;
+}
