@@ -442,7 +442,7 @@ static void add_name(const drawing *d, const shape *s, bat_legend *legend)
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(s->sharpest, 3, number);
     if (d->comb_scale > 0 && s->tooth_count > 0)
-        bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s /%s", s->object->name, number,
+        bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s 1/%s", s->object->name, number,
                        unit_of(d));
     else
         bat_legend_add(legend, sample, pen, "%.80s", s->object->name);
@@ -459,8 +459,8 @@ static void fill_legend(const drawing *d, bat_legend *legend)
         if (d->shape_count <= COLOURED)
             add_name(d, s, legend);
     }
-    char number[BATTEN_NUMBER_SIZE];
-    bat_digits_text(d->comb_scale, 3, number);
+    char length[BATTEN_NUMBER_SIZE];
+    bat_digits_text(d->comb_scale, 3, length);
     if (polygon)
         bat_legend_add(legend, BAT_SAMPLE_POLYGON, (bat_pen){bat_grey, 0.7, BAT_DASHED},
                        "control polygon");
@@ -468,7 +468,7 @@ static void fill_legend(const drawing *d, bat_legend *legend)
         bat_legend_add(legend, BAT_SAMPLE_CROSS, (bat_pen){bat_ink, 1, BAT_SOLID}, "data points");
     if (comb)
         bat_legend_add(legend, BAT_SAMPLE_LINE, (bat_pen){lighter(palette[0], 0.35), 1, BAT_SOLID},
-                       "curvature comb, %s %s\u00b2 per unit", number, unit_of(d));
+                       "curvature comb: 1/%s is %s %s long", unit_of(d), length, unit_of(d));
 }
 
 /* The three axes, as seen, in the lower left corner. */

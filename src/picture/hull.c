@@ -249,7 +249,7 @@ static batten_status place_cuts(bat_hull *hull, const batten_lines_plan_options 
 {
     const double given[] = {plan->stations, plan->buttocks, plan->waterlines};
     /* At most so many when the spacing is left to us. */
-    static const int usual[] = {11, 5, 8};
+    static const int usual[] = {11, 10, 12};
     for (int f = 0; f < BAT_FAMILIES; f++) {
         batten_status status = check_spacing(given[f], (bat_family)f);
         const double range = hull->high[f] - hull->low[f];

@@ -21,7 +21,7 @@ bat_scene bat_scene_make(batten_shading shading, const bat_view *view, int axis,
 {
     bat_scene scene = {.shading = shading, .stripes = stripes, .range = 1};
     from_view(view, 0, 0, 1, scene.eye);
-    from_view(view, -0.50, 0.62, 0.60, scene.key);
+    from_view(view, -0.45, 0.52, 0.72, scene.key);
     from_view(view, 0.80, 0.05, 0.60, scene.fill);
     for (int k = 0; k < 3; k++)
         scene.half[k] = scene.eye[k] + scene.key[k];
@@ -58,7 +58,7 @@ static double diffuse(const bat_scene *scene, const double n[3])
     const double key = bat_max(0, bat_dot(n, scene->key));
     const double fill = bat_max(0, bat_dot(n, scene->fill));
     const double sky = 0.5 + 0.5 * n[2];
-    return 0.16 + 0.16 * sky + 0.62 * key + 0.20 * fill;
+    return 0.17 + 0.20 * sky + 0.70 * key + 0.36 * fill;
 }
 
 /* The gloss of the key light, and a thin bright rim where the surface turns away. */
@@ -68,7 +68,7 @@ static double gloss(const bat_scene *scene, const double n[3])
     for (int i = 0; i < 5; i++)
         shine *= shine; /* to the power 32 */
     const double away = 1 - bat_max(0, bat_dot(n, scene->eye));
-    return 0.16 * shine + 0.22 * away * away * away * away;
+    return 0.14 * shine + 0.08 * away * away * away * away;
 }
 
 bat_light bat_light_plain(const bat_scene *scene, bat_light albedo, const double normal[3])
@@ -93,7 +93,7 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
     const double phase = angle * scene->stripes / (2 * pi);
     const bat_light dark = {0.006, 0.012, 0.028}, bright = {0.90, 0.92, 0.94};
     const bat_light stripe = phase - floor(phase) < 0.5 ? dark : bright;
-    return times(stripe, 0.45 + 0.55 * diffuse(scene, n));
+    return times(stripe, 0.55 + 0.45 * diffuse(scene, n));
 }
 
 bat_colour bat_colour_diverging(double t)

@@ -315,7 +315,8 @@ static void name_curve(bat_canvas *canvas, const sheet *s, which_view view, doub
         const bat_stroke *line = &lines->strokes[k];
         const size_t up = (size_t)views[view].up, last = 3 * (line->count - 1);
         const bool rises = line->points[last + up] > line->points[up];
-        for (int tenth = 10; tenth >= 1; tenth--) {
+        /* A curve of the half-breadth plan ends on an edge at both ends; it is named on its way. */
+        for (int tenth = view == BREADTH ? 9 : 10; tenth >= 1; tenth--) {
             const size_t along = (line->count - 1) * (size_t)tenth / 10;
             const double *p = line->points + 3 * (rises ? along : line->count - 1 - along);
             const double x = bat_plot_x(plot, sign * p[views[view].right]);
@@ -451,13 +452,13 @@ static void write_figures(bat_canvas *canvas, const sheet *s, bat_rectangle bloc
     for (int f = 0; f < BAT_FAMILIES; f++)
         spacing_text(s, (bat_family)f, spacing[f]);
 
-    const double row = 1.7 * canvas->em, y = block.y + block.height - 3.9 * row;
+    const double row = 1.7 * canvas->em, y = block.y + 4.6 * canvas->em;
     const char *const rows[4][4] = {{"Length", length, "Stations", spacing[BAT_STATIONS]},
                                     {"Beam", beam, "Waterlines", spacing[BAT_WATERLINES]},
                                     {"Depth", depth, "Buttocks", spacing[BAT_BUTTOCKS]},
                                     {"Scale", scale, "Unit", unit_of(s)}};
     for (int i = 0; i < 4; i++)
-        write_row(canvas, block, y + (i + 0.3) * row, rows[i]);
+        write_row(canvas, block, y + i * row, rows[i]);
 }
 
 /* As large as fits, up to `size`. */
@@ -536,7 +537,7 @@ batten_status batten_draw_lines_plan(const batten_model *model,
                                      char **data, size_t *size)
 {
     bat_canvas canvas;
-    const double em = bat_max(4, 0.0092 * bat_min_int(options->width, options->height));
+    const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
     batten_status status = bat_canvas_begin(options->format, options->width, options->height, em,
                                             *options->title ? options->title : "Lines plan",
                                             &canvas);

@@ -38,8 +38,8 @@ typedef struct {
     double em;
 } picture;
 
-static const bat_colour soft[] = {{0.66, 0.75, 0.84}, {0.85, 0.73, 0.58}, {0.68, 0.80, 0.68},
-                                  {0.82, 0.69, 0.74}, {0.74, 0.71, 0.85}, {0.62, 0.79, 0.79}};
+/* Both halves of a hull are one hull: surfaces without a colour of their own look alike. */
+static const bat_colour soft = {0.60, 0.73, 0.85};
 
 /* ---- gathering ---- */
 
@@ -84,14 +84,22 @@ static int surfaces_box(const batten_model *model, batten_box *box)
     return count;
 }
 
+static bat_colour colour_of(const batten_object *object, bat_colour otherwise)
+{
+    if (!object->has_colour)
+        return otherwise;
+    return (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
+}
+
 static batten_status make_solid(picture *p, const batten_object *object, double size, solid *out)
 {
     const batten_picture_options *o = p->options;
     /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror images change faster than
-     * the shape. */
-    const double tolerance = 0.2 * size / bat_max_int(o->width, o->height);
+     * the shape, so that they need more. */
     const bool curvature = o->shading == BATTEN_SHADING_GAUSSIAN;
-    const int least = curvature || o->shading == BATTEN_SHADING_ZEBRA ? 8 : 4;
+    const bool finer = curvature || o->shading == BATTEN_SHADING_ZEBRA;
+    const double tolerance = (finer ? 0.02 : 0.2) * size / bat_max_int(o->width, o->height);
+    const int least = finer ? 16 : 4;
     const batten_surface *s = object->surface;
     solid made = {.scene = &p->scene, .lines = o->isolines};
     const batten_status status =
@@ -118,12 +126,8 @@ static batten_status gather_solids(picture *p, double size)
         const batten_object *object = batten_model_object(p->model, i);
         if (!is_surface(object))
             continue;
-        const bat_colour colour = soft[(size_t)count % (sizeof soft / sizeof soft[0])];
         status = make_solid(p, object, size, &p->solids[count]);
-        p->solids[count++].albedo = bat_light_of(
-            object->has_colour
-                ? (bat_colour){object->colour[0], object->colour[1], object->colour[2]}
-                : colour);
+        p->solids[count++].albedo = bat_light_of(colour_of(object, soft));
     }
     return status;
 }
@@ -140,10 +144,7 @@ static batten_status gather_curves(picture *p)
         if (object->kind != BATTEN_OBJECT_CURVE)
             continue;
         const bat_colour dark = {0.12, 0.16, 0.24};
-        p->curve_lights[p->curves.count] = bat_light_of(
-            object->has_colour
-                ? (bat_colour){object->colour[0], object->colour[1], object->colour[2]}
-                : dark);
+        p->curve_lights[p->curves.count] = bat_light_of(colour_of(object, dark));
         bat_stroke stroke = {0, NULL};
         status = bat_stroke_curve(object->curve, &stroke);
         if (status == BATTEN_OK)
@@ -197,7 +198,8 @@ static batten_status choose_range(picture *p, double size)
     if (count > 0)
         range = bat_max(range, samples[(size_t)(0.95 * (double)(count - 1))]);
     bat_release(samples);
-    p->scene.range = bat_round_step(range, 1);
+    const double power = pow(10, floor(log10(range)) - 1);
+    p->scene.range = ceil(range / power) * power; /* two digits */
     return isfinite(p->scene.range)
                ? BATTEN_OK
                : bat_fail(BATTEN_OVERFLOW, "Gaussian curvatures up to %g are too large to show",
