@@ -37,7 +37,7 @@ batten_status bat_strokes_add_part(bat_strokes *list, const bat_stroke *stroke, 
     for (size_t i = 0; i < stroke->count && status == BATTEN_OK; i++) {
         const double *p = stroke->points + 3 * i;
         const double side = sign * (p[axis] - value);
-        if (i > 0 && (before < 0) != (side < 0)) {
+        if ((before < 0 && side > 0) || (before > 0 && side < 0)) {
             const double t = before / (before - side), *q = p - 3;
             for (int k = 0; k < 3; k++)
                 run[3 * count + (size_t)k] = k == axis ? value : q[k] + t * (p[k] - q[k]);

@@ -128,6 +128,18 @@ static void coarsen(axis *a, double factor)
         a->steps[i] = bat_max_int(1, (int)(a->steps[i] * factor));
 }
 
+static void keep_below(size_t limit, axis *u, axis *v)
+{
+    /* Each span has one point more than steps, so once may not be enough; one step must remain. */
+    for (int round = 0; round < 8; round++) {
+        const double total = (double)point_count(u) * (double)point_count(v);
+        if (total <= (double)limit)
+            return;
+        coarsen(u, sqrt((double)limit / total));
+        coarsen(v, sqrt((double)limit / total));
+    }
+}
+
 static batten_status list_parameters(const axis *a, size_t *count, double **out)
 {
     *count = point_count(a);
@@ -177,11 +189,7 @@ batten_status bat_tiles_make(const batten_surface *surface, double tolerance, in
     if (status == BATTEN_OK)
         status = choose_steps(surface, BATTEN_V, tolerance, least, &v, &u);
     if (status == BATTEN_OK) {
-        const double total = (double)point_count(&u) * (double)point_count(&v);
-        if (total > (double)limit) {
-            coarsen(&u, sqrt((double)limit / total));
-            coarsen(&v, sqrt((double)limit / total));
-        }
+        keep_below(limit, &u, &v);
         status = list_parameters(&u, &tiles.count_u, &tiles.u);
     }
     if (status == BATTEN_OK)

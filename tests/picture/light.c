@@ -2,6 +2,8 @@
 
 #include "scenes.h"
 
+#include <stdlib.h>
+
 static const double pi = 3.14159265358979323846;
 
 TEST(a_cylinder_shows_as_many_dark_stripes_as_asked)

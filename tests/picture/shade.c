@@ -1,5 +1,7 @@
 #include "scenes.h"
 
+#include <stdlib.h>
+
 #include <batten/job.h>
 
 static batten_picture_options small(batten_shading shading)
