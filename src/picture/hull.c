@@ -69,7 +69,7 @@ static batten_status parameters(const batten_surface *surface, batten_direction 
     batten_surface_spans(surface, direction, knots);
     /* 128 steps in all find the largest breadth of a hull to about 1/100,000. */
     const int steps = bat_max_int(2, 128 / bat_max_int(knot_count - 1, 1));
-    const batten_status status = bat_divide(knot_count, knots, steps, count, out);
+    const batten_status status = bat_divide_spans(knot_count, knots, steps, count, out);
     bat_release(knots);
     return status;
 }

@@ -10,7 +10,7 @@ int bat_stroke_steps(const batten_curve *curve)
     return bat_min_int(48, bat_max_int(6, 1024 / bat_max_int(spans, 1)));
 }
 
-batten_status bat_divide(int knot_count, const double *knots, int steps, size_t *count,
+batten_status bat_divide_spans(int knot_count, const double *knots, int steps, size_t *count,
                          double **out)
 {
     double *u = bat_array3((size_t)knot_count, (size_t)steps, sizeof *u);
@@ -34,7 +34,7 @@ static batten_status parameters_of(const batten_curve *curve, size_t *count, dou
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(curve, knots);
     const batten_status status =
-        bat_divide(knot_count, knots, bat_stroke_steps(curve), count, out);
+        bat_divide_spans(knot_count, knots, bat_stroke_steps(curve), count, out);
     bat_release(knots);
     return status;
 }

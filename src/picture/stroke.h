@@ -29,7 +29,7 @@ batten_status bat_strokes_add(bat_strokes *list, bat_stroke stroke);
 void bat_strokes_free(bat_strokes *list);
 
 /* Parameters at every knot and `steps` - 1 evenly between each two. */
-batten_status bat_divide(int knot_count, const double *knots, int steps, size_t *count,
+batten_status bat_divide_spans(int knot_count, const double *knots, int steps, size_t *count,
                          double **out);
 
 /* Steps into which each span of a curve is divided. */

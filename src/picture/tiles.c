@@ -78,7 +78,7 @@ static int steps_for(const probe *p, size_t span, double tolerance, int least)
 /* Parameters across: knots and the middles of spans, thinned to about PROBES. */
 static batten_status across_parameters(const axis *a, size_t *count, double **out)
 {
-    const batten_status status = bat_divide(a->knot_count, a->knots, 2, count, out);
+    const batten_status status = bat_divide_spans(a->knot_count, a->knots, 2, count, out);
     const size_t every = status == BATTEN_OK ? *count / PROBES + 1 : 1;
     size_t kept = 0;
     for (size_t i = 0; status == BATTEN_OK && i < *count; i += every)
@@ -93,7 +93,7 @@ static batten_status choose_steps(const batten_surface *surface, batten_directio
 {
     probe p = {.along_first = direction == BATTEN_U};
     double *at = NULL, *lines = NULL;
-    batten_status status = bat_divide(along->knot_count, along->knots, 4, &p.count_along, &at);
+    batten_status status = bat_divide_spans(along->knot_count, along->knots, 4, &p.count_along, &at);
     if (status == BATTEN_OK)
         status = across_parameters(across, &p.count_across, &lines);
     if (status == BATTEN_OK) {
