@@ -361,7 +361,7 @@ void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
 bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                       double x, double y, const char *text)
 {
-    const double width = bat_canvas_text_width(canvas, size, text), margin = 0.15 * size;
+    const double width = bat_canvas_text_width(canvas, size, text), margin = 0.3 * size;
     const bat_rectangle place = {x - 0.5 * (double)anchor * width - margin, y - 0.5 * size,
                                  width + 2 * margin, size};
     if (!is_free(canvas, place))

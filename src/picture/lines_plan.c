@@ -185,13 +185,16 @@ static bat_colour name_colour(const sheet *s, bat_family family, int i)
     return s->hull.families[family].cuts[i].is_design ? design_colour : line_colours[family];
 }
 
-/* A family of planes that a view sees as level lines, named at both ends. */
-static void draw_level(bat_canvas *canvas, const sheet *s, which_view view, bat_family family)
+/* Those planes of a family that a view sees as level lines, named at both ends: the design waterline, or all others. */
+static void draw_level(bat_canvas *canvas, const sheet *s, which_view view, bat_family family,
+                       bool design)
 {
     const bat_plot *plot = &s->plots[view];
     const double em = canvas->em, left = plot->frame.x - 0.8 * em;
     const double right = plot->frame.x + plot->frame.width + 0.8 * em;
     for (int i = 0; i < s->hull.families[family].count; i++) {
+        if (s->hull.families[family].cuts[i].is_design != design)
+            continue;
         const double y = bat_plot_y(plot, s->hull.families[family].cuts[i].at);
         char text[48];
         name_of(s, family, i, text);
@@ -222,11 +225,14 @@ static void draw_upright(bat_canvas *canvas, const sheet *s, which_view view, ba
 
 static void draw_grids(bat_canvas *canvas, const sheet *s)
 {
-    draw_level(canvas, s, PROFILE, BAT_WATERLINES);
+    /* Where names meet, that of the design waterline is the one to stay. */
+    for (int design = 1; design >= 0; design--) {
+        draw_level(canvas, s, PROFILE, BAT_WATERLINES, design);
+        draw_level(canvas, s, BREADTH, BAT_BUTTOCKS, design);
+        draw_level(canvas, s, BODY, BAT_WATERLINES, design);
+    }
     draw_upright(canvas, s, PROFILE, BAT_STATIONS, 1);
-    draw_level(canvas, s, BREADTH, BAT_BUTTOCKS);
     draw_upright(canvas, s, BREADTH, BAT_STATIONS, 1);
-    draw_level(canvas, s, BODY, BAT_WATERLINES);
     draw_upright(canvas, s, BODY, BAT_BUTTOCKS, 1);
     draw_upright(canvas, s, BODY, BAT_BUTTOCKS, -1);
 
@@ -411,14 +417,14 @@ static const char *unit_of(const sheet *s)
     return unit ? unit : "units";
 }
 
-/* "11, every 2.5 m", or "11" when they stand where they were given. */
+/* "every 2.5 m", or how many there are when they stand where they were given. */
 static void spacing_text(const sheet *s, bat_family family, char text[static 64])
 {
     const bat_cuts *cuts = &s->hull.families[family];
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(cuts->spacing, 4, number);
     if (cuts->spacing > 0)
-        snprintf(text, 64, "%d, every %s %s", cuts->count, number, unit_of(s));
+        snprintf(text, 64, "every %s %s", number, unit_of(s));
     else
         snprintf(text, 64, "%d", cuts->count);
 }

@@ -430,7 +430,7 @@ static void write_colours(bat_canvas *canvas, const picture *p)
     const double x = canvas->width - 7.5 * em, y = 0.5 * (canvas->height - height);
     for (int i = 0; i < STEPS; i++)
         bat_canvas_box(canvas, bat_colour_diverging(1 - 2 * (i + 0.5) / STEPS),
-                       (bat_rectangle){x, y + height * i / STEPS, wide, height / STEPS + 0.5});
+                       (bat_rectangle){x, y + height * i / STEPS, wide, height / STEPS + 1});
     bat_canvas_frame(canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID},
                      (bat_rectangle){x, y, wide, height});
     for (int i = -2; i <= 2; i++) {
