@@ -445,7 +445,7 @@ static void add_name(const drawing *d, const shape *s, bat_legend *legend)
         bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s 1/%s", s->object->name, number,
                        unit_of(d));
     else
-        bat_legend_add(legend, sample, pen, "%.80s", s->object->name);
+        bat_legend_add(legend, sample, pen, "%.64s", s->object->name);
 }
 
 static void fill_legend(const drawing *d, bat_legend *legend)

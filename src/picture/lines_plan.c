@@ -418,22 +418,22 @@ static const char *unit_of(const sheet *s)
 }
 
 /* "every 2.5 m", or how many there are when they stand where they were given. */
-static void spacing_text(const sheet *s, bat_family family, char text[static 64])
+static void spacing_text(const sheet *s, bat_family family, char text[static 48])
 {
     const bat_cuts *cuts = &s->hull.families[family];
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(cuts->spacing, 4, number);
     if (cuts->spacing > 0)
-        snprintf(text, 64, "every %s %s", number, unit_of(s));
+        snprintf(text, 48, "every %s %s", number, unit_of(s));
     else
-        snprintf(text, 64, "%d", cuts->count);
+        snprintf(text, 48, "%d", cuts->count);
 }
 
-static void length_text(const sheet *s, double length, char text[static 64])
+static void length_text(const sheet *s, double length, char text[static 48])
 {
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(length, 4, number);
-    snprintf(text, 64, "%s %s", number, unit_of(s));
+    snprintf(text, 48, "%s %s", number, unit_of(s));
 }
 
 /* One row of the title block: two names with their values. */
@@ -448,7 +448,7 @@ static void write_row(bat_canvas *canvas, bat_rectangle block, double y, const c
 static void write_figures(bat_canvas *canvas, const sheet *s, bat_rectangle block)
 {
     const bat_hull *hull = &s->hull;
-    char length[64], beam[64], depth[64], scale[64], spacing[BAT_FAMILIES][64];
+    char length[48], beam[48], depth[48], scale[48], spacing[BAT_FAMILIES][48];
     char number[BATTEN_NUMBER_SIZE];
     length_text(s, hull->high[0] - hull->low[0], length);
     length_text(s, 2 * hull->high[1], beam);
@@ -504,6 +504,13 @@ static void fill_legend(const sheet *s, bat_legend *legend)
         bat_legend_add(legend, BAT_SAMPLE_CROSS, cross_pen, "given points");
 }
 
+static void draw_legend(bat_canvas *canvas, const sheet *s, double x, double y, double width)
+{
+    bat_legend legend = {0};
+    fill_legend(s, &legend);
+    bat_legend_draw(canvas, &legend, x, y, width);
+}
+
 static void draw_foot(bat_canvas *canvas, const sheet *s)
 {
     const double em = canvas->em;
@@ -512,10 +519,8 @@ static void draw_foot(bat_canvas *canvas, const sheet *s)
                                  s->strip.y + 2 * em, wide, s->strip.height - 2 * em};
     draw_title_block(canvas, s, block);
 
-    bat_legend legend = {0};
-    fill_legend(s, &legend);
     const double x = s->strip.x + 2.5 * em, room = block.x - x - 2.5 * em;
-    bat_legend_draw(canvas, &legend, x, block.y + 1 * em, room);
+    draw_legend(canvas, s, x, block.y + em, room);
     bat_scale_bar(canvas, x, s->strip.y + s->strip.height - 3 * em, bat_min(room, 40 * em),
                   s->scale, unit_of(s));
     bat_canvas_frame(canvas, (bat_pen){bat_ink, 1.2, BAT_SOLID},

@@ -46,7 +46,7 @@ double bat_plot_numbers_width(bat_canvas *canvas, const bat_plot *plot);
 
 typedef enum { BAT_SAMPLE_LINE, BAT_SAMPLE_POLYGON, BAT_SAMPLE_CROSS, BAT_SAMPLE_DISC } bat_sample;
 
-enum { BAT_LEGEND_LIMIT = 16, BAT_LEGEND_TEXT = 96 };
+enum { BAT_LEGEND_LIMIT = 12, BAT_LEGEND_TEXT = 80 };
 
 typedef struct {
     bat_sample sample;
