@@ -436,35 +436,44 @@ static void length_text(const sheet *s, double length, char text[static 48])
     snprintf(text, 48, "%s %s", number, unit_of(s));
 }
 
-/* One row of the title block: two names with their values. */
-static void write_row(bat_canvas *canvas, bat_rectangle block, double y, const char *const texts[4])
+static void scale_text(const sheet *s, char text[static 48])
 {
-    static const double places[] = {0.03, 0.16, 0.46, 0.65};
-    for (int k = 0; k < 4; k++)
-        bat_canvas_text(canvas, k % 2 == 0 ? bat_grey : bat_ink, 0.85 * canvas->em, BAT_LEFT,
-                        block.x + places[k] * block.width, y, texts[k]);
+    char number[BATTEN_NUMBER_SIZE];
+    bat_digits_text(s->ratio >= 1 ? s->ratio : 1 / s->ratio, 3, number);
+    snprintf(text, 48, s->ratio >= 1 ? "1:%s" : "%s:1", number);
+}
+
+/* A name and its value in the title block, in one of two columns. */
+static void write_pair(bat_canvas *canvas, bat_rectangle block, int row, int column,
+                       const char *name, const char *value)
+{
+    static const double names_at[] = {0.03, 0.50}, values_at[] = {0.18, 0.69};
+    const double em = canvas->em, y = block.y + (4.6 + 1.7 * row) * em;
+    bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_LEFT,
+                    block.x + names_at[column] * block.width, y, name);
+    bat_canvas_text(canvas, bat_ink, 0.85 * em, BAT_LEFT,
+                    block.x + values_at[column] * block.width, y, value);
 }
 
 static void write_figures(bat_canvas *canvas, const sheet *s, bat_rectangle block)
 {
     const bat_hull *hull = &s->hull;
-    char length[48], beam[48], depth[48], scale[48], spacing[BAT_FAMILIES][48];
-    char number[BATTEN_NUMBER_SIZE];
-    length_text(s, hull->high[0] - hull->low[0], length);
-    length_text(s, 2 * hull->high[1], beam);
-    length_text(s, hull->high[2] - hull->low[2], depth);
-    bat_digits_text(s->ratio >= 1 ? s->ratio : 1 / s->ratio, 3, number);
-    snprintf(scale, sizeof scale, s->ratio >= 1 ? "1:%s" : "%s:1", number);
-    for (int f = 0; f < BAT_FAMILIES; f++)
-        spacing_text(s, (bat_family)f, spacing[f]);
-
-    const double row = 1.7 * canvas->em, y = block.y + 4.6 * canvas->em;
-    const char *const rows[4][4] = {{"Length", length, "Stations", spacing[BAT_STATIONS]},
-                                    {"Beam", beam, "Waterlines", spacing[BAT_WATERLINES]},
-                                    {"Depth", depth, "Buttocks", spacing[BAT_BUTTOCKS]},
-                                    {"Scale", scale, "Unit", unit_of(s)}};
-    for (int i = 0; i < 4; i++)
-        write_row(canvas, block, y + i * row, rows[i]);
+    char text[48];
+    length_text(s, hull->high[0] - hull->low[0], text);
+    write_pair(canvas, block, 0, 0, "Length", text);
+    length_text(s, 2 * hull->high[1], text);
+    write_pair(canvas, block, 1, 0, "Beam", text);
+    length_text(s, hull->high[2] - hull->low[2], text);
+    write_pair(canvas, block, 2, 0, "Depth", text);
+    scale_text(s, text);
+    write_pair(canvas, block, 3, 0, "Scale", text);
+    spacing_text(s, BAT_STATIONS, text);
+    write_pair(canvas, block, 0, 1, "Stations", text);
+    spacing_text(s, BAT_WATERLINES, text);
+    write_pair(canvas, block, 1, 1, "Waterlines", text);
+    spacing_text(s, BAT_BUTTOCKS, text);
+    write_pair(canvas, block, 2, 1, "Buttocks", text);
+    write_pair(canvas, block, 3, 1, "Unit", unit_of(s));
 }
 
 /* As large as fits, up to `size`. */
