@@ -25,8 +25,9 @@ batten_status bat_canvas_check_size(int width, int height)
                         "a picture of %d x %d is too small; each side needs at least %d", width,
                         height, LEAST_SIZE);
     if (larger > LARGEST_SIZE)
-        return bat_fail(BATTEN_TOO_LARGE, "a picture of %d x %d is too large; a side may have %d",
-                        width, height, LARGEST_SIZE);
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "a picture of %d x %d is too large; a side may have %d", width, height,
+                        LARGEST_SIZE);
     return BATTEN_OK;
 }
 
@@ -86,8 +87,8 @@ void bat_canvas_end(bat_canvas *canvas)
     bat_release(canvas->taken);
 }
 
-/* cairo numbers its surfaces through the life of the program and writes that number into an SVG. Nothing
- * refers to it; equal digits make equal bytes. */
+/* cairo numbers its surfaces through the life of the program and writes that number into an
+ * SVG. Nothing refers to it; equal digits make equal bytes. */
 static void forget_surface_number(batten_text *svg)
 {
     static const char mark[] = "<g id=\"surface";
@@ -235,7 +236,8 @@ static int letter_length(const unsigned char *text)
     static const struct {
         unsigned char mask, lead;
         unsigned long least;
-    } forms[] = {{0x80, 0x00, 0x20}, {0xe0, 0xc0, 0x80}, {0xf0, 0xe0, 0x800}, {0xf8, 0xf0, 0x10000}};
+    } forms[] = {
+        {0x80, 0x00, 0x20}, {0xe0, 0xc0, 0x80}, {0xf0, 0xe0, 0x800}, {0xf8, 0xf0, 0x10000}};
 
     for (int length = 1; length <= 4; length++) {
         if ((text[0] & forms[length - 1].mask) != forms[length - 1].lead)
@@ -252,7 +254,8 @@ static int letter_length(const unsigned char *text)
     return 0;
 }
 
-/* Names may be any bytes; cairo refuses what is not UTF-8, so other bytes become a question mark. */
+/* Names may be any bytes; cairo refuses what is not UTF-8, so other bytes become a question
+ * mark. */
 static void clean(const char *text, char out[static LONGEST_TEXT])
 {
     size_t length = 0;
@@ -289,8 +292,8 @@ double bat_canvas_text_width(bat_canvas *canvas, double size, const char *text)
     return advance(canvas, text);
 }
 
-static void show(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor, double x,
-                 double y, const char *text)
+static void show(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
+                 double x, double y, const char *text)
 {
     char letters[LONGEST_TEXT];
     clean(text, letters);

@@ -1,8 +1,8 @@
 /*
  * A sheet to draw on: one code for PNG, SVG and PDF.
  *
- * Coordinates are points (pixels in a PNG), x to the right, y down. Nothing here returns a status until the end:
- * what goes wrong is remembered, and bat_canvas_finish reports it.
+ * Coordinates are points (pixels in a PNG), x to the right, y down. Nothing here returns a
+ * status until the end: what goes wrong is remembered, and bat_canvas_finish reports it.
  */
 #ifndef BAT_CANVAS_H
 #define BAT_CANVAS_H
@@ -47,7 +47,8 @@ batten_status bat_canvas_check_size(int width, int height);
 /* A white sheet. `em` is the size of its text. */
 batten_status bat_canvas_begin(batten_picture_format format, int width, int height, double em,
                                const char *title, bat_canvas *out);
-/* Hand over the file, or report the first thing that went wrong; the canvas is gone in either case. */
+/* Hand over the file, or report the first thing that went wrong; the canvas is gone in either
+ * case. */
 batten_status bat_canvas_finish(bat_canvas *canvas, char **data, size_t *size);
 /* Give everything back without a file. */
 void bat_canvas_end(bat_canvas *canvas);

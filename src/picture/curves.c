@@ -77,8 +77,7 @@ static batten_status gather_isolines(const drawing *d, shape *s, batten_directio
     const int count = d->options->isolines;
     batten_status status = BATTEN_OK;
     for (int k = 0; k <= count && status == BATTEN_OK; k++) {
-        const double at =
-            k < count ? domain.a + (domain.b - domain.a) * k / count : domain.b;
+        const double at = k < count ? domain.a + (domain.b - domain.a) * k / count : domain.b;
         bat_stroke stroke = {0, NULL};
         status = bat_stroke_isoline(s->object->surface, direction, at, &stroke);
         if (status == BATTEN_OK)
@@ -134,7 +133,8 @@ static batten_status gather(drawing *d)
 {
     d->shape_count = batten_model_count(d->model);
     if (d->shape_count == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the model has no objects: there is nothing to draw");
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the model has no objects: there is nothing to draw");
     d->shapes = bat_array((size_t)d->shape_count, sizeof *d->shapes);
     if (!d->shapes)
         return BATTEN_OUT_OF_MEMORY;
@@ -210,7 +210,8 @@ typedef struct {
     double low[3], high[3];
 } extent;
 
-static const extent nothing = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+static const extent nothing = {{HUGE_VAL, HUGE_VAL, HUGE_VAL},
+                               {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 
 static void extend(void *user, const double point[3])
 {
@@ -267,7 +268,8 @@ static double choose_comb_scale(const drawing *d)
     if (d->options->comb_scale > 0)
         return d->options->comb_scale;
     const double range = largest_range(d);
-    /* What is straight but for roundings has no comb, rather than a picture of the roundings. */
+    /* What is straight but for roundings has no comb, rather than a picture of the
+     * roundings. */
     return sharpest * range > 1e-9 ? 0.1 * range / sharpest : 0;
 }
 
@@ -334,7 +336,8 @@ static void draw_stroke(bat_canvas *canvas, const drawing *d, bat_pen pen,
 
 static bat_colour lighter(bat_colour colour, double by)
 {
-    return (bat_colour){colour.red + by * (1 - colour.red), colour.green + by * (1 - colour.green),
+    return (bat_colour){colour.red + by * (1 - colour.red),
+                        colour.green + by * (1 - colour.green),
                         colour.blue + by * (1 - colour.blue)};
 }
 
@@ -442,8 +445,8 @@ static void add_name(const drawing *d, const shape *s, bat_legend *legend)
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(s->sharpest, 3, number);
     if (d->comb_scale > 0 && s->tooth_count > 0)
-        bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s 1/%s", s->object->name, number,
-                       unit_of(d));
+        bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s 1/%s", s->object->name,
+                       number, unit_of(d));
     else
         bat_legend_add(legend, sample, pen, "%.64s", s->object->name);
 }
@@ -465,9 +468,11 @@ static void fill_legend(const drawing *d, bat_legend *legend)
         bat_legend_add(legend, BAT_SAMPLE_POLYGON, (bat_pen){bat_grey, 0.7, BAT_DASHED},
                        "control polygon");
     if (data)
-        bat_legend_add(legend, BAT_SAMPLE_CROSS, (bat_pen){bat_ink, 1, BAT_SOLID}, "data points");
+        bat_legend_add(legend, BAT_SAMPLE_CROSS, (bat_pen){bat_ink, 1, BAT_SOLID},
+                       "data points");
     if (comb)
-        bat_legend_add(legend, BAT_SAMPLE_LINE, (bat_pen){lighter(palette[0], 0.35), 1, BAT_SOLID},
+        bat_legend_add(legend, BAT_SAMPLE_LINE,
+                       (bat_pen){lighter(palette[0], 0.35), 1, BAT_SOLID},
                        "curvature comb: 1/%s is %s %s long", unit_of(d), length, unit_of(d));
 }
 
@@ -479,8 +484,8 @@ static void draw_triad(bat_canvas *canvas, const drawing *d)
     const double em = canvas->em, x = f.x + 4 * em, y = f.y + f.height - 3 * em;
     for (int k = 0; k < 3; k++) {
         const double right = d->view.right[k], up = d->view.up[k];
-        bat_canvas_segment(canvas, (bat_pen){bat_grey, 1, BAT_SOLID}, x, y, x + 2.5 * em * right,
-                           y - 2.5 * em * up);
+        bat_canvas_segment(canvas, (bat_pen){bat_grey, 1, BAT_SOLID}, x, y,
+                           x + 2.5 * em * right, y - 2.5 * em * up);
         if (hypot(right, up) > 0.1)
             bat_canvas_text(canvas, bat_grey, 0.9 * em, BAT_MIDDLE, x + 3.2 * em * right,
                             y - 3.2 * em * up, names[k]);
@@ -548,8 +553,8 @@ static batten_status draw_picture(drawing *d, char **data, size_t *size)
 static batten_status check_options(const batten_picture_options *o)
 {
     if (o->isolines < 1 || o->isolines > 1000)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d isolines are asked for; from 1 to 1000 are drawn",
-                        o->isolines);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%d isolines are asked for; from 1 to 1000 are drawn", o->isolines);
     if (!isfinite(o->azimuth) || !isfinite(o->elevation) || !isfinite(o->comb_scale))
         return bat_fail(BATTEN_NOT_FINITE,
                         "azimuth %g, elevation %g and comb scale %g must be finite", o->azimuth,

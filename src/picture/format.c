@@ -9,8 +9,9 @@ bool batten_picture_format_of_name(const char *path, batten_picture_format *form
     static const struct {
         const char *ending;
         batten_picture_format format;
-    } endings[] = {
-        {".png", BATTEN_PICTURE_PNG}, {".svg", BATTEN_PICTURE_SVG}, {".pdf", BATTEN_PICTURE_PDF}};
+    } endings[] = {{".png", BATTEN_PICTURE_PNG},
+                   {".svg", BATTEN_PICTURE_SVG},
+                   {".pdf", BATTEN_PICTURE_PDF}};
 
     const char *dot = strrchr(path, '.');
     for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)

@@ -131,10 +131,11 @@ static batten_status measure(const batten_model *model, batten_notes *notes, bat
             return status;
     }
     if (!(hull->low[0] < hull->high[0] && hull->low[2] < hull->high[2]))
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "a lines plan needs a surface with some length and depth; none of the %d "
-                        "objects is one",
-                        batten_model_count(model));
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "a lines plan needs a surface with some length and depth; none of the %d "
+            "objects is one",
+            batten_model_count(model));
     const double side = hull->high[1] > 0 ? 1 : -1;
     if (side < 0)
         batten_notes_add(notes, "", 0, "", "the hull lies at y <= 0 and is drawn mirrored");
@@ -150,7 +151,8 @@ static batten_status measure(const batten_model *model, batten_notes *notes, bat
 
 static batten_status make_cuts(bat_cuts *cuts, int count)
 {
-    cuts->cuts = bat_array((size_t)count + 1, sizeof *cuts->cuts); /* and the design waterline */
+    cuts->cuts =
+        bat_array((size_t)count + 1, sizeof *cuts->cuts); /* and the design waterline */
     if (!cuts->cuts)
         return BATTEN_OUT_OF_MEMORY;
     cuts->count = count;
@@ -184,7 +186,8 @@ static batten_status place_given(bat_hull *hull, const batten_lines_plan_options
                         plan->station_count, CUT_LIMIT);
     for (int i = 0; i < plan->station_count; i++) {
         if (!isfinite(plan->station_at[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i, plan->station_at[i]);
+            return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i,
+                            plan->station_at[i]);
         if (i > 0 && !(plan->station_at[i] > plan->station_at[i - 1]))
             return bat_fail(BATTEN_NOT_INCREASING,
                             "station %d at %g does not lie beyond station %d at %g", i,
@@ -267,7 +270,8 @@ static batten_status place_cuts(bat_hull *hull, const batten_lines_plan_options 
 
 /* ---- cutting ---- */
 
-/* Cells of the grid on which a section is sought: fine enough for a smooth line on the sheet. */
+/* Cells of the grid on which a section is sought: fine enough for a smooth line on the
+ * sheet. */
 static int cells(const batten_surface *surface, batten_direction direction)
 {
     const int spans = batten_surface_spans(surface, direction, NULL) - 1;
@@ -295,9 +299,8 @@ static batten_status cut_surface(const batten_surface *surface, bat_family famil
                                 family == BAT_WATERLINES};
     const double offset = family == BAT_BUTTOCKS ? h.side * cut->at : cut->at;
     batten_polylines found = {0, NULL};
-    batten_status status =
-        batten_surface_section(surface, normal, offset, cells(surface, BATTEN_U),
-                               cells(surface, BATTEN_V), &found);
+    batten_status status = batten_surface_section(
+        surface, normal, offset, cells(surface, BATTEN_U), cells(surface, BATTEN_V), &found);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
@@ -329,8 +332,9 @@ static batten_status cut_family(const batten_model *model, bat_family family, ha
                 return status;
         }
         if (cut->lines.count == 0)
-            batten_notes_add(notes, "", 0, names[family], "the plane %c = %g does not meet the hull",
-                             letters[family], cut->at);
+            batten_notes_add(notes, "", 0, names[family],
+                             "the plane %c = %g does not meet the hull", letters[family],
+                             cut->at);
     }
     return BATTEN_OK;
 }

@@ -25,13 +25,14 @@ typedef struct {
     bat_strokes edges; /* boundary curves of the surfaces */
 } bat_hull;
 
-/* Cut all surfaces of a model. A hull on the side of negative y is mirrored; of a whole hull the half with y >= 0 is
- * taken. What was left out is said in `notes`. */
+/* Cut all surfaces of a model. A hull on the side of negative y is mirrored; of a whole hull
+ * the half with y >= 0 is taken. What was left out is said in `notes`. */
 batten_status bat_hull_cut(const batten_model *model, const batten_lines_plan_options *plan,
                            batten_notes *notes, bat_hull *out);
 void bat_hull_free(bat_hull *hull);
 
-/* Add the parts of a polyline where sign * (coordinate - value) >= 0, cut exactly at the plane. */
+/* Add the parts of a polyline where sign * (coordinate - value) >= 0, cut exactly at the plane.
+ */
 batten_status bat_strokes_add_part(bat_strokes *list, const bat_stroke *stroke, int axis,
                                    double sign, double value);
 

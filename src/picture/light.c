@@ -99,9 +99,9 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
 bat_colour bat_colour_diverging(double t)
 {
     /* Even in lightness to both sides, so that neither sign looks larger. */
-    static const bat_colour stops[] = {{0.10, 0.24, 0.55}, {0.27, 0.50, 0.78}, {0.64, 0.79, 0.90},
-                                       {0.96, 0.96, 0.95}, {0.96, 0.74, 0.60}, {0.84, 0.38, 0.29},
-                                       {0.58, 0.07, 0.14}};
+    static const bat_colour stops[] = {
+        {0.10, 0.24, 0.55}, {0.27, 0.50, 0.78}, {0.64, 0.79, 0.90}, {0.96, 0.96, 0.95},
+        {0.96, 0.74, 0.60}, {0.84, 0.38, 0.29}, {0.58, 0.07, 0.14}};
     const double place = 3 + 3 * bat_max(-1, bat_min(t, 1));
     const int i = bat_min_int((int)place, 5);
     const double part = place - i;

@@ -5,12 +5,14 @@
 #include <string.h>
 
 /*
- * Three views of one hull at one scale: profile (x, z), half-breadth plan (x, y) below it, and body plan (y, z) beside
- * the profile or at the bottom, whichever lets the drawing be larger. The bow is at the larger x, to the right.
+ * Three views of one hull at one scale: profile (x, z), half-breadth plan (x, y) below it, and
+ * body plan (y, z) beside the profile or at the bottom, whichever lets the drawing be larger.
+ * The bow is at the larger x, to the right.
  */
 typedef enum { PROFILE, BREADTH, BODY, VIEWS } which_view;
 
-/* The coordinates that a view shows to the right and up, and the family of planes it shows as curves. */
+/* The coordinates that a view shows to the right and up, and the family of planes it shows as
+ * curves. */
 static const struct {
     int right, up;
     bat_family curves;
@@ -29,11 +31,11 @@ typedef struct {
     const batten_lines_plan_options *plan;
     const batten_picture_options *options;
     bat_hull hull;
-    double middle;        /* x between after-body and fore-body */
-    double ratio;         /* the scale is 1 : ratio */
-    double scale;         /* points per unit */
+    double middle; /* x between after-body and fore-body */
+    double ratio;  /* the scale is 1 : ratio */
+    double scale;  /* points per unit */
     bat_plot plots[VIEWS];
-    bat_rectangle strip;  /* the foot of the sheet: legend, scale bar, title block */
+    bat_rectangle strip; /* the foot of the sheet: legend, scale bar, title block */
 } sheet;
 
 static bat_pen curve_pen(bat_family family, bool is_design)
@@ -49,7 +51,8 @@ static const bat_pen centre_pen = {{0.42, 0.45, 0.49}, 0.8, BAT_CHAIN};
 
 /* ---- layout ---- */
 
-/* Room around a view, in em: for the numbers at both sides, the title above, the numbers below. */
+/* Room around a view, in em: for the numbers at both sides, the title above, the numbers
+ * below. */
 static const double beside = 5, above = 3, below = 2.6;
 static const double strip_height = 13, border = 2;
 
@@ -93,11 +96,11 @@ static void place_view(sheet *s, which_view view, double left, double top)
 {
     double size[2];
     view_size(&s->hull, view, size);
-    s->plots[view] = (bat_plot){
-        .frame = {left, top, size[0] * s->scale, size[1] * s->scale},
-        .scale = s->scale,
-        .x0 = view == BODY ? -s->hull.high[1] : s->hull.low[views[view].right],
-        .y0 = s->hull.low[views[view].up]};
+    s->plots[view] =
+        (bat_plot){.frame = {left, top, size[0] * s->scale, size[1] * s->scale},
+                   .scale = s->scale,
+                   .x0 = view == BODY ? -s->hull.high[1] : s->hull.low[views[view].right],
+                   .y0 = s->hull.low[views[view].up]};
 }
 
 static void place_views(sheet *s, bat_rectangle room, double em, bool stacked)
@@ -110,8 +113,10 @@ static void place_views(sheet *s, bat_rectangle room, double em, bool stacked)
     const double wide = stacked ? bat_max(profile[0], body[0]) : profile[0] + body[0];
     const double high = profile[1] + breadth[1] + (stacked ? body[1] : 0);
     /* What is left over is shared evenly. */
-    const double gap_x = (room.width - wide * s->scale - columns * 2 * beside * em) / (columns + 1);
-    const double gap_y = (room.height - high * s->scale - rows * (above + below) * em) / (rows + 1);
+    const double gap_x =
+        (room.width - wide * s->scale - columns * 2 * beside * em) / (columns + 1);
+    const double gap_y =
+        (room.height - high * s->scale - rows * (above + below) * em) / (rows + 1);
 
     const double centre = room.x + 0.5 * room.width;
     const double left =
@@ -134,7 +139,8 @@ static batten_status lay_out(sheet *s, const bat_canvas *canvas)
                                   canvas->height - 2 * edge};
     bat_rectangle room = inside;
     room.height -= strip_height * em;
-    s->strip = (bat_rectangle){inside.x, inside.y + room.height, inside.width, strip_height * em};
+    s->strip =
+        (bat_rectangle){inside.x, inside.y + room.height, inside.width, strip_height * em};
 
     const double beside_it = largest_scale(&s->hull, room, em, false);
     const double stacked = largest_scale(&s->hull, room, em, true);
@@ -167,9 +173,9 @@ static void name_of(const sheet *s, bat_family family, int i, char text[static 4
     const double range = s->hull.high[family] - s->hull.low[family];
     bat_number_text(cuts->cuts[i].at, 3 - (int)floor(log10(range)), number);
     snprintf(text, 48, "%s %s",
-             cuts->cuts[i].is_design        ? "DWL"
+             cuts->cuts[i].is_design    ? "DWL"
              : family == BAT_WATERLINES ? "WL"
-                                            : "B",
+                                        : "B",
              number);
 }
 
@@ -185,7 +191,8 @@ static bat_colour name_colour(const sheet *s, bat_family family, int i)
     return s->hull.families[family].cuts[i].is_design ? design_colour : line_colours[family];
 }
 
-/* Those planes of a family that a view sees as level lines, named at both ends: the design waterline, or all others. */
+/* Those planes of a family that a view sees as level lines, named at both ends: the design
+ * waterline, or all others. */
 static void draw_level(bat_canvas *canvas, const sheet *s, which_view view, bat_family family,
                        bool design)
 {
@@ -199,10 +206,10 @@ static void draw_level(bat_canvas *canvas, const sheet *s, which_view view, bat_
         char text[48];
         name_of(s, family, i, text);
         bat_canvas_segment(canvas, straight_pen(s, family, i), left, y, right, y);
-        bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_RIGHT, left - 0.3 * em,
-                         y, text);
-        bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_LEFT, right + 0.3 * em,
-                         y, text);
+        bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_RIGHT,
+                         left - 0.3 * em, y, text);
+        bat_canvas_label(canvas, name_colour(s, family, i), 0.8 * em, BAT_LEFT,
+                         right + 0.3 * em, y, text);
     }
 }
 
@@ -245,7 +252,8 @@ static void draw_grids(bat_canvas *canvas, const sheet *s)
                        body->frame.y + body->frame.height + 1.2 * em);
     bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_MIDDLE, x,
                      body->frame.y + body->frame.height + 1.5 * em, "CL");
-    bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_RIGHT, breadth->frame.x - 2.2 * em, y, "CL");
+    bat_canvas_label(canvas, bat_grey, 0.8 * em, BAT_RIGHT, breadth->frame.x - 2.2 * em, y,
+                     "CL");
 }
 
 /* ---- curves ---- */
@@ -266,8 +274,8 @@ static batten_status draw_line(bat_canvas *canvas, const sheet *s, which_view vi
     return BATTEN_OK;
 }
 
-static batten_status draw_lines(bat_canvas *canvas, const sheet *s, which_view view, bat_pen pen,
-                                double sign, const bat_strokes *lines)
+static batten_status draw_lines(bat_canvas *canvas, const sheet *s, which_view view,
+                                bat_pen pen, double sign, const bat_strokes *lines)
 {
     batten_status status = BATTEN_OK;
     for (size_t i = 0; i < lines->count && status == BATTEN_OK; i++)
@@ -275,27 +283,30 @@ static batten_status draw_lines(bat_canvas *canvas, const sheet *s, which_view v
     return status;
 }
 
-/* The body plan shows the after-body on the left and the fore-body on the right; the section amidships is both. */
+/* The body plan shows the after-body on the left and the fore-body on the right; the section
+ * amidships is both. */
 static bool is_drawn(const sheet *s, which_view view, double sign, double at)
 {
     const double same = 1e-6 * (s->hull.high[0] - s->hull.low[0]);
     return view != BODY || sign * (at - s->middle) >= -same;
 }
 
-static batten_status draw_curves(bat_canvas *canvas, const sheet *s, which_view view, double sign)
+static batten_status draw_curves(bat_canvas *canvas, const sheet *s, which_view view,
+                                 double sign)
 {
     const bat_family family = views[view].curves;
     const bat_cuts *cuts = &s->hull.families[family];
     batten_status status = BATTEN_OK;
     for (int i = 0; i < cuts->count && status == BATTEN_OK; i++)
         if (is_drawn(s, view, sign, cuts->cuts[i].at))
-            status = draw_lines(canvas, s, view, curve_pen(family, cuts->cuts[i].is_design), sign,
-                                &cuts->cuts[i].lines);
+            status = draw_lines(canvas, s, view, curve_pen(family, cuts->cuts[i].is_design),
+                                sign, &cuts->cuts[i].lines);
     return status;
 }
 
 /* Edges of the body plan are parted amidships as the stations are. */
-static batten_status draw_edges(bat_canvas *canvas, const sheet *s, which_view view, double sign)
+static batten_status draw_edges(bat_canvas *canvas, const sheet *s, which_view view,
+                                double sign)
 {
     if (view != BODY)
         return draw_lines(canvas, s, view, edge_pen, 1, &s->hull.edges);
@@ -321,14 +332,15 @@ static void name_curve(bat_canvas *canvas, const sheet *s, which_view view, doub
         const bat_stroke *line = &lines->strokes[k];
         const size_t up = (size_t)views[view].up, last = 3 * (line->count - 1);
         const bool rises = line->points[last + up] > line->points[up];
-        /* A curve of the half-breadth plan ends on an edge at both ends; it is named on its way. */
+        /* A curve of the half-breadth plan ends on an edge at both ends; it is named on its
+         * way. */
         for (int tenth = view == BREADTH ? 9 : 10; tenth >= 1; tenth--) {
             const size_t along = (line->count - 1) * (size_t)tenth / 10;
             const double *p = line->points + 3 * (rises ? along : line->count - 1 - along);
             const double x = bat_plot_x(plot, sign * p[views[view].right]);
             const double y = bat_plot_y(plot, p[up]) - (tenth == 10 ? 0.7 * canvas->em : 0);
-            if (bat_canvas_label(canvas, name_colour(s, family, i), 0.75 * canvas->em, BAT_MIDDLE,
-                                 x, y, text))
+            if (bat_canvas_label(canvas, name_colour(s, family, i), 0.75 * canvas->em,
+                                 BAT_MIDDLE, x, y, text))
                 return;
         }
     }
@@ -352,7 +364,8 @@ static void draw_given_point(bat_canvas *canvas, const sheet *s, const double po
         const bat_plot *plot = &s->plots[view];
         const double x = bat_plot_x(plot, sign * p[views[view].right]);
         const double y = bat_plot_y(plot, p[views[view].up]);
-        /* What lies off the hull by more than the grid's overhang would run into other views. */
+        /* What lies off the hull by more than the grid's overhang would run into other
+         * views. */
         const double room = canvas->em;
         if (x > plot->frame.x - room && x < plot->frame.x + plot->frame.width + room &&
             y > plot->frame.y - room && y < plot->frame.y + plot->frame.height + room)
@@ -505,7 +518,8 @@ static void fill_legend(const sheet *s, bat_legend *legend)
     static const char *const plurals[] = {"stations", "buttocks", "waterlines"};
     bat_legend_add(legend, BAT_SAMPLE_LINE, edge_pen, "edges: sheer, keel, stem, stern");
     for (int f = 0; f < BAT_FAMILIES; f++)
-        bat_legend_add(legend, BAT_SAMPLE_LINE, curve_pen((bat_family)f, false), "%s", plurals[f]);
+        bat_legend_add(legend, BAT_SAMPLE_LINE, curve_pen((bat_family)f, false), "%s",
+                       plurals[f]);
     if (!isnan(s->plan->design_waterline))
         bat_legend_add(legend, BAT_SAMPLE_LINE, curve_pen(BAT_WATERLINES, true),
                        "design waterline");
@@ -524,8 +538,8 @@ static void draw_foot(bat_canvas *canvas, const sheet *s)
 {
     const double em = canvas->em;
     const double wide = bat_min(46 * em, 0.55 * s->strip.width);
-    const bat_rectangle block = {s->strip.x + s->strip.width - wide,
-                                 s->strip.y + 2 * em, wide, s->strip.height - 2 * em};
+    const bat_rectangle block = {s->strip.x + s->strip.width - wide, s->strip.y + 2 * em, wide,
+                                 s->strip.height - 2 * em};
     draw_title_block(canvas, s, block);
 
     const double x = s->strip.x + 2.5 * em, room = block.x - x - 2.5 * em;
@@ -558,9 +572,9 @@ batten_status batten_draw_lines_plan(const batten_model *model,
 {
     bat_canvas canvas;
     const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
-    batten_status status = bat_canvas_begin(options->format, options->width, options->height, em,
-                                            *options->title ? options->title : "Lines plan",
-                                            &canvas);
+    batten_status status =
+        bat_canvas_begin(options->format, options->width, options->height, em,
+                         *options->title ? options->title : "Lines plan", &canvas);
     if (status != BATTEN_OK)
         return status;
     sheet s = {.model = model, .plan = plan, .options = options};

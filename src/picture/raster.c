@@ -139,7 +139,8 @@ void bat_raster_triangle(bat_raster *raster, const bat_corner *a, const bat_corn
 
 /* ---- pixels ---- */
 
-/* Light is averaged as light; the square root is sRGB's curve closely enough and the same everywhere. */
+/* Light is averaged as light; the square root is sRGB's curve closely enough and the same
+ * everywhere. */
 static uint32_t encode(float light)
 {
     const float clipped = light < 0 ? 0 : light > 1 ? 1 : light;
@@ -155,13 +156,13 @@ void bat_raster_resolve(const bat_raster *raster, uint32_t *pixels, size_t strid
             float sum[3] = {0, 0, 0};
             for (size_t j = 0; j < BAT_SAMPLES; j++)
                 for (size_t i = 0; i < BAT_SAMPLES; i++) {
-                    const size_t sample = (y * BAT_SAMPLES + j) * (size_t)raster->width +
-                                          x * BAT_SAMPLES + i;
+                    const size_t sample =
+                        (y * BAT_SAMPLES + j) * (size_t)raster->width + x * BAT_SAMPLES + i;
                     for (size_t k = 0; k < 3; k++)
                         sum[k] += raster->colour[3 * sample + k];
                 }
             const float share = 1.0f / (BAT_SAMPLES * BAT_SAMPLES);
-            pixels[y * stride + x] = encode(sum[0] * share) << 16 | encode(sum[1] * share) << 8 |
-                                     encode(sum[2] * share);
+            pixels[y * stride + x] = encode(sum[0] * share) << 16 |
+                                     encode(sum[1] * share) << 8 | encode(sum[2] * share);
         }
 }

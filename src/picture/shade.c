@@ -19,8 +19,8 @@ typedef struct {
     bat_tiles tiles; /* after fit_picture its points are in samples, depth towards the eye */
     const bat_scene *scene;
     bat_light albedo;
-    double lines;        /* isolines in each direction */
-    bool edges[2];       /* does the domain end in u, in v, at edges? */
+    double lines;  /* isolines in each direction */
+    bool edges[2]; /* does the domain end in u, in v, at edges? */
     bool shows_isolines;
 } solid;
 
@@ -78,8 +78,9 @@ static int surfaces_box(const batten_model *model, batten_box *box)
         }
         box->low = (batten_vec3){bat_min(box->low.x, b.low.x), bat_min(box->low.y, b.low.y),
                                  bat_min(box->low.z, b.low.z)};
-        box->high = (batten_vec3){bat_max(box->high.x, b.high.x), bat_max(box->high.y, b.high.y),
-                                  bat_max(box->high.z, b.high.z)};
+        box->high =
+            (batten_vec3){bat_max(box->high.x, b.high.x), bat_max(box->high.y, b.high.y),
+                          bat_max(box->high.z, b.high.z)};
     }
     return count;
 }
@@ -91,11 +92,12 @@ static bat_colour colour_of(const batten_object *object, bat_colour otherwise)
     return (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
 }
 
-static batten_status make_solid(picture *p, const batten_object *object, double size, solid *out)
+static batten_status make_solid(picture *p, const batten_object *object, double size,
+                                solid *out)
 {
     const batten_picture_options *o = p->options;
-    /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror images change faster than
-     * the shape, so that they need more. */
+    /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror
+     * images change faster than the shape, so that they need more. */
     const bool curvature = o->shading == BATTEN_SHADING_GAUSSIAN;
     const bool finer = curvature || o->shading == BATTEN_SHADING_ZEBRA;
     const double tolerance = (finer ? 0.02 : 0.2) * size / bat_max_int(o->width, o->height);
@@ -184,7 +186,8 @@ static size_t sample_curvatures(picture *p, size_t room, double *samples)
     return kept;
 }
 
-/* The colours end where 95 of 100 samples lie inside: a few sharp places must not bleach all others. */
+/* The colours end where 95 of 100 samples lie inside: a few sharp places must not bleach all
+ * others. */
 static batten_status choose_range(picture *p, double size)
 {
     enum { ROOM = 60000 };
@@ -255,8 +258,8 @@ static batten_status fit_picture(picture *p)
                        high);
     const bat_plot plot = bat_plot_fit(stage(p), low, high);
     if (!isfinite(plot.x0) || !isfinite(plot.y0) || !(plot.scale > 0))
-        return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw", low[0],
-                        high[0]);
+        return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
+                        low[0], high[0]);
     for (int i = 0; i < p->solid_count; i++) {
         const bat_tiles *t = &p->solids[i].tiles;
         move_points(&plot, t->count_u * t->count_v, t->points);
@@ -322,9 +325,11 @@ static bat_corner corner(const solid *s, size_t i, size_t j)
     const double *p = t->points + 3 * at, *n = t->normals + 3 * at;
     const double u = (t->u[i] - t->u[0]) / (t->u[t->count_u - 1] - t->u[0]);
     const double v = (t->v[j] - t->v[0]) / (t->v[t->count_v - 1] - t->v[0]);
-    return (bat_corner){p[0], p[1], p[2],
-                        {n[0], n[1], n[2], s->lines * u, s->lines * v,
-                         t->gaussian ? t->gaussian[at] : 0}};
+    return (bat_corner){
+        p[0],
+        p[1],
+        p[2],
+        {n[0], n[1], n[2], s->lines * u, s->lines * v, t->gaussian ? t->gaussian[at] : 0}};
 }
 
 /* Does the cell reach into the band? Most do not, and making corners costs more than asking. */
@@ -332,7 +337,8 @@ static bool touches(const bat_raster *band, const solid *s, size_t i, size_t j)
 {
     const size_t n = s->tiles.count_v, at = i * n + j;
     const double *y = s->tiles.points + 1;
-    const double a = y[3 * at], b = y[3 * (at + 1)], c = y[3 * (at + n)], d = y[3 * (at + n + 1)];
+    const double a = y[3 * at], b = y[3 * (at + 1)], c = y[3 * (at + n)],
+                 d = y[3 * (at + n + 1)];
     return bat_max(bat_max(a, b), bat_max(c, d)) >= band->first_row &&
            bat_min(bat_min(a, b), bat_min(c, d)) <= band->first_row + band->rows;
 }
@@ -350,8 +356,8 @@ static void fill_solid(bat_raster *band, const solid *s)
         }
 }
 
-/* A segment as two triangles, `half` samples to both sides and beyond its ends, a little nearer to the eye than
- * the surface that it lies on. */
+/* A segment as two triangles, `half` samples to both sides and beyond its ends, a little nearer
+ * to the eye than the surface that it lies on. */
 static void fill_segment(bat_raster *band, const double *from, const double *to, double half,
                          double nearer, const bat_light *light)
 {
@@ -400,7 +406,8 @@ static batten_status fill_image(const picture *p, bat_canvas *canvas)
     uint32_t *pixels = (uint32_t *)(void *)cairo_image_surface_get_data(image);
     const size_t stride = (size_t)cairo_image_surface_get_stride(image) / sizeof *pixels;
     if (!pixels)
-        return bat_fail(BATTEN_OUT_OF_MEMORY, "no memory for a picture of %d x %d", width, height);
+        return bat_fail(BATTEN_OUT_OF_MEMORY, "no memory for a picture of %d x %d", width,
+                        height);
 
     static const float top[3] = {1, 1, 1}, bottom[3] = {0.80f, 0.84f, 0.88f};
     bat_raster band;
@@ -461,8 +468,8 @@ static void write_around(bat_canvas *canvas, const picture *p)
         char text[BATTEN_NUMBER_SIZE + 80], number[BATTEN_NUMBER_SIZE];
         bat_digits_text(p->options->stripes, 4, number);
         snprintf(text, sizeof text, "zebra: %s stripes over the half turn", number);
-        bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, middle, canvas->height - 1.5 * em,
-                        text);
+        bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, middle,
+                        canvas->height - 1.5 * em, text);
     }
 }
 
@@ -470,8 +477,8 @@ static batten_status make_picture(picture *p, char **data, size_t *size)
 {
     const batten_picture_options *o = p->options;
     bat_canvas canvas;
-    batten_status status = bat_canvas_begin(BATTEN_PICTURE_PNG, o->width, o->height, p->em,
-                                            o->title, &canvas);
+    batten_status status =
+        bat_canvas_begin(BATTEN_PICTURE_PNG, o->width, o->height, p->em, o->title, &canvas);
     if (status != BATTEN_OK)
         return status;
     status = fill_image(p, &canvas);
@@ -488,13 +495,14 @@ static batten_status make_picture(picture *p, char **data, size_t *size)
 static batten_status check_options(const batten_picture_options *o)
 {
     if (o->format != BATTEN_PICTURE_PNG)
-        return bat_fail(BATTEN_UNSUPPORTED, "shaded pictures are PNG; SVG and PDF show lines only");
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "shaded pictures are PNG; SVG and PDF show lines only");
     if (o->isolines < 1 || o->isolines > 1000)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d isolines are asked for; from 1 to 1000 are drawn",
-                        o->isolines);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%d isolines are asked for; from 1 to 1000 are drawn", o->isolines);
     if (!(o->stripes > 0 && o->stripes <= 1000))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%g zebra stripes are asked for; up to 1000 are drawn",
-                        o->stripes);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%g zebra stripes are asked for; up to 1000 are drawn", o->stripes);
     if (!isfinite(o->azimuth) || !isfinite(o->elevation))
         return bat_fail(BATTEN_NOT_FINITE, "azimuth %g and elevation %g must be finite",
                         o->azimuth, o->elevation);
@@ -513,7 +521,8 @@ static batten_status prepare(picture *p)
                         "nothing to shade",
                         batten_model_count(p->model));
     if (!isfinite(size))
-        return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw", box.high.x);
+        return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw",
+                        box.high.x);
     p->em = bat_max(5, 0.0165 * bat_min_int(o->width, o->height));
     p->view = bat_view_make(o->view, o->azimuth, o->elevation);
     p->scene = bat_scene_make(o->shading, &p->view, longest_axis(&box), o->stripes);
@@ -526,8 +535,9 @@ static batten_status prepare(picture *p)
     return status == BATTEN_OK ? fit_picture(p) : status;
 }
 
-batten_status batten_draw_shaded(const batten_model *model, const batten_picture_options *options,
-                                 const batten_job *job, char **data, size_t *size)
+batten_status batten_draw_shaded(const batten_model *model,
+                                 const batten_picture_options *options, const batten_job *job,
+                                 char **data, size_t *size)
 {
     picture p = {.model = model, .options = options, .job = job};
     batten_status status = check_options(options);

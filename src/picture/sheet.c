@@ -30,7 +30,8 @@ void bat_number_text(double value, int decimals, char text[static BATTEN_NUMBER_
 {
     /* Dividing by a power of ten rounds once, so that 3 tenths are written 0.3. */
     const double power = pow(10, fabs((double)decimals));
-    double rounded = decimals >= 0 ? round(value * power) / power : round(value / power) * power;
+    double rounded =
+        decimals >= 0 ? round(value * power) / power : round(value / power) * power;
     if (!isfinite(rounded))
         rounded = value;
     batten_number_write(rounded == 0 ? 0 : rounded, text);
@@ -65,7 +66,8 @@ static double plot_step(const bat_canvas *canvas, const bat_plot *plot)
     return bat_round_step(6 * canvas->em / plot->scale, 1);
 }
 
-/* The multiples of `step` inside a range: first .. last; none when the numbers have no such digits. */
+/* The multiples of `step` inside a range: first .. last; none when the numbers have no such
+ * digits. */
 static void multiples(double from, double range, double step, double *first, double *last)
 {
     *first = ceil(from / step - 1e-9);
@@ -97,8 +99,8 @@ static void grid_upright(bat_canvas *canvas, const bat_plot *plot, double step)
         const double x = bat_plot_x(plot, k * step);
         char text[BATTEN_NUMBER_SIZE];
         bat_number_text(k * step, bat_decimals_of_step(step), text);
-        bat_canvas_segment(canvas, (bat_pen){bat_pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, x, f.y, x,
-                           f.y + f.height);
+        bat_canvas_segment(canvas, (bat_pen){bat_pale, k == 0 ? 1.2 : 0.6, BAT_SOLID}, x, f.y,
+                           x, f.y + f.height);
         bat_canvas_label(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, x, f.y + f.height + 0.8 * em,
                          text);
     }
@@ -205,7 +207,8 @@ void bat_scale_bar(bat_canvas *canvas, double x, double y, double widest, double
                    const char *unit)
 {
     enum { PIECES = 5 };
-    /* The largest round step of which five fit: half of the next larger is still more than it. */
+    /* The largest round step of which five fit: half of the next larger is still more than
+     * it. */
     double step = bat_round_step(widest / scale, PIECES);
     if (step * PIECES * scale > widest)
         step = bat_round_step(0.4 * widest / scale, PIECES);

@@ -7,7 +7,8 @@
 /* The colours of everything that is not the drawing itself. */
 extern const bat_colour bat_ink, bat_grey, bat_pale;
 
-/* The smallest of 1, 2, 5, 10 ... times a power of ten that divides `range` into at most `count` parts. */
+/* The smallest of 1, 2, 5, 10 ... times a power of ten that divides `range` into at most
+ * `count` parts. */
 double bat_round_step(double range, double count);
 /* How many decimals a multiple of a round step has; negative for 20, 500 ... */
 int bat_decimals_of_step(double step);
@@ -44,7 +45,12 @@ double bat_plot_numbers_width(bat_canvas *canvas, const bat_plot *plot);
 
 /* ---- legend ---- */
 
-typedef enum { BAT_SAMPLE_LINE, BAT_SAMPLE_POLYGON, BAT_SAMPLE_CROSS, BAT_SAMPLE_DISC } bat_sample;
+typedef enum {
+    BAT_SAMPLE_LINE,
+    BAT_SAMPLE_POLYGON,
+    BAT_SAMPLE_CROSS,
+    BAT_SAMPLE_DISC
+} bat_sample;
 
 enum { BAT_LEGEND_LIMIT = 12, BAT_LEGEND_TEXT = 80 };
 
@@ -59,8 +65,8 @@ typedef struct {
     bat_entry entries[BAT_LEGEND_LIMIT];
 } bat_legend;
 
-/* Add an entry; the text is cut to its place, and beyond the limit entries are left out. No numbers with a decimal
- * mark through `format`: bat_number_text writes those. */
+/* Add an entry; the text is cut to its place, and beyond the limit entries are left out. No
+ * numbers with a decimal mark through `format`: bat_number_text writes those. */
 void bat_legend_add(bat_legend *legend, bat_sample sample, bat_pen pen, const char *format, ...)
     BATTEN_PRINTF(4, 5);
 /* Entries from left to right in rows of this width: the height they take. */
@@ -70,7 +76,8 @@ void bat_legend_draw(bat_canvas *canvas, const bat_legend *legend, double x, dou
 
 /* ---- scale bar ---- */
 
-/* Black and white pieces of a round length, at most `widest` points in all; (x, y) is the upper left corner. */
+/* Black and white pieces of a round length, at most `widest` points in all; (x, y) is the upper
+ * left corner. */
 void bat_scale_bar(bat_canvas *canvas, double x, double y, double widest, double scale,
                    const char *unit);
 

@@ -3,7 +3,8 @@
 #include "picture/stroke.h"
 #include <batten/inspect.h>
 
-/* In each span, steps never exceed this; across the other direction so many lines are looked at. */
+/* In each span, steps never exceed this; across the other direction so many lines are looked
+ * at. */
 enum { MOST_STEPS = 96, PROBES = 48 };
 
 /* One direction of a surface while its steps are chosen. */
@@ -58,8 +59,8 @@ static const double *probed(const probe *p, size_t along, size_t across)
                                            : across * p->count_along + along);
 }
 
-/* Linear pieces of n steps err n^2 times less than one piece, whose error is that of the halves and four times that of
- * the quarters. */
+/* Linear pieces of n steps err n^2 times less than one piece, whose error is that of the halves
+ * and four times that of the quarters. */
 static int steps_for(const probe *p, size_t span, double tolerance, int least)
 {
     double error = 0;
@@ -93,7 +94,8 @@ static batten_status choose_steps(const batten_surface *surface, batten_directio
 {
     probe p = {.along_first = direction == BATTEN_U};
     double *at = NULL, *lines = NULL;
-    batten_status status = bat_divide_spans(along->knot_count, along->knots, 4, &p.count_along, &at);
+    batten_status status =
+        bat_divide_spans(along->knot_count, along->knots, 4, &p.count_along, &at);
     if (status == BATTEN_OK)
         status = across_parameters(across, &p.count_across, &lines);
     if (status == BATTEN_OK) {
@@ -104,8 +106,8 @@ static batten_status choose_steps(const batten_surface *surface, batten_directio
         status = p.along_first
                      ? batten_surface_evaluate_grid(surface, p.count_along, at, p.count_across,
                                                     lines, 0, NULL, p.points)
-                     : batten_surface_evaluate_grid(surface, p.count_across, lines, p.count_along,
-                                                    at, 0, NULL, p.points);
+                     : batten_surface_evaluate_grid(surface, p.count_across, lines,
+                                                    p.count_along, at, 0, NULL, p.points);
     for (int i = 0; status == BATTEN_OK && i + 1 < along->knot_count; i++)
         along->steps[i] = steps_for(&p, (size_t)i, tolerance, least);
     bat_release(p.points);
@@ -130,7 +132,8 @@ static void coarsen(axis *a, double factor)
 
 static void keep_below(size_t limit, axis *u, axis *v)
 {
-    /* Each span has one point more than steps, so once may not be enough; one step must remain. */
+    /* Each span has one point more than steps, so once may not be enough; one step must
+     * remain. */
     for (int round = 0; round < 8; round++) {
         const double total = (double)point_count(u) * (double)point_count(v);
         if (total <= (double)limit)
@@ -168,8 +171,8 @@ static batten_status evaluate(const batten_surface *surface, bool curvature,
         t->gaussian = bat_array3(t->count_u, t->count_v, sizeof *t->gaussian);
     if (!t->points || !t->normals || (curvature && !t->gaussian))
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = batten_surface_normal_grid(surface, t->count_u, t->u, t->count_v, t->v,
-                                                      job, t->points, t->normals);
+    batten_status status = batten_surface_normal_grid(surface, t->count_u, t->u, t->count_v,
+                                                      t->v, job, t->points, t->normals);
     if (status == BATTEN_OK && curvature)
         status = batten_surface_curvature_grid(surface, t->count_u, t->u, t->count_v, t->v, job,
                                                t->gaussian, NULL);
@@ -177,7 +180,8 @@ static batten_status evaluate(const batten_surface *surface, bool curvature,
 }
 
 batten_status bat_tiles_make(const batten_surface *surface, double tolerance, int least,
-                             size_t limit, bool curvature, const batten_job *job, bat_tiles *out)
+                             size_t limit, bool curvature, const batten_job *job,
+                             bat_tiles *out)
 {
     axis u = {0, NULL, NULL}, v = {0, NULL, NULL};
     bat_tiles tiles = {0};

@@ -9,8 +9,8 @@ typedef struct {
     double right[3], up[3], eye[3];
 } bat_view;
 
-/* `azimuth` turns the eye about z from the direction of x, `elevation` lifts it; both count only for the axonometric
- * view, which is also what BATTEN_VIEW_AUTO gives here. */
+/* `azimuth` turns the eye about z from the direction of x, `elevation` lifts it; both count
+ * only for the axonometric view, which is also what BATTEN_VIEW_AUTO gives here. */
 bat_view bat_view_make(batten_view view, double azimuth, double elevation);
 
 static inline double bat_dot(const double a[3], const double b[3])

@@ -13,7 +13,8 @@ static batten_status draw_marks(batten_picture_format format, const char *name, 
     if (status != BATTEN_OK)
         return status;
     for (int dash = BAT_SOLID; dash <= BAT_DOTTED; dash++)
-        bat_canvas_segment(&canvas, (bat_pen){ink, 1, dash}, 10, 20 + 5 * dash, 190, 20 + 5 * dash);
+        bat_canvas_segment(&canvas, (bat_pen){ink, 1, dash}, 10, 20 + 5 * dash, 190,
+                           20 + 5 * dash);
     bat_canvas_disc(&canvas, ink, 20, 60, 4);
     bat_canvas_cross(&canvas, (bat_pen){ink, 1, BAT_SOLID}, 40, 60, 4);
     bat_canvas_fill(&canvas, ink, 0.5, 3, (double[]){60, 55, 70, 55, 65, 65});
@@ -30,9 +31,9 @@ TEST(S1_sizes_that_cannot_be_are_refused)
     static const struct {
         int width, height;
         batten_status status;
-    } rows[] = {{0, 100, BATTEN_BAD_ARGUMENT},   {100, -1, BATTEN_BAD_ARGUMENT},
-                {63, 64, BATTEN_BAD_ARGUMENT},   {64, 64, BATTEN_OK},
-                {16385, 64, BATTEN_TOO_LARGE},   {100000, 100000, BATTEN_TOO_LARGE},
+    } rows[] = {{0, 100, BATTEN_BAD_ARGUMENT},     {100, -1, BATTEN_BAD_ARGUMENT},
+                {63, 64, BATTEN_BAD_ARGUMENT},     {64, 64, BATTEN_OK},
+                {16385, 64, BATTEN_TOO_LARGE},     {100000, 100000, BATTEN_TOO_LARGE},
                 {64, 2147483647, BATTEN_TOO_LARGE}};
     for (int i = 0; i < COUNT(rows); i++)
         CHECK_STATUS(bat_canvas_check_size(rows[i].width, rows[i].height), rows[i].status);
@@ -64,21 +65,26 @@ TEST(marks_stand_where_they_were_put)
     const scene_image image = scene_decode(data, size);
     CHECK_INT(image.width, 200);
     CHECK_INT(image.height, 100);
-    CHECK_INT(scene_pixel(&image, 5, 5), 0xffffff);    /* the sheet is white */
-    CHECK_INT(scene_pixel(&image, 20, 60), 0);         /* in the disc */
-    CHECK_INT(scene_pixel(&image, 25, 65), 0xffffff);  /* outside */
-    CHECK_INT(scene_pixel(&image, 85, 60), 0);         /* in the clipped box */
-    CHECK_INT(scene_pixel(&image, 78, 60), 0xffffff);  /* clipped away */
-    CHECK_INT(scene_pixel(&image, 95, 60), 0xffffff);  /* beside the box */
+    CHECK_INT(scene_pixel(&image, 5, 5), 0xffffff);               /* the sheet is white */
+    CHECK_INT(scene_pixel(&image, 20, 60), 0);                    /* in the disc */
+    CHECK_INT(scene_pixel(&image, 25, 65), 0xffffff);             /* outside */
+    CHECK_INT(scene_pixel(&image, 85, 60), 0);                    /* in the clipped box */
+    CHECK_INT(scene_pixel(&image, 78, 60), 0xffffff);             /* clipped away */
+    CHECK_INT(scene_pixel(&image, 95, 60), 0xffffff);             /* beside the box */
     CHECK_NEAR(scene_red(scene_pixel(&image, 65, 58)), 127.5, 2); /* half opaque */
     batten_release(data);
 }
 
 TEST(F4_names_that_are_not_utf8_are_drawn)
 {
-    static const char *const names[] = {"\xff\xfe",         "caf\xe9",  "cut \xe2\x82",
-                                        "\xc0\x80 overlong", "\xed\xa0\x80 surrogate",
-                                        "\x01\x1b control", "\xf4\x90\x80\x80 beyond", "\u03ba\u00e9"};
+    static const char *const names[] = {"\xff\xfe",
+                                        "caf\xe9",
+                                        "cut \xe2\x82",
+                                        "\xc0\x80 overlong",
+                                        "\xed\xa0\x80 surrogate",
+                                        "\x01\x1b control",
+                                        "\xf4\x90\x80\x80 beyond",
+                                        "\u03ba\u00e9"};
     for (int i = 0; i < COUNT(names); i++)
         for (int format = BATTEN_PICTURE_PNG; format <= BATTEN_PICTURE_PDF; format++) {
             char *data = NULL;

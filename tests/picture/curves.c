@@ -93,8 +93,8 @@ TEST(the_legend_names_curves_and_their_sharpest_curvature)
     options.comb = options.control_polygon = true;
     options.title = "Spanten";
     const scene_words words = words_of(model, options);
-    static const char *const expected[] = {"Rundspant:", "0.25", "control", "curvature", "Spanten",
-                                           "x", "y", "(m)"};
+    static const char *const expected[] = {"Rundspant:", "0.25", "control", "curvature",
+                                           "Spanten",    "x",    "y",       "(m)"};
     for (int i = 0; i < COUNT(expected); i++)
         CHECK(scene_find(&words, expected[i]) != NULL);
     scene_check_words(&words, options.width, options.height);

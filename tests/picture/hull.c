@@ -146,9 +146,9 @@ TEST(plans_that_make_no_sense_are_refused)
     rows[4].station_count = 2;
     rows[5].station_at = falling;
     rows[5].station_count = -2;
-    static const batten_status expected[] = {BATTEN_BAD_ARGUMENT,   BATTEN_BAD_ARGUMENT,
-                                             BATTEN_TOO_LARGE,      BATTEN_NOT_INCREASING,
-                                             BATTEN_NOT_FINITE,     BATTEN_TOO_LARGE};
+    static const batten_status expected[] = {BATTEN_BAD_ARGUMENT, BATTEN_BAD_ARGUMENT,
+                                             BATTEN_TOO_LARGE,    BATTEN_NOT_INCREASING,
+                                             BATTEN_NOT_FINITE,   BATTEN_TOO_LARGE};
     for (int i = 0; i < COUNT(rows); i++) {
         bat_hull hull;
         CHECK_STATUS(bat_hull_cut(model, &rows[i], NULL, &hull), expected[i]);
@@ -180,8 +180,8 @@ TEST(a_polyline_is_cut_exactly_at_the_plane)
     const bat_stroke stroke = {7, copy};
     bat_strokes above = {0, 0, NULL};
     CHECK_OK(bat_strokes_add_part(&above, &stroke, 0, 1, 0));
-    /* In at the middle of the first segment, out three quarters along the third; the corner that only touches
-     * the plane is a point and no line. */
+    /* In at the middle of the first segment, out three quarters along the third; the corner
+     * that only touches the plane is a point and no line. */
     CHECK_INT(above.count, 1);
     const bat_stroke *s = &above.strokes[0];
     CHECK_INT(s->count, 4);

@@ -32,9 +32,9 @@ TEST(the_sheet_says_what_it_shows)
     batten_lines_plan_options plan = scene_plan(10);
     plan.design_waterline = -0.3;
     const scene_words words = words_of(scene_wigley(10, 2, 1, 1), &plan);
-    static const char *const expected[] = {"Wigley", "Profile", "Half-breadth", "Body", "Length",
-                                           "10",     "Beam",    "2",            "Depth", "DWL",
-                                           "-0.3",   "1:20",    "CL",           "WL",    "B"};
+    static const char *const expected[] = {
+        "Wigley", "Profile", "Half-breadth", "Body", "Length", "10", "Beam", "2",
+        "Depth",  "DWL",     "-0.3",         "1:20", "CL",     "WL", "B"};
     for (int i = 0; i < COUNT(expected); i++)
         if (!scene_find(&words, expected[i])) {
             fprintf(stderr, "\"%s\" is missing\n", expected[i]);
@@ -44,8 +44,9 @@ TEST(the_sheet_says_what_it_shows)
 
 TEST(no_word_is_cut_or_covered_whatever_the_proportions)
 {
-    static const double hulls[][3] = {{25, 6, 3}, {4, 1.6, 0.6}, {12, 12, 1}, {100, 2, 2},
-                                      {2, 2, 6},  {1, 0.1, 3},   {1e-3, 4e-4, 2e-4}, {3e5, 4e4, 2e4}};
+    static const double hulls[][3] = {{25, 6, 3},         {4, 1.6, 0.6},  {12, 12, 1},
+                                      {100, 2, 2},        {2, 2, 6},      {1, 0.1, 3},
+                                      {1e-3, 4e-4, 2e-4}, {3e5, 4e4, 2e4}};
     for (int i = 0; i < test_cases(COUNT(hulls)); i++) {
         batten_lines_plan_options plan = scene_plan(hulls[i][0]);
         plan.design_waterline = -0.41 * hulls[i][2];
@@ -73,7 +74,8 @@ TEST(stations_are_aligned_in_profile_and_half_breadth_plan)
                 const scene_word *upper = &words.words[i], *lower = &words.words[k];
                 aligned |= strcmp(upper->text, name) == 0 && strcmp(lower->text, name) == 0 &&
                            upper->top > profile->bottom && upper->bottom < breadth->top &&
-                           lower->top > breadth->bottom && fabs(lower->left - upper->left) < 0.01;
+                           lower->top > breadth->bottom &&
+                           fabs(lower->left - upper->left) < 0.01;
             }
         CHECK(aligned);
     }
@@ -157,8 +159,11 @@ TEST(given_points_are_crosses_in_three_views)
 
     /* On the other side the same place; far away none. */
     const double points[] = {2, -0.3, -0.5, 900, 900, 900};
-    const batten_object given = {
-        .name = "p", .layer = "", .kind = BATTEN_OBJECT_POINTS, .point_count = 2, .points = points};
+    const batten_object given = {.name = "p",
+                                 .layer = "",
+                                 .kind = BATTEN_OBJECT_POINTS,
+                                 .point_count = 2,
+                                 .points = points};
     batten_model *other = scene_empty();
     CHECK_OK(batten_model_add(other, &given));
     CHECK_INT(crosses(model, other), one);
@@ -175,12 +180,9 @@ TEST(S1_a_sheet_without_room_is_refused)
     static const struct {
         int width, height;
         batten_status status;
-    } rows[] = {{0, 0, BATTEN_BAD_ARGUMENT},
-                {-5, 100, BATTEN_BAD_ARGUMENT},
-                {64, 64, BATTEN_BAD_ARGUMENT},
-                {100000, 100000, BATTEN_TOO_LARGE},
-                {2000, 64, BATTEN_BAD_ARGUMENT},
-                {300, 3000, BATTEN_OK}};
+    } rows[] = {{0, 0, BATTEN_BAD_ARGUMENT},     {-5, 100, BATTEN_BAD_ARGUMENT},
+                {64, 64, BATTEN_BAD_ARGUMENT},   {100000, 100000, BATTEN_TOO_LARGE},
+                {2000, 64, BATTEN_BAD_ARGUMENT}, {300, 3000, BATTEN_OK}};
     for (int i = 0; i < COUNT(rows); i++) {
         batten_picture_options options = sheet(BATTEN_PICTURE_SVG);
         options.width = rows[i].width;

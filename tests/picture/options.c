@@ -13,7 +13,8 @@ TEST(default_options_draw)
     CHECK_OK(batten_draw(model, &options, &data, &size));
     batten_release(data);
     const batten_lines_plan_options few = scene_plan(10);
-    CHECK_OK(batten_draw_lines_plan(model, test_cases(10) < 10 ? &few : &plan, &options, NULL, &data, &size));
+    CHECK_OK(batten_draw_lines_plan(model, test_cases(10) < 10 ? &few : &plan, &options, NULL,
+                                    &data, &size));
     batten_release(data);
     CHECK_OK(batten_draw_shaded(model, &options, NULL, &data, &size));
     batten_release(data);

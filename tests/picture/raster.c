@@ -57,7 +57,8 @@ TEST(triangles_that_share_edges_leave_no_gap)
     test_random random = test_random_begin("fans");
     for (int i = 0; i < test_cases(200); i++) {
         /* A fan about a random point covers the whole picture. */
-        const double x = test_random_in(&random, 0, WIDTH), y = test_random_in(&random, 0, HEIGHT);
+        const double x = test_random_in(&random, 0, WIDTH),
+                     y = test_random_in(&random, 0, HEIGHT);
         bat_raster_begin(&raster, 0, HEIGHT, black, black);
         for (int k = 0; k < 16; k++) {
             const double a = k * atan(1) / 2, b = (k + 1) % 16 * atan(1) / 2;
@@ -95,8 +96,8 @@ TEST(values_run_linearly_and_their_slope_is_known)
     fill(&raster, at(0, 0, 0, 0), at(100, 0, 0, 1), at(0, 100, 0, 2));
     for (int j = 0; j < HEIGHT; j++)
         for (int i = 0; i < 100 - 1 - j && i < WIDTH; i++)
-            CHECK_NEAR(raster.colour[3 * (j * WIDTH + i)],
-                       0.01 * (i + 0.5) + 0.02 * (j + 0.5), 1e-6);
+            CHECK_NEAR(raster.colour[3 * (j * WIDTH + i)], 0.01 * (i + 0.5) + 0.02 * (j + 0.5),
+                       1e-6);
     bat_raster_free(&raster);
 }
 

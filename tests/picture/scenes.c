@@ -76,7 +76,7 @@ batten_curve *scene_curve(int dimension, int degree, int count, const double *po
 
 /* The circle as four rational quadratic quarters. */
 static const double quarter_knots[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
-static const double square[9][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1}, {-1, 0},
+static const double square[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
                                     {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
 
 static double quarter_weight(int i)
@@ -245,8 +245,8 @@ scene_words scene_read_pdf(const char *data, size_t size)
     scene_words words = {0, test_array(2000, sizeof(scene_word))};
     while (fgets(line, sizeof line, pipe) && words.count < 2000) {
         scene_word *w = &words.words[words.count];
-        if (sscanf(line, " <word xMin=\"%lf\" yMin=\"%lf\" xMax=\"%lf\" yMax=\"%lf\">%63[^<]", &w->left,
-                   &w->top, &w->right, &w->bottom, w->text) == 5)
+        if (sscanf(line, " <word xMin=\"%lf\" yMin=\"%lf\" xMax=\"%lf\" yMax=\"%lf\">%63[^<]",
+                   &w->left, &w->top, &w->right, &w->bottom, w->text) == 5)
             words.count++;
     }
     if (pclose(pipe) != 0)
@@ -278,7 +278,8 @@ void scene_check_words(const scene_words *words, double width, double height)
         for (int k = 0; k < i; k++)
             if (overlap(a, &words->words[k])) {
                 fprintf(stderr, "\"%s\" at %g, %g lies on \"%s\" at %g, %g\n", a->text, a->left,
-                        a->top, words->words[k].text, words->words[k].left, words->words[k].top);
+                        a->top, words->words[k].text, words->words[k].left,
+                        words->words[k].top);
                 CHECK(!"two words overlap");
             }
     }

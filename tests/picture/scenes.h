@@ -26,8 +26,8 @@ batten_surface *scene_wigley(double length, double beam, double draught, double 
 batten_curve *scene_curve(int dimension, int degree, int count, const double *points);
 batten_curve *scene_circle(double radius);
 
-/* Usual options for the lines of a hull of this length; with failing allocations only few lines, for each run draws
- * all of them. */
+/* Usual options for the lines of a hull of this length; with failing allocations only few
+ * lines, for each run draws all of them. */
 batten_lines_plan_options scene_plan(double length);
 
 /* ---- pictures ---- */

@@ -84,7 +84,8 @@ TEST(a_torus_is_red_outside_and_blue_inside)
     options.height = 400;
     options.view = BATTEN_VIEW_TOP;
     const scene_image image = image_of(model, options);
-    /* The ring leaves nine letters of 6.6 free at the right, two at the left: find its middle. */
+    /* The ring leaves nine letters of 6.6 free at the right, two at the left: find its
+     * middle. */
     int left = 0, right = 0;
     const int y = 200;
     while (!is_covered(&image, left, y) && left < 300)
@@ -123,7 +124,8 @@ TEST(what_is_near_hides_what_is_far)
     batten_picture_options options = small(BATTEN_SHADING_PLAIN);
     options.view = BATTEN_VIEW_TOP;
     const scene_image above = image_of(model, options);
-    CHECK(scene_green(scene_pixel(&above, 150, 100)) > scene_red(scene_pixel(&above, 150, 100)));
+    CHECK(scene_green(scene_pixel(&above, 150, 100)) >
+          scene_red(scene_pixel(&above, 150, 100)));
     const uint32_t rim = scene_pixel(&above, 150, 20);
     CHECK(scene_red(rim) > scene_green(rim));
     /* From below the red one hides all of the green one. */
@@ -172,7 +174,8 @@ TEST(isolines_divide_the_surface_evenly)
     bool in_line = false;
     const int y = 200 + 20; /* between two of the level lines */
     for (int x = 0; x < image.width; x++) {
-        const bool dark = is_covered(&image, x, y) && scene_red(scene_pixel(&image, x, y)) < 130;
+        const bool dark =
+            is_covered(&image, x, y) && scene_red(scene_pixel(&image, x, y)) < 130;
         lines += dark && !in_line;
         in_line = dark;
     }
@@ -205,7 +208,8 @@ TEST(the_bytes_do_not_depend_on_threads)
 
 TEST(G5_poles_and_collapsed_edges_are_shaded)
 {
-    /* A triangle as a square with one edge shrunk to a point, and a cone's apex, where no normal exists. */
+    /* A triangle as a square with one edge shrunk to a point, and a cone's apex, where no
+     * normal exists. */
     const double triangle[] = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0};
     const double cone[] = {1, 0, 1, 0.5, 0.5, 1, 0, 1, 1};
     for (int shading = BATTEN_SHADING_PLAIN; shading <= BATTEN_SHADING_GAUSSIAN; shading++) {

@@ -6,8 +6,8 @@ TEST(a_round_step_is_the_smallest_that_gives_few_enough_parts)
 {
     static const struct {
         double range, count, step;
-    } rows[] = {{10, 10, 1}, {1, 10, 0.1}, {12, 10, 2}, {25, 10, 5}, {60, 10, 10}, {0.3, 5, 0.1},
-                {2e-7, 4, 5e-8}};
+    } rows[] = {{10, 10, 1},  {1, 10, 0.1},  {12, 10, 2},    {25, 10, 5},
+                {60, 10, 10}, {0.3, 5, 0.1}, {2e-7, 4, 5e-8}};
     for (int i = 0; i < COUNT(rows); i++)
         CHECK_NEAR(bat_round_step(rows[i].range, rows[i].count) / rows[i].step, 1, 1e-12);
 
@@ -26,8 +26,8 @@ TEST(numbers_are_written_with_the_decimals_of_their_step)
         double value;
         int decimals;
         const char *text;
-    } rows[] = {{3 * 0.1, 1, "0.3"}, {-0.04, 1, "0"}, {1234.5, -2, "1200"}, {7, 0, "7"},
-                {2.5, 2, "2.5"},     {-1.25, 2, "-1.25"}};
+    } rows[] = {{3 * 0.1, 1, "0.3"}, {-0.04, 1, "0"}, {1234.5, -2, "1200"},
+                {7, 0, "7"},         {2.5, 2, "2.5"}, {-1.25, 2, "-1.25"}};
     for (int i = 0; i < COUNT(rows); i++) {
         char text[BATTEN_NUMBER_SIZE];
         bat_number_text(rows[i].value, rows[i].decimals, text);
@@ -45,8 +45,11 @@ TEST(digits_are_kept_and_no_more)
         double value;
         int digits;
         const char *text;
-    } rows[] = {{12.3456, 4, "12.35"}, {0.00123456, 3, "0.00123"}, {123456, 3, "123000"},
-                {-9.996, 3, "-10"},    {0, 3, "0"}};
+    } rows[] = {{12.3456, 4, "12.35"},
+                {0.00123456, 3, "0.00123"},
+                {123456, 3, "123000"},
+                {-9.996, 3, "-10"},
+                {0, 3, "0"}};
     for (int i = 0; i < COUNT(rows); i++) {
         char text[BATTEN_NUMBER_SIZE];
         bat_digits_text(rows[i].value, rows[i].digits, text);

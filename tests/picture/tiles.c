@@ -62,7 +62,8 @@ TEST(both_sides_of_a_knuckle_keep_their_normals)
     for (size_t i = 0; i < t.count_u; i++) {
         const double x = t.points[3 * i * t.count_v], *n = t.normals + 3 * i * t.count_v;
         CHECK_NEAR(fabs(n[0]), sqrt(0.5), 1e-12);
-        /* The first five columns are the left side, although the last of them is on the ridge. */
+        /* The first five columns are the left side, although the last of them is on the
+         * ridge. */
         CHECK((i < 5) == (n[0] * n[2] < 0));
         CHECK((i < 5) == (x < 0));
     }
