@@ -14,8 +14,7 @@ batten_interpolate_options batten_interpolate_defaults(void)
 
 /* ---- what holds at the ends ---- */
 
-/* One end, seen from there: its first points, the step to the second, and how the curve runs.
- */
+/* One end, seen from there: its first points, the first step, and how the curve runs. */
 typedef struct {
     int dimension, count;
     const double *a, *b, *c;

@@ -136,12 +136,10 @@ ALWAYS_INLINE void residual_row(const right_side *b, size_t width, const double 
     const double *a = op->matrix + (size_t)i * (size_t)w, *right = row_of(b, &op->rows[i]);
     for (size_t k = 0; k < width; k++)
         residual[k] = right[k];
-    for (int j = 0; j < w; j++) {
-        int column = i + j - op->lower;
-        if (op->periodic)
-            column = (i + j) % n;
-        else if (column < 0 || column >= n)
-            continue;
+    const int first = op->periodic ? 0 : bat_max_int(0, op->lower - i);
+    const int last = op->periodic ? w : bat_min_int(w, n - i + op->lower);
+    for (int j = first; j < last; j++) {
+        const int column = op->periodic ? (i + j) % n : i + j - op->lower;
         const double *row = x + (size_t)column * width;
         for (size_t k = 0; k < width; k++)
             residual[k] -= a[j] * row[k];
