@@ -1,6 +1,6 @@
 #include <batten/curve.h>
 
-#include "support/test.h"
+#include "support/generate.h"
 
 static const double square[] = {0, 0, 1, 0, 1, 1, 0, 1};
 
@@ -117,4 +117,54 @@ TEST(K1_an_empty_period_is_refused)
     CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, knots, &curve), BATTEN_BAD_KNOTS);
     CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, bad, &curve), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, falling, &curve), BATTEN_BAD_KNOTS);
+}
+
+TEST(greville_abscissae_are_the_points_of_the_identity)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {.tame = true, .dimension = 1, .rational = TEST_NEVER};
+    for (int i = 0; i < test_cases(200); i++) {
+        batten_curve *curve = test_curve(&random, &wish), *identity = NULL;
+        double points[TEST_MOST_POINTS];
+        const int n = batten_curve_point_count(curve);
+        for (int k = 0; k < n; k++)
+            points[k] = batten_curve_greville(curve, k);
+        CHECK_OK(batten_curve_create(1, batten_curve_degree(curve), n, points, NULL, batten_curve_knots(curve), &identity));
+        for (int k = 0; k < 10; k++) {
+            double value, u = test_parameter(&random, curve);
+            CHECK_OK(batten_curve_evaluate(identity, u, 0, &value));
+            CHECK_NEAR(value, u, 1e-13);
+        }
+        batten_curve_unref(identity);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(a_curve_stays_in_its_box)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish any = {0};
+    for (int i = 0; i < test_cases(300); i++) {
+        batten_curve *curve = i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
+        const batten_box box = batten_curve_box(curve);
+        const double most = 8 * batten_curve_degree(curve) * DBL_EPSILON * test_curve_size(curve);
+        double p[3] = {0};
+        CHECK_OK(batten_curve_evaluate(curve, test_parameter(&random, curve), 0, p));
+        CHECK(p[0] >= box.low.x - most && p[0] <= box.high.x + most);
+        CHECK(p[1] >= box.low.y - most && p[1] <= box.high.y + most);
+        CHECK(p[2] >= box.low.z - most && p[2] <= box.high.z + most);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(K2_a_curve_of_bad_period_or_knots_is_not_made)
+{
+    const double knots[] = {0, 0, 1, 2, 2, 2, 3}, period[] = {0, 0, 0, 0, 1};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_create(2, 2, 4, square, NULL, knots, &none), BATTEN_OK);
+    batten_curve_unref(none);
+    none = NULL;
+    CHECK_STATUS(batten_curve_create_periodic(1, 2, 4, square, NULL, period, &none), BATTEN_BAD_KNOTS);
+    CHECK_STATUS(batten_curve_create_periodic(1, 2, 0, square, NULL, period, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK(none == NULL);
 }

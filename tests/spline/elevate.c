@@ -1,0 +1,39 @@
+#include "spline/spline.h"
+
+#include "support/test.h"
+
+TEST(bezier_rows_are_elevated_as_in_the_notes)
+{
+    /* b^_i = sum over j of b_j C(n, j) C(r, i - j) / C(n + r, i) */
+    const int n = 4, r = 3;
+    bat_spline spline = {0}, made = {0};
+    CHECK_OK(bat_spline_make(n, n + 1, 1, &spline));
+    for (int i = 0; i <= n; i++) {
+        spline.knots[n + 1 + i] = 1;
+        spline.values[i] = (i * i * 7) % 5;
+    }
+    CHECK_OK(bat_spline_elevate(&spline, r, &made));
+    CHECK_INT(made.count, n + r + 1);
+    for (int i = 0; i <= n + r; i++) {
+        double expected = 0;
+        for (int j = 0; j <= n; j++)
+            if (i - j >= 0 && i - j <= r)
+                expected += spline.values[j] * bat_binomials[n][j] * bat_binomials[r][i - j] / bat_binomials[n + r][i];
+        CHECK_NEAR(made.values[i], expected, 4e-15);
+    }
+    bat_spline_free(&made);
+    bat_spline_free(&spline);
+}
+
+TEST(knots_outside_an_unclamped_domain_are_kept_as_far_as_needed)
+{
+    const double knots[] = {0, 1, 2, 3, 4, 5, 6, 7}; /* degree 2: the domain [2, 5] */
+    const double expected[] = {1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6};
+    double *made = NULL;
+    int count = 0;
+    CHECK_OK(bat_knots_elevate(2, 5, knots, &made, &count));
+    CHECK_INT(count, 8);
+    for (int i = 0; i < COUNT(expected); i++)
+        CHECK_BITS(made[i], expected[i]);
+    bat_release(made);
+}
