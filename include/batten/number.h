@@ -15,7 +15,8 @@ extern "C" {
 #define BATTEN_NUMBER_SIZE 32
 
 /**
- * Write a finite number with the fewest digits that read back to the same bits.
+ * Write a finite number with the fewest digits that read back to the same bits; of several
+ * the nearest. From 1e-5 to below 1e17 it has no exponent.
  *
  * @param value  finite; NaN and infinities are written as "nan", "inf", "-inf"
  * @param[out] text  [BATTEN_NUMBER_SIZE], ends with a zero byte
