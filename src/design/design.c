@@ -34,6 +34,7 @@ batten_design_options batten_design_defaults(void)
 static void release_result(bat_result *result)
 {
     batten_model_unref(result->value);
+    batten_fair_report_release(&result->fairing);
     *result = (bat_result){0};
 }
 

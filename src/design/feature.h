@@ -117,9 +117,11 @@ typedef struct {
     batten_status (*surface)(const bat_run *run, const batten_surface *surface,
                              batten_surface **out);
     bool keeps_data; /* the points that a curve was made from still belong to it */
-    /* Instead of `curve`: nearly the same curve, and how far it is from the given one. */
+    /* Instead of these: nearly the same shape, and how far it is from the given one. */
     batten_status (*near_curve)(const bat_run *run, const batten_curve *curve, double *error,
                                 batten_curve **out);
+    batten_status (*near_surface)(const bat_run *run, const batten_surface *surface,
+                                  double *error, batten_surface **out);
 } bat_change;
 batten_status bat_change_all(bat_run *run, const bat_change *change);
 

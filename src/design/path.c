@@ -45,12 +45,23 @@ static char *joined(const char *folder, size_t folder_length, const char *path)
     return whole;
 }
 
+/* A path as a message may show it: control characters become '?'. */
+static const char *shown(const char *path, char text[256])
+{
+    size_t i = 0;
+    for (; path[i] && i < 255; i++)
+        text[i] = (unsigned char)path[i] < 0x20 || path[i] == 0x7F ? '?' : path[i];
+    text[i] = 0;
+    return text;
+}
+
 /* The real path, in `out` [PATH_MAX]. */
 static batten_status resolve(const char *path, char *out)
 {
     if (realpath(path, out))
         return BATTEN_OK;
-    return bat_fail(BATTEN_FILE_ERROR, "%s: %s", path,
+    char text[256];
+    return bat_fail(BATTEN_FILE_ERROR, "%s: %s", shown(path, text),
                     errno == ENOENT ? "there is no such file" : strerror(errno));
 }
 
@@ -66,13 +77,13 @@ static batten_status check_below(const char *folder, const char *path)
     char *real = bat_array(2, PATH_MAX);
     if (!real)
         return BATTEN_OUT_OF_MEMORY;
-    char *real_path = real + PATH_MAX;
+    char *real_path = real + PATH_MAX, text[256];
     batten_status status = resolve(folder, real);
     if (status == BATTEN_OK)
         status = resolve(path, real_path);
     if (status == BATTEN_OK && !is_below(real, real_path))
-        status =
-            bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design", path);
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design",
+                          shown(path, text));
     bat_release(real);
     return status;
 }
@@ -84,8 +95,10 @@ batten_status bat_path_beside(const bat_document *document, const char *path, ch
     const char *folder = has_folder ? name : ".";
     const size_t length = has_folder ? folder_length(name) : 1;
     const bool is_absolute = *path == '/';
+    char text[256];
     if (!document->allow_outside && bat_path_leaves(path))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design", path);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design",
+                        shown(path, text));
     char *whole = is_absolute ? joined("", 0, path + 1) : joined(folder, length, path);
     char *base = joined(folder, length, "");
     batten_status status = whole && base ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;

@@ -198,40 +198,57 @@ batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_su
 
 /* ---- changing all objects ---- */
 
-static batten_status change_one(bat_run *run, const bat_change *change,
-                                const batten_object *object)
+static batten_status change_curve(bat_run *run, const bat_change *change,
+                                  const batten_object *object)
 {
     batten_curve *curve = NULL;
+    double error = 0;
+    const batten_status status = change->curve
+                                     ? change->curve(run, object->curve, &curve)
+                                     : change->near_curve(run, object->curve, &error, &curve);
+    if (status == BATTEN_OK && !change->curve)
+        bat_report_error(run, error, error);
+    return bat_put_curve_like(run, status, curve, object, change->keeps_data);
+}
+
+static batten_status change_surface(bat_run *run, const bat_change *change,
+                                    const batten_object *object)
+{
     batten_surface *surface = NULL;
-    batten_status status;
-    if (object->kind == BATTEN_OBJECT_CURVE && (change->curve || change->near_curve)) {
-        double error = 0;
-        status = change->curve ? change->curve(run, object->curve, &curve)
-                               : change->near_curve(run, object->curve, &error, &curve);
-        if (status == BATTEN_OK && change->near_curve)
-            bat_report_error(run, error, error);
-        return bat_put_curve_like(run, status, curve, object, change->keeps_data);
-    }
-    if (object->kind == BATTEN_OBJECT_SURFACE && change->surface) {
-        status = change->surface(run, object->surface, &surface);
-        return bat_put_surface_like(run, status, surface, object);
-    }
-    return batten_model_add(run->model, object);
+    double error = 0;
+    const batten_status status =
+        change->surface ? change->surface(run, object->surface, &surface)
+                        : change->near_surface(run, object->surface, &error, &surface);
+    if (status == BATTEN_OK && !change->surface)
+        bat_report_error(run, error, error);
+    return bat_put_surface_like(run, status, surface, object);
+}
+
+static unsigned changed_kinds(const bat_change *change)
+{
+    return (change->curve || change->near_curve ? BAT_CURVES : 0) |
+           (change->surface || change->near_surface ? BAT_SURFACES : 0);
 }
 
 batten_status bat_change_all(bat_run *run, const bat_change *change)
 {
     const char *input = run->feature->parameters[0].name;
-    const unsigned kinds = (change->curve || change->near_curve ? BAT_CURVES : 0) |
-                           (change->surface ? BAT_SURFACES : 0);
+    const unsigned kinds = changed_kinds(change);
     const batten_model *model = bat_model(run, input);
     bat_objects objects;
     batten_status status = bat_gather(run, input, kinds, &objects);
     if (status != BATTEN_OK)
         return status;
     bat_objects_release(&objects);
-    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
-        status = change_one(run, change, batten_model_object(model, i));
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (!(kinds & 1u << object->kind))
+            status = batten_model_add(run->model, object);
+        else if (object->kind == BATTEN_OBJECT_CURVE)
+            status = change_curve(run, change, object);
+        else
+            status = change_surface(run, change, object);
+    }
     return status;
 }
 

@@ -45,6 +45,8 @@ TEST(symlinks_that_leave_the_folder_are_refused)
     CHECK_STATUS(bat_path_beside(&document, "../outside.csv", &path), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(bat_path_beside(&document, "absent.csv", &path), BATTEN_FILE_ERROR);
     CHECK_MESSAGE("there is no such file");
+    CHECK_STATUS(bat_path_beside(&document, "a\nb", &path), BATTEN_FILE_ERROR);
+    CHECK_MESSAGE("a?b: there is no such file");
     CHECK(path == NULL);
     document.allow_outside = true;
     CHECK_OK(bat_path_beside(&document, "link.csv", &path));

@@ -1,0 +1,358 @@
+#include "design/check.h"
+#include "design/rows.h"
+
+#include <string.h>
+
+/* Cells of the grid on which sections are sought, and the points by which one is judged. */
+#define SECTION_CELLS 64
+#define SECTION_POINTS 61
+#define EDGE_POINTS 101
+
+/* ---- data ---- */
+
+static bool has_data(const batten_model *model)
+{
+    for (int i = 0; model && i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (object->kind == BATTEN_OBJECT_OFFSETS || object->point_count)
+            return true;
+    }
+    return false;
+}
+
+/* The first feature upstream that has points, and the last that made points fair. */
+static void find_data(bat_check *check)
+{
+    const bat_document *d = check->run->document;
+    check->given = check->faired = -1;
+    for (int k = 0; k < d->feature_count; k++) {
+        const int i = d->order[k];
+        if (!check->upstream[i] || !has_data(check->run->results[i].value))
+            continue;
+        if (check->run->results[i].shown.has_moves)
+            check->faired = i;
+        else if (check->given < 0)
+            check->given = i;
+    }
+}
+
+static batten_status mark_upstream(bat_check *check, const char *parameter)
+{
+    const bat_argument *argument = bat_argument_of(check->run, parameter);
+    bat_graph graph;
+    check->upstream = bat_pool_array(&check->pool, (size_t)check->run->document->feature_count,
+                                     sizeof *check->upstream);
+    if (!check->upstream)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = bat_document_graph(check->run->document, &graph);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < argument->count && status == BATTEN_OK; i++)
+        status = bat_graph_mark(&graph, argument->items[i].count, check->upstream);
+    bat_graph_release(&graph);
+    return status;
+}
+
+/* ---- rows of a feature ---- */
+
+typedef batten_status (*row_visit)(void *context, const bat_row *row);
+
+static batten_status visit_object(const batten_object *object, bool lines, row_visit visit,
+                                  void *context)
+{
+    bat_rows rows = {0, NULL};
+    batten_status status = bat_rows_of(object, lines, &rows);
+    for (int i = 0; i < rows.count && status == BATTEN_OK; i++)
+        status = visit(context, &rows.rows[i]);
+    bat_rows_release(&rows);
+    return status;
+}
+
+/* Every row of a feature; the lines of a table too when `with_lines`. */
+static batten_status visit_rows(const bat_check *check, int feature, bool with_lines,
+                                row_visit visit, void *context)
+{
+    const batten_model *model = check->run->results[feature].value;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(model, i);
+        status = visit_object(object, false, visit, context);
+        if (status == BATTEN_OK && with_lines && object->kind == BATTEN_OBJECT_OFFSETS)
+            status = visit_object(object, true, visit, context);
+    }
+    return status;
+}
+
+/* ---- distances ---- */
+
+typedef struct {
+    int count, capacity;
+    double *points;
+} cloud;
+
+static batten_status add_to_cloud(void *context, const bat_row *row)
+{
+    cloud *c = context;
+    if (row->count == 0)
+        return BATTEN_OK;
+    double *grown = bat_resize(c->points, 3 * (size_t)(c->count + row->count), sizeof *grown);
+    if (!grown)
+        return BATTEN_OUT_OF_MEMORY;
+    c->points = grown;
+    memcpy(grown + 3 * c->count, row->points, 3 * (size_t)row->count * sizeof *grown);
+    c->count += row->count;
+    return BATTEN_OK;
+}
+
+static batten_status add_distance(bat_check *check, bat_checked *checked, int feature)
+{
+    cloud all = {0, 0, NULL};
+    batten_deviation deviation;
+    if (feature < 0)
+        return BATTEN_OK;
+    batten_status status = visit_rows(check, feature, false, add_to_cloud, &all);
+    if (status == BATTEN_OK && all.count > 0)
+        status = batten_surface_deviation(checked->object->surface, all.count, all.points, NULL,
+                                          check->run->job, NULL, &deviation);
+    if (status == BATTEN_OK && all.count > 0) {
+        bat_distance *d = &checked->distances[checked->distance_count++];
+        *d = (bat_distance){.feature = check->run->document->features[feature].name,
+                            .is_faired = feature == check->faired,
+                            .count = all.count,
+                            .max = deviation.max,
+                            .rms = deviation.rms};
+        memcpy(d->worst, all.points + 3 * deviation.worst, sizeof d->worst);
+        check->ok &= d->is_faired || d->max <= check->within;
+    }
+    bat_release(all.points);
+    return status;
+}
+
+/* ---- sections ---- */
+
+typedef struct {
+    bat_check *check;
+    bat_checked *checked;
+} section_context;
+
+static batten_status count_section(void *context, const bat_row *row)
+{
+    bat_checked *checked = ((section_context *)context)->checked;
+    checked->section_count += row->count >= 3 && bat_flat_axis(row->count, row->points) >= 0;
+    return BATTEN_OK;
+}
+
+static const batten_polyline *longest(const batten_polylines *lines)
+{
+    const batten_polyline *found = NULL;
+    for (int i = 0; i < lines->count; i++)
+        if (!found || lines->lines[i].count > found->count)
+            found = &lines->lines[i];
+    return found;
+}
+
+/* Some points of a section, evenly taken, in its plane. @param[out] plane [SECTION_POINTS][2]
+ */
+static int thin(const batten_polyline *line, int axis, double *plane)
+{
+    const int count = bat_min_int(line->count, SECTION_POINTS);
+    for (int i = 0; i < count; i++) {
+        const double *p = line->points + 3 * (size_t)(i * (line->count - 1) / (count - 1));
+        for (int k = 0, c = 0; k < 3; k++)
+            if (k != axis)
+                plane[2 * i + c++] = p[k];
+    }
+    return count;
+}
+
+/* How far points first .. last bulge from the chord of their outer neighbours. */
+static double bulge(const double *points, int first, int last)
+{
+    const double *a = points + 2 * (first - 1), *b = points + 2 * (last + 1);
+    const double x = b[0] - a[0], y = b[1] - a[1], length = hypot(x, y);
+    double height = 0;
+    for (int i = first; i <= last; i++) {
+        const double dx = points[2 * i] - a[0], dy = points[2 * i + 1] - a[1];
+        const double h = length > 0 ? fabs(x * dy - y * dx) / length : hypot(dx, dy);
+        height = bat_max(height, h);
+    }
+    return height;
+}
+
+static int turning(const double *p)
+{
+    const double turn = (p[0] - p[-2]) * (p[3] - p[1]) - (p[1] - p[-1]) * (p[2] - p[0]);
+    return (turn > 0) - (turn < 0);
+}
+
+int bat_visible_inflections(int count, const double *points, double height)
+{
+    int found = 0, before = 0;
+    for (int first = 1, last; first < count - 1; first = last + 1) {
+        const int sign = turning(points + 2 * first);
+        for (last = first; last + 1 < count - 1 && turning(points + 2 * (last + 1)) == sign;)
+            last++;
+        if (sign == 0 || bulge(points, first, last) <= height)
+            continue;
+        found += before && sign != before;
+        before = sign;
+    }
+    return found;
+}
+
+/* Judge a section by the curve through its points, and the inflections that the row needs. */
+static batten_status judge(const batten_polyline *line, int axis, const bat_row *row,
+                           double tolerance, bat_section *section)
+{
+    double plane[2 * SECTION_POINTS];
+    batten_curve *curve = NULL;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_CHORD;
+    const int count = thin(line, axis, plane);
+    batten_status status = batten_curve_interpolate(2, count, plane, &options, NULL, &curve);
+    double *data = bat_points_in_plane(axis, row->count, row->points);
+    if (status == BATTEN_OK && !data)
+        status = BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_fairness(curve, row->count, data, &section->fairness);
+    section->found = status == BATTEN_OK;
+    section->visible = bat_visible_inflections(count, plane, tolerance);
+    section->excess = bat_max_int(0, section->visible - (section->fairness.inflections -
+                                                         section->fairness.excess_inflections));
+    bat_release(data);
+    batten_curve_unref(curve);
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ? status : BATTEN_OK;
+}
+
+static batten_status add_section(void *context, const bat_row *row)
+{
+    static const char *const families[] = {"station", "buttock", "waterline"};
+    const section_context *c = context;
+    const int axis = bat_flat_axis(row->count, row->points);
+    if (row->count < 3 || axis < 0)
+        return BATTEN_OK;
+    bat_section *section = &c->checked->sections[c->checked->section_count++];
+    const char *name = bat_pool_copy(&c->check->pool, row->name, strlen(row->name));
+    if (!name)
+        return BATTEN_OUT_OF_MEMORY;
+    *section = (bat_section){.family = families[axis], .name = name, .at = row->points[axis]};
+    batten_polylines lines = {0, NULL};
+    batten_status status = batten_surface_section(
+        c->checked->object->surface, (batten_vec3){axis == 0, axis == 1, axis == 2},
+        section->at, SECTION_CELLS, SECTION_CELLS, &lines);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_polyline *line = longest(&lines);
+    if (line && line->count >= 4)
+        status = judge(line, axis, row, bat_tolerance(c->check->run), section);
+    if (section->found)
+        c->check->fair &= section->excess == 0;
+    batten_polylines_release(&lines);
+    return status;
+}
+
+static batten_status add_sections(bat_check *check, bat_checked *checked)
+{
+    const int feature = check->faired >= 0 ? check->faired : check->given;
+    section_context context = {check, checked};
+    if (feature < 0)
+        return BATTEN_OK;
+    batten_status status = visit_rows(check, feature, true, count_section, &context);
+    checked->sections =
+        bat_pool_array(&check->pool, (size_t)checked->section_count, sizeof *checked->sections);
+    checked->section_count = 0;
+    if (status == BATTEN_OK && !checked->sections)
+        status = BATTEN_OUT_OF_MEMORY;
+    return status == BATTEN_OK ? visit_rows(check, feature, true, add_section, &context)
+                               : status;
+}
+
+/* ---- edges ---- */
+
+static batten_status add_edge(bat_checked *checked, batten_direction direction, bool high)
+{
+    static const char *const names[] = {"u low", "u high", "v low", "v high"};
+    const batten_surface *surface = checked->object->surface;
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    const batten_direction other = direction == BATTEN_U ? BATTEN_V : BATTEN_U;
+    const batten_interval along = batten_surface_domain(surface, other);
+    const double fixed = high ? domain.b : domain.a;
+    bat_edge edge = {names[2 * (direction == BATTEN_V) + high], 0, false};
+    double sum = 0;
+    for (int i = 0; i < EDGE_POINTS; i++) {
+        const double t = along.a + (along.b - along.a) * i / (EDGE_POINTS - 1);
+        double p[3] = {0, 0, 0};
+        const batten_status status = direction == BATTEN_U
+                                         ? batten_surface_evaluate(surface, fixed, t, 0, p)
+                                         : batten_surface_evaluate(surface, t, fixed, 0, p);
+        if (status != BATTEN_OK)
+            return status;
+        edge.gap = bat_max(edge.gap, fabs(p[1]));
+        sum += fabs(p[1]);
+    }
+    const batten_box box = batten_surface_box(surface);
+    const double breadth = bat_max(fabs(box.low.y), fabs(box.high.y));
+    edge.is_near = sum / EDGE_POINTS <= breadth / 20;
+    checked->edges[checked->edge_count++] = edge;
+    return BATTEN_OK;
+}
+
+/* ---- objects ---- */
+
+static batten_status check_surface(bat_check *check, bat_checked *checked)
+{
+    batten_status status = add_distance(check, checked, check->given);
+    if (status == BATTEN_OK)
+        status = add_distance(check, checked, check->faired);
+    if (status == BATTEN_OK)
+        status = add_sections(check, checked);
+    for (int i = 0; i < 4 && status == BATTEN_OK; i++)
+        status = add_edge(checked, i < 2 ? BATTEN_U : BATTEN_V, i % 2);
+    return status;
+}
+
+static batten_status check_curve(bat_check *check, bat_checked *checked)
+{
+    const batten_object *object = checked->object;
+    const int axis =
+        object->point_count ? bat_flat_axis(object->point_count, object->points) : -1;
+    batten_curve *curve = NULL;
+    double *data = bat_points_in_plane(axis, object->point_count, object->points);
+    batten_status status =
+        data ? bat_curve_in_plane(object->curve, axis, &curve) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_fairness(curve, object->point_count,
+                                       object->point_count ? data : NULL, &checked->fairness);
+    checked->has_fairness = status == BATTEN_OK;
+    if (checked->has_fairness && axis >= 0)
+        check->fair &= checked->fairness.excess_inflections == 0;
+    bat_release(data);
+    batten_curve_unref(curve);
+    return status;
+}
+
+batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
+                            bat_check *out)
+{
+    bat_objects objects = {0, NULL};
+    *out = (bat_check){.run = run, .within = within, .ok = true, .fair = true};
+    batten_status status = mark_upstream(out, parameter);
+    if (status == BATTEN_OK)
+        status = bat_gather(run, parameter, BAT_ALL, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    find_data(out);
+    out->object_count = objects.count;
+    out->objects = bat_pool_array(&out->pool, (size_t)objects.count, sizeof *out->objects);
+    if (!out->objects)
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
+        out->objects[i].object = objects.at[i];
+        if (objects.at[i]->kind == BATTEN_OBJECT_SURFACE)
+            status = check_surface(out, &out->objects[i]);
+        else if (objects.at[i]->kind == BATTEN_OBJECT_CURVE)
+            status = check_curve(out, &out->objects[i]);
+    }
+    bat_objects_release(&objects);
+    return status;
+}

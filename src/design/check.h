@@ -1,0 +1,72 @@
+/* What can be said about a result: how far it is from its data, how fair it is. */
+#ifndef BAT_DESIGN_CHECK_H
+#define BAT_DESIGN_CHECK_H
+#include "design/document.h"
+#include <batten/inspect.h>
+#include <batten/text.h>
+
+/* How far the points of an earlier feature lie from a surface. */
+typedef struct {
+    const char *feature;
+    bool is_faired; /* the points are those after fairing, not those given */
+    int count;
+    double max, rms;
+    double worst[3]; /* the point that lies farthest */
+} bat_distance;
+
+/* A plane section of a surface where the data have a row. */
+typedef struct {
+    const char *family; /* "station", "buttock", "waterline" */
+    const char *name;
+    double at;
+    bool found;
+    batten_fairness fairness;
+    int visible; /* inflections between bulges that are higher than the tolerance of the design
+                  */
+    int excess;  /* of these, beyond those that the row itself requires */
+} bat_section;
+
+/* One edge of a surface and the centre plane. */
+typedef struct {
+    const char *name; /* "u low" ... */
+    double gap;       /* the largest |y| on it */
+    bool is_near;     /* on average within a twentieth of the half-breadth */
+} bat_edge;
+
+typedef struct {
+    const batten_object *object;
+    bool has_fairness;
+    batten_fairness fairness; /* of a curve, in its plane */
+    int distance_count, section_count, edge_count;
+    bat_distance distances[2]; /* from the points given, from those after fairing */
+    bat_section *sections;
+    bat_edge edges[4];
+} bat_checked;
+
+typedef struct {
+    const bat_run *run;
+    bat_pool pool;
+    bool *upstream;    /* [feature_count] */
+    double within;     /* the bound, or infinity */
+    int given, faired; /* the features that the data are from, or -1 */
+    int object_count;
+    bat_checked *objects;
+    bool ok;   /* no point given is farther than the bound */
+    bool fair; /* no curve has inflections in excess, no section visible ones */
+} bat_check;
+
+/* Look at everything in the argument `parameter` of the run. Free the pool, also after a
+ * failure. */
+batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
+                            bat_check *out);
+
+/* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
+int bat_visible_inflections(int count, const double *points, double height);
+
+/* ---- report.c ---- */
+
+/* As a text for people, with rounded numbers, or as JSON with all digits. */
+void bat_report_text(const bat_check *check, batten_text *out);
+void bat_report_json(const bat_check *check, batten_text *out);
+
+#endif

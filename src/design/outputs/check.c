@@ -1,0 +1,50 @@
+#include "design/check.h"
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is looked at"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "how far the points given may lie from a surface"},
+};
+
+static batten_status run(bat_run *run)
+{
+    bat_check check;
+    batten_text text = BATTEN_TEXT;
+    const char *dot = strrchr(run->name, '.');
+    const double within = bat_has(run, "within") ? bat_number(run, "within") : HUGE_VAL;
+    batten_status status = bat_check_all(run, "check", within, &check);
+    if (status == BATTEN_OK) {
+        if (dot && strcmp(dot, ".json") == 0)
+            bat_report_json(&check, &text);
+        else
+            bat_report_text(&check, &text);
+        if (!check.ok)
+            bat_note(run, "a point given lies farther than %g from the surface", within);
+        status = batten_text_take(&text, &run->data, &run->size);
+    }
+    bat_pool_free(&check.pool);
+    return status;
+}
+
+const bat_feature bat_feature_check = {
+    .shown =
+        {"check", "A report: what was done to the data, and how fair the result is",
+         "For each feature that the result is made from: what was moved and how far, "
+         "inflections in\n"
+         "excess and energy before and after, what a skin kept of its sections. For each "
+         "surface:\n"
+         "its distance from the points given and from those after fairing, the fairness of "
+         "its\n"
+         "stations and waterlines, and how far its edges are from the centre plane. As JSON, "
+         "with\n"
+         "all digits, when the file ends in .json.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
+         "  sheer: {interpolate: ducks}\n"
+         "outputs:\n"
+         "  report.txt: {check: sheer}\n"
+         "  report.json: {check: sheer, within: 1 cm}\n",
+         "[SL]", "batten_curve_fairness", BAT_PARAMETERS(parameters), true},
+    .run = run};

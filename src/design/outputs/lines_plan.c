@@ -1,0 +1,91 @@
+#include "design/document.h"
+
+static const batten_parameter parameters[] = {
+    {"lines-plan", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "half a hull, y to the side"},
+    {"stations", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
+     "how far apart; 0: eleven over the length"},
+    {"station-at", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
+     "where the stations are, instead"},
+    {"waterlines", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "how far apart; 0: chosen"},
+    {"buttocks", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "how far apart; 0: chosen"},
+    {"design-waterline", BATTEN_VALUE_LENGTH, false, false, NULL, NULL, "its height"},
+    {"data", BATTEN_VALUE_MODEL, false, false, NULL, NULL, "given points, drawn as crosses"},
+    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL,
+     "in the legend; that of the design by default"},
+    {"width", BATTEN_VALUE_COUNT, false, false, "1684", NULL, "pixels, or points of 1/72 inch"},
+    {"height", BATTEN_VALUE_COUNT, false, false, "1191", NULL,
+     "pixels, or points of 1/72 inch"},
+};
+
+/* The stations asked for one by one; NULL for none, or without memory. */
+static double *list_stations(const bat_run *run)
+{
+    const bat_argument *given = bat_argument_of(run, "station-at");
+    double *at = given->count ? bat_array((size_t)given->count, sizeof *at) : NULL;
+    for (int i = 0; at && i < given->count; i++)
+        at[i] = given->items[i].number[0];
+    return at;
+}
+
+static batten_lines_plan_options plan_of(const bat_run *run)
+{
+    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    plan.stations = bat_number(run, "stations");
+    plan.waterlines = bat_number(run, "waterlines");
+    plan.buttocks = bat_number(run, "buttocks");
+    if (bat_has(run, "design-waterline"))
+        plan.design_waterline = bat_number(run, "design-waterline");
+    if (bat_has(run, "data"))
+        plan.data = bat_model(run, "data");
+    return plan;
+}
+
+static batten_status draw(bat_run *run, const batten_model *model,
+                          const batten_picture_options *options)
+{
+    batten_lines_plan_options plan = plan_of(run);
+    const int count = bat_argument_of(run, "station-at")->count;
+    double *stations = list_stations(run);
+    if (count && !stations)
+        return BATTEN_OUT_OF_MEMORY;
+    plan.station_at = stations;
+    plan.station_count = count;
+    const batten_status status =
+        batten_draw_lines_plan(model, &plan, options, run->notes, &run->data, &run->size);
+    bat_release(stations);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    batten_picture_options options = batten_picture_defaults();
+    batten_model *model = NULL;
+    if (!batten_picture_format_of_name(run->name, &options.format))
+        return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .pdf, .svg or .png", run->name);
+    options.width = bat_count(run, "width");
+    options.height = bat_count(run, "height");
+    if (bat_has(run, "title"))
+        options.title = bat_text(run, "title");
+    else if (run->document->title)
+        options.title = run->document->title;
+    batten_status status = bat_merge(run, "lines-plan", &model);
+    if (status == BATTEN_OK)
+        status = draw(run, model, &options);
+    batten_model_unref(model);
+    return status;
+}
+
+const bat_feature bat_feature_lines_plan = {
+    .shown = {"lines-plan", "The lines drawing of a hull",
+              "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to "
+              "the side,\n"
+              "z up.",
+              "features:\n"
+              "  offsets: {read: offsets.csv}\n"
+              "  stations: {interpolate: offsets, each: station}\n"
+              "  hull: {skin: stations}\n"
+              "outputs:\n"
+              "  lines.svg: {lines-plan: hull, waterlines: 0.25 m, buttocks: 0.2 m, data: "
+              "offsets}\n",
+              "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true},
+    .run = run};

@@ -1,0 +1,102 @@
+#include "design/feature.h"
+
+typedef enum { SHADING_AUTO, SHADING_FIRST } shading_word;
+
+static const batten_parameter parameters[] = {
+    {"picture", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is shown"},
+    {"shading", BATTEN_VALUE_WORD, false, false, "auto", "auto plain isolines zebra gaussian",
+     "of surfaces, in .png; auto is isolines"},
+    {"view", BATTEN_VALUE_WORD, false, false, "auto", "auto top front side axonometric",
+     "from where it is seen"},
+    {"azimuth", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
+     "of the eye, for the axonometric view"},
+    {"elevation", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
+     "of the eye, for the axonometric view"},
+    {"comb", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "show the curvature of curves"},
+    {"comb-scale", BATTEN_VALUE_NUMBER, false, false, "0", NULL,
+     "length of its teeth; 0: chosen"},
+    {"polygon", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "show the control polygons of curves"},
+    {"points", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "show the points curves were made from"},
+    {"isolines", BATTEN_VALUE_COUNT, false, false, "10", NULL, "in each direction of surfaces"},
+    {"stripes", BATTEN_VALUE_NUMBER, false, false, "24", NULL, "of the zebra"},
+    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "above the picture"},
+    {"width", BATTEN_VALUE_COUNT, false, false, "1200", NULL, "pixels, or points of 1/72 inch"},
+    {"height", BATTEN_VALUE_COUNT, false, false, "800", NULL, "pixels, or points of 1/72 inch"},
+};
+
+static batten_picture_options options_of(const bat_run *run)
+{
+    batten_picture_options options = batten_picture_defaults();
+    const int shading = bat_word(run, "shading");
+    options.width = bat_count(run, "width");
+    options.height = bat_count(run, "height");
+    options.view = (batten_view)bat_word(run, "view");
+    if (bat_has(run, "azimuth"))
+        options.azimuth = bat_number(run, "azimuth");
+    if (bat_has(run, "elevation"))
+        options.elevation = bat_number(run, "elevation");
+    options.comb = bat_yes(run, "comb");
+    options.comb_scale = bat_number(run, "comb-scale");
+    options.control_polygon = bat_yes(run, "polygon");
+    options.data_points = bat_yes(run, "points");
+    options.isolines = bat_count(run, "isolines");
+    options.stripes = bat_number(run, "stripes");
+    options.shading = shading == SHADING_AUTO ? BATTEN_SHADING_ISOLINES
+                                              : (batten_shading)(shading - SHADING_FIRST);
+    if (bat_has(run, "title"))
+        options.title = bat_text(run, "title");
+    return options;
+}
+
+static bool has_surfaces(const batten_model *model)
+{
+    for (int i = 0; i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_SURFACE)
+            return true;
+    return false;
+}
+
+static batten_status draw(bat_run *run, const batten_model *model,
+                          const batten_picture_options *options)
+{
+    const bool wanted = bat_word(run, "shading") != SHADING_AUTO;
+    const bool is_png = options->format == BATTEN_PICTURE_PNG;
+    if (wanted && !is_png)
+        return bat_fail(BATTEN_UNSUPPORTED, "shaded pictures are written as .png, not as '%s'",
+                        run->name);
+    if (wanted && !has_surfaces(model))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'shading' needs a surface");
+    if (is_png && has_surfaces(model))
+        return batten_draw_shaded(model, options, run->job, &run->data, &run->size);
+    return batten_draw(model, options, &run->data, &run->size);
+}
+
+static batten_status run(bat_run *run)
+{
+    batten_picture_options options = options_of(run);
+    batten_model *model = NULL;
+    if (!batten_picture_format_of_name(run->name, &options.format))
+        return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
+    batten_status status = bat_merge(run, "picture", &model);
+    if (status == BATTEN_OK)
+        status = draw(run, model, &options);
+    batten_model_unref(model);
+    return status;
+}
+
+const bat_feature bat_feature_picture = {
+    .shown = {"picture", "A drawing of curves, a shaded picture of surfaces",
+              "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
+              "surfaces\n"
+              "shaded as .png, else as isoparametric lines.",
+              "features:\n"
+              "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
+              "  sheer: {interpolate: ducks}\n"
+              "  tank: {cylinder: 0.4 m, height: 1 m}\n"
+              "outputs:\n"
+              "  sheer.svg: {picture: sheer, comb: yes, points: yes}\n"
+              "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n",
+              "", "batten_draw", BAT_PARAMETERS(parameters), true},
+    .run = run};

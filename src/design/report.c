@@ -1,0 +1,348 @@
+#include "design/check.h"
+
+static const char *kind_name(const batten_object *object)
+{
+    static const char *const names[] = {"points", "curve", "surface", "offsets"};
+    return names[object->kind];
+}
+
+/* ---- JSON: all digits ---- */
+
+static void json_number(batten_text *out, const char *key, double value)
+{
+    batten_text_add(out, "\"%s\": ", key);
+    if (isfinite(value))
+        batten_text_number(out, value);
+    else
+        batten_text_add(out, "null");
+}
+
+static void json_point(batten_text *out, const char *key, const double *p)
+{
+    batten_text_add(out, "\"%s\": [", key);
+    for (int k = 0; k < 3; k++) {
+        batten_text_number(out, p[k]);
+        batten_text_add(out, k < 2 ? ", " : "]");
+    }
+}
+
+static void json_fairness(batten_text *out, const batten_fairness *f)
+{
+    batten_text_add(
+        out,
+        "\"fairness\": {\"fair\": %s, \"inflections\": %d, \"excess_inflections\": %d, "
+        "\"curvature_extrema\": %d, ",
+        f->fair ? "true" : "false", f->inflections, f->excess_inflections,
+        f->curvature_extrema);
+    json_number(out, "jumps", f->jumps);
+    batten_text_add(out, ", ");
+    json_number(out, "energy", f->energy);
+    batten_text_add(out, ", ");
+    json_number(out, "variation", f->variation);
+    batten_text_add(out, ", ");
+    json_number(out, "max_curvature", f->max_curvature);
+    batten_text_add(out, "}");
+}
+
+static void json_moves(batten_text *out, const batten_feature_result *r)
+{
+    const batten_fair_report *f = r->fairing;
+    batten_text_add(out, ", \"moved\": {");
+    json_number(out, "max", f->max_move);
+    batten_text_add(out, ", ");
+    json_number(out, "rms", f->rms_move);
+    batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d}", f->moved_count,
+                    f->worst_set, f->worst_index);
+    batten_text_add(out,
+                    ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
+                    f->before.excess_inflections, f->after.excess_inflections);
+    json_number(out, "before", f->before.energy);
+    batten_text_add(out, ", ");
+    json_number(out, "after", f->after.energy);
+    batten_text_add(out, "}, \"suspects\": %d", f->suspect_count);
+}
+
+static void json_skin(batten_text *out, const batten_skin_report *s)
+{
+    batten_text_add(out, ", \"skin\": {");
+    json_number(out, "deviation", s->deviation);
+    batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
+                    s->worst_section, s->exact_knot_count, s->knot_count);
+    json_number(out, "span_ratio", s->span_ratio);
+    batten_text_add(out, ", ");
+    json_number(out, "normal_jump", s->normal_jump);
+    batten_text_add(out, "}");
+}
+
+static void json_feature(batten_text *out, const batten_feature_result *r)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, r->name);
+    batten_text_add(out, ", \"operation\": \"%s\"", r->operation);
+    if (r->has_error) {
+        batten_text_add(out, ", \"error\": {");
+        json_number(out, "max", r->error_max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", r->error_rms);
+        batten_text_add(out, "}");
+    }
+    if (r->fairing)
+        json_moves(out, r);
+    if (r->skin)
+        json_skin(out, r->skin);
+    batten_text_add(out, "}");
+}
+
+static void json_distances(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ",\n     \"distances\": [");
+    for (int i = 0; i < c->distance_count; i++) {
+        const bat_distance *d = &c->distances[i];
+        batten_text_add(out, "%s{\"from\": ", i ? ", " : "");
+        batten_text_json(out, d->feature);
+        batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
+                        d->is_faired ? "true" : "false", d->count);
+        json_number(out, "max", d->max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", d->rms);
+        batten_text_add(out, ", ");
+        json_point(out, "at", d->worst);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_surface(batten_text *out, const bat_checked *c)
+{
+    json_distances(out, c);
+    batten_text_add(out, ",\n     \"edges\": [");
+    for (int i = 0; i < c->edge_count; i++) {
+        batten_text_add(out, "%s{\"name\": \"%s\", ", i ? ", " : "", c->edges[i].name);
+        json_number(out, "gap", c->edges[i].gap);
+        batten_text_add(out, ", \"at_centre\": %s}", c->edges[i].is_near ? "true" : "false");
+    }
+    batten_text_add(out, "],\n     \"sections\": [");
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        batten_text_add(out, "%s\n      {\"family\": \"%s\", \"name\": ", i ? "," : "",
+                        s->family);
+        batten_text_json(out, s->name);
+        batten_text_add(out, ", ");
+        json_number(out, "at", s->at);
+        if (s->found) {
+            batten_text_add(out, ", ");
+            batten_text_add(out, "\"visible_inflections\": %d, \"visible_excess\": %d, ",
+                            s->visible, s->excess);
+            json_fairness(out, &s->fairness);
+        }
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_object(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, c->object->name);
+    batten_text_add(out, ", \"type\": \"%s\"", kind_name(c->object));
+    if (c->has_fairness) {
+        batten_text_add(out, ", ");
+        json_fairness(out, &c->fairness);
+    }
+    if (c->object->kind == BATTEN_OBJECT_SURFACE)
+        json_surface(out, c);
+    batten_text_add(out, "}");
+}
+
+static const char *unit_of(const bat_check *check)
+{
+    const char *unit = batten_unit_name(bat_unit_metres(check->run));
+    return unit ? unit : "units";
+}
+
+void bat_report_json(const bat_check *check, batten_text *out)
+{
+    const bat_document *d = check->run->document;
+    batten_text_add(out, "{\n  \"ok\": %s, \"fair\": %s, \"unit\": \"%s\", ",
+                    check->ok ? "true" : "false", check->fair ? "true" : "false",
+                    unit_of(check));
+    json_number(out, "within", check->within);
+    batten_text_add(out, ",\n  \"features\": [");
+    for (int k = 0, count = 0; k < d->feature_count; k++)
+        if (check->upstream[d->order[k]]) {
+            batten_text_add(out, count++ ? ",\n" : "\n");
+            json_feature(out, &check->run->results[d->order[k]].shown);
+        }
+    batten_text_add(out, "\n  ],\n  \"objects\": [");
+    for (int i = 0; i < check->object_count; i++) {
+        batten_text_add(out, i ? ",\n" : "\n");
+        json_object(out, &check->objects[i]);
+    }
+    batten_text_add(out, "\n  ],\n  \"joins\": [],\n  \"messages\": []\n}\n");
+}
+
+/* ---- text: four digits, the same in every locale ---- */
+
+static void add_rounded(batten_text *out, double value)
+{
+    if (value == 0 || !isfinite(value)) {
+        batten_text_number(out, value);
+        return;
+    }
+    const double places = 3 - floor(log10(fabs(value)));
+    const double scale = pow(10, fabs(places));
+    batten_text_number(out, places >= 0 ? round(value * scale) / scale
+                                        : round(value / scale) * scale);
+}
+
+static void add_length(batten_text *out, const bat_check *check, double value)
+{
+    add_rounded(out, value);
+    batten_text_add(out, " %s", unit_of(check));
+}
+
+static void add_plural(batten_text *out, int count, const char *what)
+{
+    batten_text_add(out, "%d %s%s", count, what, count == 1 ? "" : "s");
+}
+
+static void text_feature(batten_text *out, const bat_check *check,
+                         const batten_feature_result *r)
+{
+    batten_text_add(out, "  %s (%s)\n", r->name, r->operation);
+    if (r->fairing) {
+        const batten_fair_report *f = r->fairing;
+        batten_text_add(out, "    ");
+        add_plural(out, f->moved_count, "point");
+        batten_text_add(out, " moved, at most ");
+        add_length(out, check, f->max_move);
+        batten_text_add(
+            out,
+            " (curve %d, point %d)\n    inflections in excess: %d before, %d after; energy ",
+            f->worst_set + 1, f->worst_index + 1, f->before.excess_inflections,
+            f->after.excess_inflections);
+        add_rounded(out, f->before.energy);
+        batten_text_add(out, " before, ");
+        add_rounded(out, f->after.energy);
+        batten_text_add(out, " after\n");
+        if (f->suspect_count) {
+            batten_text_add(out, "    ");
+            add_plural(out, f->suspect_count, "point");
+            batten_text_add(out, " may be a blunder; see the messages\n");
+        }
+    }
+    if (r->skin) {
+        batten_text_add(out, "    sections moved by at most ");
+        add_length(out, check, r->skin->deviation);
+        batten_text_add(out, "; %d inner knots along them, the exact union has %d\n",
+                        r->skin->knot_count, r->skin->exact_knot_count);
+    } else if (r->has_error) {
+        batten_text_add(out, "    error at most ");
+        add_length(out, check, r->error_max);
+        batten_text_add(out, "\n");
+    }
+}
+
+static void text_fairness(batten_text *out, const batten_fairness *f)
+{
+    add_plural(out, f->inflections, "inflection");
+    batten_text_add(out, ", %d in excess; ", f->excess_inflections);
+    batten_text_add(out, "curvature extrema %d, largest curvature ", f->curvature_extrema);
+    add_rounded(out, f->max_curvature);
+    batten_text_add(out, ", energy ");
+    add_rounded(out, f->energy);
+}
+
+static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    for (int i = 0; i < c->distance_count; i++) {
+        const bat_distance *d = &c->distances[i];
+        batten_text_add(out, "    distance from the %d points %s '%s': at most ", d->count,
+                        d->is_faired ? "after fairing," : "given,", d->feature);
+        add_length(out, check, d->max);
+        batten_text_add(out, " (rms ");
+        add_rounded(out, d->rms);
+        batten_text_add(out, "), at ");
+        for (int k = 0; k < 3; k++) {
+            add_rounded(out, d->worst[k]);
+            batten_text_add(out, k < 2 ? ", " : "\n");
+        }
+    }
+    for (int i = 0; i < c->edge_count; i++)
+        if (c->edges[i].is_near) {
+            batten_text_add(out, "    the edge '%s' is at the centre plane within ",
+                            c->edges[i].name);
+            add_length(out, check, c->edges[i].gap);
+            batten_text_add(out, "\n");
+        }
+}
+
+/* How many sections of a family are fair, and which are not. */
+static void text_family(batten_text *out, const bat_checked *c, const char *family)
+{
+    int found = 0, fair = 0, missed = 0;
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        if (s->family[0] != family[0])
+            continue;
+        found += s->found;
+        missed += !s->found;
+        fair += s->found && s->excess == 0;
+    }
+    if (found + missed == 0)
+        return;
+    batten_text_add(out, "    %ss: %d of %d without visible inflections in excess", family,
+                    fair, found);
+    if (missed)
+        batten_text_add(out, "; %d could not be judged", missed);
+    batten_text_add(out, "\n");
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        if (s->family[0] != family[0] || !s->found || s->excess == 0)
+            continue;
+        batten_text_add(out, "      %s at ", s->name);
+        add_rounded(out, s->at);
+        batten_text_add(out, ": ");
+        add_plural(out, s->visible, "visible inflection");
+        batten_text_add(out, ", %d in excess; largest curvature ", s->excess);
+        add_rounded(out, s->fairness.max_curvature);
+        batten_text_add(out, "\n");
+    }
+}
+
+static void text_object(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    batten_text_add(out, "  %s (%s)\n", c->object->name, kind_name(c->object));
+    if (c->has_fairness) {
+        batten_text_add(out, "    ");
+        text_fairness(out, &c->fairness);
+        batten_text_add(out, "\n");
+    }
+    text_distances(out, check, c);
+    text_family(out, c, "station");
+    text_family(out, c, "waterline");
+    text_family(out, c, "buttock");
+}
+
+void bat_report_text(const bat_check *check, batten_text *out)
+{
+    const bat_document *d = check->run->document;
+    if (d->title)
+        batten_text_add(out, "%s\n\n", d->title);
+    batten_text_add(out, "What was done\n");
+    for (int k = 0; k < d->feature_count; k++)
+        if (check->upstream[d->order[k]])
+            text_feature(out, check, &check->run->results[d->order[k]].shown);
+    batten_text_add(out, "\nThe result\n");
+    for (int i = 0; i < check->object_count; i++)
+        text_object(out, check, &check->objects[i]);
+    batten_text_add(out, "\nVerdict: %s",
+                    check->fair ? "fair" : "there are inflections in excess");
+    if (isfinite(check->within)) {
+        batten_text_add(out, "; the points given lie %s ",
+                        check->ok ? "within" : "farther than");
+        add_length(out, check, check->within);
+        batten_text_add(out, check->ok ? " of the surface" : " from the surface");
+    }
+    batten_text_add(out, ".\n");
+}

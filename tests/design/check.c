@@ -1,0 +1,92 @@
+#include "design/check.h"
+
+#include "support/test.h"
+
+#include <stdlib.h>
+
+TEST(visible_inflections_ignore_low_bulges)
+{
+    double points[2 * 101];
+    for (int i = 0; i <= 100; i++) {
+        points[2 * i] = i;
+        points[2 * i + 1] = sin(i * 0.2); /* 20 radians: 6 zeros inside (0, 20) */
+    }
+    CHECK_INT(bat_visible_inflections(101, points, 0.05), 6);
+    CHECK_INT(bat_visible_inflections(101, points, 3.0), 0);
+    for (int i = 0; i <= 100; i++)
+        points[2 * i + 1] = 1e-3 * i * i + 0.001 * (i % 2);
+    CHECK_INT(bat_visible_inflections(101, points, 0.01), 0);
+    CHECK(bat_visible_inflections(101, points, 0) > 10);
+    CHECK_INT(bat_visible_inflections(2, points, 0), 0);
+}
+
+/* A design with one output; its bytes, and what its JSON or text says. */
+static batten_status report(const char *design_text, char **out)
+{
+    batten_design *design = NULL;
+    size_t size;
+    batten_status status =
+        batten_design_parse(design_text, strlen(design_text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_output(design, 0, NULL, NULL, out, &size);
+    batten_design_free(design);
+    return status;
+}
+
+/* The first number after a key. */
+static double value_of(const char *json, const char *key)
+{
+    const char *at = strstr(json, key);
+    CHECK(at != NULL);
+    return atof(at + strlen(key));
+}
+
+#define CYLINDER                                                           \
+    "batten: 1\nfeatures:\n"                                               \
+    "  a: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"                  \
+    "  b: {arc: 1 m, angle: 180 deg, axis: x, from: y, at: [3 m, 0, 0]}\n" \
+    "  hull: {skin: [a, b]}\n"
+
+TEST(a_half_cylinder_closes_at_no_edge_but_its_keel)
+{
+    char *json = NULL;
+    CHECK_OK(report(CYLINDER "outputs:\n  r.json: {check: hull}\n", &json));
+    CHECK_CONTAINS(json, "\"ok\": true");
+    CHECK_CONTAINS(json, "\"name\": \"u low\", \"gap\": 1, \"at_centre\": false");
+    CHECK_CONTAINS(json, "\"joins\": []");
+    batten_release(json);
+}
+
+TEST(distance_from_the_points_given_is_measured)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
+        "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 "
+        "mm]}\n"
+        "outputs:\n  r.json: {check: high, within: 0.5 mm}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"ok\": false");
+    CHECK_CONTAINS(json, "\"from\": \"grid\", \"faired\": false, \"points\": 4");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0.001, 1e-12);
+    batten_release(json);
+}
+
+TEST(sections_of_a_fair_surface_are_fair)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid:\n    points: [[0, 0, 0], [0, 1, 0.1], [0, 2, 0.4], [0, 3, 0.9],\n"
+        "             [1, 0, 0], [1, 1, 0.1], [1, 2, 0.4], [1, 3, 0.9],\n"
+        "             [2, 0, 0], [2, 1, 0.1], [2, 2, 0.4], [2, 3, 0.9]]\n    columns: 4\n"
+        "  rows: {interpolate: grid, ends: parabolic}\n  hull: {skin: rows}\n"
+        "outputs:\n  r.json: {check: hull}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"fair\": true");
+    CHECK_CONTAINS(
+        json,
+        "\"family\": \"station\", \"name\": \"row 2\", \"at\": 1, \"visible_inflections\": 0");
+    batten_release(json);
+}

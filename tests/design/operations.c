@@ -1,0 +1,165 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <stdlib.h>
+
+/* What the operations below work on. */
+static const char common[] = "batten: 1\nfeatures:\n"
+                             "  p: {points: [[0, 0], [1, 1], [2, 1], [3, 0]]}\n"
+                             "  row: {points: [[0, 0, 1], [1, 1, 1], [2, 1, 1]]}\n"
+                             "  c: {interpolate: p}\n"
+                             "  l1: {line: [[0, 0], [1, 0]]}\n  l2: {line: [[1, 0], [2, 1]]}\n "
+                             " l3: {line: [[5, 0], [6, 1]]}\n"
+                             "  ring: {circle: 1}\n  ring2: {circle: 0.8, at: [0, 0, 2]}\n"
+                             "  s: {extrude: l1, along: z}\n  s2: {move: s, by: [1, 0, 0]}\n"
+                             "  t: {read: offsets.csv}\n";
+
+static batten_status evaluate(const char *feature, batten_design **out)
+{
+    char text[2000];
+    FILE *file = fopen(test_scratch("offsets.csv"), "w");
+    CHECK(file != NULL);
+    fputs("x_m,z_m,half_breadth_m\n", file);
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 5; k++)
+            fprintf(file, "%d,%d,%d\n", i, k, k == 0 ? 0 : 1 + k);
+    fclose(file);
+    snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("operations.yaml");
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), &options, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+TEST(operations_make_the_objects_they_promise)
+{
+    static const struct {
+        const char *feature;
+        int count;
+        const char *name; /* of the last */
+        batten_object_kind kind;
+    } rows[] = {
+        {"{split: c, parameter: 1}", 2, "p 2", BATTEN_OBJECT_CURVE},
+        {"{split: s, parameter: 0.5, direction: v}", 2, "l1 2", BATTEN_OBJECT_SURFACE},
+        {"{part: s, from: 0.2, to: 0.5}", 1, "l1", BATTEN_OBJECT_SURFACE},
+        {"{join: [l1, l2]}", 1, "a", BATTEN_OBJECT_CURVE},
+        {"{join: [s, s2], direction: u}", 1, "a", BATTEN_OBJECT_SURFACE},
+        {"{reverse: [s]}", 0, NULL, BATTEN_OBJECT_SURFACE},
+        {"{reverse: s, direction: v}", 1, "l1", BATTEN_OBJECT_SURFACE},
+        {"{refine: s, knots: [0.5, 0.5], direction: v}", 0, NULL, BATTEN_OBJECT_SURFACE},
+        {"{refine: s, knots: [0.25, 0.5], direction: v}", 1, "l1", BATTEN_OBJECT_SURFACE},
+        {"{elevate: s, by: 2, direction: v}", 1, "l1", BATTEN_OBJECT_SURFACE},
+        {"{reduce: c, degree: 2, within: 1}", 1, "p", BATTEN_OBJECT_CURVE},
+        {"{curve-of: s, u: [0, 1], v: 0.5}", 3, "l1 v=0.5", BATTEN_OBJECT_CURVE},
+        {"{conic: [[0, 0], [1, 1], [2, 0]], through: [1, 0.4]}", 1, "a", BATTEN_OBJECT_CURVE},
+        {"{conic: [[2, 0], [1.4142135623730951, 1.4142135623730951], [0, 2], "
+         "[-1.4142135623730951, "
+         "1.4142135623730951], [-2, 0]]}",
+         1, "a", BATTEN_OBJECT_CURVE},
+        {"{collect: [l1, l1, l1]}", 3, "l1 (3)", BATTEN_OBJECT_CURVE},
+        {"{select: t, names: offsets.csv}", 0, NULL, BATTEN_OBJECT_OFFSETS},
+        {"{interpolate: t, each: line}", 5, NULL, BATTEN_OBJECT_CURVE},
+        {"{interpolate: t, degree: 2}", 5, NULL, BATTEN_OBJECT_CURVE},
+        {"{interpolate: p, periodic: yes}", 1, "p", BATTEN_OBJECT_CURVE},
+        {"{interpolate: p, start: direction, start-vector: x, end: natural}", 1, "p",
+         BATTEN_OBJECT_CURVE},
+        {"{interpolate-grid: t, degree-u: 2, knots: averaged}", 1, "a", BATTEN_OBJECT_SURFACE},
+        {"{interpolate-grid: [p, row]}", 0, NULL, BATTEN_OBJECT_SURFACE},
+        {"{skin: [ring, ring2], spine: l2, scale: [1, 0.5], twist: [0, 10 deg], frames: fixed}",
+         1, "a", BATTEN_OBJECT_SURFACE},
+        {"{skin: [l1, l2, l3], parameters: uniform, degree: 2}", 1, "a", BATTEN_OBJECT_SURFACE},
+        {"{fair: c, within: 10 cm, order: worst-first}", 1, "p", BATTEN_OBJECT_CURVE},
+        {"{fair: t, within: 10 cm, families: stations}", 1, NULL, BATTEN_OBJECT_OFFSETS},
+        {"{read: offsets.csv, unit: ft, scale: 2}", 1, NULL, BATTEN_OBJECT_OFFSETS},
+        {"{read: offsets.csv, x: [0.5, 3.5], y: [0, 4], z: [0, 3], trim-centre: yes}", 1, NULL,
+         BATTEN_OBJECT_OFFSETS},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        batten_status status = evaluate(rows[i].feature, &design);
+        if (test_memory_failed(status, BATTEN_OK))
+            status = evaluate(rows[i].feature, &design);
+        if (rows[i].count == 0) {
+            CHECK(status != BATTEN_OK && *batten_message());
+            continue;
+        }
+        if (status != BATTEN_OK)
+            printf("%s: %s\n", rows[i].feature, batten_message());
+        CHECK_INT(status, BATTEN_OK);
+        const batten_model *model = batten_design_result(design, "a")->value;
+        CHECK_INT(batten_model_count(model), rows[i].count);
+        const batten_object *last = batten_model_object(model, rows[i].count - 1);
+        CHECK_INT(last->kind, rows[i].kind);
+        if (rows[i].name)
+            CHECK_TEXT(last->name, rows[i].name);
+        batten_design_free(design);
+    }
+}
+
+TEST(operations_say_what_they_cannot_do)
+{
+    static const struct {
+        const char *feature, *says;
+    } rows[] = {
+        {"{join: [l1, s]}", "curves and surfaces cannot be joined"},
+        {"{join: [l1, l3]}", "a (join)"},
+        {"{ruled: [l1, l2, l3]}", "between 2 curves, not 3"},
+        {"{curve-of: s}", "'u' or 'v' must say"},
+        {"{select: c, names: [q]}", "'c' has no object 'q'"},
+        {"{skin: [l1, l2], twist: 3 deg}", "'twist' has 1 values for 2 sections"},
+        {"{skin: [l1, l2], spine: s}", "curves are needed"},
+        {"{skin: [l1, l2], spine: t}", "curves are needed"},
+        {"{fair: s, within: 1 mm}", "is no curve through points"},
+        {"{fair: l1, within: 1 mm}", "is no curve through points"},
+        {"{move: t, by: x}", "is a table of offsets, which cannot be moved"},
+        {"{read: offsets.csv, unit: furlong}", "no unit of length"},
+        {"{read: offsets.csv, scale: 0}", "must be above 0"},
+        {"{read: absent.csv}", "there is no such file"},
+        {"{extrude: l1, along: origin}", "'along' is 0"},
+        {"{revolve: l1, axis: origin}", "'axis' is 0"},
+        {"{interpolate-grid: [p, row]}", "has 3 points, and the first row has 4"},
+        {"{conic: [[0, 0], [1, 1], [2, 0], [3, 1], [4, 0, 1]]}", "in the plane z = 0"},
+        {"{reduce: c, degree: 1, within: 1 mm}", "a (reduce)"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        batten_status status = evaluate(rows[i].feature, &design);
+        if (test_memory_failed(status, BATTEN_OK))
+            status = evaluate(rows[i].feature, &design);
+        CHECK(status != BATTEN_OK);
+        CHECK_MESSAGE(rows[i].says);
+    }
+}
+
+TEST(a_lines_plan_takes_its_stations_and_title)
+{
+    char text[2000];
+    snprintf(text, sizeof text,
+             "%s  st: {interpolate: t}\n  h: {skin: st}\noutputs:\n"
+             "  a.svg: {lines-plan: h, station-at: [1, 2, 3], design-waterline: 2, title: A}\n"
+             "  b.svg: {picture: h, azimuth: 20 deg, elevation: 10 deg, title: B}\n"
+             "  c.step: {write: [h, st], title: C, within: 1 mm, format: step}\n",
+             common);
+    batten_design *design = NULL;
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("plan.yaml");
+    batten_design *first = NULL;
+    CHECK_OK(evaluate("{collect: p}", &first)); /* writes offsets.csv */
+    batten_design_free(first);
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    for (int i = 0; i < 3; i++) {
+        char *data = NULL;
+        size_t size;
+        CHECK_OK(batten_design_output(design, i, NULL, NULL, &data, &size));
+        CHECK(size > 200);
+        batten_release(data);
+    }
+    batten_design_free(design);
+}
