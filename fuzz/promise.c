@@ -25,8 +25,8 @@ static void same_curve(const batten_curve *a, const batten_curve *b)
     demand(batten_curve_point_count(b) == (int)n, "a curve keeps its count of points");
     demand_same(batten_curve_points(a), batten_curve_points(b), 3 * n, "points of a curve");
     demand_same(batten_curve_weights(a), batten_curve_weights(b), n, "weights of a curve");
-    demand_same(batten_curve_knots(a), batten_curve_knots(b), (size_t)batten_curve_knot_count(a),
-                "knots of a curve");
+    demand_same(batten_curve_knots(a), batten_curve_knots(b),
+                (size_t)batten_curve_knot_count(a), "knots of a curve");
 }
 
 static void same_surface(const batten_surface *a, const batten_surface *b)
@@ -42,8 +42,10 @@ static void same_surface(const batten_surface *a, const batten_surface *b)
                     (size_t)batten_surface_knot_count(a, direction), "knots of a surface");
         n *= (size_t)count;
     }
-    demand_same(batten_surface_points(a), batten_surface_points(b), 3 * n, "points of a surface");
-    demand_same(batten_surface_weights(a), batten_surface_weights(b), n, "weights of a surface");
+    demand_same(batten_surface_points(a), batten_surface_points(b), 3 * n,
+                "points of a surface");
+    demand_same(batten_surface_weights(a), batten_surface_weights(b), n,
+                "weights of a surface");
 }
 
 static void same_offsets(const batten_offsets *a, const batten_offsets *b)
@@ -51,8 +53,10 @@ static void same_offsets(const batten_offsets *a, const batten_offsets *b)
     const int count = batten_offsets_station_count(a);
     demand(batten_offsets_station_count(b) == count, "a table keeps its stations");
     for (int i = 0; i < count; i++) {
-        const batten_station *s = batten_offsets_station(a, i), *t = batten_offsets_station(b, i);
-        demand(s->point_count == t->point_count && s->x == t->x && strcmp(s->name, t->name) == 0,
+        const batten_station *s = batten_offsets_station(a, i),
+                             *t = batten_offsets_station(b, i);
+        demand(s->point_count == t->point_count && s->x == t->x &&
+                   strcmp(s->name, t->name) == 0,
                "a station keeps its place, name and count of points");
         for (int k = 0; k < s->point_count; k++) {
             const batten_offset_point *p = &s->points[k], *q = &t->points[k];
@@ -64,7 +68,8 @@ static void same_offsets(const batten_offsets *a, const batten_offsets *b)
     }
 }
 
-/* A curve or a surface that is not clamped is written clamped: another form of the same shape. */
+/* A curve or a surface that is not clamped is written clamped: another form of the same shape.
+ */
 static int is_clamped(const batten_object *object)
 {
     if (object->curve)
@@ -85,7 +90,8 @@ static void same_model(const batten_model *a, const batten_model *b)
     demand(batten_model_count(a) == batten_model_count(b), "a model keeps its objects");
     for (int i = 0; i < batten_model_count(a); i++) {
         const batten_object *p = batten_model_object(a, i), *q = batten_model_object(b, i);
-        demand(p->kind == q->kind && p->point_count == q->point_count, "an object keeps its kind");
+        demand(p->kind == q->kind && p->point_count == q->point_count,
+               "an object keeps its kind");
         demand_same(p->points, q->points, 3 * (size_t)p->point_count, "points");
         if (p->curve && is_clamped(p))
             same_curve(p->curve, q->curve);

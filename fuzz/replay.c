@@ -1,4 +1,5 @@
-/* Give each file of the folders named to the target, once: so that corpora are tests under any compiler. */
+/* Give each file of the folders named to the target, once: so that corpora are tests under any
+ * compiler. */
 #define _XOPEN_SOURCE 700
 #include "promise.h"
 

@@ -88,8 +88,12 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
     if (line > 0)
         snprintf(place, sizeof place, "%d", line);
     const bool named = input->file[0] != '\0';
-    return bat_fail(status, "%s%s%s%s%s", named ? input->file : line > 0 ? "line " : "",
-                    named && line > 0 ? ":" : "", place, named || line > 0 ? ": " : "", sentence);
+    return bat_fail(status, "%s%s%s%s%s",
+                    named      ? input->file
+                    : line > 0 ? "line "
+                               : "",
+                    named && line > 0 ? ":" : "", place, named || line > 0 ? ": " : "",
+                    sentence);
 }
 
 batten_status bat_input_step(bat_input *input, size_t at)
@@ -103,8 +107,8 @@ batten_status bat_input_limit(const bat_input *input, int line, size_t count, si
 {
     if (count <= limit)
         return BATTEN_OK;
-    return bat_input_fail(input, BATTEN_TOO_LARGE, line, "%zu %s; the limit is %zu", count, what,
-                          limit);
+    return bat_input_fail(input, BATTEN_TOO_LARGE, line, "%zu %s; the limit is %zu", count,
+                          what, limit);
 }
 
 static batten_status charge(bat_input *input, size_t count, size_t size)

@@ -39,7 +39,8 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     if (status == BATTEN_OK && object->surface)
         status = batten_surface_transform(object->surface, &map, &surface);
     if (status == BATTEN_OK && object->offsets)
-        status = scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
+        status =
+            scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
     scaled.points = points;
     scaled.curve = curve;
     scaled.surface = surface;
@@ -61,7 +62,8 @@ batten_status batten_model_to_unit(const batten_model *model, double unit_metres
         return bat_fail(BATTEN_BAD_ARGUMENT, "a unit of %g metres is not allowed", unit_metres);
     batten_model *made = NULL;
     batten_status status = batten_model_create(unit_metres, &made);
-    const double factor = batten_model_unit_metres(model) > 0 ? batten_model_unit_metres(model) / unit_metres : 1;
+    const double factor =
+        batten_model_unit_metres(model) > 0 ? batten_model_unit_metres(model) / unit_metres : 1;
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
         const bool kept = factor == 1 && !object->offsets;

@@ -40,8 +40,9 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     batten_surface *nurbs = NULL;
     double error = 0;
     if (batten_surface_dimension(object->surface) != 3)
-        return bat_fail(BATTEN_UNSUPPORTED, "surface '%.60s' has %d dimensions; the format needs 3",
-                        object->name, batten_surface_dimension(object->surface));
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "surface '%.60s' has %d dimensions; the format needs 3", object->name,
+                        batten_surface_dimension(object->surface));
     batten_status status = batten_surface_to_nurbs(object->surface, tolerance, &nurbs, &error);
     if (status == BATTEN_OK && error > 0)
         batten_notes_add(notes, "", 0, object->name, "approximated within %g", error);

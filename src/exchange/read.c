@@ -50,17 +50,19 @@ static batten_status read_as(bat_input *input, batten_format format, batten_mode
         return status;
     *out = model;
     if (input->is_cut)
-        return bat_input_fail(input, BATTEN_PARTLY_READ, 0,
-                              "the end of the file is missing; %d entities are read, %d left out",
-                              batten_model_count(model), input->left_out);
+        return bat_input_fail(
+            input, BATTEN_PARTLY_READ, 0,
+            "the end of the file is missing; %d entities are read, %d left out",
+            batten_model_count(model), input->left_out);
     if (input->left_out == 0)
         return BATTEN_OK;
     return bat_input_fail(input, BATTEN_PARTLY_READ, 0, "%d of %d entities are left out",
                           input->left_out, input->left_out + batten_model_count(model));
 }
 
-batten_status batten_read_memory(const char *data, size_t size, const batten_read_options *options,
-                                 const batten_job *job, batten_notes *notes, batten_model **out)
+batten_status batten_read_memory(const char *data, size_t size,
+                                 const batten_read_options *options, const batten_job *job,
+                                 batten_notes *notes, batten_model **out)
 {
     bat_input input;
     batten_format format = options ? options->format : BATTEN_FORMAT_AUTO;

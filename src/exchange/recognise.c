@@ -1,6 +1,6 @@
+#include "exchange/recognise.h"
 #include "exchange/csv/csv.h"
 #include "exchange/iges/iges.h"
-#include "exchange/recognise.h"
 
 #include <string.h>
 
@@ -124,7 +124,8 @@ static batten_status recognise_rows(bat_separated *table, batten_format *format)
     }
     table->separator = 0;
     status = bat_separated_next(table, &more);
-    if (status == BATTEN_OK && more && bat_row_length(table) == 2 && bat_field_is_number(table, 0))
+    if (status == BATTEN_OK && more && bat_row_length(table) == 2 &&
+        bat_field_is_number(table, 0))
         *format = BATTEN_FORMAT_AEROFOIL;
     return status;
 }

@@ -31,8 +31,9 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
 }
 
-batten_status batten_write_memory(const batten_model *model, const batten_write_options *options,
-                                  batten_notes *notes, char **data, size_t *size)
+batten_status batten_write_memory(const batten_model *model,
+                                  const batten_write_options *options, batten_notes *notes,
+                                  char **data, size_t *size)
 {
     batten_write_options chosen = options ? *options : batten_write_defaults();
     batten_text text = BATTEN_TEXT;
@@ -67,8 +68,8 @@ batten_status batten_write_file(const batten_model *model, const char *path,
             chosen.format = BATTEN_FORMAT_POINTS;
     }
     if (chosen.format == BATTEN_FORMAT_AUTO)
-        return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format that is written",
-                        path);
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "the ending of '%s' names no format that is written", path);
     batten_status status = batten_write_memory(model, &chosen, notes, &data, &size);
     if (status == BATTEN_OK)
         status = batten_save_file(path, data, size);

@@ -63,7 +63,8 @@ TEST(reading_can_be_cancelled)
     for (int i = 0; i < LINES; i++)
         memcpy(text + 4 * i, "1 2\n", 4);
     job.is_cancelled = say_yes;
-    CHECK_STATUS(batten_read_memory(text, 4 * LINES, NULL, &job, NULL, &model), BATTEN_CANCELLED);
+    CHECK_STATUS(batten_read_memory(text, 4 * LINES, NULL, &job, NULL, &model),
+                 BATTEN_CANCELLED);
     CHECK(model == NULL);
 }
 
@@ -74,7 +75,8 @@ TEST(S3_long_lines_and_many_comments_are_borne)
     batten_model *model = NULL;
     memset(text, '1', size);
     if (size > 65536) {
-        CHECK_STATUS(read_bytes(text, size, BATTEN_FORMAT_POINTS, NULL, &model), BATTEN_TOO_LARGE);
+        CHECK_STATUS(read_bytes(text, size, BATTEN_FORMAT_POINTS, NULL, &model),
+                     BATTEN_TOO_LARGE);
         CHECK_MESSAGE("bytes in one line; the limit is 65536");
     }
     for (size_t i = 0; i < size; i += 2)

@@ -33,9 +33,8 @@ static batten_offsets *make_offsets(double unit_metres)
 static void add_curve(batten_model *model, const char *name)
 {
     batten_curve *curve = make_line();
-    CHECK_OK(batten_model_add(model, &(batten_object){.name = name,
-                                                      .kind = BATTEN_OBJECT_CURVE,
-                                                      .curve = curve}));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = name, .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
     batten_curve_unref(curve);
 }
 
@@ -107,13 +106,13 @@ TEST(the_box_holds_every_kind_of_object)
     add_curve(model, "keel");
     CHECK(batten_model_box(model, &box));
     CHECK(box.low.x == 0 && box.high.x == 1 && box.high.z == 3);
-    CHECK_OK(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_SURFACE,
-                                                      .surface = surface}));
-    CHECK_OK(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_OFFSETS,
-                                                      .offsets = offsets}));
-    CHECK_OK(batten_model_add(model, &(batten_object){.kind = BATTEN_OBJECT_POINTS,
-                                                      .point_count = 1,
-                                                      .points = point}));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.kind = BATTEN_OBJECT_SURFACE, .surface = surface}));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+    CHECK_OK(batten_model_add(
+        model,
+        &(batten_object){.kind = BATTEN_OBJECT_POINTS, .point_count = 1, .points = point}));
     CHECK(batten_model_box(model, &box));
     CHECK(box.low.x == -1 && box.low.y == -6 && box.low.z == -2);
     CHECK(box.high.x == 2 && box.high.y == 5 && box.high.z == 4);

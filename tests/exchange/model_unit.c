@@ -50,7 +50,10 @@ TEST(geometry_is_scaled_to_another_unit)
 {
     const struct {
         double from, to, factor;
-    } cases[] = {{1, 0.001, 1000}, {0.001, 1, 0.001}, {0.0254, 0.001, 25.4}, {0.3048, 0.0254, 12},
+    } cases[] = {{1, 0.001, 1000},
+                 {0.001, 1, 0.001},
+                 {0.0254, 0.001, 25.4},
+                 {0.3048, 0.0254, 12},
                  {1, 1, 1}};
     for (int i = 0; i < COUNT(cases); i++) {
         batten_model *model = make_model(cases[i].from, cases[i].from), *scaled = NULL;

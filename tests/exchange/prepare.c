@@ -8,8 +8,8 @@ TEST(clamped_shapes_keep_their_bits)
     for (int i = 0; i < test_cases(20); i++) {
         batten_surface *surface = random_surface(&random), *prepared = NULL;
         batten_curve *curve = random_curve(&random), *ready = NULL;
-        CHECK_OK(bat_prepare_surface(&(batten_object){.name = "", .surface = surface}, 1e-6, NULL,
-                                     &prepared));
+        CHECK_OK(bat_prepare_surface(&(batten_object){.name = "", .surface = surface}, 1e-6,
+                                     NULL, &prepared));
         CHECK_OK(bat_prepare_curve(&(batten_object){.name = "", .curve = curve}, &ready));
         check_same_surface(surface, prepared);
         check_same_curve(curve, ready);
@@ -22,13 +22,14 @@ TEST(clamped_shapes_keep_their_bits)
 
 TEST(a_periodic_surface_is_clamped)
 {
-    const double points[] = {0, 0, 0, 0, 0, 4, 2, 0, 0, 2, 0, 4, 2, 2, 0, 2, 2, 4, 0, 2, 0, 0, 2, 4};
+    const double points[] = {0, 0, 0, 0, 0, 4, 2, 0, 0, 2, 0, 4,
+                             2, 2, 0, 2, 2, 4, 0, 2, 0, 0, 2, 4};
     const double u[] = {0, 1, 2, 3, 4}, v[] = {0, 0, 1, 1};
     const batten_axis around = {2, 4, u, true}, up = {1, 2, v, false};
     batten_surface *surface = NULL, *prepared = NULL;
     CHECK_OK(batten_surface_create(3, &around, &up, points, NULL, &surface));
-    CHECK_OK(
-        bat_prepare_surface(&(batten_object){.name = "", .surface = surface}, 1e-6, NULL, &prepared));
+    CHECK_OK(bat_prepare_surface(&(batten_object){.name = "", .surface = surface}, 1e-6, NULL,
+                                 &prepared));
     const double *knots = batten_surface_knots(prepared, BATTEN_U);
     CHECK(knots[0] == knots[2] && !batten_surface_is_periodic(prepared, BATTEN_U));
     for (int i = 0; i <= 40; i++) {

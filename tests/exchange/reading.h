@@ -14,8 +14,8 @@ static inline batten_status read_bytes(const char *data, size_t size, batten_for
     return batten_read_memory(data, size, &options, NULL, notes, out);
 }
 
-static inline batten_status read_text(const char *text, batten_format format, batten_notes *notes,
-                                      batten_model **out)
+static inline batten_status read_text(const char *text, batten_format format,
+                                      batten_notes *notes, batten_model **out)
 {
     return read_bytes(text, strlen(text), format, notes, out);
 }
@@ -39,9 +39,10 @@ static inline bool has_note(const batten_notes *notes, const char *words)
     return false;
 }
 
-/* Read, expecting success, with a note that has these words; "" for none at all. Under memory faults a note
- * may be lost, so that only the reading itself is checked then. */
-static inline batten_model *read_noting(const char *text, batten_format format, const char *words)
+/* Read, expecting success, with a note that has these words; "" for none at all. Under memory
+ * faults a note may be lost, so that only the reading itself is checked then. */
+static inline batten_model *read_noting(const char *text, batten_format format,
+                                        const char *words)
 {
     batten_model *model = NULL;
     batten_notes *notes = NULL;

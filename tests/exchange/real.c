@@ -9,8 +9,9 @@ TEST(reals_have_a_point_and_a_capital_E)
     const struct {
         double value;
         const char *text;
-    } cases[] = {{0, "0."},        {-0.0, "-0."},   {1, "1."},          {0.1, "0.1"},
-                 {-2.5e-7, "-2.5E-7"}, {1e22, "1.E22"}, {4.9e-324, "5.E-324"}};
+    } cases[] = {
+        {0, "0."},       {-0.0, "-0."},        {1, "1."}, {0.1, "0.1"}, {-2.5e-7, "-2.5E-7"},
+        {1e22, "1.E22"}, {4.9e-324, "5.E-324"}};
     for (int i = 0; i < COUNT(cases); i++) {
         char text[BAT_REAL_SIZE];
         bat_real_write(cases[i].value, text);

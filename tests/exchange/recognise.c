@@ -45,7 +45,8 @@ TEST(F7_known_formats_that_are_not_read_are_named)
 TEST(F1_files_with_nothing_in_them_are_refused)
 {
     check_refused("", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "t: the file is empty");
-    const char *const texts[] = {"x", " ", "\n\n", "# only a comment\n", "\x1a", "\xef\xbb\xbf"};
+    const char *const texts[] = {"x",    " ",           "\n\n", "# only a comment\n",
+                                 "\x1a", "\xef\xbb\xbf"};
     for (int i = 0; i < COUNT(texts); i++)
         check_refused(texts[i], BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "t: the ");
 }
@@ -53,10 +54,14 @@ TEST(F1_files_with_nothing_in_them_are_refused)
 TEST(F4_text_in_other_encodings_is_refused_by_name)
 {
     batten_model *model = NULL;
-    CHECK_STATUS(read_bytes("\xff\xfe" "1\0 \0", 6, BATTEN_FORMAT_AUTO, NULL, &model),
+    CHECK_STATUS(read_bytes("\xff\xfe"
+                            "1\0 \0",
+                            6, BATTEN_FORMAT_AUTO, NULL, &model),
                  BATTEN_UNSUPPORTED);
     CHECK_MESSAGE("UTF-16");
-    CHECK_STATUS(read_bytes("\xfe\xff\0" "1\0 ", 6, BATTEN_FORMAT_POINTS, NULL, &model),
+    CHECK_STATUS(read_bytes("\xfe\xff\0"
+                            "1\0 ",
+                            6, BATTEN_FORMAT_POINTS, NULL, &model),
                  BATTEN_UNSUPPORTED);
     CHECK_STATUS(read_bytes("1 2\n3\0 4\n", 9, BATTEN_FORMAT_AUTO, NULL, &model),
                  BATTEN_BAD_FORMAT);
@@ -68,7 +73,8 @@ TEST(F4_names_keep_their_bytes)
 {
     batten_model *model =
         read_noting("x,z,y,line\n0,0,1,k\xfcl \xff\n", BATTEN_FORMAT_OFFSETS, "");
-    CHECK_TEXT(batten_offsets_line(batten_model_object(model, 0)->offsets, 0)->name, "k\xfcl \xff");
+    CHECK_TEXT(batten_offsets_line(batten_model_object(model, 0)->offsets, 0)->name,
+               "k\xfcl \xff");
     batten_model_unref(model);
 }
 

@@ -27,8 +27,8 @@ static inline void random_knots(test_random *random, int degree, int count, doub
     double at = test_random_int(random, -2, 2);
     for (int i = 0; i < count + degree + 1; i++) {
         const bool inside = i > degree && i < count;
-        const bool again = inside && degree > 1 && knots[i - 1] != knots[i - 2] && i > degree + 1 &&
-                           test_random_int(random, 0, 4) == 0;
+        const bool again = inside && degree > 1 && knots[i - 1] != knots[i - 2] &&
+                           i > degree + 1 && test_random_int(random, 0, 4) == 0;
         if ((inside && !again) || i == count)
             at += test_random_in(random, 0.1, 1);
         knots[i] = at;
@@ -47,7 +47,8 @@ static inline batten_curve *random_curve(test_random *random)
         weights[i] = test_random_in(random, 0.1, 3);
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_create(3, degree, count, points,
-                                 test_random_int(random, 0, 1) ? weights : NULL, knots, &curve));
+                                 test_random_int(random, 0, 1) ? weights : NULL, knots,
+                                 &curve));
     return curve;
 }
 
@@ -75,24 +76,24 @@ static inline batten_surface *random_surface(test_random *random)
 
 static inline void add_curve(batten_model *model, const char *name, const batten_curve *curve)
 {
-    CHECK_OK(batten_model_add(model, &(batten_object){.name = name,
-                                                      .kind = BATTEN_OBJECT_CURVE,
-                                                      .curve = curve}));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = name, .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
 }
 
 static inline void add_surface(batten_model *model, const char *name,
                                const batten_surface *surface)
 {
-    CHECK_OK(batten_model_add(model, &(batten_object){.name = name,
-                                                      .kind = BATTEN_OBJECT_SURFACE,
-                                                      .surface = surface}));
+    CHECK_OK(batten_model_add(
+        model,
+        &(batten_object){.name = name, .kind = BATTEN_OBJECT_SURFACE, .surface = surface}));
 }
 
 static inline batten_model *random_model(test_random *random, double unit)
 {
-    static const char *const names[] = {"", "keel", "Spant 12 \xc3\xbc", "a,b;c 3Habc'\"\\",
-                                        "a name of more than sixty-four characters, which runs over the end "
-                                        "of a record and on"};
+    static const char *const names[] = {
+        "", "keel", "Spant 12 \xc3\xbc", "a,b;c 3Habc'\"\\",
+        ("a name of more than sixty-four characters, which runs over "
+         "the end of a record and on")};
     batten_model *model = NULL;
     CHECK_OK(batten_model_create(unit, &model));
     const int count = test_random_int(random, 1, 4);
@@ -142,7 +143,8 @@ static inline void check_same_surface(const batten_surface *a, const batten_surf
         CHECK_INT(batten_surface_degree(b, direction), batten_surface_degree(a, direction));
         CHECK_INT(batten_surface_point_count(b, direction),
                   batten_surface_point_count(a, direction));
-        CHECK(same_numbers(batten_surface_knots(a, direction), batten_surface_knots(b, direction),
+        CHECK(same_numbers(batten_surface_knots(a, direction),
+                           batten_surface_knots(b, direction),
                            (size_t)batten_surface_knot_count(a, direction)));
         n *= (size_t)batten_surface_point_count(a, direction);
     }

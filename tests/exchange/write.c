@@ -4,8 +4,11 @@ TEST(a_model_is_written_in_the_format_of_its_name)
 {
     const struct {
         const char *name, *begins;
-    } cases[] = {{"a.igs", "Written by Batten"}, {"a.step", "ISO-10303-21;"}, {"a.xyz", "x_m"},
-                 {"a.csv", "x_m"}, {"a.dat", "aerofoil"}};
+    } cases[] = {{"a.igs", "Written by Batten"},
+                 {"a.step", "ISO-10303-21;"},
+                 {"a.xyz", "x_m"},
+                 {"a.csv", "x_m"},
+                 {"a.dat", "aerofoil"}};
     const double points[] = {1, 0.1, 0, 0, 0, 0, 1, 0, 0};
     test_random random = test_random_begin(__func__);
     batten_model *model = NULL;

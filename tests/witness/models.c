@@ -3,19 +3,19 @@
  *
  *     batten-witness-models FOLDER
  *
- * For each shape there is a STEP and an IGES file in several units, and beside it a table: index of the face
- * or edge, u and v in 0..1, and x y z in millimetres.
+ * For each shape there is a STEP and an IGES file in several units, and beside it a table:
+ * index of the face or edge, u and v in 0..1, and x y z in millimetres.
  */
 #include <batten/batten.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if ((call) != BATTEN_OK) {                                                             \
-            fprintf(stderr, "%s: %s\n", #call, batten_message());                              \
-            exit(1);                                                                           \
-        }                                                                                      \
+#define CHECK(call)                                               \
+    do {                                                          \
+        if ((call) != BATTEN_OK) {                                \
+            fprintf(stderr, "%s: %s\n", #call, batten_message()); \
+            exit(1);                                              \
+        }                                                         \
     } while (0)
 
 static const char *folder;
@@ -46,10 +46,11 @@ static void put_face(FILE *table, int index, const batten_surface *surface, doub
         for (int j = 0; j <= FACE_SAMPLES; j++) {
             const double u = (double)i / FACE_SAMPLES, v = (double)j / FACE_SAMPLES;
             double p[3];
-            CHECK(batten_surface_evaluate(surface, at(batten_surface_domain(surface, BATTEN_U), u),
-                                          at(batten_surface_domain(surface, BATTEN_V), v), 0, p));
-            fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, p[0] * mm, p[1] * mm,
-                    p[2] * mm);
+            CHECK(batten_surface_evaluate(
+                surface, at(batten_surface_domain(surface, BATTEN_U), u),
+                at(batten_surface_domain(surface, BATTEN_V), v), 0, p));
+            fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, p[0] * mm,
+                    p[1] * mm, p[2] * mm);
         }
 }
 
@@ -59,7 +60,8 @@ static void put_edge(FILE *table, int index, const batten_curve *curve, double m
         const double u = (double)i / EDGE_SAMPLES;
         double p[3];
         CHECK(batten_curve_evaluate(curve, at(batten_curve_domain(curve), u), 0, p));
-        fprintf(table, "%d,%.17g,,%.17g,%.17g,%.17g\n", index, u, p[0] * mm, p[1] * mm, p[2] * mm);
+        fprintf(table, "%d,%.17g,,%.17g,%.17g,%.17g\n", index, u, p[0] * mm, p[1] * mm,
+                p[2] * mm);
     }
 }
 
@@ -119,7 +121,8 @@ static batten_surface *patch(bool rational)
             weights[4 * i + j] = 1 + 0.3 * ((i + j) % 3);
         }
     batten_surface *surface = NULL;
-    CHECK(batten_surface_create(3, &axis_u, &axis_v, points, rational ? weights : NULL, &surface));
+    CHECK(batten_surface_create(3, &axis_u, &axis_v, points, rational ? weights : NULL,
+                                &surface));
     return surface;
 }
 

@@ -4,13 +4,13 @@
 #include <string.h>
 
 /*
- * A name, then "x y" in rows. In Selig's order they run from the trailing edge over the upper side
- * to the nose and back along the lower side. In Lednicer's, two counts come first, then the upper
- * and the lower side, each from the nose on. Either way the result runs as Selig's.
+ * A name, then "x y" in rows. In Selig's order they run from the trailing edge over the upper
+ * side to the nose and back along the lower side. In Lednicer's, two counts come first, then
+ * the upper and the lower side, each from the nose on. Either way the result runs as Selig's.
  */
 typedef struct {
     bat_separated table;
-    char *name;     /* "" when the file has none */
+    char *name;      /* "" when the file has none */
     bat_list points; /* of double[3] */
     int first_row;   /* line of the first point */
 } reading;

@@ -27,8 +27,8 @@ static const struct {
 
 #define LONGEST 48
 
-/* "Height (mm)" -> "height", "mm"; "z_m" -> "z", "m". Letters are made small, and '_' and blanks
- * become '-'. */
+/* "Height (mm)" -> "height", "mm"; "z_m" -> "z", "m". Letters are made small, and '_' and
+ * blanks become '-'. */
 static void normalise(const char *text, char *name)
 {
     size_t length = 0;
@@ -89,7 +89,8 @@ batten_status bat_columns_unit(const bat_separated *table, const bat_column *col
             continue;
         const double own = columns[k].unit_metres;
         if (own > 0 && unit > 0 && own != unit)
-            return bat_field_fail(table, k, "'%.40s' is in another unit than the columns before",
+            return bat_field_fail(table, k,
+                                  "'%.40s' is in another unit than the columns before",
                                   table->fields[k].text);
         unit = own > 0 ? own : unit;
         said += own > 0;

@@ -1,4 +1,5 @@
-/* The names that columns of a table may have, with their units: "x", "z_mm", "Half-breadth [m]". */
+/* The names that columns of a table may have, with their units: "x", "z_mm", "Half-breadth
+ * [m]". */
 #ifndef BAT_COLUMNS_H
 #define BAT_COLUMNS_H
 #include "exchange/csv/separated.h"
@@ -22,7 +23,8 @@ typedef struct {
 bat_column bat_column_of(const char *text);
 
 /* The unit of the coordinates among `columns`: 0 when none says one. Two different ones are
- * refused; one that is said for some holds for all, with a note. The current row is the header. */
+ * refused; one that is said for some holds for all, with a note. The current row is the header.
+ */
 batten_status bat_columns_unit(const bat_separated *table, const bat_column *columns, int count,
                                double *unit_metres);
 

@@ -41,7 +41,8 @@ batten_status bat_gather_point(bat_gathering *gathering, const bat_gathered *poi
     batten_status status =
         bat_input_limit(gathering->input, point->row, gathering->points.count + 1,
                         gathering->input->limits.points, "points in the table");
-    return status == BATTEN_OK ? bat_list_add(gathering->input, &gathering->points, point) : status;
+    return status == BATTEN_OK ? bat_list_add(gathering->input, &gathering->points, point)
+                               : status;
 }
 
 /* ---- lines ---- */
@@ -197,16 +198,16 @@ static batten_status check_twice(const table *t, const sorted_point *p, const so
 {
     if (p->point.station != q->point.station || p->line != q->line)
         return BATTEN_OK;
-    const bool same = p->point.y == q->point.y && p->point.z == q->point.z &&
-                      p->point.x == q->point.x;
+    const bool same =
+        p->point.y == q->point.y && p->point.z == q->point.z && p->point.x == q->point.x;
     if (!same && (p->line < 0 || t->lines[p->line].is_waterline))
         return BATTEN_OK;
-    return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT, q->point.row,
-                          "station x = %g has a second point on %s%s%s, at height %g; the first "
-                          "is in line %d",
-                          q->point.station, q->point.line ? "line '" : "the same place",
-                          q->point.line ? q->point.line : "", q->point.line ? "'" : "", q->point.z,
-                          p->point.row);
+    return bat_input_fail(
+        t->from->input, BATTEN_BAD_FORMAT, q->point.row,
+        "station x = %g has a second point on %s%s%s, at height %g; the first "
+        "is in line %d",
+        q->point.station, q->point.line ? "line '" : "the same place",
+        q->point.line ? q->point.line : "", q->point.line ? "'" : "", q->point.z, p->point.row);
 }
 
 /* Two columns or rows of the table that say the same x. */
@@ -215,26 +216,26 @@ static batten_status check_source(const table *t, size_t begin, size_t i)
     const bat_gathered *first = &t->points[begin].point, *point = &t->points[i].point;
     if (point->source == first->source)
         return BATTEN_OK;
-    return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT, bat_max_int(first->row, point->row),
-                          "station x = %g stands twice in the table, as number %d and %d",
-                          point->station, bat_min_int(first->source, point->source),
-                          bat_max_int(first->source, point->source));
+    return bat_input_fail(
+        t->from->input, BATTEN_BAD_FORMAT, bat_max_int(first->row, point->row),
+        "station x = %g stands twice in the table, as number %d and %d", point->station,
+        bat_min_int(first->source, point->source), bat_max_int(first->source, point->source));
 }
 
 /* The name among the points begin .. end - 1 of one station, or NULL. */
-static batten_status name_of_station(const table *t, size_t begin, size_t end, const char **name)
+static batten_status name_of_station(const table *t, size_t begin, size_t end,
+                                     const char **name)
 {
     const sorted_point *first = NULL;
     for (size_t i = begin; i < end; i++) {
         const sorted_point *p = &t->points[i];
         if (first && p->point.station_name &&
             strcmp(first->point.station_name, p->point.station_name) != 0)
-            return bat_input_fail(t->from->input, BATTEN_BAD_FORMAT,
-                                  bat_max_int(first->point.row, p->point.row),
-                                  "station '%.40s' stands at x = %g, where '%.40s' of line %d is",
-                                  p->point.station_name, p->point.station,
-                                  first->point.station_name,
-                                  bat_min_int(first->point.row, p->point.row));
+            return bat_input_fail(
+                t->from->input, BATTEN_BAD_FORMAT, bat_max_int(first->point.row, p->point.row),
+                "station '%.40s' stands at x = %g, where '%.40s' of line %d is",
+                p->point.station_name, p->point.station, first->point.station_name,
+                bat_min_int(first->point.row, p->point.row));
         if (!first && p->point.station_name)
             first = p;
     }
@@ -251,7 +252,8 @@ static batten_status make_station(table *t, size_t begin, size_t end)
         status = check_source(t, begin, i);
         if (status == BATTEN_OK && i > begin)
             status = check_twice(t, p - 1, p);
-        t->offset_points[i] = (batten_offset_point){p->point.x, p->point.y, p->point.z, p->line};
+        t->offset_points[i] =
+            (batten_offset_point){p->point.x, p->point.y, p->point.z, p->line};
     }
     if (status != BATTEN_OK)
         return status;
@@ -391,8 +393,8 @@ batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
         status = make_stations(&t);
     }
     if (status == BATTEN_OK)
-        status = batten_offsets_create(gathering->unit_metres, (int)t.line_count, t.offset_lines,
-                                       t.station_count, t.stations, &offsets);
+        status = batten_offsets_create(gathering->unit_metres, (int)t.line_count,
+                                       t.offset_lines, t.station_count, t.stations, &offsets);
     if (status == BATTEN_OK)
         status = make_model(gathering->unit_metres, offsets, out);
     batten_offsets_unref(offsets);

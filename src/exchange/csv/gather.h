@@ -9,7 +9,7 @@
 #include "exchange/input.h"
 
 typedef struct {
-    double station;           /* x of the station */
+    double station; /* x of the station */
     double x, y, z;
     const char *station_name; /* NULL: its x */
     const char *line;         /* NULL: none, or with `by_height` the waterline of this height */

@@ -4,8 +4,8 @@
 #include <string.h>
 
 /*
- * The boat builder's table: after the names of the stations come blocks of rows, each begun by a
- * word in the first column, in which every row is one line:
+ * The boat builder's table: after the names of the stations come blocks of rows, each begun by
+ * a word in the first column, in which every row is one line:
  *
  *     axis,    name,    stem,  1,     2
  *     length,  station, 0,     24,    48
@@ -41,7 +41,7 @@ typedef struct {
     const char **names; /* [count] */
     double *x;          /* [count], NULL before the lengths */
     int x_row;
-    bat_list lines;     /* of hull_line */
+    bat_list lines; /* of hull_line */
     bool has_feet;
     block block;
 } loft;
@@ -59,7 +59,8 @@ static batten_status read_names(loft *l)
     batten_status status =
         bat_input_array(table->input, (size_t)l->count, sizeof *l->names, &l->names);
     for (int k = 0; status == BATTEN_OK && k < l->count; k++)
-        status = bat_gather_name(l->gathering, table->fields[FIRST_STATION + k].text, &l->names[k]);
+        status =
+            bat_gather_name(l->gathering, table->fields[FIRST_STATION + k].text, &l->names[k]);
     return status;
 }
 
@@ -117,8 +118,9 @@ static batten_status read_value(loft *l, int field, double *value)
 static batten_status read_values(loft *l, double **values)
 {
     bat_input *input = l->table->input;
-    batten_status status = bat_input_limit(input, l->table->line, l->lines.count * (size_t)l->count,
-                                           input->limits.points, "values in the table");
+    batten_status status =
+        bat_input_limit(input, l->table->line, l->lines.count * (size_t)l->count,
+                        input->limits.points, "values in the table");
     double *made = NULL;
     if (status == BATTEN_OK)
         status = bat_input_array(input, (size_t)l->count, sizeof *made, &made);
@@ -158,8 +160,8 @@ static batten_status read_lengths(loft *l)
     l->x_row = l->table->line;
     for (int k = 0; status == BATTEN_OK && k < l->count; k++)
         if (isnan(l->x[k]))
-            status = bat_field_fail(l->table, FIRST_STATION + k, "station '%.40s' has no length",
-                                    l->names[k]);
+            status = bat_field_fail(l->table, FIRST_STATION + k,
+                                    "station '%.40s' has no length", l->names[k]);
     return status;
 }
 
@@ -217,11 +219,10 @@ static batten_status read_row(loft *l)
 static void note_half(const loft *l, const hull_line *line, int station)
 {
     const bool has_height = line->values[HEIGHTS] && !isnan(line->values[HEIGHTS][station]);
-    batten_notes_add(l->table->input->notes, l->table->input->file,
-                     line->row[has_height ? HEIGHTS : WIDTHS], line->name,
-                     "station '%.40s' has a %s and no %s; the point is left out",
-                     l->names[station], has_height ? "height" : "width",
-                     has_height ? "width" : "height");
+    batten_notes_add(
+        l->table->input->notes, l->table->input->file, line->row[has_height ? HEIGHTS : WIDTHS],
+        line->name, "station '%.40s' has a %s and no %s; the point is left out",
+        l->names[station], has_height ? "height" : "width", has_height ? "width" : "height");
 }
 
 static batten_status gather_line(const loft *l, const hull_line *line)
@@ -229,7 +230,8 @@ static batten_status gather_line(const loft *l, const hull_line *line)
     const double *heights = line->values[HEIGHTS], *widths = line->values[WIDTHS];
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < l->count; k++) {
-        const double z = heights ? heights[k] : (double)NAN, y = widths ? widths[k] : (double)NAN;
+        const double z = heights ? heights[k] : (double)NAN,
+                     y = widths ? widths[k] : (double)NAN;
         bat_gathered point = {.station = l->x[k],
                               .x = l->x[k],
                               .y = y,

@@ -36,9 +36,10 @@ static batten_status read_table(bat_separated *table, bat_gathering *gathering)
     case BAT_OFFSETS_NONE:
         break;
     }
-    return bat_input_fail(table->input, BATTEN_BAD_FORMAT, table->line,
-                          "no table of offsets: the first row must name columns for station, "
-                          "height and half-breadth, or begin with station\\height or axis,name");
+    return bat_input_fail(
+        table->input, BATTEN_BAD_FORMAT, table->line,
+        "no table of offsets: the first row must name columns for station, "
+        "height and half-breadth, or begin with station\\height or axis,name");
 }
 
 batten_status bat_read_offsets(bat_input *input, batten_model **out)

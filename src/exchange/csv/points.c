@@ -6,8 +6,8 @@
 /* Where the coordinates stand, and what has been read. */
 typedef struct {
     bat_separated table;
-    int columns;    /* fields of a row */
-    int at[3];      /* the columns of x, y, z; z may be -1 */
+    int columns; /* fields of a row */
+    int at[3];   /* the columns of x, y, z; z may be -1 */
     double unit_metres;
     bat_list points; /* of double[3] */
     bat_list starts; /* of size_t: where each object begins */
@@ -15,7 +15,7 @@ typedef struct {
 
 static int axis_of(bat_column column)
 {
-    return !column.is_letter ? -1
+    return !column.is_letter             ? -1
            : column.kind == BAT_COLUMN_X ? 0
            : column.kind == BAT_COLUMN_Y ? 1
                                          : 2;
@@ -89,8 +89,8 @@ static batten_status read_rows(reading *r)
     bool more = false, first = true;
     batten_status status = bat_separated_next(&r->table, &more);
     for (; status == BATTEN_OK && more; first = false) {
-        const bool header = first && !bat_field_is_number(&r->table, 0) &&
-                            bat_is_points_header(&r->table);
+        const bool header =
+            first && !bat_field_is_number(&r->table, 0) && bat_is_points_header(&r->table);
         if (header)
             status = read_header(r);
         else if (first)

@@ -237,8 +237,8 @@ batten_status bat_field_number(const bat_separated *table, int field, double *va
     if (status == BATTEN_OVERFLOW)
         return bat_field_fail(table, field, "'%.40s' is too large for a number", text);
     if (status != BATTEN_OK && has_decimal_comma(text))
-        return bat_field_fail(table, field, "'%.40s' has a comma; a decimal mark must be a point",
-                              text);
+        return bat_field_fail(table, field,
+                              "'%.40s' has a comma; a decimal mark must be a point", text);
     if (status != BATTEN_OK)
         return bat_field_fail(table, field, "'%.40s' is not a number", text);
     if (number == 0 && is_nonzero(text))

@@ -1,6 +1,7 @@
 /*
- * Text in rows and columns: separated by commas, semicolons, tabs or blanks. Fields may stand in
- * double quotes, a quote inside them doubled. Blank lines, and lines whose first field begins with
+ * Text in rows and columns: separated by commas, semicolons, tabs or blanks. Fields may stand
+ * in double quotes, a quote inside them doubled. Blank lines, and lines whose first field
+ * begins with
  * '#' (also inside quotes), are no rows.
  */
 #ifndef BAT_SEPARATED_H
@@ -32,8 +33,8 @@ char bat_separator_of(bat_span row);
 
 void bat_separated_begin(bat_separated *table, bat_input *input);
 void bat_separated_end(bat_separated *table);
-/* Go to the next row and cut it into fields. The separator is that of the first row unless it was
- * set before. *more is false at the end. */
+/* Go to the next row and cut it into fields. The separator is that of the first row unless it
+ * was set before. *more is false at the end. */
 batten_status bat_separated_next(bat_separated *table, bool *more);
 
 /* Name the field in a failure: "hull.csv:3: column 7: ...". */

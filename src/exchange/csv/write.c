@@ -5,8 +5,8 @@
 #include <string.h>
 
 /* A note for each object that a format with one kind of object cannot hold. */
-static void note_left_out(const batten_model *model, batten_notes *notes, batten_object_kind kind,
-                          bool only_first)
+static void note_left_out(const batten_model *model, batten_notes *notes,
+                          batten_object_kind kind, bool only_first)
 {
     bool first = true;
     for (int i = 0; i < batten_model_count(model); i++) {
@@ -14,7 +14,8 @@ static void note_left_out(const batten_model *model, batten_notes *notes, batten
         const bool fits = object->kind == kind && (first || !only_first);
         first &= object->kind != kind;
         if (!fits)
-            batten_notes_add(notes, "", 0, object->name, "the format cannot hold this; left out");
+            batten_notes_add(notes, "", 0, object->name,
+                             "the format cannot hold this; left out");
     }
 }
 
@@ -42,7 +43,8 @@ static void put_unit(batten_text *text, double metres)
 static void note_unit(double metres, batten_notes *notes)
 {
     if (metres > 0 && !batten_unit_name(metres))
-        batten_notes_add(notes, "", 0, "", "a unit of %g m has no name; it is not written", metres);
+        batten_notes_add(notes, "", 0, "", "a unit of %g m has no name; it is not written",
+                         metres);
 }
 
 /* ---- offsets ---- */
@@ -98,7 +100,8 @@ static void put_head(batten_text *text, columns needed, double unit)
         put_unit(text, unit);
         batten_text_add(text, "%s", k < 3 ? "," : "");
     }
-    batten_text_add(text, "%s%s\n", needed.line ? ",line" : "", needed.section ? ",section" : "");
+    batten_text_add(text, "%s%s\n", needed.line ? ",line" : "",
+                    needed.section ? ",section" : "");
 }
 
 static void put_point(batten_text *text, columns needed, const batten_offsets *offsets,
@@ -114,13 +117,15 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
     batten_text_bytes(text, ",", 1);
     batten_text_number(text, point->y);
     if (needed.line)
-        put_quoted(text, point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
+        put_quoted(text,
+                   point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
     if (needed.section)
         put_quoted(text, station->name);
     batten_text_bytes(text, "\n", 1);
 }
 
-batten_status bat_write_offsets(const batten_model *model, batten_notes *notes, batten_text *text)
+batten_status bat_write_offsets(const batten_model *model, batten_notes *notes,
+                                batten_text *text)
 {
     const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSETS);
     if (!object)
@@ -152,7 +157,8 @@ static void put_coordinates(batten_text *text, const double *point, int count)
     batten_text_bytes(text, "\n", 1);
 }
 
-batten_status bat_write_points(const batten_model *model, batten_notes *notes, batten_text *text)
+batten_status bat_write_points(const batten_model *model, batten_notes *notes,
+                               batten_text *text)
 {
     const double unit = batten_model_unit_metres(model);
     bool first = true;
@@ -187,17 +193,19 @@ static bool is_good_name(const char *name)
     return first != '\0' && !strchr("#\"+-.0123456789", first) && !strpbrk(name, "\r\n");
 }
 
-batten_status bat_write_aerofoil(const batten_model *model, batten_notes *notes, batten_text *text)
+batten_status bat_write_aerofoil(const batten_model *model, batten_notes *notes,
+                                 batten_text *text)
 {
     const batten_object *object = first_of_kind(model, BATTEN_OBJECT_POINTS);
     if (!object || object->point_count < 3)
         return nothing("row of 3 points or more");
     const double *points = object->points;
     if (bat_are_aerofoil_counts(&points[0], &points[3]))
-        return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "an aerofoil that begins with the point (%g, %g) would be taken for one "
-                        "that begins with counts",
-                        points[0], points[1]);
+        return bat_fail(
+            BATTEN_NOT_COMPATIBLE,
+            "an aerofoil that begins with the point (%g, %g) would be taken for one "
+            "that begins with counts",
+            points[0], points[1]);
     bool flat = true;
     for (int k = 0; k < object->point_count; k++)
         flat &= points[3 * (size_t)k + 2] == 0;

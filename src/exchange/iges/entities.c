@@ -10,7 +10,8 @@ static const bat_iges_entry *entries_of(const bat_iges_reading *reading)
     return reading->file.entries.items;
 }
 
-/* The entry that an id of a type names. BAD_FORMAT, with a message, when it is another or none. */
+/* The entry that an id of a type names. BAD_FORMAT, with a message, when it is another or none.
+ */
 static batten_status find(const bat_iges_reading *reading, int id, int type,
                           const bat_iges_entry **out)
 {
@@ -30,8 +31,9 @@ static batten_status find(const bat_iges_reading *reading, int id, int type,
     if (entries[low].is_broken)
         return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d, which is damaged", id);
     if (entries[low].type != type)
-        return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d as type %d, which is of type %d",
-                        id, type, entries[low].type);
+        return bat_fail(BATTEN_BAD_FORMAT,
+                        "it refers to entity D%d as type %d, which is of type %d", id, type,
+                        entries[low].type);
     *out = &entries[low];
     return BATTEN_OK;
 }
@@ -80,8 +82,9 @@ static batten_status read_matrix(bat_iges_reading *reading, const bat_iges_entry
         return bat_fail(BATTEN_BAD_FORMAT, "the matrix D%d is off a rotation by %g", entry->id,
                         skew);
     if (skew > 1e-9) {
-        batten_notes_add(reading->input->notes, reading->input->file, entry->line, "#124 matrix",
-                         "the matrix is off a rotation by %g; made a rotation", skew);
+        batten_notes_add(reading->input->notes, reading->input->file, entry->line,
+                         "#124 matrix", "the matrix is off a rotation by %g; made a rotation",
+                         skew);
         make_orthonormal(map->m);
     }
     return BATTEN_OK;
@@ -132,7 +135,8 @@ static batten_status read_name_property(bat_iges_reading *reading, int id, char 
     return BATTEN_OK;
 }
 
-/* After `own` parameters stand a count and as many associativities, then a count and properties. */
+/* After `own` parameters stand a count and as many associativities, then a count and
+ * properties. */
 static batten_status read_name(bat_iges_reading *reading, size_t own, char **name)
 {
     int count = 0, *properties = NULL;
@@ -181,7 +185,8 @@ static bool read_colour(bat_iges_reading *reading, int colour, double rgb[3])
 /* ---- curves and surfaces ---- */
 
 /* Read `count` reals from parameter *at on into new memory. */
-static batten_status read_reals(bat_iges_reading *reading, size_t *at, size_t count, double **out)
+static batten_status read_reals(bat_iges_reading *reading, size_t *at, size_t count,
+                                double **out)
 {
     double *values = NULL;
     batten_status status = bat_input_array(reading->input, count, sizeof *values, &values);
@@ -211,8 +216,9 @@ static batten_status check_shape(const bat_iges_reading *reading, int upper, int
         return bat_fail(BATTEN_BAD_DEGREE, "its degree is %d, not in 1..%d", degree,
                         BATTEN_MAX_DEGREE);
     if (upper < degree)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "its degree is %d, and the upper index of its points %d",
-                        degree, upper);
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "its degree is %d, and the upper index of its points %d", degree,
+                        upper);
     if ((size_t)upper >= reading->input->limits.points)
         return bat_fail(BATTEN_BAD_FORMAT, "%d points; the limit is %zu", upper,
                         reading->input->limits.points);
@@ -229,8 +235,8 @@ static batten_status check_count(const bat_iges_reading *reading, size_t needed)
 }
 
 /* Weights that are all the same say nothing when the entity calls itself polynomial. */
-static void judge_weights(bat_iges_reading *reading, const bat_iges_entry *entry, bool polynomial,
-                          size_t count, double **weights)
+static void judge_weights(bat_iges_reading *reading, const bat_iges_entry *entry,
+                          bool polynomial, size_t count, double **weights)
 {
     bool equal = true;
     for (size_t i = 1; i < count; i++)
@@ -249,8 +255,9 @@ static void judge_weights(bat_iges_reading *reading, const bat_iges_entry *entry
  * The interval of parameters an entity names, given its domain. Ends within a rounding of the
  * domain's are those; an interval that is empty or leaves the domain counts as not given.
  */
-static batten_interval read_interval(const bat_iges_reading *reading, const bat_iges_entry *entry,
-                                     size_t at, batten_interval domain)
+static batten_interval read_interval(const bat_iges_reading *reading,
+                                     const bat_iges_entry *entry, size_t at,
+                                     batten_interval domain)
 {
     batten_interval range = domain;
     const double slack = 1e-9 * (domain.b - domain.a);
@@ -367,8 +374,8 @@ typedef struct {
     double *knots_u, *knots_v, *weights, *points;
 } net;
 
-static batten_status read_net(bat_iges_reading *reading, const bat_iges_entry *entry, size_t *at,
-                              net *n)
+static batten_status read_net(bat_iges_reading *reading, const bat_iges_entry *entry,
+                              size_t *at, net *n)
 {
     batten_status status = read_integers(reading, 9, n->head);
     if (status == BATTEN_OK)
@@ -497,8 +504,9 @@ static bool is_read(int type)
 /* Is it the data's fault, so that the rest of the file may still be read? */
 static bool is_fault_of_data(batten_status status)
 {
-    return status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY && status != BATTEN_CANCELLED &&
-           status != BATTEN_INCOMPLETE && status != BATTEN_TOO_LARGE;
+    return status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY &&
+           status != BATTEN_CANCELLED && status != BATTEN_INCOMPLETE &&
+           status != BATTEN_TOO_LARGE;
 }
 
 static batten_status count_left_out(bat_iges_reading *reading, int type, int form)
@@ -506,7 +514,8 @@ static batten_status count_left_out(bat_iges_reading *reading, int type, int for
     bat_iges_count *counts = reading->left_out.items;
     const bat_iges_count first = {type, form, 1};
     reading->input->left_out++;
-    /* A bound on the kinds keeps the search short whatever the file says; the last one is shared. */
+    /* A bound on the kinds keeps the search short whatever the file says; the last one is
+     * shared. */
     for (size_t k = 0; k < reading->left_out.count; k++)
         if ((counts[k].type == type && counts[k].form == form) || k == 255) {
             counts[k].count++;
@@ -602,7 +611,8 @@ static batten_status read_shape(bat_iges_reading *reading, const bat_iges_entry 
     return status;
 }
 
-/* Forms of 110 above 0 are rays and whole lines; those of 126 and 128 say what the shape happens to be. */
+/* Forms of 110 above 0 are rays and whole lines; those of 126 and 128 say what the shape
+ * happens to be. */
 static bool has_known_form(const bat_iges_entry *entry)
 {
     const int highest = entry->type == 110 ? 0 : entry->type == 126 ? 5 : 9;
@@ -620,7 +630,8 @@ batten_status bat_iges_read_entry(bat_iges_reading *reading, size_t place)
     }
     if (is_auxiliary(entry->type))
         return BATTEN_OK;
-    /* Parts of other entities, and curves in the parameter space of a surface, are no objects. */
+    /* Parts of other entities, and curves in the parameter space of a surface, are no objects.
+     */
     if (entry->subordinate == 1 || entry->subordinate == 3 || entry->use == 5) {
         reading->dependent_count++;
         return BATTEN_OK;

@@ -19,8 +19,8 @@ typedef struct {
 /* What to call a type: "rational B-spline curve"; "entity" when unknown. */
 const char *bat_iges_type_name(int type);
 
-/* Read the entry into the model when it stands for itself. An entry that cannot be read is left out with a
- * note; what is returned is not its fault. */
+/* Read the entry into the model when it stands for itself. An entry that cannot be read is left
+ * out with a note; what is returned is not its fault. */
 batten_status bat_iges_read_entry(bat_iges_reading *reading, size_t place);
 
 #endif

@@ -10,8 +10,8 @@ batten_status bat_read_iges(bat_input *input, batten_model **out);
 batten_status bat_write_iges(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text);
 
-/* The unit of a flag of the global section (2 is mm), 0 when unknown; and the reverse, 3 when the
- * unit has none. */
+/* The unit of a flag of the global section (2 is mm), 0 when unknown; and the reverse, 3 when
+ * the unit has none. */
 double bat_iges_unit_of_flag(int flag);
 int bat_iges_flag_of_unit(double metres);
 

@@ -45,9 +45,9 @@ static const struct {
     const char *name;
     double metres;
 } units[] = {
-    {1, "in", 0.0254},  {2, "mm", 0.001}, {4, "ft", 0.3048},      {5, "mi", 1609.344},
-    {6, "m", 1},        {7, "km", 1000},  {8, "mil", 0.0000254},  {9, "um", 1e-6},
-    {10, "cm", 0.01},   {11, "uin", 2.54e-8}, {1, "inch", 0.0254},
+    {1, "in", 0.0254}, {2, "mm", 0.001},     {4, "ft", 0.3048},     {5, "mi", 1609.344},
+    {6, "m", 1},       {7, "km", 1000},      {8, "mil", 0.0000254}, {9, "um", 1e-6},
+    {10, "cm", 0.01},  {11, "uin", 2.54e-8}, {1, "inch", 0.0254},
 };
 #define UNITS (sizeof units / sizeof units[0])
 
@@ -130,9 +130,10 @@ static void note_counts(const bat_iges_reading *reading)
     batten_notes *notes = reading->input->notes;
     const char *file = reading->input->file;
     for (size_t k = 0; k < reading->left_out.count; k++)
-        batten_notes_add(notes, file, 0, bat_iges_type_name(counts[k].type),
-                         "%d of type %d form %d are hidden or not of a kind that is read; left out",
-                         counts[k].count, counts[k].type, counts[k].form);
+        batten_notes_add(
+            notes, file, 0, bat_iges_type_name(counts[k].type),
+            "%d of type %d form %d are hidden or not of a kind that is read; left out",
+            counts[k].count, counts[k].type, counts[k].form);
     if (reading->dependent_count)
         batten_notes_add(notes, file, 0, "",
                          "%d entities are parts of others and not read on their own",
@@ -153,13 +154,14 @@ static batten_status read_entries(bat_iges_reading *reading)
     if (status != BATTEN_OK)
         return status;
     note_counts(reading);
-    if (batten_model_count(reading->model) > 0 || input->left_out + reading->dependent_count == 0)
+    if (batten_model_count(reading->model) > 0 ||
+        input->left_out + reading->dependent_count == 0)
         return BATTEN_OK;
     const bat_iges_count *first = reading->left_out.items;
-    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                          "none of its %d entities could be read%s%s",
-                          input->left_out + reading->dependent_count, first ? "; there are: " : "",
-                          first ? bat_iges_type_name(first->type) : "");
+    return bat_input_fail(
+        input, BATTEN_UNSUPPORTED, 0, "none of its %d entities could be read%s%s",
+        input->left_out + reading->dependent_count, first ? "; there are: " : "",
+        first ? bat_iges_type_name(first->type) : "");
 }
 
 static batten_status read_all(bat_iges_reading *reading)

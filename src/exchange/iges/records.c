@@ -40,10 +40,12 @@ static batten_status append(bat_input *input, bat_list *list, bat_span record, s
 
 static batten_status add_data(bat_iges_file *file, bat_span record, int line, bool is_damaged)
 {
-    const bat_iges_data data = {
-        .number = is_damaged ? -1 : sequence_number(record), .line = line, .is_damaged = is_damaged};
+    const bat_iges_data data = {.number = is_damaged ? -1 : sequence_number(record),
+                                .line = line,
+                                .is_damaged = is_damaged};
     batten_status status = bat_list_add(file->input, &file->data, &data);
-    return status == BATTEN_OK ? append(file->input, &file->text, record, DATA_COLUMNS) : status;
+    return status == BATTEN_OK ? append(file->input, &file->text, record, DATA_COLUMNS)
+                               : status;
 }
 
 /* A record of the directory as it came. */
@@ -53,7 +55,8 @@ typedef struct {
     bool is_damaged;
 } directory_record;
 
-static batten_status add_directory(bat_iges_file *file, bat_span record, int line, bool is_damaged)
+static batten_status add_directory(bat_iges_file *file, bat_span record, int line,
+                                   bool is_damaged)
 {
     const directory_record made = {record, is_damaged ? -1 : sequence_number(record), line,
                                    is_damaged};
@@ -67,11 +70,13 @@ static char section_of(bat_span record)
     return letter && strchr("SGDPT", letter) ? letter : '\0';
 }
 
-/* `section` is that of the record before: where a record without a letter is taken to belong. */
+/* `section` is that of the record before: where a record without a letter is taken to belong.
+ */
 static batten_status add_record(bat_iges_file *file, bat_span record, int line, char *section)
 {
     const char letter = section_of(record);
-    const bool tab = memchr(record.bytes, '\t', record.length < LETTER ? record.length : LETTER);
+    const bool tab =
+        memchr(record.bytes, '\t', record.length < LETTER ? record.length : LETTER);
     const bool damaged = !letter || tab;
     if (damaged)
         batten_notes_add(file->input->notes, file->input->file, line, "",
@@ -140,8 +145,9 @@ static void number_data(bat_iges_file *file)
     }
     if (bad == count)
         return;
-    batten_notes_add(file->input->notes, file->input->file, data[bad].line, "",
-                     "the sequence numbers of the P section are wrong; the records are counted");
+    batten_notes_add(
+        file->input->notes, file->input->file, data[bad].line, "",
+        "the sequence numbers of the P section are wrong; the records are counted");
     for (size_t i = 0; i < count; i++)
         data[i].number = (int)i + 1;
 }
@@ -232,15 +238,16 @@ static batten_status read_directory(bat_iges_file *file)
     for (size_t i = 0; status == BATTEN_OK && i < count; i += 2) {
         const bool whole = i + 1 < count;
         const bat_span none = {"", 0};
-        bat_iges_entry entry = read_entry(records[i].text, whole ? records[i + 1].text : none,
-                                          records[i].line);
+        bat_iges_entry entry =
+            read_entry(records[i].text, whole ? records[i + 1].text : none, records[i].line);
         entry.is_broken |= !whole || records[i].is_damaged || records[i + 1].is_damaged;
         entry.id = numbered && whole ? records[i].number : (int)i + 1;
         status = bat_list_add(input, &file->entries, &entry);
     }
     if (!numbered)
-        batten_notes_add(input->notes, input->file, 0, "",
-                         "the sequence numbers of the D section are wrong; the records are counted");
+        batten_notes_add(
+            input->notes, input->file, 0, "",
+            "the sequence numbers of the D section are wrong; the records are counted");
     return status;
 }
 
@@ -304,8 +311,8 @@ static batten_status read_token(const bat_iges_file *file, bat_span text, size_t
     if (token->is_string) {
         begin += skip;
         if ((size_t)length > text.length - begin)
-            return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters runs past the section",
-                            length);
+            return bat_fail(BATTEN_BAD_FORMAT,
+                            "a string of %ld characters runs past the section", length);
         if ((size_t)length > file->input->limits.string_bytes)
             return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters; the limit is %zu",
                             length, file->input->limits.string_bytes);
@@ -323,8 +330,8 @@ static batten_status read_token(const bat_iges_file *file, bat_span text, size_t
     if (*at == text.length)
         return bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
     if (text.bytes[*at] != file->delimiter && text.bytes[*at] != file->terminator)
-        return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters is followed by '%c'", length,
-                        text.bytes[*at]);
+        return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters is followed by '%c'",
+                        length, text.bytes[*at]);
     return BATTEN_OK;
 }
 
@@ -414,8 +421,9 @@ static batten_status check_data(const bat_iges_file *file, size_t first, size_t 
     const bat_iges_data *data = file->data.items;
     for (size_t i = first; i <= last; i++) {
         if (data[i].is_damaged)
-            return bat_fail(BATTEN_BAD_FORMAT, "record %zu of the P section, line %d, is damaged",
-                            i + 1, data[i].line);
+            return bat_fail(BATTEN_BAD_FORMAT,
+                            "record %zu of the P section, line %d, is damaged", i + 1,
+                            data[i].line);
         if (i > first && data[i].number != data[i - 1].number + 1)
             return bat_fail(BATTEN_BAD_FORMAT, "record %d of the P section is missing",
                             data[i - 1].number + 1);
@@ -492,8 +500,8 @@ batten_status bat_iges_integer(const bat_iges_file *file, size_t index, int *val
             return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', is not a whole number",
                             index, (int)(text.length < 40 ? text.length : 40), text.bytes);
     if (!(number >= -INT_MAX && number <= INT_MAX))
-        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is %g, too large for a count or pointer",
-                        index, number);
+        return bat_fail(BATTEN_BAD_FORMAT,
+                        "parameter %zu is %g, too large for a count or pointer", index, number);
     *value = (int)number;
     return BATTEN_OK;
 }

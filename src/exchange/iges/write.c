@@ -26,11 +26,13 @@ typedef struct {
 
 /* ---- records ---- */
 
-/* End the record being filled: for a parameter record `id` is its entity, 0 for a global one. */
+/* End the record being filled: for a parameter record `id` is its entity, 0 for a global one.
+ */
 static void end_record(writing *w, int id)
 {
     if (id)
-        batten_text_add(&w->data, "%-64.*s%8dP%7d\n", (int)w->used, w->line, id, ++w->data_count);
+        batten_text_add(&w->data, "%-64.*s%8dP%7d\n", (int)w->used, w->line, id,
+                        ++w->data_count);
     else
         batten_text_add(&w->global, "%-72.*sG%7d\n", (int)w->used, w->line, ++w->global_count);
     w->used = 0;
@@ -113,7 +115,8 @@ static void put_entry(writing *w, const entry *e, int first)
     w->directory_count += 2;
 }
 
-/* A colour in percent with 6 decimals, so that reading and writing again gives the same text. */
+/* A colour in percent with 6 decimals, so that reading and writing again gives the same text.
+ */
 static double percent(double part)
 {
     return nearbyint(part * 1e8) / 1e6;
@@ -204,8 +207,8 @@ static bool is_segment(const batten_curve *curve)
 {
     const double *knots = batten_curve_knots(curve);
     return batten_curve_degree(curve) == 1 && batten_curve_point_count(curve) == 2 &&
-           !batten_curve_is_rational(curve) && knots[0] == 0 && knots[1] == 0 && knots[2] == 1 &&
-           knots[3] == 1;
+           !batten_curve_is_rational(curve) && knots[0] == 0 && knots[1] == 0 &&
+           knots[2] == 1 && knots[3] == 1;
 }
 
 static void put_segment(writing *w, int id, const batten_curve *curve)
@@ -227,7 +230,8 @@ static void put_spline(writing *w, int id, const batten_curve *curve)
     put_integer(w, id, n - 1, ',');
     put_integer(w, id, p, ',');
     put_integer(w, id, level, ',');
-    put_integer(w, id, memcmp(points, &points[3 * ((size_t)n - 1)], 3 * sizeof *points) == 0, ',');
+    put_integer(w, id, memcmp(points, &points[3 * ((size_t)n - 1)], 3 * sizeof *points) == 0,
+                ',');
     put_integer(w, id, weights == NULL, ',');
     put_integer(w, id, 0, ',');
     for (int i = 0; i < n + p + 1; i++)
@@ -335,12 +339,11 @@ static batten_status write_surface(writing *w, const batten_object *object, doub
     const int id = next_id(w), first = w->data_count + 1;
     put_surface(w, id, surface);
     put_properties(w, id, name);
-    put_entry(w,
-              &(entry){.type = 128,
-                       .level = level_of(w, object),
-                       .colour = colour,
-                       .status = "00000000"},
-              first);
+    put_entry(
+        w,
+        &(entry){
+            .type = 128, .level = level_of(w, object), .colour = colour, .status = "00000000"},
+        first);
     batten_surface_unref(surface);
     return BATTEN_OK;
 }
@@ -382,7 +385,8 @@ static void write_date(const char *date, char out[16])
 
 static void put_unit(writing *w, double metres)
 {
-    static const char *const names[] = {"IN", "MM", "", "FT", "MI", "M", "KM", "MIL", "UM", "CM", "UIN"};
+    static const char *const names[] = {"IN", "MM",  "",   "FT", "MI", "M",
+                                        "KM", "MIL", "UM", "CM", "UIN"};
     const int flag = bat_iges_flag_of_unit(metres);
     put_integer(w, 0, flag, ',');
     put_string(w, 0, names[flag - 1], ',');

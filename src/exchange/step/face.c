@@ -1,9 +1,9 @@
 #include "exchange/step/step.h"
 
 /*
- * The border of a patch, counter-clockwise in (u, v): along v = v0, u = u1, v = v1 and u = u0. A
- * border that is one point is left out. Of a closed surface two opposite borders are one edge,
- * used in both senses.
+ * The border of a patch, counter-clockwise in (u, v): along v = v0, u = u1, v = v1 and u = u0.
+ * A border that is one point is left out. Of a closed surface two opposite borders are one
+ * edge, used in both senses.
  */
 enum { SOUTH, EAST, NORTH, WEST, SIDES };
 
@@ -52,9 +52,7 @@ static bat_step_row take_row(const batten_surface *surface, int side, int first_
     const int count_v = batten_surface_point_count(surface, BATTEN_V);
     const bool along_u = side == SOUTH || side == NORTH;
     const batten_direction direction = along_u ? BATTEN_U : BATTEN_V;
-    const int start = side == NORTH  ? count_v - 1
-                      : side == EAST ? (count_u - 1) * count_v
-                                     : 0;
+    const int start = side == NORTH ? count_v - 1 : side == EAST ? (count_u - 1) * count_v : 0;
     const double *weights = batten_surface_weights(surface);
     return (bat_step_row){.degree = batten_surface_degree(surface, direction),
                           .count = along_u ? count_u : count_v,

@@ -73,7 +73,8 @@ static int rational_curve(bat_step *step, const char *name, const bat_step_row *
     put_curve_knots(step, row);
     bat_step_token(step, ") CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE((");
     for (int i = 0; i < row->count; i++)
-        bat_step_real(step, row->weights[(size_t)i * row->stride], i + 1 < row->count ? "," : "))");
+        bat_step_real(step, row->weights[(size_t)i * row->stride],
+                      i + 1 < row->count ? "," : "))");
     bat_step_token(step, " REPRESENTATION_ITEM(");
     bat_step_string(step, name, ")");
     bat_step_close(step);
@@ -153,7 +154,8 @@ static int rational_surface(bat_step *step, const char *name, const batten_surfa
     return id;
 }
 
-int bat_step_surface(bat_step *step, const char *name, const batten_surface *surface, int first_id)
+int bat_step_surface(bat_step *step, const char *name, const batten_surface *surface,
+                     int first_id)
 {
     if (batten_surface_is_rational(surface))
         return rational_surface(step, name, surface, first_id);

@@ -60,7 +60,8 @@ void bat_step_real(bat_step *step, double value, const char *after)
 
 /* ---- strings ---- */
 
-/* One character of UTF-8 from *text on; a byte that is none stands for itself, as in Latin-1. */
+/* One character of UTF-8 from *text on; a byte that is none stands for itself, as in Latin-1.
+ */
 static uint32_t next_character(const unsigned char **text, bool *valid)
 {
     static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};

@@ -32,7 +32,8 @@ void bat_step_real(bat_step *step, double value, const char *after);
 /* A string in its quotes; what is not ASCII is escaped. */
 void bat_step_string(bat_step *step, const char *value, const char *after);
 /* A whole instance; the arguments are short and ASCII. */
-int bat_step_add(bat_step *step, const char *keyword, const char *format, ...) BATTEN_PRINTF(3, 4);
+int bat_step_add(bat_step *step, const char *keyword, const char *format, ...)
+    BATTEN_PRINTF(3, 4);
 
 /* ---- shapes (geometry.c): what they are given is clamped and in space ---- */
 

@@ -47,17 +47,15 @@ static int put_length(bat_step *step, double metres)
     static const struct {
         double metres;
         const char *prefix;
-    } prefixes[] = {{1, "$"},          {0.001, ".MILLI."}, {0.01, ".CENTI."},
-                    {1000, ".KILO."},  {1e-6, ".MICRO."}};
+    } prefixes[] = {
+        {1, "$"}, {0.001, ".MILLI."}, {0.01, ".CENTI."}, {1000, ".KILO."}, {1e-6, ".MICRO."}};
     for (size_t k = 0; k < sizeof prefixes / sizeof prefixes[0]; k++)
         if (metres == prefixes[k].metres)
             return bat_step_add(step, "", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(%s,.METRE.)",
                                 prefixes[k].prefix);
     const char *name = batten_unit_name(metres);
-    const int metre =
-        bat_step_add(step, "", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.)");
-    const int exponents =
-        bat_step_add(step, "DIMENSIONAL_EXPONENTS", "1.,0.,0.,0.,0.,0.,0.");
+    const int metre = bat_step_add(step, "", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.)");
+    const int exponents = bat_step_add(step, "DIMENSIONAL_EXPONENTS", "1.,0.,0.,0.,0.,0.,0.");
     const int measure = bat_step_open(step, "LENGTH_MEASURE_WITH_UNIT");
     bat_step_token(step, "LENGTH_MEASURE(");
     bat_step_real(step, metres, "),");
@@ -65,7 +63,11 @@ static int put_length(bat_step *step, double metres)
     bat_step_close(step);
     const int id = bat_step_open(step, "");
     bat_step_token(step, "CONVERSION_BASED_UNIT(");
-    bat_step_string(step, metres == 0.0254 ? "INCH" : metres == 0.3048 ? "FOOT" : name ? name : "UNIT",
+    bat_step_string(step,
+                    metres == 0.0254   ? "INCH"
+                    : metres == 0.3048 ? "FOOT"
+                    : name             ? name
+                                       : "UNIT",
                     ",");
     bat_step_id(step, measure, ") ");
     bat_step_token(step, "LENGTH_UNIT() NAMED_UNIT(");
@@ -89,7 +91,8 @@ static void put_context(writing *w)
     bat_step_token(step, "'distance_accuracy_value',''");
     bat_step_close(step);
     w->context = bat_step_open(step, "");
-    bat_step_token(step, "GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((");
+    bat_step_token(step,
+                   "GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((");
     bat_step_id(step, accuracy, ")) ");
     bat_step_token(step, "GLOBAL_UNIT_ASSIGNED_CONTEXT((");
     bat_step_id(step, length, ",");
@@ -123,7 +126,8 @@ static void put_product(writing *w)
                                                 "'part definition',#%d,'design'", application);
     const int definition = bat_step_add(step, "PRODUCT_DEFINITION", "'design','',#%d,#%d",
                                         formation, definition_context);
-    w->definition_shape = bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", definition);
+    w->definition_shape =
+        bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", definition);
     const int point = bat_step_point(step, origin);
     const int z = bat_step_add(step, "DIRECTION", "'',(0.,0.,1.)");
     const int x = bat_step_add(step, "DIRECTION", "'',(1.,0.,0.)");
@@ -177,8 +181,7 @@ static batten_status write_surface(writing *w, const batten_object *object)
 {
     bat_step *step = &w->step;
     batten_surface *surface = NULL;
-    batten_status status =
-        bat_prepare_surface(object, step->tolerance, step->notes, &surface);
+    batten_status status = bat_prepare_surface(object, step->tolerance, step->notes, &surface);
     if (status != BATTEN_OK)
         return status;
     const int face = bat_step_face(step, object->name, surface);
@@ -238,8 +241,7 @@ static batten_status write_points(writing *w, const batten_object *object)
 {
     if (object->point_count == 0)
         return BATTEN_OK;
-    const int first =
-        bat_step_points(&w->step, object->points, (size_t)object->point_count);
+    const int first = bat_step_points(&w->step, object->points, (size_t)object->point_count);
     return put_set(w, object->name, first, object->point_count);
 }
 
@@ -276,24 +278,27 @@ static int put_representation(writing *w, const char *keyword, const id_list *it
     return id;
 }
 
-/* Faces and curves need representations of their own; where there are both, or neither, an empty
- * one holds them together. */
+/* Faces and curves need representations of their own; where there are both, or neither, an
+ * empty one holds them together. */
 static void put_representations(writing *w)
 {
     bat_step *step = &w->step;
     int faces = 0, curves = 0, main;
     if (w->surface_models.count)
-        faces = put_representation(w, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
-                                   &w->surface_models);
+        faces =
+            put_representation(w, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &w->surface_models);
     if (w->curve_sets.count)
         curves = put_representation(w, "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
                                     &w->curve_sets);
     main = faces ? faces : curves;
     if (!faces == !curves) {
-        main = bat_step_add(step, "SHAPE_REPRESENTATION", "'',(#%d),#%d", w->placement, w->context);
+        main = bat_step_add(step, "SHAPE_REPRESENTATION", "'',(#%d),#%d", w->placement,
+                            w->context);
         if (faces) {
-            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main, faces);
-            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main, curves);
+            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main,
+                         faces);
+            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main,
+                         curves);
         }
     }
     bat_step_add(step, "SHAPE_DEFINITION_REPRESENTATION", "#%d,#%d", w->definition_shape, main);
@@ -350,9 +355,8 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
     }
     if (status != BATTEN_OK)
         return status;
-    const double tolerance = options->tolerance > 0
-                                 ? options->tolerance
-                                 : 1e-6 / batten_model_unit_metres(scaled);
+    const double tolerance =
+        options->tolerance > 0 ? options->tolerance : 1e-6 / batten_model_unit_metres(scaled);
     writing w = {.step = {.text = BATTEN_TEXT, .notes = notes, .tolerance = tolerance},
                  .model = scaled,
                  .product = options->name};

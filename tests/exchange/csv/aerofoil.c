@@ -20,10 +20,12 @@ TEST(either_order_gives_the_points_from_the_trailing_edge_over_the_upper_side)
 {
     check_points(" Selig 12 \n1 .01\n.5 .1\n0 0\n.4 -.05\n1 -.01\n", "", "Selig 12");
     check_points("1, .01\n.5, .1\n0, 0\n.4, -.05\n1, -.01\n", "", "aerofoil");
-    check_points("LED, \"x\n3. 3.\n\n0 0\n.5 .1\n1 .01\n\n0 0\n.4 -.05\n1 -.01\n", "", "LED, \"x");
-    check_points("no nose twice\n3 2\n0 0\n.5 .1\n1 .01\n.4 -.05\n1 -.01\n", "", "no nose twice");
-    check_points("below first\n1 -.01\n.4 -.05\n0 0\n.5 .1\n1 .01\n", "the lower side comes first",
-                 "below first");
+    check_points("LED, \"x\n3. 3.\n\n0 0\n.5 .1\n1 .01\n\n0 0\n.4 -.05\n1 -.01\n", "",
+                 "LED, \"x");
+    check_points("no nose twice\n3 2\n0 0\n.5 .1\n1 .01\n.4 -.05\n1 -.01\n", "",
+                 "no nose twice");
+    check_points("below first\n1 -.01\n.4 -.05\n0 0\n.5 .1\n1 .01\n",
+                 "the lower side comes first", "below first");
 }
 
 TEST(what_is_no_aerofoil_is_refused)

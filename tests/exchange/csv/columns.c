@@ -24,8 +24,8 @@ TEST(columns_are_known_by_many_names_with_their_units)
         {"section", BAT_COLUMN_SECTION, false, 0},
         {"depth", BAT_COLUMN_OTHER, false, 0},
         {"", BAT_COLUMN_OTHER, false, 0},
-        {"a very long name of a column that no table of offsets would ever have", BAT_COLUMN_OTHER,
-         false, 0},
+        {"a very long name of a column that no table of offsets would ever have",
+         BAT_COLUMN_OTHER, false, 0},
     };
     for (int i = 0; i < COUNT(cases); i++) {
         const bat_column column = bat_column_of(cases[i].text);

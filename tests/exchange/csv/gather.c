@@ -4,8 +4,9 @@
 
 TEST(a_station_without_points_is_left_out_with_a_note)
 {
-    batten_model *model = read_noting("x,z,half-breadth\n0,0,\n0,1,-\n1,0,2\n", BATTEN_FORMAT_AUTO,
-                                      "station x = 0 has no points; left out");
+    batten_model *model =
+        read_noting("x,z,half-breadth\n0,0,\n0,1,-\n1,0,2\n", BATTEN_FORMAT_AUTO,
+                    "station x = 0 has no points; left out");
     CHECK_INT(batten_offsets_station_count(batten_model_object(model, 0)->offsets), 1);
     batten_model_unref(model);
 }
@@ -15,7 +16,8 @@ TEST(the_order_in_which_points_come_does_not_matter)
 {
     test_random random = test_random_begin(__func__);
     for (int round = 0; round < test_cases(40); round++) {
-        const int lines = test_random_int(&random, 1, 6), stations = test_random_int(&random, 1, 6);
+        const int lines = test_random_int(&random, 1, 6),
+                  stations = test_random_int(&random, 1, 6);
         const char *const names[] = {"a", "b", "c", "d", "e", "f"};
         int order[36];
         char text[3000] = "x,z,y,line\n";
@@ -37,7 +39,8 @@ TEST(the_order_in_which_points_come_does_not_matter)
         CHECK_INT(batten_offsets_station_count(offsets), stations);
         for (int s = 0; s < stations; s++)
             for (int k = 0; k < lines; k++) {
-                const batten_offset_point *point = &batten_offsets_station(offsets, s)->points[k];
+                const batten_offset_point *point =
+                    &batten_offsets_station(offsets, s)->points[k];
                 CHECK_INT(point->line, k);
                 CHECK_TEXT(batten_offsets_line(offsets, k)->name, names[lines - 1 - k]);
                 CHECK_BITS(point->y, (double)(lines - 1 - k));

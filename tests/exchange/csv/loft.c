@@ -71,13 +71,15 @@ TEST(what_is_given_twice_or_not_at_all_is_refused)
                   "t:2: column 12: station '1' has no length");
     check_refused("axis,name,0\nlength,x,0\nheight,a,1\n,A,2\n", BATTEN_FORMAT_AUTO,
                   BATTEN_BAD_FORMAT, "t:4: line 'a' was given before, in line 3");
-    check_refused("axis,name,a,b\nlength,x,1,1\nheight,a,1,2\nwidth,a,1,2\n", BATTEN_FORMAT_AUTO,
-                  BATTEN_BAD_FORMAT, "t:3: station 'b' stands at x = 1, where 'a'");
+    check_refused("axis,name,a,b\nlength,x,1,1\nheight,a,1,2\nwidth,a,1,2\n",
+                  BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
+                  "t:3: station 'b' stands at x = 1, where 'a'");
 }
 
 TEST(feet_that_make_no_sense_are_refused)
 {
-    const char *const bad[] = {"1-12-0", "1-0-8", "1-2", "1-2-3-4", "1--2-3", "12345678-0-0", "1-2-"};
+    const char *const bad[] = {"1-12-0", "1-0-8",        "1-2", "1-2-3-4",
+                               "1--2-3", "12345678-0-0", "1-2-"};
     char text[120];
     for (int i = 0; i < COUNT(bad); i++) {
         snprintf(text, sizeof text, "axis,name,0\nlength,x,0\nheight,a,%s\n", bad[i]);
@@ -97,8 +99,10 @@ static void next_numbers(const char **at, int count, double *out)
     }
 }
 
-/* The other program's file lists "lines": {"name": [[y, z, x], ..]}, with [] where a point is absent. */
-static void check_against(const char *csv, const char *json, const char *const *names, int count)
+/* The other program's file lists "lines": {"name": [[y, z, x], ..]}, with [] where a point is
+ * absent. */
+static void check_against(const char *csv, const char *json, const char *const *names,
+                          int count)
 {
     size_t size = 0;
     char *text = load_bytes(test_data(json), &size);
@@ -117,7 +121,8 @@ static void check_against(const char *csv, const char *json, const char *const *
             at = strchr(at, '[') + 1;
             int k = 0;
             while (k < station->point_count &&
-                   strcasecmp(batten_offsets_line(offsets, station->points[k].line)->name, names[i]) != 0)
+                   strcasecmp(batten_offsets_line(offsets, station->points[k].line)->name,
+                              names[i]) != 0)
                 k++;
             CHECK_INT(k == station->point_count, *at == ']');
             if (k == station->point_count)
@@ -143,7 +148,8 @@ TEST(the_sharpie_and_the_cartopper_have_the_inches_that_others_read)
 TEST(the_sport_dory_is_read)
 {
     batten_model *model = NULL;
-    CHECK_OK(batten_read_file(test_data("hull_offsets/SportDory.csv"), NULL, NULL, NULL, &model));
+    CHECK_OK(
+        batten_read_file(test_data("hull_offsets/SportDory.csv"), NULL, NULL, NULL, &model));
     const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
     CHECK_INT(batten_offsets_station_count(offsets), 8);
     CHECK_INT(batten_offsets_line_count(offsets), 6);

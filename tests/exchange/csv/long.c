@@ -20,7 +20,8 @@ TEST(names_of_lines_and_stations_may_have_columns)
     /* The stem's own points may be off its station. */
     CHECK_BITS(stem->x, 0.0);
     CHECK_BITS(stem->points[1].x, -0.5);
-    /* In the order of the mean heights of the lines, 0.75 and 2.25; the point without a line has its own. */
+    /* In the order of the mean heights of the lines, 0.75 and 2.25; the point without a line
+     * has its own. */
     CHECK_INT(midship->points[0].line, 0);
     CHECK_INT(midship->points[1].line, -1);
     CHECK_INT(midship->points[2].line, 1);
@@ -29,22 +30,24 @@ TEST(names_of_lines_and_stations_may_have_columns)
 
 TEST(stations_are_sorted_with_a_note)
 {
-    batten_model *model = read_noting("x,z,half-breadth\n2,0,1\n0,0,1\n2,1,2\n0,1,2\n",
-                                      BATTEN_FORMAT_AUTO, "the stations do not come in the order");
+    batten_model *model =
+        read_noting("x,z,half-breadth\n2,0,1\n0,0,1\n2,1,2\n0,1,2\n", BATTEN_FORMAT_AUTO,
+                    "the stations do not come in the order");
     const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
     CHECK_BITS(batten_offsets_station(offsets, 0)->x, 0.0);
     CHECK_INT(batten_offsets_station(offsets, 1)->point_count, 2);
     batten_model_unref(model);
     /* Waterline by waterline is an order, too. */
-    batten_model_unref(read_noting("x,z,half-breadth\n0,0,1\n2,0,1\n0,1,2\n2,1,2\n",
-                                   BATTEN_FORMAT_AUTO, ""));
+    batten_model_unref(
+        read_noting("x,z,half-breadth\n0,0,1\n2,0,1\n0,1,2\n2,1,2\n", BATTEN_FORMAT_AUTO, ""));
 }
 
 TEST(a_point_given_twice_is_refused_with_both_lines)
 {
     check_refused("x,z,half-breadth\n0,1,2\n0,0,1\n0,1,2\n", BATTEN_FORMAT_AUTO,
-                  BATTEN_BAD_FORMAT, "t:4: station x = 0 has a second point on the same place, at "
-                                     "height 1; the first is in line 2");
+                  BATTEN_BAD_FORMAT,
+                  "t:4: station x = 0 has a second point on the same place, at "
+                  "height 1; the first is in line 2");
     check_refused("x,z,y,line\n0,1,2,a\n0,2,3,a\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
                   "t:3: station x = 0 has a second point on line 'a'");
     check_refused("x,z,y,section\n0,1,2,a\n0,2,3,b\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
@@ -63,8 +66,8 @@ TEST(a_flat_bottom_has_two_points_on_one_waterline)
 
 TEST(columns_that_are_not_known_or_twice_there_are_named)
 {
-    batten_model_unref(
-        read_noting("x,z,y,draft\n0,0,1,7\n", BATTEN_FORMAT_OFFSETS, "column 'draft' is not read"));
+    batten_model_unref(read_noting("x,z,y,draft\n0,0,1,7\n", BATTEN_FORMAT_OFFSETS,
+                                   "column 'draft' is not read"));
     check_refused("x,z,y,height\n0,0,1,7\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT,
                   "t:1: column 7: 'height' says the same as 'z'");
     check_refused("x,z,y\n0,,1\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "t:2: column 3");

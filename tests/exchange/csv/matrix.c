@@ -2,7 +2,8 @@
 
 TEST(the_corner_says_which_way_a_matrix_stands)
 {
-    const char *const texts[] = {"x\\z [mm],0,10\n5,1,2\n7,3,4\n", "z_mm/x_mm,5,7\n0,1,3\n10,2,4\n"};
+    const char *const texts[] = {"x\\z [mm],0,10\n5,1,2\n7,3,4\n",
+                                 "z_mm/x_mm,5,7\n0,1,3\n10,2,4\n"};
     for (int i = 0; i < COUNT(texts); i++) {
         batten_model *model = read_noting(texts[i], BATTEN_FORMAT_AUTO, "");
         const batten_offsets *offsets = batten_model_object(model, 0)->offsets;

@@ -48,7 +48,8 @@ TEST(what_is_no_table_of_offsets_is_refused)
     check_refused("1,2,3\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");
     check_refused("", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");
     check_refused("x,z,y\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "there is no point");
-    check_refused("x,z,y\n1,2,\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "there is no point");
+    check_refused("x,z,y\n1,2,\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT,
+                  "there is no point");
 }
 
 TEST(the_tables_of_real_hulls_are_read)
@@ -78,8 +79,9 @@ TEST(the_tables_of_real_hulls_are_read)
 
 TEST(F2_a_table_cut_at_any_byte_is_refused_or_noted)
 {
-    static const char text[] = "station,x,z,half_breadth,line\n0,0,0,0,\"keel\"\n0,0.25,1,2,deck\n"
-                               "3,3,0,0,keel\n3,3.5,1.5,4,deck\n";
+    static const char text[] =
+        "station,x,z,half_breadth,line\n0,0,0,0,\"keel\"\n0,0.25,1,2,deck\n"
+        "3,3,0,0,keel\n3,3.5,1.5,4,deck\n";
     for (size_t size = 0; size < sizeof text - 1; size++) {
         batten_model *model = NULL;
         batten_notes *notes = NULL;

@@ -46,7 +46,8 @@ TEST(other_columns_are_refused)
     check_refused("1 2 3 4\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "a point has 2 or 3 coordinates, not 4");
     check_refused("x,y\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "there is no point");
-    check_refused("1,2\n,3\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "t:2: column 1: '' is not");
+    check_refused("1,2\n,3\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "t:2: column 1: '' is not");
 }
 
 TEST(S1_more_points_or_objects_than_the_limit_are_refused)

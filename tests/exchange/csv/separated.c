@@ -65,10 +65,10 @@ TEST(N3_numbers_are_read_as_decimals_or_refused)
     const struct {
         const char *text;
         double value;
-    } good[] = {{".5", 0.5}, {"5.", 5}, {"+1", 1}, {"-2.5e-1", -0.25}, {"1E3", 1000},
-                {"0.1", 0.1}};
-    const char *const bad[] = {"nan", "inf", "-inf", "0x1p3", "1d5", "1.D+3", "--1", "1e", ".", "1e400",
-                               "1_000", "1'000"};
+    } good[] = {{".5", 0.5},        {"5.", 5},     {"+1", 1},
+                {"-2.5e-1", -0.25}, {"1E3", 1000}, {"0.1", 0.1}};
+    const char *const bad[] = {"nan", "inf", "-inf", "0x1p3", "1d5",   "1.D+3",
+                               "--1", "1e",  ".",    "1e400", "1_000", "1'000"};
     char text[64];
     for (int i = 0; i < COUNT(good); i++) {
         snprintf(text, sizeof text, "%s 2\n", good[i].text);
@@ -109,7 +109,8 @@ TEST(F6_a_decimal_comma_is_named_with_its_line_and_column)
     check_refused("x;y\n1;2\n1,5;2,7\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "t:3: column 1: '1,5' has a comma; a decimal mark must be a point");
     check_refused("1.5\t2,7\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "t:1: column");
-    check_refused("1.234,5;2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "'1.234,5' has a comma");
+    check_refused("1.234,5;2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "'1.234,5' has a comma");
 }
 
 TEST(F6_ragged_rows_are_refused_with_their_line)
@@ -124,9 +125,14 @@ TEST(F6_ragged_rows_are_refused_with_their_line)
 TEST(F3_line_ends_do_not_matter)
 {
     const char *const texts[] = {
-        "1 2\n3 4\n5 6\n",     "1 2\r\n3 4\r\n5 6\r\n", "1 2\r3 4\r5 6\r",
-        "1 2\r\n3 4\n5 6\r",   "1 2\n3 4\n5 6\n\n \n",  "1 2\n3 4\n5 6\n\x1a",
-        "\xef\xbb\xbf" "1 2\n3 4\n5 6\n",
+        "1 2\n3 4\n5 6\n",
+        "1 2\r\n3 4\r\n5 6\r\n",
+        "1 2\r3 4\r5 6\r",
+        "1 2\r\n3 4\n5 6\r",
+        "1 2\n3 4\n5 6\n\n \n",
+        "1 2\n3 4\n5 6\n\x1a",
+        ("\xef\xbb\xbf"
+         "1 2\n3 4\n5 6\n"),
     };
     for (int i = 0; i < COUNT(texts); i++) {
         batten_model *model = read_noting(texts[i], BATTEN_FORMAT_AUTO, "");
@@ -135,5 +141,6 @@ TEST(F3_line_ends_do_not_matter)
         CHECK_BITS(object->points[7], 6.0);
         batten_model_unref(model);
     }
-    batten_model_unref(read_noting("1 2\n3 4\n5 6", BATTEN_FORMAT_AUTO, "the last line has no end"));
+    batten_model_unref(
+        read_noting("1 2\n3 4\n5 6", BATTEN_FORMAT_AUTO, "the last line has no end"));
 }

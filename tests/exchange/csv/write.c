@@ -25,7 +25,8 @@ TEST(tables_are_written_so_that_they_read_back)
         "x_m,z_m,half_breadth_m\n0,0,0\n0,1,2\n3,1,4\n",
         "x,z,half_breadth\n0,0,0\n0,0,5\n-0,-0,1e-320\n",
         "section,station_ft,x,z,y,line\nstem,0,-0.5,2,0,\"a \"\"b\"\", c\"\nstem,0,0,1,0.1,\n",
-        "axis,name,stem,1\nlength,station,0,24\nheights,sheer,2-8-6,2-6-1\nwidths,sheer,0-0-7,1-1-3\n",
+        "axis,name,stem,1\nlength,station,0,24\nheights,sheer,2-8-6,2-6-1\nwidths,sheer,0-0-7,"
+        "1-1-3\n",
     };
     for (int i = 0; i < COUNT(texts); i++)
         check_round_trip(texts[i], BATTEN_FORMAT_OFFSETS);
@@ -65,7 +66,8 @@ static void check_not_written(const char *text, batten_format format, const char
 TEST(what_a_format_cannot_hold_is_refused)
 {
     check_not_written("1 2\n3 4\n", BATTEN_FORMAT_OFFSETS, "the model has no table of offsets");
-    check_not_written("x,z,half_breadth\n1,2,3\n", BATTEN_FORMAT_POINTS, "the model has no points");
+    check_not_written("x,z,half_breadth\n1,2,3\n", BATTEN_FORMAT_POINTS,
+                      "the model has no points");
     check_not_written("1 2\n3 4\n", BATTEN_FORMAT_AEROFOIL, "no row of 3 points");
     check_not_written("5 5 0\n0 0 0\n5 -1 0\n", BATTEN_FORMAT_AEROFOIL, "begins with counts");
 }

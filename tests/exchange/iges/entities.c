@@ -30,9 +30,11 @@ TEST(a_line_a_curve_and_a_surface_are_read)
 
 TEST(Q6_counts_that_contradict_the_parameters_are_refused_with_both)
 {
-    check_left_out(126, "126,9,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
-                   "27 parameters, need 60");
-    check_left_out(126, "126,1,2,0,0,1,0,0.,0.,0.;", "its degree is 2, and the upper index of its points 1");
+    check_left_out(
+        126, "126,9,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
+        "27 parameters, need 60");
+    check_left_out(126, "126,1,2,0,0,1,0,0.,0.,0.;",
+                   "its degree is 2, and the upper index of its points 1");
     check_left_out(126, "126,2,26,0,0,1,0,0.;", "its degree is 26, not in 1..25");
     check_left_out(128, "128,1,0,1,0,0,0,1,0,0,0.;", "its degree is 0");
     check_left_out(128, "128,2,1,1,1,0,0,1,0,0,0.;", "11 parameters, need 43");
@@ -41,7 +43,8 @@ TEST(Q6_counts_that_contradict_the_parameters_are_refused_with_both)
 
 TEST(S2_a_count_that_the_file_cannot_hold_is_refused_without_memory)
 {
-    check_left_out(126, "126,2147483646,3,0,0,1,0,0.;", "2147483646 points; the limit is 10000000");
+    check_left_out(126, "126,2147483646,3,0,0,1,0,0.;",
+                   "2147483646 points; the limit is 10000000");
     check_left_out(126, "126,9999998,3,0,0,1,0,0.;", "8 parameters, need 50000006");
     check_left_out(128, "128,9999998,9999998,3,3,0,0,1,0,0,0.;", "parameters, need");
     check_left_out(126, "126,4294967298,3,0,0,1,0,0.;", "too large for a count");
@@ -59,23 +62,30 @@ TEST(N4_what_is_no_whole_number_is_no_count)
 
 TEST(K3_decreasing_knots_and_K8_bad_weights_leave_the_entity_out)
 {
-    check_left_out(126, "126,2,2,0,0,1,0,0.,0.,0.,1.,0.5,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
-                   "knot 4 is 0.5");
-    check_left_out(126, "126,2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,-1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
-                   "weight");
-    check_left_out(126, "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,1E400,1.,1.,0.,2.,0.,0.,0.,1.;",
-                   "parameter 18, '1E400', is too large");
+    check_left_out(
+        126, "126,2,2,0,0,1,0,0.,0.,0.,1.,0.5,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
+        "knot 4 is 0.5");
+    check_left_out(
+        126, "126,2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,-1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;",
+        "weight");
+    check_left_out(
+        126, "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,1E400,1.,1.,0.,2.,0.,0.,0.,1.;",
+        "parameter 18, '1E400', is too large");
 }
 
 TEST(polynomial_but_with_weights_keeps_them_with_a_note)
 {
     batten_model *model = read_noting(
-        iges_one(126, "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,2.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;"),
+        iges_one(
+            126,
+            "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,2.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;"),
         BATTEN_FORMAT_AUTO, "it calls itself polynomial");
     CHECK(batten_curve_is_rational(batten_model_object(model, 0)->curve));
     batten_model_unref(model);
     model = read_noting(
-        iges_one(126, "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,2.,2.,2.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;"),
+        iges_one(
+            126,
+            "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,2.,2.,2.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.;"),
         BATTEN_FORMAT_AUTO, "");
     CHECK(!batten_curve_is_rational(batten_model_object(model, 0)->curve));
     batten_model_unref(model);
@@ -101,7 +111,8 @@ TEST(Q5_defaults_stand_for_what_is_missing)
     for (int i = 0; i < COUNT(cases); i++) {
         batten_model *model =
             read_noting(iges_one(126, cases[i].text), BATTEN_FORMAT_AUTO, cases[i].note);
-        const batten_interval domain = batten_curve_domain(batten_model_object(model, 0)->curve);
+        const batten_interval domain =
+            batten_curve_domain(batten_model_object(model, 0)->curve);
         CHECK_BITS(domain.a, cases[i].a);
         CHECK_BITS(domain.b, cases[i].b);
         batten_model_unref(model);
@@ -143,8 +154,8 @@ TEST(a_name_is_found_among_the_properties)
 
 TEST(wrong_pointers_to_names_and_colours_are_ignored)
 {
-    const char *const tails[] = {"0,1,1;", "0,1,2;", "0,1,99;", "0,7,1;", "-5;", "0,1,1Hx;", "9;",
-                                 "0,1,3;"};
+    const char *const tails[] = {"0,1,1;", "0,1,2;",   "0,1,99;", "0,7,1;",
+                                 "-5;",    "0,1,1Hx;", "9;",      "0,1,3;"};
     for (int i = 0; i < COUNT(tails); i++) {
         char parameters[200];
         iges_text file = iges_begin();
@@ -203,7 +214,8 @@ TEST(a_matrix_that_is_nearly_a_rotation_is_made_one_with_a_note)
 {
     iges_text file = iges_begin();
     iges_add(&file, 110, 0, 3, 0, "00000000", "110,1.,0.,0.,0.,0.,0.;");
-    iges_add(&file, 124, 0, 0, 0, "00000000", "124,1.0000001,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;");
+    iges_add(&file, 124, 0, 0, 0, "00000000",
+             "124,1.0000001,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;");
     batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
                                       "the matrix is off a rotation by 2e-07; made a rotation");
     CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], 1.0);
@@ -214,7 +226,8 @@ TEST(parts_of_others_and_hidden_entities_are_not_read)
 {
     const struct {
         const char *status, *words;
-    } cases[] = {{"01000000", "1 of type 110 form 0 are hidden"}, {"00000200", "1 of type 110"}};
+    } cases[] = {{"01000000", "1 of type 110 form 0 are hidden"},
+                 {"00000200", "1 of type 110"}};
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
         iges_add(&file, 110, 0, 0, 0, cases[i].status, IGES_LINE);

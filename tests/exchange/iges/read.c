@@ -41,8 +41,9 @@ TEST(the_unit_is_that_of_the_flag_or_of_the_name)
     }
     check_refused(with_global(",,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,mm,2HMM;"),
                   BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "global section, unit");
-    batten_model_unref(read_noting(with_global(",,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,0.5,6,1HM;"),
-                                   BATTEN_FORMAT_AUTO, "drawn at scale 0.5"));
+    batten_model_unref(
+        read_noting(with_global(",,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,0.5,6,1HM;"),
+                    BATTEN_FORMAT_AUTO, "drawn at scale 0.5"));
 }
 
 TEST(every_unit_of_IGES_has_a_flag)

@@ -103,7 +103,8 @@ TEST(Q1_a_damaged_record_costs_its_entity_alone)
         CHECK_STATUS(read_text(bent, BATTEN_FORMAT_AUTO, notes, &model), BATTEN_PARTLY_READ);
         CHECK_INT(batten_model_count(model), 1);
         if (batten_notes_dropped(notes) == 0 && !has_note(notes, cases[i].words))
-            CHECK_TEXT(batten_notes_at(notes, batten_notes_count(notes) - 1)->text, cases[i].words);
+            CHECK_TEXT(batten_notes_at(notes, batten_notes_count(notes) - 1)->text,
+                       cases[i].words);
         batten_notes_free(notes);
         batten_model_unref(model);
     }
@@ -114,7 +115,8 @@ TEST(Q1_a_missing_record_is_noticed)
     char *bent = copy_of(good());
     int nth = 0;
     for (char *at = bent; *at; at += 81)
-        if (at[72] == 'P' && ++nth == 2) { /* the second entity has two records, this is its first */
+        if (at[72] == 'P' &&
+            ++nth == 2) { /* the second entity has two records, this is its first */
             memmove(at + 0, at + 81, strlen(at + 81) + 1);
             break;
         }
@@ -144,11 +146,13 @@ TEST(Q2_other_delimiters_are_read_and_nonsense_is_refused)
     CHECK_BITS(batten_model_unit_metres(model), 0.001);
     batten_model_unref(model);
 
-    const char *const nonsense[] = {"1H11H;1", "1HHH1H;H", "1H,,1H,,", "1H++1H;+", "x,y", "1H,", ""};
+    const char *const nonsense[] = {"1H11H;1", "1HHH1H;H", "1H,,1H,,", "1H++1H;+",
+                                    "x,y",     "1H,",      ""};
     for (int k = 0; k < COUNT(nonsense); k++) {
         iges_text bad = iges_begin();
         iges_add(&bad, 110, 0, 0, 0, "00000000", IGES_LINE);
-        check_refused(iges_end(&bad, nonsense[k]), BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "global");
+        check_refused(iges_end(&bad, nonsense[k]), BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
+                      "global");
     }
     iges_text open = iges_begin();
     check_refused(iges_end(&open, "1H,,1H;,1Hx,1Hx"), BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
@@ -184,14 +188,16 @@ TEST(N3_numbers_of_IGES_may_have_a_D)
     const struct {
         const char *text;
         double value;
-    } numbers[] = {{"1D5", 1e5},  {"1.D+3", 1000}, {"1.5d-2", 0.015}, {".5", 0.5}, {"5.", 5},
-                   {"+1", 1},     {"7", 7},        {" 2. ", 2},       {"", 0},     {"1E-400", 0},
-                   {"-0.", -0.0}, {"4.9E-324", 4.9406564584124654e-324}};
+    } numbers[] = {{"1D5", 1e5},  {"1.D+3", 1000}, {"1.5d-2", 0.015},
+                   {".5", 0.5},   {"5.", 5},       {"+1", 1},
+                   {"7", 7},      {" 2. ", 2},     {"", 0},
+                   {"1E-400", 0}, {"-0.", -0.0},   {"4.9E-324", 4.9406564584124654e-324}};
     for (int i = 0; i < COUNT(numbers); i++) {
         char text[80];
         snprintf(text, sizeof text, "110,%s,2.,3.,4.,5.,6.;", numbers[i].text);
         batten_model *model = read_noting(iges_one(110, text), BATTEN_FORMAT_AUTO, "");
-        CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], numbers[i].value);
+        CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0],
+                   numbers[i].value);
         batten_model_unref(model);
     }
     const char *const bad[] = {"nan", "inf", "0x1p3", "1e400", "--1", "1 2", "1.2.3", "1H5"};

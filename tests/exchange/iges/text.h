@@ -9,11 +9,15 @@ typedef struct {
     int entries, records;
 } iges_text;
 
-#define IGES_GLOBAL "1H,,1H;,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,6,1HM,1,0.,13H260101.000000,1E-6,9.,,,11,0,;"
+#define IGES_GLOBAL                                                                           \
+    "1H,,1H;,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,6,1HM,1,0.,13H260101.000000,1E-6,9.,,,11," \
+    "0,;"
 #define IGES_LINE "110,1.,2.,3.,4.,5.,6.;"
-#define IGES_CURVE "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.,0.,0.,0.;"
+#define IGES_CURVE \
+    "126,2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,0.,1.,0.,0.,0.;"
 #define IGES_SURFACE                                                                           \
-    "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,2.,0.,0.,0.,3.,0.,2.,3.,1.,"    \
+    "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,2.,0.,0.,0.,3.,0.,2.," \
+    "3.,1.,"                                                                                   \
     "0.,1.,0.,1.;"
 
 static inline iges_text iges_begin(void)
@@ -32,9 +36,9 @@ static inline int iges_add(iges_text *file, int type, int form, int transform, i
         sprintf(file->data + strlen(file->data), "%-64.64s%8dP%7d\n", parameters + at, id,
                 ++file->records);
     sprintf(file->directory + strlen(file->directory),
-            "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n%8d%8d%8d%8d%8d%8s%8s%8s%8dD%7d\n", type, first, 0, 0, 0, 0,
-            transform, 0, status, id, type, 0, colour, file->records - first + 1, form, "", "", "", 0,
-            id + 1);
+            "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n%8d%8d%8d%8d%8d%8s%8s%8s%8dD%7d\n", type, first,
+            0, 0, 0, 0, transform, 0, status, id, type, 0, colour, file->records - first + 1,
+            form, "", "", "", 0, id + 1);
     file->entries++;
     return id;
 }
@@ -62,7 +66,8 @@ static inline const char *iges_one(int type, const char *parameters)
     return iges_end(&file, IGES_GLOBAL);
 }
 
-/* A good line and a bad entity: the line must be read, the other be left out with these words. */
+/* A good line and a bad entity: the line must be read, the other be left out with these words.
+ */
 static inline void iges_check_left_out(iges_text *file, const char *words)
 {
     batten_model *model = NULL;
@@ -74,7 +79,8 @@ static inline void iges_check_left_out(iges_text *file, const char *words)
     CHECK_MESSAGE("1 of 2 entities are left out");
     CHECK_INT(batten_model_count(model), 1);
     if (batten_notes_dropped(notes) == 0 && !has_note(notes, words))
-        CHECK_TEXT(batten_notes_count(notes) ? batten_notes_at(notes, 0)->text : "no note", words);
+        CHECK_TEXT(batten_notes_count(notes) ? batten_notes_at(notes, 0)->text : "no note",
+                   words);
     batten_notes_free(notes);
     batten_model_unref(model);
 }

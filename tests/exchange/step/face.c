@@ -55,7 +55,8 @@ TEST(a_surface_whose_border_is_a_point_is_left_out_with_a_note)
     CHECK_OK(batten_notes_create(4, &notes));
     add_surface(model, "nothing", surface);
     CHECK_INT(step_count(step_text(model, notes), "ADVANCED_FACE"), 0);
-    CHECK(batten_notes_dropped(notes) || has_note(notes, "the border of the surface is one point"));
+    CHECK(batten_notes_dropped(notes) ||
+          has_note(notes, "the border of the surface is one point"));
     batten_notes_free(notes);
     batten_model_unref(model);
     batten_surface_unref(surface);

@@ -57,7 +57,8 @@ TEST(random_models_give_well_formed_files)
         step_check(text);
         CHECK_INT(step_count(text, "ADVANCED_FACE"), surfaces);
         CHECK_INT(step_count(text, "B_SPLINE_SURFACE_WITH_KNOTS"), surfaces);
-        CHECK_INT(step_count(text, "GEOMETRIC_CURVE_SET"), batten_model_count(model) - surfaces);
+        CHECK_INT(step_count(text, "GEOMETRIC_CURVE_SET"),
+                  batten_model_count(model) - surfaces);
         batten_model_unref(model);
     }
 }

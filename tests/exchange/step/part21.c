@@ -17,10 +17,13 @@ TEST(strings_are_escaped)
     check_string("keel", "'keel'");
     check_string("it's \\", "'it''s \\\\'");
     check_string("\xc3\xbc", "'\\X2\\00FC\\X0\\'");
-    check_string("\xe2\x82\xac" "1", "'\\X2\\20AC\\X0\\1'");
+    check_string("\xe2\x82\xac"
+                 "1",
+                 "'\\X2\\20AC\\X0\\1'");
     check_string("\xf0\x9f\x9a\xa2", "'\\X4\\0001F6A2\\X0\\'");
     check_string("a\nb\x7f", "'a\\X\\0Ab\\X\\7F'");
-    /* Bytes that are no UTF-8 stand for themselves: alone, too long a form, cut, a surrogate, too high. */
+    /* Bytes that are no UTF-8 stand for themselves: alone, too long a form, cut, a surrogate,
+     * too high. */
     check_string("\xfc!", "'\\X\\FC!'");
     check_string("\xc0\xaf", "'\\X\\C0\\X\\AF'");
     check_string("\xe2\x82", "'\\X\\E2\\X\\82'");

@@ -30,8 +30,8 @@ static inline int step_count(const char *text, const char *keyword)
     return count;
 }
 
-/* Ids run from 1 on, each is made once, references are to ids that exist, brackets close, lines are ASCII and
- * no longer than 120 columns. */
+/* Ids run from 1 on, each is made once, references are to ids that exist, brackets close, lines
+ * are ASCII and no longer than 120 columns. */
 static inline void step_check(const char *text)
 {
     int count = 0, depth = 0, column = 0;

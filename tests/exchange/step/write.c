@@ -37,7 +37,8 @@ TEST(the_unit_stands_in_the_context)
 TEST(the_accuracy_is_a_millionth_of_a_metre_or_what_is_asked)
 {
     batten_model *model = curve_model(0.001);
-    CHECK_CONTAINS(step_text(model, NULL), "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.001),#");
+    CHECK_CONTAINS(step_text(model, NULL),
+                   "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.001),#");
     batten_write_options options = batten_write_defaults();
     char *data = NULL;
     size_t size = 0;
@@ -88,10 +89,11 @@ TEST(points_are_written_and_tables_are_not)
                                                       .kind = BATTEN_OBJECT_POINTS,
                                                       .point_count = 2,
                                                       .points = points}));
-    CHECK_OK(batten_model_add(model, &(batten_object){.name = "none", .kind = BATTEN_OBJECT_POINTS}));
-    CHECK_OK(batten_model_add(model, &(batten_object){.name = "table",
-                                                      .kind = BATTEN_OBJECT_OFFSETS,
-                                                      .offsets = offsets}));
+    CHECK_OK(batten_model_add(model,
+                              &(batten_object){.name = "none", .kind = BATTEN_OBJECT_POINTS}));
+    CHECK_OK(batten_model_add(
+        model,
+        &(batten_object){.name = "table", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
     const char *text = step_text(model, notes);
     step_check(text);
     CHECK_INT(step_count(text, "GEOMETRIC_CURVE_SET"), 1);
