@@ -190,6 +190,8 @@ static batten_status find_line(loft *l, hull_line **line)
 static batten_status read_line(loft *l)
 {
     hull_line *line = NULL;
+    if (!l->table->fields[1].text[0])
+        return bat_field_fail(l->table, 1, "a line has no name");
     batten_status status = find_line(l, &line);
     if (status != BATTEN_OK)
         return status;
@@ -236,7 +238,7 @@ static batten_status gather_line(const loft *l, const hull_line *line)
                               .x = l->x[k],
                               .y = y,
                               .z = z,
-                              .station_name = l->names[k],
+                              .station_name = l->names[k][0] ? l->names[k] : NULL,
                               .line = line->name,
                               .row = line->row[heights ? HEIGHTS : WIDTHS],
                               .source = k + 1,

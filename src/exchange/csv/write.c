@@ -185,11 +185,15 @@ batten_status bat_write_points(const batten_model *model, batten_notes *notes,
 
 /* ---- aerofoils ---- */
 
-/* A name that could be taken for a comment, for points or for nothing is not written. */
+/* A name that could be taken for a byte order mark, a comment, points or nothing is not
+ * written. */
 static bool is_good_name(const char *name)
 {
-    const size_t blanks = strspn(name, " \t\v\f");
-    const char first = name[blanks];
+    static const char *const marks[] = {"\xef\xbb\xbf", "\xff\xfe", "\xfe\xff"};
+    const char first = name[strspn(name, " \t\v\f")];
+    for (size_t k = 0; k < sizeof marks / sizeof marks[0]; k++)
+        if (strncmp(name, marks[k], strlen(marks[k])) == 0)
+            return false;
     return first != '\0' && !strchr("#\"+-.0123456789", first) && !strpbrk(name, "\r\n");
 }
 

@@ -76,6 +76,18 @@ TEST(what_is_given_twice_or_not_at_all_is_refused)
                   "t:3: station 'b' stands at x = 1, where 'a'");
 }
 
+TEST(a_station_without_a_name_is_called_by_its_place_and_a_line_needs_one)
+{
+    batten_model *model =
+        read_noting("axis,name,a,,c\nlength,x,0,2.5,5\nheight,k,1,1,1\nwidth,k,1,2,3\n",
+                    BATTEN_FORMAT_AUTO, "");
+    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
+    CHECK_TEXT(batten_offsets_station(offsets, 1)->name, "2.5");
+    batten_model_unref(model);
+    check_refused("axis,name,a\nlength,x,0\nheight,,1\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
+                  "t:3: column 8: a line has no name");
+}
+
 TEST(feet_that_make_no_sense_are_refused)
 {
     const char *const bad[] = {"1-12-0", "1-0-8",        "1-2", "1-2-3-4",

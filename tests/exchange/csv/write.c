@@ -48,6 +48,7 @@ TEST(points_and_aerofoils_are_written_so_that_they_read_back)
 {
     check_round_trip("1 2\n3 4\n\n5 6 \n", BATTEN_FORMAT_POINTS);
     check_round_trip("x_in,y_in,z_in\n0.1,-0,4.9e-324\n1e300,2,3\n", BATTEN_FORMAT_POINTS);
+    check_round_trip("\n\xef\xbb\xbf\n1 0.1\n0 0\n1 -0.1\n", BATTEN_FORMAT_AEROFOIL);
     check_round_trip("NACA 0012\n1 0.1\n0 0\n1 -0.1\n", BATTEN_FORMAT_AEROFOIL);
 }
 
