@@ -2,6 +2,7 @@
 #include "bench.h"
 
 #include <batten/interpolate.h>
+#include <batten/skin.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,7 @@ typedef struct {
     const bench_work *work;
     batten_curve *curve;
     batten_surface *surface;
+    batten_curve **sections;
     double *uv, *out, *normals;
 } contest;
 
@@ -64,9 +66,25 @@ static void *open_data(const bench_work *work)
     return c;
 }
 
+static void *open_sections(const bench_work *work)
+{
+    contest *c = open_data(work);
+    c->sections = calloc(work->count, sizeof *c->sections);
+    c->uv = bench_numbers(work->count);
+    for (size_t i = 0; i < work->count; i++) {
+        const bench_curve *section = &work->sections[i];
+        must(batten_curve_create(3, section->degree, section->count, section->points, NULL,
+                                 section->knots, &c->sections[i]));
+    }
+    return c;
+}
+
 static void close_contest(void *object)
 {
     contest *c = object;
+    for (size_t i = 0; c->sections && i < c->work->count; i++)
+        batten_curve_unref(c->sections[i]);
+    free(c->sections);
     batten_curve_unref(c->curve);
     batten_surface_unref(c->surface);
     free(c->uv);
@@ -187,6 +205,23 @@ static void gather_surface_through(void *object, double *result)
                                       result));
 }
 
+static void run_skin(void *object)
+{
+    contest *c = object;
+    batten_surface_unref(c->surface);
+    c->surface = NULL;
+    must(batten_surface_skin((int)c->work->count, (const batten_curve *const *)c->sections, NULL, NULL,
+                             c->uv, NULL, &c->surface));
+}
+
+static void gather_skin(void *object, double *result)
+{
+    contest *c = object;
+    for (size_t k = 0; k < c->work->count; k++)
+        for (size_t i = 0; i < BENCH_PLACES; i++, result += 3)
+            must(batten_surface_evaluate(c->surface, c->work->u[i], c->uv[k], 0, result));
+}
+
 const bench_entry bench_batten[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -195,4 +230,5 @@ const bench_entry bench_batten[KIND_COUNT] = {
     [SURFACE_SINGLE] = {open_surface, run_surface_single, gather_surface, close_contest},
     [CURVE_THROUGH] = {open_data, run_curve_through, gather_curve_through, close_contest},
     [SURFACE_THROUGH] = {open_data, run_surface_through, gather_surface_through, close_contest},
+    [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
 };

@@ -22,6 +22,7 @@ typedef enum {
     SURFACE_SINGLE, /* one call for each */
     CURVE_THROUGH,  /* interpolation */
     SURFACE_THROUGH,
+    SKIN, /* the surface through sections with knots of their own */
     KIND_COUNT
 } bench_kind;
 
@@ -45,6 +46,7 @@ typedef struct {
     const char *unit; /* "ns" for each point, or "ms" */
     bench_curve curve;
     bench_surface surface;
+    bench_curve *sections; /* [count] */
     double *u, *v, *data; /* parameters; points to pass through */
     size_t result_count;  /* numbers in the common form */
 } bench_work;
@@ -58,7 +60,9 @@ typedef struct {
 } bench_entry;
 
 /* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
- * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data. */
+ * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data;
+ * SKIN: each section at the parameters u [BENCH_PLACES]. */
+enum { BENCH_PLACES = 20 };
 
 extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],
     bench_occt[KIND_COUNT], bench_gsl[KIND_COUNT];

@@ -107,6 +107,55 @@ static bench_surface make_surface(bool rational)
     return surface;
 }
 
+/* Ribs of 30 points, each with knots of its own. */
+static bench_curve make_section(int k)
+{
+    enum { N = 30 };
+    const double pi = 3.141592653589793, radius = 3 + 0.5 * sin(0.2 * k);
+    generator g = begin(100 + (uint64_t)k);
+    bench_curve curve = {N, 3, make_knots(N, 3, 0.4, &g), bench_numbers(3 * N), NULL};
+    for (int i = 0; i < N; i++) {
+        const double a = pi * greville(curve.knots, 3, i);
+        curve.points[3 * i] = radius * cos(a);
+        curve.points[3 * i + 1] = radius * sin(a) * (1 + 0.2 * sin(3 * a + 0.1 * k));
+        curve.points[3 * i + 2] = 0.5 * k + 0.02 * around_zero(&g);
+    }
+    return curve;
+}
+
+/* De Boor's algorithm: what the sections are, for the check. */
+static void curve_point(const bench_curve *curve, double u, double *point)
+{
+    const int p = curve->degree;
+    const double *U = curve->knots;
+    double rows[4][3];
+    int k = p;
+    while (k < curve->count - 1 && U[k + 1] <= u)
+        k++;
+    for (int i = 0; i <= p; i++)
+        for (int c = 0; c < 3; c++)
+            rows[i][c] = curve->points[3 * (k - p + i) + c];
+    for (int r = 1; r <= p; r++)
+        for (int i = p; i >= r; i--) {
+            const double low = U[k - p + i], t = (u - low) / (U[k + 1 + i - r] - low);
+            for (int c = 0; c < 3; c++)
+                rows[i][c] = (1 - t) * rows[i - 1][c] + t * rows[i][c];
+        }
+    for (int c = 0; c < 3; c++)
+        point[c] = rows[p][c];
+}
+
+static void fill_sections(bench_work *work)
+{
+    work->sections = malloc(work->count * sizeof *work->sections);
+    work->data = bench_numbers(work->count * BENCH_PLACES * 3);
+    for (size_t k = 0; k < work->count; k++) {
+        work->sections[k] = make_section((int)k);
+        for (size_t i = 0; i < BENCH_PLACES; i++)
+            curve_point(&work->sections[k], work->u[i], work->data + 3 * (k * BENCH_PLACES + i));
+    }
+}
+
 static double *make_parameters(size_t count, bool random, uint64_t seed)
 {
     double *u = bench_numbers(count);
@@ -196,6 +245,11 @@ void bench_fill(bench_work *work)
         work->u = centripetal(n, work->data);
         work->result_count = 3 * n;
         break;
+    case SKIN:
+        work->u = make_parameters(BENCH_PLACES, false, 0);
+        fill_sections(work);
+        work->result_count = n * BENCH_PLACES * 3;
+        break;
     default:
         work->u = grid_parameters(n, 41);
         work->v = grid_parameters(n, 42);
@@ -214,6 +268,11 @@ void bench_release(bench_work *work)
     free(work->surface.knots[1]);
     free(work->surface.points);
     free(work->surface.weights);
+    for (size_t i = 0; work->sections && i < work->count; i++) {
+        free(work->sections[i].knots);
+        free(work->sections[i].points);
+    }
+    free(work->sections);
     free(work->u);
     free(work->v);
     free(work->data);

@@ -53,6 +53,7 @@ static const bench_work rows[] = {
           .unit = "ms"),
     BENCH("surface through 500 x 500 points", .kind = SURFACE_THROUGH, .count = 500,
           .unit = "ms"),
+    BENCH("skin of 50 sections", .kind = SKIN, .count = 50, .unit = "ms"),
 };
 
 static const struct {

@@ -225,4 +225,5 @@ extern "C" const bench_entry bench_occt[KIND_COUNT] = {
     {open_surface, run_points, gather_surface, close_contest},
     {open_data, run_curve_through, gather_curve_through, close_contest},
     {nullptr, nullptr, nullptr, nullptr},
+    {nullptr, nullptr, nullptr, nullptr},
 };

@@ -11,7 +11,8 @@ typedef struct {
     const bench_work *work;
     SISLCurve *curve;
     SISLSurf *surface;
-    double *out, *normals, *data, *knots;
+    SISLCurve **sections;
+    double *out, *normals, *data, *parameters;
 } contest;
 
 static void must(int status)
@@ -86,6 +87,18 @@ static void *open_grid_data(const bench_work *work)
     return c;
 }
 
+static void *open_sections(const bench_work *work)
+{
+    contest *c = open_curve_data(work);
+    c->sections = malloc(work->count * sizeof *c->sections);
+    for (size_t i = 0; i < work->count; i++) {
+        const bench_curve *section = &work->sections[i];
+        c->sections[i] = newCurve(section->count, section->degree + 1, section->knots,
+                                  section->points, 1, 3, 1);
+    }
+    return c;
+}
+
 static void close_contest(void *object)
 {
     contest *c = object;
@@ -93,6 +106,10 @@ static void close_contest(void *object)
         freeCurve(c->curve);
     if (c->surface)
         freeSurf(c->surface);
+    for (size_t i = 0; c->sections && i < c->work->count; i++)
+        freeCurve(c->sections[i]);
+    free(c->sections);
+    free(c->parameters);
     free(c->out);
     free(c->normals);
     free(c->data);
@@ -221,6 +238,34 @@ static void gather_surface_through(void *object, double *result)
     must(status);
 }
 
+static void run_skin(void *object)
+{
+    contest *c = object;
+    const int n = (int)c->work->count;
+    int *types = malloc((size_t)n * sizeof *types), status = 0;
+    for (int i = 0; i < n; i++)
+        types[i] = 1;
+    if (c->surface)
+        freeSurf(c->surface);
+    free(c->parameters);
+    s1538(n, c->sections, types, 0.0, 1, 4, 0, &c->surface, &c->parameters, &status);
+    free(types);
+    must(status);
+}
+
+static void gather_skin(void *object, double *result)
+{
+    contest *c = object;
+    int left_u = 0, left_v = 0, status = 0;
+    double normal[3];
+    for (size_t k = 0; k < c->work->count; k++)
+        for (size_t i = 0; i < BENCH_PLACES; i++, result += 3) {
+            double at[2] = {c->work->u[i], c->parameters[k]};
+            s1421(c->surface, 0, at, &left_u, &left_v, result, normal, &status);
+        }
+    must(status);
+}
+
 const bench_entry bench_sisl[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -230,4 +275,5 @@ const bench_entry bench_sisl[KIND_COUNT] = {
     [CURVE_THROUGH] = {open_curve_data, run_curve_through, gather_curve_through, close_contest},
     [SURFACE_THROUGH] = {open_grid_data, run_surface_through, gather_surface_through,
                          close_contest},
+    [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
 };

@@ -337,14 +337,13 @@ static batten_status normals_of_block(const grid *work, double (*frames)[9], dou
  * within themselves. */
 BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rational,
                                         const grid *work, const double *lines, double noise_u,
-                                        size_t i)
+                                        size_t i, double (*frames)[9])
 {
     const size_t width = (size_t)d + rational;
     const size_t line = (size_t)work->nurbs->axes[BATTEN_V].count * width;
     batten_status status = BATTEN_OK;
     for (size_t begin = 0; begin < work->count_v && status == BATTEN_OK; begin += BLOCK) {
         const size_t end = begin + BLOCK < work->count_v ? begin + BLOCK : work->count_v;
-        double frames[BLOCK][9];
         for (size_t j = begin; j < end; j++)
             frame_of_point(q, d, rational, work->basis + j * 2 * ((size_t)q + 1),
                            lines + (size_t)work->first[j] * width, line, frames[j - begin]);
@@ -361,13 +360,14 @@ static batten_status normal_row(const grid *work, const double *lines, double no
 {
     const bat_nurbs *nurbs = work->nurbs;
     const int q = nurbs->axes[BATTEN_V].degree, d = nurbs->base.dimension;
+    double frames[BLOCK][9];
     batten_status status;
     if (q == 3 && d == 3 && !nurbs->weights)
-        status = normals_of_row(3, 3, false, work, lines, noise_u, i);
+        status = normals_of_row(3, 3, false, work, lines, noise_u, i, frames);
     else if (q == 3 && d == 3)
-        status = normals_of_row(3, 3, true, work, lines, noise_u, i);
+        status = normals_of_row(3, 3, true, work, lines, noise_u, i, frames);
     else
-        status = normals_of_row(q, d, nurbs->weights != NULL, work, lines, noise_u, i);
+        status = normals_of_row(q, d, nurbs->weights != NULL, work, lines, noise_u, i, frames);
     const size_t row = 3 * work->count_v;
     if (status == BATTEN_OK && work->points && !bat_all_finite(work->points + i * row, row))
         status = overflow(work, i);
