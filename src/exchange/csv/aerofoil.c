@@ -138,6 +138,21 @@ static batten_status check_ends(const reading *r)
                           first, last, high);
 }
 
+/* Reverse the points where that makes the area positive: rounding may leave either order below
+ * 0. */
+static void put_upper_first(reading *r)
+{
+    double(*points)[3] = r->points.items;
+    if (area((const double(*)[3])points, r->points.count) >= 0)
+        return;
+    reverse(points, r->points.count);
+    if (area((const double(*)[3])points, r->points.count) > 0)
+        batten_notes_add(r->table.input->notes, r->table.input->file, r->first_row, "",
+                         "the lower side comes first; the order is reversed");
+    else
+        reverse(points, r->points.count);
+}
+
 static batten_status put_in_order(reading *r)
 {
     double(*points)[3] = r->points.items;
@@ -150,11 +165,8 @@ static batten_status put_in_order(reading *r)
         status = order_lednicer(r);
     if (status == BATTEN_OK)
         status = check_ends(r);
-    if (status == BATTEN_OK && area((const double(*)[3])points, r->points.count) < 0) {
-        reverse(points, r->points.count);
-        batten_notes_add(r->table.input->notes, r->table.input->file, r->first_row, "",
-                         "the lower side comes first; the order is reversed");
-    }
+    if (status == BATTEN_OK)
+        put_upper_first(r);
     return status;
 }
 
