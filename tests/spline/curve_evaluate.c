@@ -62,7 +62,7 @@ TEST(N2_what_is_too_large_is_an_overflow_and_what_is_tiny_is_right)
 {
     const double huge[] = {1e300, -1e300}, tiny[] = {1e-300, 3e-300}, weights[] = {1e10, 1e-10};
     const double u[] = {0.5, 0.25};
-    double out = 7, many[2];
+    double out = 7, many[4];
     batten_curve *curve = small(1, huge, NULL, 0, 1e-100);
     CHECK_STATUS(batten_curve_evaluate(curve, 0, 1, &out), BATTEN_OVERFLOW);
     CHECK_BITS(out, 7);
