@@ -181,3 +181,25 @@ TEST(N3_a_vanishing_number_is_noted)
     if (*said)
         CHECK_CONTAINS(said, "became 0");
 }
+
+TEST(F2_mutated_designs_are_refused_or_kept_byte_for_byte)
+{
+    test_random random = test_random_begin("mutated designs");
+    static const char letters[] = "{}[]:,#'\"=-()*&!|>%@ \n\t0m.\xC3\xFF";
+    for (int i = 0; i < test_cases(1000); i++) {
+        char text[1200];
+        const batten_feature *f = batten_feature_at(i % batten_feature_count());
+        snprintf(text, sizeof text, "batten: 1\n%s", f->example);
+        for (int k = test_random_int(&random, 1, 4); k > 0; k--)
+            text[test_random_int(&random, 0, (int)strlen(text) - 1)] =
+                letters[test_random_int(&random, 0, (int)sizeof letters - 2)];
+        batten_design *design = NULL;
+        const batten_status status =
+            batten_design_parse(text, strlen(text), NULL, NULL, &design);
+        CHECK((status == BATTEN_OK) == (design != NULL));
+        CHECK(status == BATTEN_OK || *batten_message());
+        if (design)
+            CHECK_TEXT(batten_design_text(design, NULL), text);
+        batten_design_free(design);
+    }
+}
