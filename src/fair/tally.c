@@ -33,14 +33,16 @@ batten_status bat_tally_point(bat_fair_tally *tally, int width, int set, int ind
 {
     batten_fair_report *report = &tally->report;
     const double moved = bat_distance(width, from, to);
-    tally->point_count++;
-    if (moved == 0)
+    if (moved == 0) {
+        tally->point_count++;
         return BATTEN_OK;
+    }
     const batten_fair_move move = move_of(width, set, index, from, to);
     batten_status status =
         append(&report->moves, &report->move_count, &tally->move_room, &move);
     if (status != BATTEN_OK)
         return status;
+    tally->point_count++;
     report->moved_count = report->move_count;
     tally->square_sum += moved * moved;
     if (moved > report->max_move) {

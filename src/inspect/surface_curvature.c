@@ -93,7 +93,7 @@ static void curvatures(const double *values, double *gaussian, double *mean)
     const batten_vec3 su = derivative(values, 1, 0), sv = derivative(values, 0, 1);
     const batten_vec3 cross = bat_vec3_cross(su, sv);
     const double area = bat_vec3_norm(cross);
-    *gaussian = *mean = NAN;
+    *gaussian = *mean = (double)NAN;
     /* The cross product of parallel vectors rounds to a few eps of the product of lengths. */
     if (!(area > 64 * DBL_EPSILON * bat_vec3_norm(su) * bat_vec3_norm(sv)))
         return;
