@@ -1,0 +1,48 @@
+# What `cmake --install` leaves: headers, libraries, the CMake package, pkg-config files, the command, its
+# manual pages and its completion.
+include(CMakePackageConfigHelpers)
+
+set(parts batten)
+if(BATTEN_PICTURE)
+    list(APPEND parts batten-picture)
+endif()
+if(BATTEN_DESIGN)
+    list(APPEND parts batten-design)
+endif()
+
+install(TARGETS ${parts} EXPORT batten-targets)
+install(EXPORT batten-targets NAMESPACE batten:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
+configure_package_config_file(cmake/batten-config.cmake.in ${PROJECT_BINARY_DIR}/batten-config.cmake
+    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/batten-config-version.cmake
+    COMPATIBILITY SameMajorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/batten-config.cmake ${PROJECT_BINARY_DIR}/batten-config-version.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/batten)
+
+set(headers_of_picture picture.h)
+set(headers_of_design design.h)
+file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR}/include/batten CONFIGURE_DEPENDS include/batten/*.h)
+if(NOT BATTEN_PICTURE)
+    list(REMOVE_ITEM headers ${headers_of_picture})
+endif()
+if(NOT BATTEN_DESIGN)
+    list(REMOVE_ITEM headers ${headers_of_design})
+endif()
+list(TRANSFORM headers PREPEND include/batten/)
+install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/batten)
+
+function(batten_pkgconfig name description requires)
+    configure_file(cmake/batten.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+batten_pkgconfig(batten "${PROJECT_DESCRIPTION}" "")
+if(BATTEN_PICTURE)
+    batten_pkgconfig(batten-picture "Drawings and shaded pictures of Batten's shapes" "batten")
+endif()
+if(BATTEN_DESIGN)
+    batten_pkgconfig(batten-design "Batten's design documents" "batten batten-picture")
+endif()
+
+if(TARGET batten-command)
+    install(TARGETS batten-command)
+endif()

@@ -21,7 +21,8 @@ function(batten_library name)
     add_library(${name} SHARED $<TARGET_OBJECTS:${name}-objects>)
     add_library(batten::${name} ALIAS ${name})
     set_target_properties(${name} PROPERTIES
-        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} LINKER_LANGUAGE C)
+        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} LINKER_LANGUAGE C
+        INSTALL_RPATH $ORIGIN)
     target_include_directories(${name} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_LINK})
