@@ -1,0 +1,172 @@
+#define _XOPEN_SOURCE 700
+#include "results.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const option options[] = {
+    {"output", 'o', OPTION_VALUE, "DIR", "where the outputs go (beside the design); made when it is missing"},
+    {"set", 0, OPTION_MANY, "NAME=VALUE", "set a parameter of the design, or a value by its path"},
+    {"only", 0, OPTION_VALUE, "FEATURE", "evaluate this feature and what it needs; make no outputs"},
+    {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
+    {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+};
+
+/* --set name=value: a parameter when the name is a bare word, else a path. */
+static batten_status set_value(batten_design *design, const char *assignment, batten_notes *notes)
+{
+    const char *equals = strchr(assignment, '=');
+    if (!equals || equals == assignment)
+        return batten_fail(BATTEN_BAD_ARGUMENT, "--set wants NAME=VALUE, not '%s'", assignment);
+    const size_t length = (size_t)(equals - assignment);
+    const bool is_path = memchr(assignment, '.', length) != NULL;
+    batten_text path = BATTEN_TEXT;
+    batten_text_add(&path, "%s%.*s", is_path ? "" : "parameters.", (int)length, assignment);
+    batten_status status = path.failed ? BATTEN_OUT_OF_MEMORY
+                                       : batten_design_set(design, path.bytes, equals + 1, notes);
+    batten_text_free(&path);
+    return status;
+}
+
+static batten_status set_values(batten_design *design, const arguments *given, batten_notes *notes)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < given->given_count; i++)
+        if (strcmp(given->options[given->given[i].option].name, "set") == 0)
+            status = set_value(design, given->given[i].value, notes);
+    return status;
+}
+
+/* The folder of the outputs, with its final slash; yours to release. */
+static char *output_folder(const arguments *given)
+{
+    const char *chosen = arguments_get(given, "output");
+    const char *design = given->files[0];
+    const char *slash = strrchr(design, '/');
+    batten_text path = BATTEN_TEXT;
+    if (chosen)
+        batten_text_add(&path, "%s/", chosen);
+    else
+        batten_text_add(&path, "%.*s", slash ? (int)(slash - design) + 1 : 0, design);
+    char *made = NULL;
+    return batten_text_take(&path, &made, NULL) == BATTEN_OK ? made : NULL;
+}
+
+static batten_status make_folder(const char *folder)
+{
+    if (mkdir(folder, 0777) == 0 || errno == EEXIST)
+        return BATTEN_OK;
+    return batten_fail(BATTEN_FILE_ERROR, "cannot make the folder '%s': %s", folder, strerror(errno));
+}
+
+static batten_status make_output(batten_design *design, int index, const char *folder, batten_notes *notes)
+{
+    char *data = NULL;
+    size_t size = 0;
+    batten_status status = batten_design_output(design, index, job_get(), notes, &data, &size);
+    batten_text path = BATTEN_TEXT;
+    batten_text_add(&path, "%s%s", folder, batten_design_output_name(design, index));
+    if (status == BATTEN_OK)
+        status = path.failed ? BATTEN_OUT_OF_MEMORY : batten_save_file(path.bytes, data, size);
+    batten_text_free(&path);
+    batten_release(data);
+    return status;
+}
+
+/* Make every output; `names` receives those that were made. */
+static batten_status make_outputs(batten_design *design, const arguments *given, batten_notes *notes,
+                                  const char **names, int *made)
+{
+    char *folder = output_folder(given);
+    batten_status status = folder ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && arguments_has(given, "output"))
+        status = make_folder(folder);
+    for (int i = 0; status == BATTEN_OK && i < batten_design_output_count(design); i++) {
+        status = make_output(design, i, folder, notes);
+        if (status == BATTEN_OK)
+            names[(*made)++] = batten_design_output_name(design, i);
+    }
+    batten_release(folder);
+    return status;
+}
+
+static bool was_partly_read(const batten_design *design)
+{
+    for (int i = 0; i < batten_design_result_count(design); i++)
+        if (batten_design_result_at(design, i)->status == BATTEN_PARTLY_READ)
+            return true;
+    return false;
+}
+
+static int report(const arguments *given, const batten_design *design, const char *const *names, int made,
+                  const batten_notes *notes)
+{
+    batten_text text = BATTEN_TEXT;
+    if (arguments_has(given, "json"))
+        results_json(&text, design, made, names, notes);
+    else if (!arguments_has(given, "quiet"))
+        results_text(&text, design, made, names);
+    return output_print(&text);
+}
+
+static int build(batten_design *design, const arguments *given, batten_notes *notes)
+{
+    const int output_count = batten_design_output_count(design);
+    const char **names = batten_array((size_t)output_count, sizeof *names);
+    const char *only = arguments_get(given, "only");
+    int made = 0;
+    batten_status status = names ? set_values(design, given, notes) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, only, job_get(), notes);
+    if ((status == BATTEN_OK || status == BATTEN_PARTLY_READ) && !only)
+        status = make_outputs(design, given, notes, names, &made);
+
+    int exit = status == BATTEN_OK || status == BATTEN_PARTLY_READ ? EXIT_DONE : EXIT_FAILED;
+    if (exit == EXIT_DONE && was_partly_read(design))
+        exit = EXIT_PARTLY;
+    if (!arguments_has(given, "json"))
+        notes_show(notes);
+    const int reported = report(given, design, names, made, notes);
+    if (exit == EXIT_FAILED)
+        exit = output_failed("build", status);
+    batten_release(names);
+    return reported == EXIT_DONE ? exit : reported;
+}
+
+static int run(const arguments *given)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    if (batten_notes_create(1000, &notes) != BATTEN_OK)
+        return output_failed("build", BATTEN_OUT_OF_MEMORY);
+    const batten_status status = batten_design_open(given->files[0], arguments_has(given, "allow-outside"), notes,
+                                                    &design);
+    int exit;
+    if (status == BATTEN_OK) {
+        exit = build(design, given, notes);
+    } else {
+        notes_show(notes);
+        exit = output_failed("build", status);
+    }
+    batten_design_free(design);
+    batten_notes_free(notes);
+    return exit;
+}
+
+const command command_build = {
+    .name = "build",
+    .usage = "DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]",
+    .summary = "make everything that a design file describes: the main job",
+    .manual = "Evaluates the features of DESIGN and writes its outputs, each to a temporary file that is then\n"
+              "renamed. The report says how long each feature took, how far its result is from the data, how far\n"
+              "fairing moved any point. 'batten help design' describes design files.",
+    .least_files = 1,
+    .most_files = 1,
+    .option_count = sizeof options / sizeof options[0],
+    .options = options,
+    .run = run,
+};

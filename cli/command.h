@@ -1,0 +1,68 @@
+/* What the parts of the program `batten` share. */
+#ifndef CLI_COMMAND_H
+#define CLI_COMMAND_H
+#include "complain.h"
+#include "options.h"
+
+#include <batten/design.h>
+#include <batten/text.h>
+
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_PARTLY = 3 };
+
+typedef struct command {
+    const char *name;
+    const char *usage;   /* behind the name: "IN -o OUT" */
+    const char *summary; /* one line */
+    const char *manual;  /* paragraphs */
+    int least_files, most_files;
+    int option_count;
+    const option *options;
+    /* The name of a feature whose parameters are further options; or NULL. */
+    const char *feature;
+    int (*run)(const arguments *given);
+} command;
+
+extern const command command_build, command_check, command_convert, command_draw, command_eval,
+    command_fair, command_fit, command_help, command_info;
+
+int command_count(void);
+const command *command_at(int index);
+const command *command_find(const char *name);
+/* Complain about a name that is no command, with the nearest one. */
+void command_complain(const char *name);
+
+/* The options of a command and of its feature in one table, yours to batten_release; NULL without memory. */
+option *command_options(const command *c, int *count);
+
+/* ---- the running job: progress on a terminal, Ctrl-C ---- */
+
+/* Catch the signals and say whether progress may be shown. */
+void job_begin(bool quiet);
+/* The job to hand to the library. */
+const batten_job *job_get(void);
+/* Wipe the progress line. */
+void job_end(void);
+/* 128 + the signal that came, or `otherwise`. */
+int job_exit(int otherwise);
+
+/* ---- input and output ---- */
+
+/* A place of a message: show all notes on standard error. */
+void notes_show(const batten_notes *notes);
+void notes_json(batten_text *text, const batten_notes *notes);
+
+/* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a model,
+ * EXIT_FAILED without. */
+int input_read(const char *file, batten_notes *notes, batten_model **model);
+/* The file part of "file#name", yours to release, and the name or NULL. A file that exists under the whole name
+ * is meant as it stands. */
+batten_status input_split(const char *argument, char **file, const char **name);
+
+/* Print and free the text; EXIT_FAILED with a complaint when standard output refuses it. */
+int output_print(batten_text *text);
+/* Save bytes to a file, or print them for "-". */
+int output_save(const char *path, const char *data, size_t size);
+/* Say why something failed: the library's message. */
+int output_failed(const char *command, batten_status status);
+
+#endif

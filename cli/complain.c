@@ -1,0 +1,60 @@
+#include "complain.h"
+
+#include <batten/text.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void complain(const char *format, ...)
+{
+    char line[4096];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+
+    for (const unsigned char *c = (const unsigned char *)line; *c; c++) {
+        if (*c < 0x20 || *c == 0x7f)
+            fprintf(stderr, "\\x%02x", *c);
+        else
+            fputc(*c, stderr);
+    }
+    fputc('\n', stderr);
+}
+
+/* Levenshtein's distance of short words; long ones are far from everything. */
+static int distance(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    const int n = (int)strlen(a), m = (int)strlen(b);
+    if (n > LONGEST || m > LONGEST)
+        return LONGEST;
+    int row[LONGEST + 1];
+    for (int j = 0; j <= m; j++)
+        row[j] = j;
+    for (int i = 1; i <= n; i++) {
+        int diagonal = row[0];
+        row[0] = i;
+        for (int j = 1; j <= m; j++) {
+            const int replaced = diagonal + (a[i - 1] != b[j - 1]);
+            const int dropped = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            diagonal = row[j];
+            row[j] = replaced < dropped ? replaced : dropped;
+        }
+    }
+    return row[m];
+}
+
+const char *nearest_name(const char *word, int count, const char *const *names)
+{
+    const char *best = NULL;
+    int least = (int)(strlen(word) + 2) / 3 + 1;
+    for (int i = 0; i < count; i++) {
+        const int d = distance(word, names[i]);
+        if (d < least) {
+            least = d;
+            best = names[i];
+        }
+    }
+    return best;
+}

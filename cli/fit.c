@@ -1,0 +1,50 @@
+#include "single.h"
+
+#include <batten/picture.h>
+
+static const option options[] = {
+    {"output", 'o', OPTION_VALUE, "OUT", "the file to write: .step, .igs, .svg, .png ..."},
+    {"method", 0, OPTION_VALUE, "NAME", "the feature that makes the shape (interpolate)"},
+    {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
+    {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+};
+
+static int run(const arguments *given)
+{
+    const char *output = arguments_get(given, "output");
+    const char *method = arguments_get(given, "method");
+    if (!output) {
+        complain("batten fit: -o OUT is missing; see 'batten help fit'");
+        return EXIT_USAGE;
+    }
+    if (method && !batten_feature_find(method)) {
+        const char *near = batten_feature_nearest(method);
+        complain("batten fit: there is no method '%s'%s%s%s; see 'batten help features'", method,
+                 near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+        return EXIT_USAGE;
+    }
+    batten_picture_format picture;
+    const single s = {
+        .command = "fit",
+        .operation = method ? method : "interpolate",
+        .output = output,
+        .output_ending = "fit.step",
+        .output_operation = batten_picture_format_of_name(output, &picture) ? "picture" : NULL,
+    };
+    return single_run(&s, given);
+}
+
+const command command_fit = {
+    .name = "fit",
+    .usage = "POINTS -o OUT [--method NAME]",
+    .summary = "a curve or a surface from points",
+    .manual = "POINTS is a file of points, an aerofoil or a table of offsets. The parameters of the method are\n"
+              "options; 'batten help NAME' describes them.",
+    .least_files = 1,
+    .most_files = 1,
+    .option_count = sizeof options / sizeof options[0],
+    .options = options,
+    .feature = "interpolate",
+    .run = run,
+};

@@ -1,0 +1,172 @@
+#include "command.h"
+
+#include <string.h>
+
+static void add_option(batten_text *text, const option *o)
+{
+    char head[128];
+    const size_t size = sizeof head;
+    size_t used = 0;
+    const char *parts[] = {"  --", o->name, o->kind == OPTION_FLAG ? "" : " ",
+                           o->kind == OPTION_FLAG ? "" : strlen(o->value) > 24 ? "WORD" : o->value};
+    head[0] = 0;
+    for (int i = 0; i < 4; i++) {
+        const size_t length = strlen(parts[i]);
+        if (used + length + 1 < size)
+            memcpy(head + used, parts[i], length + 1);
+        used += length;
+    }
+    char letter[8] = "";
+    if (o->letter)
+        memcpy(letter, (char[]){',', ' ', '-', o->letter, 0}, 5);
+    batten_text_add(text, "%s%s", head, letter);
+    for (size_t column = used + strlen(letter); column < 26; column++)
+        batten_text_add(text, " ");
+    batten_text_add(text, "  %s", o->help);
+    if (o->kind != OPTION_FLAG && strlen(o->value) > 24)
+        batten_text_add(text, ": %s", o->value);
+    batten_text_add(text, "%s\n", o->kind == OPTION_MANY ? " (may be repeated)" : "");
+}
+
+static void add_commands(batten_text *text)
+{
+    batten_text_add(text, "batten %s: from points to fair, manufacturable free-form curves and surfaces\n\n"
+                          "usage: batten COMMAND ...\n\n",
+                    batten_version());
+    for (int i = 0; i < command_count(); i++)
+        batten_text_add(text, "  %-9s %s\n", command_at(i)->name, command_at(i)->summary);
+    batten_text_add(text,
+                    "\n'batten help COMMAND' says more; 'batten help design' describes design files;\n"
+                    "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
+                    "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
+}
+
+static void add_command(batten_text *text, const command *c)
+{
+    int count = 0;
+    option *options = command_options(c, &count);
+    batten_text_add(text, "usage: batten %s %s\n\n%s\n\n%s\n", c->name, c->usage, c->summary, c->manual);
+    if (options && count > 0)
+        batten_text_add(text, "\nOptions:\n");
+    for (int i = 0; options && i < count; i++)
+        add_option(text, &options[i]);
+    batten_release(options);
+}
+
+static void add_features(batten_text *text)
+{
+    batten_text_add(text, "Operations of a design file:\n\n");
+    for (int i = 0; i < batten_feature_count(); i++)
+        if (!batten_feature_at(i)->is_output)
+            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name, batten_feature_at(i)->summary);
+    batten_text_add(text, "\nOutputs of a design file:\n\n");
+    for (int i = 0; i < batten_feature_count(); i++)
+        if (batten_feature_at(i)->is_output)
+            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name, batten_feature_at(i)->summary);
+}
+
+static const char *kind_name(const batten_parameter *p)
+{
+    static const char *const names[] = {
+        [BATTEN_VALUE_MODEL] = "a feature", [BATTEN_VALUE_LENGTH] = "a length",
+        [BATTEN_VALUE_ANGLE] = "an angle",  [BATTEN_VALUE_NUMBER] = "a number",
+        [BATTEN_VALUE_COUNT] = "a whole number", [BATTEN_VALUE_WORD] = "a word",
+        [BATTEN_VALUE_TEXT] = "a text",     [BATTEN_VALUE_FILE] = "a file",
+        [BATTEN_VALUE_YES_NO] = "yes or no", [BATTEN_VALUE_POINT] = "a point",
+        [BATTEN_VALUE_RANGE] = "a range"};
+    return (size_t)p->kind < sizeof names / sizeof names[0] ? names[p->kind] : "a value";
+}
+
+static void add_feature(batten_text *text, const batten_feature *f)
+{
+    batten_text_add(text, "%s: %s\n\n%s\n\nParameters:\n", f->name, f->summary, f->manual);
+    for (int i = 0; i < f->parameter_count; i++) {
+        const batten_parameter *p = &f->parameters[i];
+        batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p), p->is_list ? ", or several" : "");
+        if (p->words)
+            batten_text_add(text, ": %s", p->words);
+        if (p->standard)
+            batten_text_add(text, " (%s)", p->standard);
+        batten_text_add(text, "%s\n                 %s\n", p->required ? ", required" : "", p->summary);
+    }
+    batten_text_add(text, "\nExample:\n\n%s\n\nIn C: %s\n", f->example, f->function);
+    if (f->source && *f->source)
+        batten_text_add(text, "Source: %s\n", f->source);
+}
+
+static const char design_manual[] =
+    "A design file says how shapes come to be: a graph of named features in YAML.\n"
+    "\n"
+    "    batten: 1                 # version of the format\n"
+    "    units: m\n"
+    "    tolerance: 0.1 mm         # what \"the same point\" means in this design\n"
+    "\n"
+    "    parameters:\n"
+    "      beam: 3.2 m\n"
+    "\n"
+    "    features:\n"
+    "      table:    {read: offsets.csv}\n"
+    "      lines:    {fair: table, within: 3 mm}\n"
+    "      stations: {interpolate: lines, each: station}\n"
+    "      hull:     {skin: stations, within: 1 mm}\n"
+    "\n"
+    "    outputs:\n"
+    "      hull.step:  hull\n"
+    "      lines.pdf:  {lines-plan: hull}\n"
+    "      hull.png:   {picture: hull, shading: zebra}\n"
+    "      report.txt: {check: hull}\n"
+    "\n"
+    "The first key of a feature names the operation, its value is the principal input. Names refer to other\n"
+    "features, in any order. A value may carry a unit (2 mm, 30 deg) or be an expression over the parameters\n"
+    "(=beam/2). Paths are relative to the file and stay below its folder unless --allow-outside is given.\n"
+    "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
+
+static int run(const arguments *given)
+{
+    batten_text text = BATTEN_TEXT;
+    if (given->options && arguments_has(given, "schema")) {
+        char *json = NULL;
+        if (batten_design_schema(&json) != BATTEN_OK)
+            return output_failed("help", BATTEN_OUT_OF_MEMORY);
+        batten_text_add(&text, "%s\n", json);
+        batten_release(json);
+        return output_print(&text);
+    }
+    const char *topic = given->file_count ? given->files[0] : NULL;
+    const command *c = topic ? command_find(topic) : NULL;
+    const batten_feature *f = topic ? batten_feature_find(topic) : NULL;
+    if (!topic)
+        add_commands(&text);
+    else if (strcmp(topic, "features") == 0)
+        add_features(&text);
+    else if (strcmp(topic, "design") == 0)
+        batten_text_add(&text, "%s", design_manual);
+    if (c)
+        add_command(&text, c);
+    if (c && f)
+        batten_text_add(&text, "\n---- the feature of the same name ----\n\n");
+    if (f)
+        add_feature(&text, f);
+    if (text.length > 0)
+        return output_print(&text);
+
+    const char *near = batten_feature_nearest(topic);
+    complain("batten help: there is nothing about '%s'%s%s%s; see 'batten help' and 'batten help features'", topic,
+             near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+    return EXIT_USAGE;
+}
+
+static const option options[] = {
+    {"schema", 0, OPTION_FLAG, NULL, "print the JSON Schema of design files"},
+};
+
+const command command_help = {
+    .name = "help",
+    .usage = "[TOPIC]",
+    .summary = "the manual, offline",
+    .manual = "TOPIC is a command, a feature, 'features' or 'design'.",
+    .most_files = 1,
+    .option_count = 1,
+    .options = options,
+    .run = run,
+};

@@ -1,0 +1,176 @@
+#define _XOPEN_SOURCE 700
+#include "command.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+void notes_show(const batten_notes *notes)
+{
+    job_end();
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        char place[32] = "";
+        if (note->line > 0)
+            snprintf(place, sizeof place, "%d:", note->line);
+        complain("%s%s%s%s%s%s%s", note->file, *note->file ? ":" : "", place,
+                 *note->file || *place ? " " : "", note->entity, *note->entity ? ": " : "",
+                 note->text);
+    }
+    if (batten_notes_dropped(notes) > 0)
+        complain("and %d more messages", batten_notes_dropped(notes));
+}
+
+void notes_json(batten_text *text, const batten_notes *notes)
+{
+    batten_text_add(text, "[");
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        batten_text_add(text, "%s\n    {\"file\": ", i ? "," : "");
+        batten_text_json(text, note->file);
+        batten_text_add(text, ", \"line\": %d, \"entity\": ", note->line);
+        batten_text_json(text, note->entity);
+        batten_text_add(text, ", \"text\": ");
+        batten_text_json(text, note->text);
+        batten_text_add(text, "}");
+    }
+    batten_text_add(text, "%s]", batten_notes_count(notes) ? "\n  " : "");
+}
+
+/* ---- input ---- */
+
+batten_status input_split(const char *argument, char **file, const char **name)
+{
+    const char *hash = strrchr(argument, '#');
+    if (hash && access(argument, F_OK) == 0)
+        hash = NULL;
+    const size_t length = hash ? (size_t)(hash - argument) : strlen(argument);
+    char *made = batten_array(length + 1, 1);
+    if (!made)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(made, argument, length);
+    *file = made;
+    *name = hash ? hash + 1 : NULL;
+    return BATTEN_OK;
+}
+
+/* All of standard input. */
+static batten_status read_input(char **data, size_t *size)
+{
+    const size_t limit = batten_limits_defaults().file_bytes;
+    batten_text text = BATTEN_TEXT;
+    char piece[1 << 12];
+    size_t got;
+    while ((got = fread(piece, 1, sizeof piece, stdin)) > 0 && text.length <= limit)
+        batten_text_bytes(&text, piece, got);
+    if (ferror(stdin) || text.length > limit) {
+        batten_text_free(&text);
+        return batten_fail(BATTEN_FILE_ERROR, "cannot read standard input: %s",
+                           errno ? strerror(errno) : "too long");
+    }
+    return batten_text_take(&text, data, size);
+}
+
+static batten_status read_model(const char *file, batten_notes *notes, batten_model **model)
+{
+    batten_read_options options = batten_read_defaults();
+    options.file_name = file;
+    if (strcmp(file, "-") != 0)
+        return batten_read_file(file, &options, job_get(), notes, model);
+
+    char *data = NULL;
+    size_t size = 0;
+    options.file_name = "standard input";
+    batten_status status = read_input(&data, &size);
+    if (status == BATTEN_OK)
+        status = batten_read_memory(data, size, &options, job_get(), notes, model);
+    batten_release(data);
+    return status;
+}
+
+/* Keep only the object of that name. */
+static batten_status select_object(const char *name, batten_model **model)
+{
+    const int index = batten_model_find(*model, name);
+    if (index < 0)
+        return batten_fail(BATTEN_NOT_FOUND, "there is no object '%s' in the file", name);
+    batten_model *chosen = NULL;
+    batten_status status = batten_model_create(batten_model_unit_metres(*model), &chosen);
+    if (status == BATTEN_OK)
+        status = batten_model_add(chosen, batten_model_object(*model, index));
+    if (status != BATTEN_OK) {
+        batten_model_unref(chosen);
+        return status;
+    }
+    batten_model_unref(*model);
+    *model = chosen;
+    return BATTEN_OK;
+}
+
+int input_read(const char *argument, batten_notes *notes, batten_model **model)
+{
+    char *file = NULL;
+    const char *name = NULL;
+    batten_model *made = NULL;
+    batten_status status = input_split(argument, &file, &name);
+    if (status == BATTEN_OK)
+        status = read_model(file, notes, &made);
+    const bool partly = status == BATTEN_PARTLY_READ;
+    if ((status == BATTEN_OK || partly) && name)
+        status = select_object(name, &made);
+    batten_release(file);
+    if (status != BATTEN_OK && status != BATTEN_PARTLY_READ) {
+        notes_show(notes);
+        complain("batten: %s", batten_message());
+        batten_model_unref(made);
+        return EXIT_FAILED;
+    }
+    *model = made;
+    return partly ? EXIT_PARTLY : EXIT_DONE;
+}
+
+/* ---- output ---- */
+
+static int print(const char *data, size_t size)
+{
+    if (fwrite(data, 1, size, stdout) == size && fflush(stdout) == 0)
+        return EXIT_DONE;
+    complain("batten: cannot write to standard output: %s", strerror(errno));
+    return EXIT_FAILED;
+}
+
+int output_print(batten_text *text)
+{
+    char *bytes = NULL;
+    size_t length = 0;
+    job_end();
+    if (batten_text_take(text, &bytes, &length) != BATTEN_OK) {
+        complain("batten: %s", batten_message());
+        return EXIT_FAILED;
+    }
+    const int status = length ? print(bytes, length) : EXIT_DONE;
+    batten_release(bytes);
+    return status;
+}
+
+int output_save(const char *path, const char *data, size_t size)
+{
+    if (strcmp(path, "-") == 0)
+        return print(data, size);
+    if (batten_save_file(path, data, size) == BATTEN_OK)
+        return EXIT_DONE;
+    complain("batten: %s", batten_message());
+    return EXIT_FAILED;
+}
+
+int output_failed(const char *command, batten_status status)
+{
+    job_end();
+    if (status == BATTEN_CANCELLED)
+        complain("batten %s: cancelled; nothing was written", command);
+    else
+        complain("batten %s: %s", command, batten_message());
+    return job_exit(EXIT_FAILED);
+}

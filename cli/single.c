@@ -1,0 +1,129 @@
+#include "single.h"
+
+#include <string.h>
+
+/* A YAML string: JSON's form is one. */
+static void add_entry(batten_text *text, const char *key, const char *value)
+{
+    batten_text_add(text, ", %s: ", key);
+    batten_text_json(text, value);
+}
+
+/* The given options that are parameters of the operation. */
+static void add_parameters(batten_text *text, const char *operation, const arguments *given)
+{
+    const batten_feature *feature = batten_feature_find(operation);
+    for (int i = 0; feature && i < given->given_count; i++) {
+        const char *name = given->options[given->given[i].option].name;
+        for (int k = 1; k < feature->parameter_count; k++)
+            if (strcmp(feature->parameters[k].name, name) == 0)
+                add_entry(text, name, given->given[i].value);
+    }
+}
+
+static const char *output_name(const single *s)
+{
+    return strcmp(s->output, "-") == 0 ? s->output_ending : s->output;
+}
+
+static batten_status compose(const single *s, const arguments *given, const char *unit, batten_text *text)
+{
+    batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n  input: {read: ", unit);
+    batten_text_json(text, given->files[0]);
+    batten_text_add(text, "}\n");
+    if (s->operation) {
+        batten_text_add(text, "  result: {%s: input", s->operation);
+        add_parameters(text, s->operation, given);
+        batten_text_add(text, "}\n");
+    }
+    const char *result = s->operation ? "result" : "input";
+    batten_text_add(text, "outputs:\n  ");
+    batten_text_json(text, output_name(s));
+    if (s->output_operation) {
+        batten_text_add(text, ": {%s: %s", s->output_operation, result);
+        add_parameters(text, s->output_operation, given);
+        batten_text_add(text, "}\n");
+    } else {
+        batten_text_add(text, ": %s\n", result);
+    }
+    return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design") : BATTEN_OK;
+}
+
+static batten_status open_design(const single *s, const arguments *given, const batten_model *model,
+                                 batten_notes *notes, batten_design **design)
+{
+    const char *unit = arguments_get(given, "unit");
+    if (!unit)
+        unit = batten_unit_name(batten_model_unit_metres(model));
+    batten_text text = BATTEN_TEXT;
+    batten_design_options options = batten_design_defaults();
+    options.file_name = s->command;
+    options.allow_outside = true;
+    batten_design *made = NULL;
+    batten_status status = compose(s, given, unit ? unit : "m", &text);
+    if (status == BATTEN_OK)
+        status = batten_design_parse(text.bytes, text.length, &options, notes, &made);
+    batten_text_free(&text);
+    if (status == BATTEN_OK)
+        status = batten_design_provide(made, given->files[0], model);
+    if (status != BATTEN_OK) {
+        batten_design_free(made);
+        return status;
+    }
+    *design = made;
+    return BATTEN_OK;
+}
+
+static int report(const single *s, const arguments *given, const batten_design *design, const batten_notes *notes)
+{
+    batten_text text = BATTEN_TEXT;
+    const bool to_file = strcmp(s->output, "-") != 0;
+    if (!to_file)
+        return EXIT_DONE;
+    if (arguments_has(given, "json"))
+        results_json(&text, design, 1, &s->output, notes);
+    else if (!arguments_has(given, "quiet"))
+        results_text(&text, design, 1, &s->output);
+    return output_print(&text);
+}
+
+static int apply(const single *s, const arguments *given, const batten_model *model, batten_notes *notes)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    batten_status status = open_design(s, given, model, notes, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, NULL, job_get(), notes);
+    if (status == BATTEN_OK)
+        status = batten_design_output(design, 0, job_get(), notes, &data, &size);
+    /* A check whose bound fails has a report all the same. */
+    int exit = status == BATTEN_OK ? EXIT_DONE : EXIT_FAILED;
+    if (data && output_save(s->output, data, size) != EXIT_DONE)
+        exit = EXIT_FAILED;
+    else if (exit == EXIT_DONE)
+        exit = report(s, given, design, notes);
+    if (!arguments_has(given, "json"))
+        notes_show(notes);
+    if (status != BATTEN_OK)
+        exit = output_failed(s->command, status);
+    batten_release(data);
+    batten_design_free(design);
+    return exit;
+}
+
+int single_run(const single *s, const arguments *given)
+{
+    batten_notes *notes = NULL;
+    batten_model *model = NULL;
+    if (batten_notes_create(1000, &notes) != BATTEN_OK)
+        return output_failed(s->command, BATTEN_OUT_OF_MEMORY);
+    int exit = input_read(given->files[0], notes, &model);
+    if (exit != EXIT_FAILED) {
+        const int applied = apply(s, given, model, notes);
+        exit = applied == EXIT_DONE ? exit : applied;
+    }
+    batten_model_unref(model);
+    batten_notes_free(notes);
+    return exit;
+}
