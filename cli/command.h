@@ -63,6 +63,6 @@ int output_print(batten_text *text);
 /* Save bytes to a file, or print them for "-". */
 int output_save(const char *path, const char *data, size_t size);
 /* Say why something failed: the library's message. */
-int output_failed(const char *command, batten_status status);
+int output_failed(const char *name, batten_status status);
 
 #endif

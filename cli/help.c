@@ -1,4 +1,4 @@
-#include "command.h"
+#include "manual.h"
 
 #include <string.h>
 
@@ -121,17 +121,36 @@ static const char design_manual[] =
     "(=beam/2). Paths are relative to the file and stay below its folder unless --allow-outside is given.\n"
     "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
 
+/* The whole manual in a form that other programs want. */
+static int print_as(const char *form)
+{
+    batten_text text = BATTEN_TEXT;
+    if (strcmp(form, "man") == 0) {
+        manual_page(&text);
+    } else if (strcmp(form, "man-design") == 0) {
+        manual_design_page(&text);
+    } else if (strcmp(form, "completion") == 0) {
+        manual_completion(&text);
+    } else if (strcmp(form, "schema") == 0) {
+        char *json = NULL;
+        const batten_status status = batten_design_schema(&json);
+        if (status != BATTEN_OK)
+            return output_failed("help", status);
+        batten_text_add(&text, "%s\n", json);
+        batten_release(json);
+    } else {
+        complain("batten help: --as knows man, man-design, completion and schema, not '%s'", form);
+        return EXIT_USAGE;
+    }
+    return output_print(&text);
+}
+
 static int run(const arguments *given)
 {
     batten_text text = BATTEN_TEXT;
-    if (given->options && arguments_has(given, "schema")) {
-        char *json = NULL;
-        if (batten_design_schema(&json) != BATTEN_OK)
-            return output_failed("help", BATTEN_OUT_OF_MEMORY);
-        batten_text_add(&text, "%s\n", json);
-        batten_release(json);
-        return output_print(&text);
-    }
+    const char *form = arguments_get(given, "as");
+    if (form)
+        return print_as(form);
     const char *topic = given->file_count ? given->files[0] : NULL;
     const command *c = topic ? command_find(topic) : NULL;
     const batten_feature *f = topic ? batten_feature_find(topic) : NULL;
@@ -157,7 +176,7 @@ static int run(const arguments *given)
 }
 
 static const option options[] = {
-    {"schema", 0, OPTION_FLAG, NULL, "print the JSON Schema of design files"},
+    {"as", 0, OPTION_VALUE, "FORM", "print the whole manual as man, man-design, completion, or the schema of designs"},
 };
 
 const command command_help = {

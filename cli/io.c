@@ -165,12 +165,12 @@ int output_save(const char *path, const char *data, size_t size)
     return EXIT_FAILED;
 }
 
-int output_failed(const char *command, batten_status status)
+int output_failed(const char *name, batten_status status)
 {
     job_end();
     if (status == BATTEN_CANCELLED)
-        complain("batten %s: cancelled; nothing was written", command);
+        complain("batten %s: cancelled; nothing was written", name);
     else
-        complain("batten %s: %s", command, batten_message());
+        complain("batten %s: %s", name, batten_message());
     return job_exit(EXIT_FAILED);
 }
