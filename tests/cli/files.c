@@ -1,0 +1,125 @@
+#include "support/process.h"
+
+static const char table[] = "station,height,half_breadth\n"
+                            "0,0,0\n0,1,1\n0,2,1.5\n"
+                            "1,0,0\n1,1,1.2\n1,2,1.7\n"
+                            "2,0,0\n2,1,1.1\n2,2,1.6\n"
+                            "3,0,0\n3,1,0.6\n3,2,1.2\n";
+
+static const char *write_table(const char *name)
+{
+    const char *path = test_scratch(name);
+    test_write(path, table);
+    return path;
+}
+
+TEST(F1_what_cannot_be_read_is_refused_with_the_reason)
+{
+    test_process run = RUN("batten", "info", "/no/such/file");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "No such file");
+    run = RUN("batten", "info", "/tmp");
+    CHECK_INT(run.exit, 1);
+    run = RUN("batten", "info", "/dev/null");
+    CHECK_INT(run.exit, 1);
+}
+
+TEST(F8_odd_file_names_work_and_are_shown_escaped)
+{
+    static const char *const names[] = {"with blank.csv", "quo\"te'.csv", "-dash.csv", "new\nline.csv", "b\xff.csv",
+                                        "hash#.csv"};
+    for (int i = 0; i < COUNT(names); i++) {
+        const char *path = write_table(names[i]);
+        CHECK_INT(RUN("batten", "info", path).exit, 0);
+    }
+    const test_process missing = RUN("batten", "info", test_scratch("not\there\n.csv"));
+    CHECK_INT(missing.exit, 1);
+    CHECK_CONTAINS(missing.errors, "\\x0a");
+}
+
+TEST(W8_a_full_or_closed_standard_output_is_a_failure)
+{
+    const test_process run =
+        test_shell("\"$BATTEN\" help > /dev/full; a=$?; \"$BATTEN\" help features >&-; echo $a $?");
+    CHECK_CONTAINS(run.out, "1 1");
+    CHECK_CONTAINS(run.errors, "standard output");
+}
+
+TEST(W8_a_closed_pipe_is_a_failure)
+{
+    const test_process run = test_shell("{ sleep 0.2; \"$BATTEN\" help; echo status $? >&2; } | true");
+    CHECK_CONTAINS(run.errors, "status 1");
+}
+
+TEST(info_tells_what_is_in_a_file)
+{
+    const char *path = write_table("table.csv");
+    const test_process run = RUN("batten", "info", path, "--json");
+    CHECK_INT(run.exit, 0);
+    static const char *const keys[] = {"\"unit\"",   "\"objects\"", "\"name\"",   "\"type\"",   "\"kind\"",
+                                       "\"dimension\"", "\"degree\"", "\"points\"", "\"rational\"", "\"closed\"",
+                                       "\"domain\"", "\"box\"",     "\"messages\""};
+    for (int i = 0; i < COUNT(keys); i++)
+        CHECK_CONTAINS(run.out, keys[i]);
+}
+
+TEST(what_was_fitted_can_be_evaluated)
+{
+    const char *points = test_scratch("points.xyz"), *curve = test_scratch("curve.igs");
+    test_write(points, "0 0 0\n1 2 0\n3 3 0\n4 1 0\n6 0 0\n");
+    test_process run = RUN("batten", "fit", points, "-o", curve);
+    CHECK_INT(run.exit, 0);
+    run = RUN("batten", "eval", curve, "--at", "0", "--order", "1", "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\"point\": [0, 0, 0]");
+    CHECK_CONTAINS(run.out, "\"derivatives\": [[");
+    run = RUN("batten", "info", curve);
+    CHECK_CONTAINS(run.out, "curve, degree 3");
+}
+
+TEST(standard_input_is_a_file_named_dash)
+{
+    const test_process run = test_run(table, (const char *const[]){"batten", "info", "-", NULL});
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "4 stations");
+}
+
+TEST(one_object_of_a_file_is_named_behind_a_hash)
+{
+    const char *points = test_scratch("two.xyz"), *curves = test_scratch("two.igs");
+    test_write(points, "0 0 0\n1 2 0\n3 3 0\n4 1 0\n\n0 0 1\n1 2 1\n3 3 1\n4 1 1\n");
+    CHECK_INT(RUN("batten", "fit", points, "-o", curves).exit, 0);
+    char named[512];
+    snprintf(named, sizeof named, "%s#nothing", curves);
+    const test_process missing = RUN("batten", "info", named);
+    CHECK_INT(missing.exit, 1);
+    CHECK_CONTAINS(missing.errors, "no object 'nothing'");
+}
+
+TEST(fairing_a_table_keeps_the_bound)
+{
+    const char *path = write_table("table.csv"), *faired = test_scratch("faired.csv");
+    const test_process run = RUN("batten", "fair", path, "-o", faired, "--within", "0.01", "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\"moved\"");
+    CHECK_CONTAINS(run.out, "\"excess_inflections\"");
+    CHECK(test_content(faired) != NULL);
+}
+
+TEST(W9_an_interrupt_leaves_the_target_untouched)
+{
+    const char *design = test_scratch("long.yaml"), *target = test_scratch("long.png");
+    write_table("table.csv");
+    test_write(design, "batten: 1\nunits: m\nfeatures:\n  t: {read: table.csv}\n  s: {interpolate: t, each: station}\n"
+                       "  h: {skin: s}\noutputs:\n  long.png: {picture: h, shading: zebra, width: 8000, height: 8000}\n");
+    test_write(target, "old");
+    char line[1024];
+    snprintf(line, sizeof line,
+             "timeout -s INT 0.3 \"$BATTEN\" build '%s' -q; echo status $?; ls -A \"$(dirname '%s')\" | grep -c batten-tmp",
+             design, design);
+    const test_process run = test_shell(line);
+    CHECK_CONTAINS(run.out, "\n0\n");
+    if (strncmp(run.out, "status 0", 8) == 0)
+        SKIP("the machine finished the picture before the interrupt");
+    CHECK_TEXT(test_content(target), "old");
+}

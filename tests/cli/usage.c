@@ -1,0 +1,91 @@
+#include "support/process.h"
+
+static void check_usage(test_process run, const char *words)
+{
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, words);
+    CHECK_TEXT(run.out, "");
+}
+
+TEST(U1_a_missing_file_is_a_usage_error)
+{
+    check_usage(RUN("batten", "info"), "a file is missing");
+    check_usage(RUN("batten", "convert", "a.igs"), "another file is missing");
+}
+
+TEST(U1_an_unknown_option_is_named_with_the_nearest)
+{
+    check_usage(RUN("batten", "info", "--jsno", "x"), "did you mean --json");
+    check_usage(RUN("batten", "build", "-z", "x"), "-z");
+}
+
+TEST(U1_an_unknown_command_is_named_with_the_nearest)
+{
+    check_usage(RUN("batten", "biuld"), "did you mean 'build'");
+}
+
+TEST(U1_a_repeated_option_is_refused)
+{
+    check_usage(RUN("batten", "build", "-o", "a", "--output", "b", "x.yaml"), "--output is given twice");
+}
+
+TEST(U1_an_option_without_its_value_is_refused)
+{
+    check_usage(RUN("batten", "eval", "x.igs", "--at"), "--at needs a value");
+    check_usage(RUN("batten", "info", "--json=yes", "x"), "--json takes no value");
+}
+
+TEST(U1_a_word_where_a_number_stands_is_refused)
+{
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "many"), "wants a number");
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "-1"), "whole number");
+}
+
+TEST(U1_too_many_files_are_refused)
+{
+    check_usage(RUN("batten", "info", "a", "b"), "'b' is one word too many");
+}
+
+TEST(U1_a_hundred_thousand_words_are_a_usage_error)
+{
+    const test_process run = test_shell("\"$BATTEN\" info $(seq 100000)");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, "one word too many");
+}
+
+TEST(U1_required_options_are_named)
+{
+    check_usage(RUN("batten", "fit", "x.xyz"), "-o OUT is missing");
+    check_usage(RUN("batten", "fair", "x.csv", "-o", "y.csv"), "--within TOL is missing");
+    check_usage(RUN("batten", "draw", "x.csv"), "-o PICTURE is missing");
+    check_usage(RUN("batten", "draw", "x.csv", "-o", "x.gif"), "ends neither in");
+}
+
+TEST(U1_nothing_is_written_after_a_usage_error)
+{
+    const char *target = test_scratch("never.step");
+    check_usage(RUN("batten", "fit", "x.xyz", "-o", target, "--nonsense", "1"), "--nonsense");
+    CHECK(test_content(target) == NULL);
+}
+
+TEST(help_says_what_there_is)
+{
+    const test_process run = RUN("batten", "help");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "build");
+    CHECK_CONTAINS(run.out, "Exit status");
+    CHECK_INT(RUN("batten", "--help").exit, 0);
+    CHECK_CONTAINS(RUN("batten", "help", "skin").out, "batten_surface_skin");
+    CHECK_CONTAINS(RUN("batten", "build", "--help").out, "--allow-outside");
+    CHECK_CONTAINS(RUN("batten", "--version").out, batten_version());
+}
+
+TEST(help_about_nothing_known_names_the_nearest)
+{
+    check_usage(RUN("batten", "help", "skinn"), "did you mean 'skin'");
+}
+
+TEST(without_a_word_the_help_is_shown_and_the_status_is_that_of_wrong_usage)
+{
+    CHECK_INT(RUN("batten").exit, 2);
+}
