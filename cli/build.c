@@ -94,6 +94,15 @@ static batten_status make_outputs(batten_design *design, const arguments *given,
     return status;
 }
 
+/* Did every check of the design find its bound kept? */
+static bool bounds_hold(const batten_design *design)
+{
+    for (int i = 0; i < batten_design_output_count(design); i++)
+        if (!batten_design_output_holds(design, i))
+            return false;
+    return true;
+}
+
 static bool was_partly_read(const batten_design *design)
 {
     for (int i = 0; i < batten_design_result_count(design); i++)
@@ -126,12 +135,14 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
         status = make_outputs(design, given, notes, names, &made);
 
     int exit = status == BATTEN_OK || status == BATTEN_PARTLY_READ ? EXIT_DONE : EXIT_FAILED;
+    if (exit == EXIT_DONE && !bounds_hold(design))
+        exit = EXIT_FAILED;
     if (exit == EXIT_DONE && was_partly_read(design))
         exit = EXIT_PARTLY;
     if (!arguments_has(given, "json"))
         notes_show(notes);
     const int reported = report(given, design, names, made, notes);
-    if (exit == EXIT_FAILED)
+    if (status != BATTEN_OK && status != BATTEN_PARTLY_READ)
         exit = output_failed("build", status);
     batten_release(names);
     return reported == EXIT_DONE ? exit : reported;

@@ -59,19 +59,13 @@ static batten_status open_design(const single *s, const arguments *given, const 
     batten_design_options options = batten_design_defaults();
     options.file_name = s->command;
     options.allow_outside = true;
-    batten_design *made = NULL;
+    options.provided_file = given->files[0];
+    options.provided = model;
     batten_status status = compose(s, given, unit ? unit : "m", &text);
     if (status == BATTEN_OK)
-        status = batten_design_parse(text.bytes, text.length, &options, notes, &made);
+        status = batten_design_parse(text.bytes, text.length, &options, notes, design);
     batten_text_free(&text);
-    if (status == BATTEN_OK)
-        status = batten_design_provide(made, given->files[0], model);
-    if (status != BATTEN_OK) {
-        batten_design_free(made);
-        return status;
-    }
-    *design = made;
-    return BATTEN_OK;
+    return status;
 }
 
 static int report(const single *s, const arguments *given, const batten_design *design, const batten_notes *notes)
@@ -94,15 +88,12 @@ static int apply(const single *s, const arguments *given, const batten_model *mo
     size_t size = 0;
     batten_status status = open_design(s, given, model, notes, &design);
     if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, NULL, job_get(), notes);
-    if (status == BATTEN_OK)
         status = batten_design_output(design, 0, job_get(), notes, &data, &size);
-    /* A check whose bound fails has a report all the same. */
-    int exit = status == BATTEN_OK ? EXIT_DONE : EXIT_FAILED;
-    if (data && output_save(s->output, data, size) != EXIT_DONE)
-        exit = EXIT_FAILED;
-    else if (exit == EXIT_DONE)
+    int exit = status == BATTEN_OK ? output_save(s->output, data, size) : EXIT_FAILED;
+    if (exit == EXIT_DONE)
         exit = report(s, given, design, notes);
+    if (exit == EXIT_DONE && !batten_design_output_holds(design, 0))
+        exit = EXIT_FAILED;
     if (!arguments_has(given, "json"))
         notes_show(notes);
     if (status != BATTEN_OK)

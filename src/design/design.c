@@ -21,6 +21,8 @@ struct batten_design {
     char *file_name;
     bool allow_outside;
     batten_limits limits;
+    char *provided_file;
+    batten_model *provided;
     state now;
 };
 
@@ -56,7 +58,9 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
     const batten_design_options options = {.size = sizeof options,
                                            .file_name = design->file_name,
                                            .allow_outside = design->allow_outside,
-                                           .limits = &design->limits};
+                                           .limits = &design->limits,
+                                           .provided_file = design->provided_file,
+                                           .provided = design->provided};
     state made = {.text = text, .length = length};
     batten_status status = bat_document_parse(text, length, &options, notes, &made.document);
     if (status == BATTEN_OK) {
@@ -81,6 +85,13 @@ static char *copy_bytes(const char *bytes, size_t length)
     return copy;
 }
 
+static batten_status keep_provided(batten_design *design, const batten_design_options *given)
+{
+    design->provided_file = copy_bytes(given->provided_file, strlen(given->provided_file));
+    design->provided = batten_model_ref(given->provided);
+    return design->provided_file ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
 batten_status batten_design_parse(const char *text, size_t length,
                                   const batten_design_options *options, batten_notes *notes,
                                   batten_design **out)
@@ -95,6 +106,8 @@ batten_status batten_design_parse(const char *text, size_t length,
     design->file_name = copy_bytes(file, strlen(file));
     char *copy = copy_bytes(text, length);
     batten_status status = design->file_name && copy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && given.provided)
+        status = keep_provided(design, &given);
     if (status == BATTEN_OK)
         status = make_state(design, copy, length, notes, &design->now);
     else
@@ -127,6 +140,8 @@ void batten_design_free(batten_design *design)
     if (!design)
         return;
     release_state(&design->now);
+    batten_model_unref(design->provided);
+    bat_release(design->provided_file);
     bat_release(design->file_name);
     bat_release(design);
 }

@@ -499,6 +499,8 @@ batten_status bat_document_parse(const char *text, size_t length,
     bat_place place = {0, 0};
     *out = (bat_document){.allow_outside = options->allow_outside, .complaints = &complaints};
     out->limits = options->limits ? *options->limits : batten_limits_defaults();
+    out->provided_file = options->provided ? options->provided_file : NULL;
+    out->provided = options->provided;
     const char *file = options->file_name ? options->file_name : "";
     out->file_name = complaints.file = bat_pool_copy(&out->pool, file, strlen(file));
     if (!out->file_name)

@@ -33,6 +33,8 @@ typedef struct bat_document {
     const char *file_name;
     bool allow_outside;
     batten_limits limits;
+    const char *provided_file;
+    const batten_model *provided;
     bat_tree tree;
     bat_pool pool;
     bat_complaints *complaints; /* while parsing */

@@ -1,5 +1,7 @@
 #include "design/document.h"
 
+#include <string.h>
+
 static const batten_parameter parameters[] = {
     {"read", BATTEN_VALUE_FILE, false, true, NULL, NULL, "the file"},
     {"format", BATTEN_VALUE_WORD, false, false, "auto",
@@ -83,14 +85,27 @@ static batten_status read_file(bat_run *run, const char *path, batten_model **ou
     return batten_read_file(path, &options, run->job, run->notes, out);
 }
 
+/* The model that was handed over in place of the file, or the file. */
+static batten_status find_model(bat_run *run, batten_model **out)
+{
+    const bat_document *document = run->document;
+    if (document->provided && strcmp(document->provided_file, bat_text(run, "read")) == 0) {
+        *out = batten_model_ref(document->provided);
+        return BATTEN_OK;
+    }
+    char *path = NULL;
+    batten_status status = bat_path_beside(document, bat_text(run, "read"), &path);
+    if (status == BATTEN_OK)
+        status = read_file(run, path, out);
+    bat_release(path);
+    return status;
+}
+
 static batten_status run(bat_run *run)
 {
-    char *path = NULL;
     batten_model *model = NULL;
     double factor = 1;
-    batten_status status = bat_path_beside(run->document, bat_text(run, "read"), &path);
-    if (status == BATTEN_OK)
-        status = read_file(run, path, &model);
+    batten_status status = find_model(run, &model);
     const bool partly = status == BATTEN_PARTLY_READ;
     if (partly)
         status = BATTEN_OK;
@@ -99,7 +114,6 @@ static batten_status run(bat_run *run)
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
         status = add_object(run, batten_model_object(model, i), factor);
     batten_model_unref(model);
-    bat_release(path);
     return status == BATTEN_OK && partly ? BATTEN_PARTLY_READ : status;
 }
 
