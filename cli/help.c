@@ -7,8 +7,10 @@ static void add_option(batten_text *text, const option *o)
     char head[128];
     const size_t size = sizeof head;
     size_t used = 0;
-    const char *parts[] = {"  --", o->name, o->kind == OPTION_FLAG ? "" : " ",
-                           o->kind == OPTION_FLAG ? "" : strlen(o->value) > 24 ? "WORD" : o->value};
+    const bool has_value = o->kind == OPTION_VALUE || o->kind == OPTION_MANY;
+    const bool is_long = has_value && strlen(o->value) > 24;
+    const char *parts[] = {"  --", o->name, has_value ? " " : o->kind == OPTION_SWITCH ? "[=no]" : "",
+                           !has_value ? "" : is_long ? "WORD" : o->value};
     head[0] = 0;
     for (int i = 0; i < 4; i++) {
         const size_t length = strlen(parts[i]);
@@ -23,7 +25,7 @@ static void add_option(batten_text *text, const option *o)
     for (size_t column = used + strlen(letter); column < 26; column++)
         batten_text_add(text, " ");
     batten_text_add(text, "  %s", o->help);
-    if (o->kind != OPTION_FLAG && strlen(o->value) > 24)
+    if (is_long)
         batten_text_add(text, ": %s", o->value);
     batten_text_add(text, "%s\n", o->kind == OPTION_MANY ? " (may be repeated)" : "");
 }

@@ -67,7 +67,7 @@ static void add_command(batten_text *text, const command *c)
         add_escaped(text, options[i].name);
         if (options[i].letter)
             batten_text_add(text, ", \\-%c", options[i].letter);
-        if (options[i].kind != OPTION_FLAG) {
+        if (options[i].kind == OPTION_VALUE || options[i].kind == OPTION_MANY) {
             batten_text_add(text, " ");
             add_escaped(text, options[i].value);
         }

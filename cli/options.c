@@ -66,6 +66,8 @@ static bool read_option(const char *command, arguments *read, const char *word, 
         complain("batten %s: --%s takes no value", command, read->options[index].name);
         return false;
     }
+    if (read->options[index].kind == OPTION_SWITCH)
+        return keep(command, read, index, attached ? attached : "yes");
     *taken = !attached;
     if (!attached && !next) {
         complain("batten %s: --%s needs a value: %s", command, read->options[index].name,

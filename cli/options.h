@@ -4,9 +4,10 @@
 #include <batten/base.h>
 
 typedef enum {
-    OPTION_FLAG,  /* --json */
-    OPTION_VALUE, /* --within 2mm, --within=2mm */
-    OPTION_MANY   /* --set a=1 --set b=2 */
+    OPTION_FLAG,   /* --json */
+    OPTION_SWITCH, /* --comb, which is --comb=yes; or --comb=no */
+    OPTION_VALUE,  /* --within 2mm, --within=2mm */
+    OPTION_MANY    /* --set a=1 --set b=2 */
 } option_kind;
 
 typedef struct {
