@@ -176,6 +176,10 @@ BATTEN_API const batten_feature_result *batten_design_result(const batten_design
 BATTEN_API int batten_design_output_count(const batten_design *design);
 /** The file name of an output as written in the design. */
 BATTEN_API const char *batten_design_output_name(const batten_design *design, int index);
+/** The operation that makes it: "check", "picture", "lines-plan"; "write" for a bare file. */
+BATTEN_API const char *batten_design_output_operation(const batten_design *design, int index);
+/** False when the output was made and its report says that a bound is not met. */
+BATTEN_API bool batten_design_output_holds(const batten_design *design, int index);
 /** Make one output: the bytes of its file; what it needs is evaluated first. Nothing is
  * written: save the bytes with batten_save_file, and release them with batten_release. */
 BATTEN_API batten_status batten_design_output(batten_design *design, int index,

@@ -15,6 +15,7 @@ typedef struct {
     bat_result *results; /* [feature_count] */
     int *evaluated;      /* [feature_count] in the order of evaluation */
     int evaluated_count;
+    bool *unmet;         /* [output_count] its bound was not met when it was last made */
 } state;
 
 struct batten_design {
@@ -46,6 +47,7 @@ static void release_state(state *s)
         release_result(&s->results[i]);
     bat_release(s->results);
     bat_release(s->evaluated);
+    bat_release(s->unmet);
     bat_document_free(&s->document);
     bat_release(s->text);
     *s = (state){0};
@@ -67,7 +69,8 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
         const size_t count = (size_t)made.document.feature_count;
         made.results = bat_array(count, sizeof *made.results);
         made.evaluated = bat_array(count, sizeof *made.evaluated);
-        if (!made.results || !made.evaluated)
+        made.unmet = bat_array((size_t)made.document.output_count, sizeof *made.unmet);
+        if (!made.results || !made.evaluated || !made.unmet)
             status = BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
@@ -445,6 +448,18 @@ const char *batten_design_output_name(const batten_design *design, int index)
     return design->now.document.outputs[index].name;
 }
 
+const char *batten_design_output_operation(const batten_design *design, int index)
+{
+    assert(index >= 0 && index < design->now.document.output_count);
+    return design->now.document.outputs[index].feature->shown.name;
+}
+
+bool batten_design_output_holds(const batten_design *design, int index)
+{
+    assert(index >= 0 && index < design->now.document.output_count);
+    return !design->now.unmet[index];
+}
+
 typedef struct {
     int *at;
     int count;
@@ -488,6 +503,7 @@ batten_status batten_design_output(batten_design *design, int index, const batte
         bat_release(run.data);
         return fail_at(&s->document, entry, status, notes);
     }
+    s->unmet[index] = run.unmet;
     *data = run.data;
     *size = run.size;
     return BATTEN_OK;

@@ -53,6 +53,7 @@ struct bat_run {
     batten_model *model; /* of a feature: empty at first */
     char *data;          /* of an output */
     size_t size;
+    bool unmet; /* of an output: a bound that it checks is not met */
 };
 
 /* ---- arguments; the parameter must exist ---- */
