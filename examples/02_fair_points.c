@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { COUNT = 21 };
+enum { COUNT = 41 };
 
 static void must(batten_status status)
 {
@@ -19,7 +19,7 @@ int main(void)
     /* A smooth waterline, read off a drawing to the nearest centimetre. */
     double x[COUNT], y[COUNT], faired[COUNT];
     for (int i = 0; i < COUNT; i++) {
-        x[i] = 0.5 * i;
+        x[i] = 0.25 * i;
         y[i] = round(100 * (1.5 - 0.03 * pow(x[i] - 4, 2))) / 100;
     }
 
