@@ -152,31 +152,87 @@ static batten_status release_all(bat_net *net, const batten_job *job, workspace 
 
 /* ---- report and result ---- */
 
-/* Suspects of a batten are counted along it; the report names points of the table. */
-static void rename_suspects(const bat_net *net, const bat_strand *strand, int first,
-                            batten_fair_report *report)
+/* Suspects of a batten are counted along it: say, for now in `set`, which nodes of the table they
+ * are, and for each node which suspect it is, counted from 1. */
+static void note_suspects(const bat_net *net, const bat_strand *strand, int first,
+                          batten_fair_report *report, int *suspect_of)
 {
     for (int k = first; k < report->suspect_count; k++) {
         batten_fair_move *move = &report->suspects[k];
-        const bat_node *node = &net->nodes[strand->nodes[move->index]];
+        const int n = strand->nodes[move->index];
+        const bat_node *node = &net->nodes[n];
         const double to[2] = {move->to[0], strand->width > 1 ? move->to[1] : node->given[1]};
-        *move = (batten_fair_move){.set = node->station,
-                                   .index = node->index,
+        *move = (batten_fair_move){.set = n,
                                    .from = {node->x, node->given[0], node->given[1]},
                                    .to = {node->x, to[0], to[1]}};
+        /* What fairing nearly mends by itself is no blunder. */
+        if (hypot(to[0] - node->given[0], to[1] - node->given[1]) > 2 * node->within)
+            suspect_of[n] = k + 1;
     }
 }
 
-static batten_status tally_net(const bat_net *net, workspace *w, bat_fair_tally *tally)
+/* A wrong number pulls at the station and at the line that it stands in alike, a tight bilge at
+ * its station alone: drop a suspect that another batten would move by less than half as much. */
+static void question(const bat_net *net, const bat_strand *strand, workspace *w,
+                     const batten_fair_report *report, int *suspect_of)
 {
-    batten_status status = BATTEN_OK;
+    const int width = strand->width;
+    gather(net, strand, w, w->z);
+    bat_batten_bend(&strand->batten, width, w->centre, w->moments, w->forces);
+    /* A batten says nothing about its ends, where corners are too. */
+    for (int i = 1; i + 1 < strand->count; i++) {
+        const int n = strand->nodes[i];
+        if (suspect_of[n] == 0)
+            continue;
+        const batten_fair_move *move = &report->suspects[suspect_of[n] - 1];
+        double here = 0, there = 0;
+        for (int k = 0; k < width; k++) {
+            const double suggested = move->to[k + 1] - move->from[k + 1];
+            here -= w->forces[i * width + k] / strand->batten.diagonal[i] * suggested;
+            there += suggested * suggested;
+        }
+        if (here < 0.5 * there)
+            suspect_of[n] = 0;
+    }
+}
+
+static void keep_agreed(const bat_net *net, const int *suspect_of, batten_fair_report *report)
+{
+    int kept = 0;
+    for (int k = 0; k < report->suspect_count; k++) {
+        batten_fair_move move = report->suspects[k];
+        const int n = move.set;
+        if (suspect_of[n] != k + 1)
+            continue;
+        move.set = net->nodes[n].station;
+        move.index = net->nodes[n].index;
+        report->suspects[kept++] = move;
+    }
+    report->suspect_count = kept;
+}
+
+static batten_status tally_strands(const bat_net *net, workspace *w, bat_fair_tally *tally)
+{
+    int *suspect_of = bat_array((size_t)net->node_count, sizeof *suspect_of);
+    batten_status status = suspect_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int s = 0; status == BATTEN_OK && s < net->strand_count; s++) {
         const bat_strand *strand = &net->strands[s];
         const bat_ducks ducks = gather(net, strand, w, w->z);
         const int first = tally->report.suspect_count;
         status = bat_tally_piece(tally, &strand->batten, &ducks, strand->is_line, 0, 0, w->z);
-        rename_suspects(net, strand, first, &tally->report);
+        note_suspects(net, strand, first, &tally->report, suspect_of);
     }
+    for (int s = 0; status == BATTEN_OK && s < net->strand_count; s++)
+        question(net, &net->strands[s], w, &tally->report, suspect_of);
+    if (status == BATTEN_OK)
+        keep_agreed(net, suspect_of, &tally->report);
+    bat_release(suspect_of);
+    return status;
+}
+
+static batten_status tally_net(const bat_net *net, workspace *w, bat_fair_tally *tally)
+{
+    batten_status status = tally_strands(net, w, tally);
     for (int n = 0; status == BATTEN_OK && n < net->node_count; n++) {
         const bat_node *node = &net->nodes[n];
         const double from[3] = {node->x, node->given[0], node->given[1]};

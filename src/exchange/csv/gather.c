@@ -52,7 +52,7 @@ typedef struct {
     bat_gathered point;
     size_t order; /* as it came */
     int line;     /* its line, -1 for none */
-    double rank;  /* mean height of its line, or its own */
+    double rank;  /* mean height of its line, or its own; or the order as it came */
 } sorted_point;
 
 typedef struct {
@@ -276,14 +276,31 @@ static size_t end_of_station(const table *t, size_t begin)
     return end;
 }
 
+/* Sort by stations. As listed: points of one line together while those that come twice are sought. */
+static batten_status sort_stations(table *t)
+{
+    batten_status status = BATTEN_OK;
+    qsort(t->points, t->count, sizeof *t->points, by_station);
+    if (!t->from->as_listed)
+        return BATTEN_OK;
+    for (size_t i = 1; status == BATTEN_OK && i < t->count; i++)
+        status = check_twice(t, &t->points[i - 1], &t->points[i]);
+    for (size_t i = 0; i < t->count; i++)
+        t->points[i].rank = (double)t->points[i].order;
+    qsort(t->points, t->count, sizeof *t->points, by_station);
+    return status;
+}
+
 static batten_status make_stations(table *t)
 {
     bat_input *input = t->from->input;
     size_t count = 0;
-    qsort(t->points, t->count, sizeof *t->points, by_station);
+    batten_status status = sort_stations(t);
+    if (status != BATTEN_OK)
+        return status;
     for (size_t begin = 0; begin < t->count; begin = end_of_station(t, begin))
         count++;
-    batten_status status = bat_input_array(input, count, sizeof *t->stations, &t->stations);
+    status = bat_input_array(input, count, sizeof *t->stations, &t->stations);
     if (status == BATTEN_OK)
         status = bat_input_array(input, count, sizeof *t->station_texts, &t->station_texts);
     for (size_t begin = 0, end; status == BATTEN_OK && begin < t->count; begin = end) {

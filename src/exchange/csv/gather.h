@@ -1,8 +1,9 @@
 /*
  * The points of a table of offsets as they come, in any order, and the table that they make.
  *
- * Stations are sorted by x. Points of a station are in the order of the mean heights of their
- * lines, a point without a line in that of its own height; of equal ones, as they came.
+ * Stations are sorted by x. Points of a station are as they came where the table lists them one by
+ * one with their lines: a sheer may run above a waterline here and below it there. Else they are in
+ * the order of the mean heights of their lines, a point without a line in that of its own height.
  */
 #ifndef BAT_GATHER_H
 #define BAT_GATHER_H
@@ -21,6 +22,7 @@ typedef struct {
 typedef struct {
     bat_input *input;
     double unit_metres;
+    bool as_listed;  /* points of a station stay in the order in which they came */
     bool by_height;  /* points without a line belong to the waterline of their height */
     bat_list points; /* of bat_gathered */
     bat_list names;  /* of char *, owned */

@@ -71,6 +71,7 @@ batten_status bat_offsets_long(bat_separated *table, bat_gathering *gathering)
     batten_status status = read_header(table, &columns, &gathering->unit_metres);
     bool more = true;
     gathering->by_height = columns.at[BAT_COLUMN_LINE] < 0;
+    gathering->as_listed = !gathering->by_height;
     while (status == BATTEN_OK) {
         status = bat_separated_next(table, &more);
         if (status != BATTEN_OK || !more)

@@ -3,11 +3,11 @@
 TEST(names_of_lines_and_stations_may_have_columns)
 {
     batten_model *model = read_noting("section,station,x,z,y,line\n"
-                                      "stem,0,-0.5,2,0,sheer\n"
                                       "stem,0,0,1,0,\"chine, low\"\n"
+                                      "stem,0,-0.5,2,0,sheer\n"
                                       "midship,5,5,0.5,2,\"chine, low\"\n"
-                                      "midship,5,5,2.5,3,sheer\n"
-                                      "midship,5,5,1,2.5,\n",
+                                      "midship,5,5,1,2.5,\n"
+                                      "midship,5,5,2.5,3,sheer\n",
                                       BATTEN_FORMAT_AUTO, "");
     const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
     const batten_station *stem = batten_offsets_station(offsets, 0);
@@ -20,8 +20,7 @@ TEST(names_of_lines_and_stations_may_have_columns)
     /* The stem's own points may be off its station. */
     CHECK_BITS(stem->x, 0.0);
     CHECK_BITS(stem->points[1].x, -0.5);
-    /* In the order of the mean heights of the lines, 0.75 and 2.25; the point without a line
-     * has its own. */
+    /* In the order in which they are listed. */
     CHECK_INT(midship->points[0].line, 0);
     CHECK_INT(midship->points[1].line, -1);
     CHECK_INT(midship->points[2].line, 1);
