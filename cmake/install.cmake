@@ -31,6 +31,8 @@ endif()
 list(TRANSFORM headers PREPEND include/batten/)
 install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/batten)
 
+# The pkg-config files find their prefix from where they are, so that an installed tree may be moved.
+file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 function(batten_pkgconfig name description requires)
     configure_file(cmake/batten.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
