@@ -307,6 +307,26 @@ static bat_run begin_run(const state *s, const bat_entry *entry, const batten_jo
                      .line = s->document.tree.nodes[entry->key].line};
 }
 
+/* What a feature makes alone bears its name: in legends, files and reports. */
+static batten_status name_alone(bat_run *run)
+{
+    batten_object object = *batten_model_object(run->model, 0);
+    batten_model *named = NULL;
+    if (strcmp(object.name, run->name) == 0)
+        return BATTEN_OK;
+    object.name = run->name;
+    batten_status status = batten_model_create(batten_model_unit_metres(run->model), &named);
+    if (status == BATTEN_OK)
+        status = batten_model_add(named, &object);
+    if (status != BATTEN_OK) {
+        batten_model_unref(named);
+        return status;
+    }
+    batten_model_unref(run->model);
+    run->model = named;
+    return BATTEN_OK;
+}
+
 static batten_status run_feature(state *s, int i, const batten_job *job, batten_notes *notes)
 {
     const bat_entry *entry = &s->document.features[i];
@@ -320,7 +340,12 @@ static batten_status run_feature(state *s, int i, const batten_job *job, batten_
         status = entry->feature->run(&run);
     if (status == BATTEN_OK && batten_model_count(run.model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "nothing is left");
-    const bool has_value = status == BATTEN_OK || status == BATTEN_PARTLY_READ;
+    bool has_value = status == BATTEN_OK || status == BATTEN_PARTLY_READ;
+    if (has_value && batten_model_count(run.model) == 1) {
+        const batten_status named = name_alone(&run);
+        status = named == BATTEN_OK ? status : named;
+        has_value = named == BATTEN_OK;
+    }
     if (has_value) {
         result->value = run.model;
         result->done = true;

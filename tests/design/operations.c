@@ -46,7 +46,7 @@ TEST(operations_make_the_objects_they_promise)
         const char *name; /* of the last */
         batten_object_kind kind;
     } rows[] = {
-        {"{split: c, parameter: 1}", 2, "p 2", BATTEN_OBJECT_CURVE},
+        {"{split: c, parameter: 1}", 2, "c 2", BATTEN_OBJECT_CURVE},
         {"{split: s, parameter: 0.5, direction: v}", 2, "l1 2", BATTEN_OBJECT_SURFACE},
         {"{part: s, from: 0.2, to: 0.5}", 1, "l1", BATTEN_OBJECT_SURFACE},
         {"{join: [l1, l2]}", 1, "a", BATTEN_OBJECT_CURVE},

@@ -63,7 +63,7 @@ TEST(a_mirrored_mirror_image_is_the_original)
         CHECK_NEAR(a->points[i], c->points[i], 1e-15);
     CHECK_NEAR(object(design, "b", 0)->points[1], -1, 0);
     CHECK_INT(batten_model_count(batten_design_result(design, "both")->value), 2);
-    CHECK_TEXT(object(design, "both", 1)->name, "p mirrored");
+    CHECK_TEXT(object(design, "both", 1)->name, "a mirrored");
     batten_design_free(design);
 }
 
