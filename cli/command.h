@@ -31,8 +31,9 @@ const command *command_find(const char *name);
 /* Complain about a name that is no command, with the nearest one. */
 void command_complain(const char *name);
 
-/* The options of a command and of its feature in one table, yours to batten_release; NULL without memory. */
-option *command_options(const command *c, int *count);
+/* The options of a command and the parameters of its feature in one table, yours to batten_release; NULL without
+ * memory. `method`: another feature instead, or NULL. */
+option *command_options(const command *c, const char *method, int *count);
 
 /* ---- the running job: progress on a terminal, Ctrl-C ---- */
 

@@ -45,9 +45,10 @@ static bool has_own_option(const command *c, const char *name)
     return false;
 }
 
-option *command_options(const command *c, int *count)
+option *command_options(const command *c, const char *method, int *count)
 {
-    const batten_feature *feature = c->feature ? batten_feature_find(c->feature) : NULL;
+    const char *name = method ? method : c->feature;
+    const batten_feature *feature = name ? batten_feature_find(name) : NULL;
     const int more = feature ? feature->parameter_count : 0;
     option *all = batten_array((size_t)(c->option_count + more) + 1, sizeof *all);
     if (!all)
@@ -64,6 +65,22 @@ option *command_options(const command *c, int *count)
     return all;
 }
 
+/* The value of --method, which says whose parameters are options; NULL when it is not given. */
+static const char *find_method(const command *c, int count, char **words)
+{
+    static const char key[] = "--method";
+    const size_t length = sizeof key - 1;
+    if (!has_own_option(c, "method"))
+        return NULL;
+    for (int i = 0; i < count; i++) {
+        if (strncmp(words[i], key, length) == 0 && words[i][length] == '=')
+            return words[i] + length + 1;
+        if (strcmp(words[i], key) == 0 && i + 1 < count)
+            return words[i + 1];
+    }
+    return NULL;
+}
+
 static int run(const command *c, int count, char **words)
 {
     for (int i = 0; i < count && strcmp(words[i], "--") != 0; i++)
@@ -73,7 +90,7 @@ static int run(const command *c, int count, char **words)
         }
 
     int option_count = 0;
-    option *options = command_options(c, &option_count);
+    option *options = command_options(c, find_method(c, count, words), &option_count);
     if (!options)
         return output_failed(c->name, BATTEN_OUT_OF_MEMORY);
     arguments given;

@@ -52,7 +52,7 @@ static void add_header(batten_text *text, const char *name, int section, const c
 static void add_command(batten_text *text, const command *c)
 {
     int count = 0;
-    option *options = command_options(c, &count);
+    option *options = command_options(c, NULL, &count);
     batten_text_add(text, ".SS \"batten ");
     add_escaped(text, c->name);
     batten_text_add(text, " ");
@@ -149,7 +149,7 @@ void manual_completion(batten_text *text)
     batten_text_add(text, "' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n");
     for (int i = 0; i < command_count(); i++) {
         int count = 0;
-        option *options = command_options(command_at(i), &count);
+        option *options = command_options(command_at(i), NULL, &count);
         batten_text_add(text, "    %s) options='", command_at(i)->name);
         for (int k = 0; options && k < count; k++)
             batten_text_add(text, "--%s ", options[k].name);

@@ -77,6 +77,15 @@ TEST(what_was_fitted_can_be_evaluated)
     CHECK_CONTAINS(run.out, "curve, degree 3");
 }
 
+TEST(the_method_of_fit_brings_its_own_options)
+{
+    const char *points = test_scratch("grid.xyz"), *surface = test_scratch("grid.igs");
+    test_write(points, "0 0 0\n1 0 1\n2 0 0\n\n0 1 0\n1 1 2\n2 1 0\n\n0 2 0\n1 2 1\n2 2 0\n");
+    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--method", "interpolate-grid", "--degree-v", "1").exit, 0);
+    CHECK_CONTAINS(RUN("batten", "info", surface).out, "degree 2 x 1");
+    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--degree-v", "1").exit, 2);
+}
+
 TEST(standard_input_is_a_file_named_dash)
 {
     const test_process run = test_run(table, (const char *const[]){"batten", "info", "-", NULL});
