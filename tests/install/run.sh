@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Install into a scratch folder, then build a C and a C++ program against what is there: through the CMake
-# package and through pkg-config. Arguments: the build folder, the source folder.
+# package and through pkg-config. Arguments: the build folder, the source folder, the CMake generator.
 set -euo pipefail
-build=$1 source=$2
+build=$1 source=$2 generator=$3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 prefix=$scratch/prefix
@@ -10,7 +10,7 @@ prefix=$scratch/prefix
 cmake --install "$build" --prefix "$prefix" > "$scratch/install.log"
 
 # CMake
-cmake -S "$source/tests/install" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" > "$scratch/cmake.log" ||
+cmake -G "$generator" -S "$source/tests/install" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" > "$scratch/cmake.log" ||
     { cat "$scratch/cmake.log"; exit 1; }
 cmake --build "$scratch/cmake" > "$scratch/cmake.log" || { cat "$scratch/cmake.log"; exit 1; }
 "$scratch/cmake/consumer-c"
