@@ -44,7 +44,7 @@ typedef struct batten_picture_options {
     const char *title;            /**< "" */
     batten_view view;
     double azimuth, elevation;    /**< of the eye, radians, from x towards y and up; for the
-                                       axonometric view; 42 and 20 degrees: off the port bow */
+                                       axonometric view; 28 and 12 degrees: off the port bow */
     bool control_polygon;         /**< of curves */
     bool data_points;             /**< that curves were made from */
     bool comb;                    /**< curvature comb, plane curves and projections */

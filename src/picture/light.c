@@ -22,7 +22,7 @@ bat_scene bat_scene_make(batten_shading shading, const bat_view *view, int axis,
     bat_scene scene = {.shading = shading, .stripes = stripes, .range = 1};
     from_view(view, 0, 0, 1, scene.eye);
     from_view(view, -0.45, 0.52, 0.72, scene.key);
-    from_view(view, 0.80, 0.05, 0.60, scene.fill);
+    from_view(view, 0.72, -0.30, 0.62, scene.fill);
     for (int k = 0; k < 3; k++)
         scene.half[k] = scene.eye[k] + scene.key[k];
     normalise(scene.half);
@@ -58,7 +58,7 @@ static double diffuse(const bat_scene *scene, const double n[3])
     const double key = bat_max(0, bat_dot(n, scene->key));
     const double fill = bat_max(0, bat_dot(n, scene->fill));
     const double sky = 0.5 + 0.5 * n[2];
-    return 0.17 + 0.20 * sky + 0.70 * key + 0.36 * fill;
+    return 0.15 + 0.16 * sky + 0.66 * key + 0.52 * fill;
 }
 
 /* The gloss of the key light, and a thin bright rim where the surface turns away. */

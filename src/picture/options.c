@@ -10,9 +10,10 @@ batten_picture_options batten_picture_defaults(void)
         .height = 800,
         .title = "",
         .view = BATTEN_VIEW_AUTO,
-        /* From ahead of the bow, to port, a little above: 42 and 20 degrees. */
-        .azimuth = 42 * 3.14159265358979323846 / 180,
-        .elevation = 20 * 3.14159265358979323846 / 180,
+        /* From ahead of the bow, to port, a little above: both bows show, and little of the
+         * inside. */
+        .azimuth = 28 * 3.14159265358979323846 / 180,
+        .elevation = 12 * 3.14159265358979323846 / 180,
         .shading = BATTEN_SHADING_PLAIN,
         .isolines = 10,
         .stripes = 24,

@@ -278,16 +278,15 @@ static void put(bat_light light, float colour[3])
     colour[2] = (float)light.blue;
 }
 
-/* How strongly a line covers this sample, 0 or 1: lines are so many samples to both sides. */
+/* Is this sample on an isoline? Lines are half a pixel to both sides. Edges are drawn as strokes,
+ * for on the surface they would thin out where it turns edge on. */
 static bool is_on_line(const solid *s, const bat_fragment *f, int direction)
 {
     const int n = LINE_U + direction;
     const double place = f->value[n], line = round(place);
-    const bool is_edge = line <= 0 || line >= s->lines;
-    if (is_edge ? !s->edges[direction] && !s->shows_isolines : !s->shows_isolines)
-        return false;
-    const double half = (is_edge && s->edges[direction] ? 1.7 : 0.5) * BAT_SAMPLES;
-    return fabs(place - line) < half * f->slope[n];
+    const bool is_edge = s->edges[direction] && (line <= 0 || line >= s->lines);
+    return s->shows_isolines && !is_edge &&
+           fabs(place - line) < 0.5 * BAT_SAMPLES * f->slope[n];
 }
 
 static void shade_solid(const void *user, const bat_fragment *f, float colour[3])
@@ -373,6 +372,30 @@ static void fill_segment(bat_raster *band, const double *from, const double *to,
     bat_raster_triangle(band, &c[0], &c[2], &c[3], shade_flat, light);
 }
 
+/* An edge of the grid: `count` points from `first` on, `step` apart. */
+static void fill_edge(bat_raster *band, const solid *s, size_t first, size_t step, size_t count)
+{
+    const bat_light a = s->albedo, ink = {0.05 * a.red, 0.05 * a.green, 0.05 * a.blue};
+    const double half = 0.7 * BAT_SAMPLES, nearer = 2 * BAT_SAMPLES;
+    for (size_t k = 0; k + 1 < count; k++) {
+        const double *from = s->tiles.points + 3 * (first + k * step), *to = from + 3 * step;
+        fill_segment(band, from, to, half, nearer, &ink);
+    }
+}
+
+static void fill_edges(bat_raster *band, const solid *s)
+{
+    const size_t m = s->tiles.count_u, n = s->tiles.count_v;
+    if (s->edges[0]) {
+        fill_edge(band, s, 0, 1, n);
+        fill_edge(band, s, (m - 1) * n, 1, n);
+    }
+    if (s->edges[1]) {
+        fill_edge(band, s, 0, n, m);
+        fill_edge(band, s, n - 1, n, m);
+    }
+}
+
 static void fill_curves(bat_raster *band, const picture *p)
 {
     const double half = 0.9 * BAT_SAMPLES, nearer = 3 * BAT_SAMPLES;
@@ -419,6 +442,8 @@ static batten_status fill_image(const picture *p, bat_canvas *canvas)
         bat_raster_begin(&band, y * BAT_SAMPLES, height * BAT_SAMPLES, top, bottom);
         for (int i = 0; i < p->solid_count; i++)
             fill_solid(&band, &p->solids[i]);
+        for (int i = 0; i < p->solid_count; i++)
+            fill_edges(&band, &p->solids[i]);
         fill_curves(&band, p);
         bat_raster_resolve(&band, pixels + (size_t)y * stride, stride);
         status = ask(p, (double)y / height);

@@ -160,6 +160,33 @@ TEST(curves_lie_over_the_surface_that_carries_them_and_behind_others)
     }
 }
 
+TEST(an_edge_is_as_wide_where_two_surfaces_meet_as_elsewhere)
+{
+    /* Both halves of a square, and how many samples of its middle and its rim are dark. */
+    batten_model *model = scene_empty();
+    const double port[] = {-1, 0, 0, -1, 1, 0, 1, 0, 0, 1, 1, 0};
+    const double starboard[] = {-1, -1, 0, -1, 0, 0, 1, -1, 0, 1, 0, 0};
+    scene_add_surface(model, "port", scene_net(1, 2, 1, 2, port));
+    scene_add_surface(model, "starboard", scene_net(1, 2, 1, 2, starboard));
+    static const batten_shading shadings[] = {BATTEN_SHADING_PLAIN, BATTEN_SHADING_ISOLINES};
+    for (int i = 0; i < COUNT(shadings); i++) {
+        batten_picture_options options = small(shadings[i]);
+        options.view = BATTEN_VIEW_TOP;
+        options.isolines = 2;
+        const scene_image image = image_of(model, options);
+        for (int x = 70; x < 140; x++) { /* the square reaches from 60 to 240, 10 to 190 */
+            int rim = 0, middle = 0;
+            for (int y = -4; y <= 4; y++) {
+                rim += scene_red(scene_pixel(&image, x, 10 + y)) < 110;
+                middle += scene_red(scene_pixel(&image, x, 100 + y)) < 110;
+            }
+            CHECK(rim >= 1 && rim <= 2);
+            CHECK(middle >= 1 && middle <= 2);
+        }
+    }
+    batten_model_unref(model);
+}
+
 TEST(isolines_divide_the_surface_evenly)
 {
     const double points[] = {0, 0, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0};
