@@ -104,26 +104,59 @@ static batten_status add_to_cloud(void *context, const bat_row *row)
     return BATTEN_OK;
 }
 
+/* Of each point its distance from the nearest of the surfaces that are checked together. */
+static batten_status nearest_surface(const bat_check *check, const cloud *all, double *nearest,
+                                     double *distances)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < all->count; i++)
+        nearest[i] = HUGE_VAL;
+    for (int k = 0; k < check->object_count && status == BATTEN_OK; k++) {
+        const batten_surface *surface = check->objects[k].object->surface;
+        batten_deviation deviation;
+        if (!surface)
+            continue;
+        status = batten_surface_deviation(surface, all->count, all->points, NULL,
+                                          check->run->job, distances, &deviation);
+        for (int i = 0; status == BATTEN_OK && i < all->count; i++)
+            nearest[i] = bat_min(nearest[i], distances[i]);
+    }
+    return status;
+}
+
+static bat_distance sum_up(const char *feature, const cloud *all, const double *nearest)
+{
+    bat_distance sum = {.feature = feature, .count = all->count};
+    double squares = 0;
+    int worst = 0;
+    for (int i = 0; i < all->count; i++) {
+        squares += nearest[i] * nearest[i];
+        worst = nearest[i] > nearest[worst] ? i : worst;
+    }
+    sum.max = nearest[worst];
+    sum.rms = sqrt(squares / all->count);
+    memcpy(sum.worst, all->points + 3 * worst, sizeof sum.worst);
+    return sum;
+}
+
 static batten_status add_distance(bat_check *check, bat_checked *checked, int feature)
 {
     cloud all = {0, 0, NULL};
-    batten_deviation deviation;
     if (feature < 0)
         return BATTEN_OK;
     batten_status status = visit_rows(check, feature, false, add_to_cloud, &all);
+    double *nearest = bat_array3((size_t)all.count, 2, sizeof *nearest);
+    if (status == BATTEN_OK && !nearest)
+        status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && all.count > 0)
-        status = batten_surface_deviation(checked->object->surface, all.count, all.points, NULL,
-                                          check->run->job, NULL, &deviation);
+        status = nearest_surface(check, &all, nearest, nearest + all.count);
     if (status == BATTEN_OK && all.count > 0) {
         bat_distance *d = &checked->distances[checked->distance_count++];
-        *d = (bat_distance){.feature = check->run->document->features[feature].name,
-                            .is_faired = feature == check->faired,
-                            .count = all.count,
-                            .max = deviation.max,
-                            .rms = deviation.rms};
-        memcpy(d->worst, all.points + 3 * deviation.worst, sizeof d->worst);
+        *d = sum_up(check->run->document->features[feature].name, &all, nearest);
+        d->is_faired = feature == check->faired;
         check->ok &= d->is_faired || d->max <= check->within;
     }
+    bat_release(nearest);
     bat_release(all.points);
     return status;
 }
@@ -346,8 +379,9 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
     out->objects = bat_pool_array(&out->pool, (size_t)objects.count, sizeof *out->objects);
     if (!out->objects)
         status = BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         out->objects[i].object = objects.at[i];
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
         if (objects.at[i]->kind == BATTEN_OBJECT_SURFACE)
             status = check_surface(out, &out->objects[i]);
         else if (objects.at[i]->kind == BATTEN_OBJECT_CURVE)

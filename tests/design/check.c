@@ -73,6 +73,23 @@ TEST(distance_from_the_points_given_is_measured)
     batten_release(json);
 }
 
+TEST(points_are_measured_from_the_nearest_of_the_surfaces_checked_together)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
+        "  rows: {interpolate: grid}\n  flat: {skin: rows}\n"
+        "  left: {part: flat, from: 0, to: 0.5}\n  right: {part: flat, from: 0.5, to: 1}\n"
+        "  high: {move: right, by: [0, 0, 2 mm]}\n"
+        "outputs:\n  r.json: {check: [left, high], within: 3 mm}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"ok\": true");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0.002, 1e-12);
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"rms\": "), 0.002 / sqrt(2), 1e-12);
+    batten_release(json);
+}
+
 TEST(sections_of_a_fair_surface_are_fair)
 {
     static const char text[] =

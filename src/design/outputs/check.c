@@ -35,8 +35,9 @@ const bat_feature bat_feature_check = {
          "inflections in\n"
          "excess and energy before and after, what a skin kept of its sections. For each "
          "surface:\n"
-         "its distance from the points given and from those after fairing, the fairness of "
-         "its\n"
+         "the distance of the points given, and of those after fairing, from the nearest of "
+         "all\n"
+         "surfaces that are looked at; the fairness of its\n"
          "stations and waterlines, and how far its edges are from the centre plane. As JSON, "
          "with\n"
          "all digits, when the file ends in .json.",
