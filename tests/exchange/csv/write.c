@@ -25,8 +25,8 @@ TEST(tables_are_written_so_that_they_read_back)
         "x_m,z_m,half_breadth_m\n0,0,0\n0,1,2\n3,1,4\n",
         "x,z,half_breadth\n0,0,0\n0,0,5\n-0,-0,1e-320\n",
         "section,station_ft,x,z,y,line\nstem,0,-0.5,2,0,\"a \"\"b\"\", c\"\nstem,0,0,1,0.1,\n",
-        "axis,name,stem,1\nlength,station,0,24\nheights,sheer,2-8-6,2-6-1\nwidths,sheer,0-0-7,"
-        "1-1-3\n",
+        ("axis,name,stem,1\nlength,station,0,24\nheights,sheer,2-8-6,2-6-1\nwidths,sheer,0-0-7,"
+         "1-1-3\n"),
     };
     for (int i = 0; i < COUNT(texts); i++)
         check_round_trip(texts[i], BATTEN_FORMAT_OFFSETS);
