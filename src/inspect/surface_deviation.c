@@ -3,8 +3,9 @@
  *
  * Each patch between knot lines has the box of its control points and a grid of sample points.
  * Of a patch whose box comes nearer than what was found so far, every sample that is nearer
- * than its neighbours starts a descent on the whole surface: Newton's method on (r . Su, r .
- * Sv) with r = S - Q, held inside the domain, that falls back to Gauss-Newton where the second
+ * than its neighbours starts a descent inside its patch, so that a crease along a knot line is a
+ * rim like any other, and goes on over the whole surface where that ends on a knot line: Newton's
+ * method on (r . Su, r . Sv) with r = S - Q, that falls back to Gauss-Newton where the second
  * derivatives point uphill, and never accepts a farther point.
  */
 #include "base/work.h"
@@ -36,7 +37,7 @@ static batten_status direction_begin(const batten_surface *surface, batten_direc
 {
     const int degree = batten_surface_degree(surface, which);
     out->count = batten_surface_spans(surface, which, NULL) - 1;
-    out->samples = degree + 1;
+    out->samples = 2 * degree + 1;
     out->knots = bat_array((size_t)out->count + 1, sizeof *out->knots);
     out->at = bat_array3((size_t)out->count + 1, (size_t)out->samples, sizeof *out->at);
     if (!out->knots || !out->at)
@@ -140,11 +141,30 @@ typedef struct {
     double normal[3];                            /* Gauss-Newton: E, F, G */
 } slope;
 
-static batten_status slope_at(const patches *p, const double *q, double u, double v, slope *out)
+/* A part of the parameter plane: [low, high] in u and v. */
+typedef struct {
+    double low[2], high[2];
+} area;
+
+static area whole(const patches *p)
+{
+    area all;
+    for (int k = 0; k < 2; k++) {
+        all.low[k] = p->along[k].knots[0];
+        all.high[k] = p->along[k].knots[p->along[k].count];
+    }
+    return all;
+}
+
+/* Derivatives are those from inside the area. */
+static batten_status slope_at(const patches *p, const double *q, const area *in, double u,
+                              double v, slope *out)
 {
     const int d = p->dimension;
+    const batten_side side_u = u >= in->high[0] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
+    const batten_side side_v = v >= in->high[1] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
     double s[BATTEN_SURFACE_DERIVATIVES(2) * 3], r[3];
-    batten_status status = batten_surface_evaluate(p->surface, u, v, 2, s);
+    batten_status status = batten_surface_evaluate_side(p->surface, u, v, side_u, side_v, 2, s);
     if (status != BATTEN_OK)
         return status;
     for (int k = 0; k < d; k++)
@@ -179,13 +199,12 @@ static bool solve_step(const double h[3], const double g[2], const bool free[2],
     return true;
 }
 
-static void choose_step(const patches *p, const slope *here, double step[2])
+static void choose_step(const area *in, const slope *here, double step[2])
 {
     bool free[2];
     for (int k = 0; k < 2; k++) {
-        const double low = p->along[k].at[0], high = p->along[k].knots[p->along[k].count];
         const double g = here->gradient[k];
-        free[k] = !((here->at[k] <= low && g > 0) || (here->at[k] >= high && g < 0));
+        free[k] = !((here->at[k] <= in->low[k] && g > 0) || (here->at[k] >= in->high[k] && g < 0));
     }
     if (solve_step(here->second, here->gradient, free, step) ||
         solve_step(here->normal, here->gradient, free, step))
@@ -197,36 +216,51 @@ static void choose_step(const patches *p, const slope *here, double step[2])
 
 enum { STEPS = 50, HALVINGS = 12 };
 
-static batten_status descend(const patches *p, const double *q, double u, double v,
+/* From `at`, which becomes the foot, downhill inside the area. */
+static batten_status descend(const patches *p, const double *q, const area *in, double at[2],
                              bat_nearest *best)
 {
     slope here;
     bool better = true;
-    batten_status status = slope_at(p, q, u, v, &here);
+    batten_status status = slope_at(p, q, in, at[0], at[1], &here);
     for (int k = 0; status == BATTEN_OK && better && k < STEPS; k++) {
         double step[2];
-        choose_step(p, &here, step);
+        choose_step(in, &here, step);
         better = false;
         for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
             double to[2];
             slope there;
-            for (int j = 0; j < 2; j++) {
-                const double low = p->along[j].at[0],
-                             high = p->along[j].knots[p->along[j].count];
-                to[j] = bat_min(high, bat_max(low, here.at[j] + ldexp(step[j], -half)));
-            }
+            for (int j = 0; j < 2; j++)
+                to[j] = bat_min(in->high[j], bat_max(in->low[j], here.at[j] + ldexp(step[j], -half)));
             if (to[0] == here.at[0] && to[1] == here.at[1])
                 break;
-            status = slope_at(p, q, to[0], to[1], &there);
+            status = slope_at(p, q, in, to[0], to[1], &there);
             better = status == BATTEN_OK && there.value < here.value;
             if (better)
                 here = there;
         }
     }
-    const double distance = status == BATTEN_OK ? sqrt(2 * here.value) : HUGE_VAL;
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(at, here.at, sizeof here.at);
+    const double distance = sqrt(2 * here.value);
     if (distance < best->distance)
-        *best = (bat_nearest){distance, {here.at[0], here.at[1]}};
-    return status;
+        *best = (bat_nearest){distance, {at[0], at[1]}};
+    return BATTEN_OK;
+}
+
+/* From sample (i, j) of a patch: inside it, and beyond where that ends on its rim. */
+static batten_status descend_from(const patches *p, const double *q, const area *patch, int i,
+                                  int j, bat_nearest *best)
+{
+    double at[2] = {p->along[0].at[i], p->along[1].at[j]};
+    const batten_status status = descend(p, q, patch, at, best);
+    const area all = whole(p);
+    bool on_line = false;
+    for (int k = 0; k < 2; k++)
+        on_line = on_line || (at[k] <= patch->low[k] && at[k] > all.low[k]) ||
+                  (at[k] >= patch->high[k] && at[k] < all.high[k]);
+    return status == BATTEN_OK && on_line ? descend(p, q, &all, at, best) : status;
 }
 
 /* ---- one point ---- */
@@ -254,7 +288,7 @@ static bool is_valley(const patches *p, const double *q, int i, int j, const int
         for (int b = j - 1; b <= j + 1; b++) {
             const bool inside = a >= low[0] && a <= low[0] + p->along[0].samples &&
                                 b >= low[1] && b <= low[1] + p->along[1].samples;
-            if (!inside || (a == i && b == j))
+            if (!inside || (a != i && b != j) || (a == i && b == j))
                 continue;
             const double there = sample_distance(p, q, a, b);
             if (there < here || (there == here && (a < i || (a == i && b < j))))
@@ -267,11 +301,13 @@ static batten_status search_patch(const patches *p, const double *q, int pi, int
                                   bat_nearest *best)
 {
     const int low[2] = {pi * p->along[0].samples, pj * p->along[1].samples};
+    const area patch = {{p->along[0].knots[pi], p->along[1].knots[pj]},
+                        {p->along[0].knots[pi + 1], p->along[1].knots[pj + 1]}};
     batten_status status = BATTEN_OK;
     for (int i = low[0]; i <= low[0] + p->along[0].samples; i++)
         for (int j = low[1]; status == BATTEN_OK && j <= low[1] + p->along[1].samples; j++)
             if (is_valley(p, q, i, j, low))
-                status = descend(p, q, p->along[0].at[i], p->along[1].at[j], best);
+                status = descend_from(p, q, &patch, i, j, best);
     return status;
 }
 
@@ -316,11 +352,11 @@ static batten_status search_chunk(void *context, size_t begin, size_t end)
         const double *point = q->points + i * (size_t)p->dimension;
         q->nearest[i].distance = HUGE_VAL;
         if (q->start) {
+            const area all = whole(p);
             double at[2];
             for (int k = 0; k < 2; k++)
-                at[k] = bat_min(p->along[k].knots[p->along[k].count],
-                                bat_max(p->along[k].knots[0], q->start[2 * i + (size_t)k]));
-            status = descend(p, point, at[0], at[1], &q->nearest[i]);
+                at[k] = bat_min(all.high[k], bat_max(all.low[k], q->start[2 * i + (size_t)k]));
+            status = descend(p, point, &all, at, &q->nearest[i]);
         }
         if (status == BATTEN_OK)
             status = search_all(p, point, &q->nearest[i]);

@@ -71,3 +71,50 @@ TEST(points_of_a_surface_lie_on_it)
                  BATTEN_NOT_FINITE);
     batten_surface_unref(torus);
 }
+
+TEST(the_foot_on_a_ridge_is_found)
+{
+    const double u[] = {0, 0, 1, 2, 2}, v[] = {0, 0, 1, 1};
+    const double points[] = {-1, 0, -1, -1, 1, -1, 0, 0, 0, 0, 1, 0, 1, 0, -1, 1, 1, -1};
+    const batten_axis along = {1, 3, u, false}, across = {1, 2, v, false};
+    batten_surface *roof = NULL;
+    CHECK_OK(batten_surface_create(3, &along, &across, points, NULL, &roof));
+    for (int i = 0; i <= 40; i++) {
+        const double above[3] = {(i % 5 - 2) * 0.2, i / 40.0, 1};
+        double distance;
+        batten_deviation found;
+        CHECK_OK(batten_surface_deviation(roof, 1, above, NULL, NULL, &distance, &found));
+        CHECK_NEAR(distance, hypot(above[0], 1), 1e-14);
+        CHECK_NEAR(found.at[0], 1, 1e-7);
+        CHECK_NEAR(found.at[1], above[1], 1e-7);
+    }
+    batten_surface_unref(roof);
+}
+
+TEST(I1_no_scan_of_a_creased_surface_finds_a_nearer_point)
+{
+    test_random random = test_random_begin("creased scan");
+    for (int n = test_cases(20); n > 0; n--) {
+        const double knots[10] = {0, 0, 0, 0.5, 0.5, 0.8, 0.8, 1, 1, 1};
+        const batten_axis axis = {2, 7, knots, false};
+        double points[147], q[30], distances[10], at[3];
+        batten_surface *surface = NULL;
+        batten_deviation found;
+        for (int i = 0; i < 147; i++) {
+            const int place = i % 3 == 0 ? i / 21 : i % 3 == 1 ? i / 3 % 7 : 0;
+            points[i] = place + test_random_in(&random, -0.5, 0.5);
+        }
+        CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+        for (int k = 0; k < 30; k++)
+            q[k] = test_random_in(&random, -2, 8);
+        CHECK_OK(batten_surface_deviation(surface, 10, q, NULL, NULL, distances, &found));
+        for (int i = 0; i <= 60; i++)
+            for (int j = 0; j <= 60; j++) {
+                CHECK_OK(batten_surface_evaluate(surface, i / 60.0, j / 60.0, 0, at));
+                for (int k = 0; k < 10; k++)
+                    CHECK(distances[k] <= hypot(hypot(at[0] - q[3 * k], at[1] - q[3 * k + 1]), at[2] - q[3 * k + 2]) *
+                                              (1 + 1e-12));
+            }
+        batten_surface_unref(surface);
+    }
+}

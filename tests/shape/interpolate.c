@@ -715,3 +715,24 @@ TEST(circle_ends_fall_back_where_there_is_no_circle)
     CHECK_INT(batten_curve_degree(curve), 1);
     batten_curve_unref(curve);
 }
+
+TEST(curvatures_that_rounding_keeps_from_the_last_digits_are_reached)
+{
+    const double points[6] = {8, 4, 6, -9, 7, 8}, wanted[2][2] = {{-1.5, -1.7}, {0.6, 1}};
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_UNIFORM;
+    options.start = (batten_end){BATTEN_END_CURVATURE, {wanted[0][0], wanted[0][1]}};
+    options.end = (batten_end){BATTEN_END_CURVATURE, {wanted[1][0], wanted[1][1]}};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_interpolate(2, 3, points, &options, NULL, &curve));
+    const batten_interval domain = batten_curve_domain(curve);
+    for (int e = 0; e < 2; e++) {
+        double at[3][2];
+        CHECK_OK(batten_curve_evaluate(curve, e ? domain.b : domain.a, 2, at[0]));
+        const double speed = hypot(at[1][0], at[1][1]);
+        const double turn = (at[1][0] * at[2][1] - at[1][1] * at[2][0]) / (speed * speed * speed);
+        const double across = (at[1][0] * wanted[e][1] - at[1][1] * wanted[e][0]) / speed;
+        CHECK_NEAR(turn, across, 1e-8);
+    }
+    batten_curve_unref(curve);
+}
