@@ -124,9 +124,9 @@ static batten_status nearest_surface(const bat_check *check, const cloud *all, d
     return status;
 }
 
-static bat_distance sum_up(const char *feature, const cloud *all, const double *nearest)
+static bat_reach sum_up(const char *feature, const cloud *all, const double *nearest)
 {
-    bat_distance sum = {.feature = feature, .count = all->count};
+    bat_reach sum = {.feature = feature, .count = all->count};
     double squares = 0;
     int worst = 0;
     for (int i = 0; i < all->count; i++) {
@@ -151,10 +151,11 @@ static batten_status add_distance(bat_check *check, bat_checked *checked, int fe
     if (status == BATTEN_OK && all.count > 0)
         status = nearest_surface(check, &all, nearest, nearest + all.count);
     if (status == BATTEN_OK && all.count > 0) {
-        bat_distance *d = &checked->distances[checked->distance_count++];
+        bat_reach *d = &checked->distances[checked->distance_count++];
         *d = sum_up(check->run->document->features[feature].name, &all, nearest);
         d->is_faired = feature == check->faired;
         check->ok &= d->is_faired || d->max <= check->within;
+        check->bounded_count += !d->is_faired;
     }
     bat_release(nearest);
     bat_release(all.points);
@@ -304,13 +305,13 @@ static batten_status add_sections(bat_check *check, bat_checked *checked)
 
 static batten_status add_edge(bat_checked *checked, batten_direction direction, bool high)
 {
-    static const char *const names[] = {"u low", "u high", "v low", "v high"};
     const batten_surface *surface = checked->object->surface;
     const batten_interval domain = batten_surface_domain(surface, direction);
     const batten_direction other = direction == BATTEN_U ? BATTEN_V : BATTEN_U;
     const batten_interval along = batten_surface_domain(surface, other);
     const double fixed = high ? domain.b : domain.a;
-    bat_edge edge = {names[2 * (direction == BATTEN_V) + high], 0, false};
+    bat_edge edge = {bat_side_name(checked->object, 2 * (direction == BATTEN_V) + high), 0,
+                     false};
     double sum = 0;
     for (int i = 0; i < EDGE_POINTS; i++) {
         const double t = along.a + (along.b - along.a) * i / (EDGE_POINTS - 1);
@@ -344,6 +345,34 @@ static batten_status check_surface(bat_check *check, bat_checked *checked)
     return status;
 }
 
+/* The points that a curve was made from, and the curve. */
+static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
+{
+    const batten_object *object = checked->object;
+    const int d = batten_curve_dimension(object->curve);
+    batten_deviation deviation;
+    double *points = bat_array3((size_t)object->point_count, (size_t)d, sizeof *points);
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < object->point_count; i++)
+        memcpy(points + i * d, object->points + 3 * i, (size_t)d * sizeof *points);
+    const batten_status status = batten_curve_deviation(
+        object->curve, object->point_count, points, NULL, check->run->job, NULL, &deviation);
+    bat_release(points);
+    if (status != BATTEN_OK)
+        return status;
+    bat_reach *to = &checked->distances[checked->distance_count++];
+    *to = (bat_reach){.feature = object->name,
+                      .is_faired = check->faired >= 0,
+                      .count = object->point_count,
+                      .max = deviation.max,
+                      .rms = deviation.rms};
+    memcpy(to->worst, object->points + 3 * deviation.worst, sizeof to->worst);
+    check->ok &= to->is_faired || to->max <= check->within;
+    check->bounded_count += !to->is_faired;
+    return BATTEN_OK;
+}
+
 static batten_status check_curve(bat_check *check, bat_checked *checked)
 {
     const batten_object *object = checked->object;
@@ -361,7 +390,8 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
         check->fair &= checked->fairness.excess_inflections == 0;
     bat_release(data);
     batten_curve_unref(curve);
-    return status;
+    return status == BATTEN_OK && object->point_count ? add_curve_distance(check, checked)
+                                                      : status;
 }
 
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
@@ -387,6 +417,16 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
         else if (objects.at[i]->kind == BATTEN_OBJECT_CURVE)
             status = check_curve(out, &out->objects[i]);
     }
+    /* A bound that nothing could be measured against is not met. */
+    out->ok &= out->bounded_count > 0 || !isfinite(within);
+    if (status == BATTEN_OK)
+        status = bat_joins_find(out);
     bat_objects_release(&objects);
     return status;
+}
+
+void bat_check_release(bat_check *check)
+{
+    bat_release(check->joins);
+    bat_pool_free(&check->pool);
 }

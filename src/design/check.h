@@ -12,7 +12,7 @@ typedef struct {
     int count;
     double max, rms;
     double worst[3]; /* the point that lies farthest */
-} bat_distance;
+} bat_reach;
 
 /* A plane section of a surface where the data have a row. */
 typedef struct {
@@ -38,10 +38,22 @@ typedef struct {
     bool has_fairness;
     batten_fairness fairness; /* of a curve, in its plane */
     int distance_count, section_count, edge_count;
-    bat_distance distances[2]; /* from the points given, from those after fairing */
+    bat_reach distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;
     bat_edge edges[4];
 } bat_checked;
+
+/* Where two ends of curves, or two edges of surfaces along all their length, meet. NaN is what
+ * cannot be told: at a cusp, at a pole; g3 of surfaces. */
+typedef struct {
+    int object[2];
+    int side[2]; /* see bat_side_name */
+    double g0;   /* the gap */
+    double g1;   /* by how much tangents or tangent planes turn, in radians */
+    double g2;   /* difference of the curvatures (of surfaces across the edge), over the larger
+                    one */
+    double g3;   /* difference of the rates of curvature of curves, 1 / length^2 */
+} bat_join;
 
 typedef struct {
     const bat_run *run;
@@ -51,17 +63,29 @@ typedef struct {
     int given, faired; /* the features that the data are from, or -1 */
     int object_count;
     bat_checked *objects;
-    bool ok;   /* no point given is farther than the bound */
+    int join_count;
+    bat_join *joins;   /* in the order of objects and sides */
+    int bounded_count; /* distances of points given that were measured */
+    bool
+        ok; /* no point given is farther than the bound, which was measured when there is one */
     bool fair; /* no curve has inflections in excess, no section visible ones */
 } bat_check;
 
-/* Look at everything in the argument `parameter` of the run. Free the pool, also after a
- * failure. */
+/* Look at everything in the argument `parameter` of the run. Release it, also after a failure.
+ */
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
                             bat_check *out);
+void bat_check_release(bat_check *check);
 
 /* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
 int bat_visible_inflections(int count, const double *points, double height);
+
+/* ---- joins.c ---- */
+
+/* Find the joins of the objects, within the tolerance of the design. */
+batten_status bat_joins_find(bat_check *check);
+/* "start", "end" of a curve; "u low", "u high", "v low", "v high" of a surface. */
+const char *bat_side_name(const batten_object *object, int side);
 
 /* ---- report.c ---- */
 

@@ -97,7 +97,7 @@ static void json_distances(batten_text *out, const bat_checked *c)
 {
     batten_text_add(out, ",\n     \"distances\": [");
     for (int i = 0; i < c->distance_count; i++) {
-        const bat_distance *d = &c->distances[i];
+        const bat_reach *d = &c->distances[i];
         batten_text_add(out, "%s{\"from\": ", i ? ", " : "");
         batten_text_json(out, d->feature);
         batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
@@ -151,6 +151,8 @@ static void json_object(batten_text *out, const bat_checked *c)
     }
     if (c->object->kind == BATTEN_OBJECT_SURFACE)
         json_surface(out, c);
+    else if (c->distance_count)
+        json_distances(out, c);
     batten_text_add(out, "}");
 }
 
@@ -158,6 +160,41 @@ static const char *unit_of(const bat_check *check)
 {
     const char *unit = batten_unit_name(bat_unit_metres(check->run));
     return unit ? unit : "units";
+}
+
+static void json_joins(batten_text *out, const bat_check *check)
+{
+    static const char *const keys[] = {"g0", "g1", "g2", "g3"};
+    for (int i = 0; i < check->join_count; i++) {
+        const bat_join *join = &check->joins[i];
+        const double values[] = {join->g0, join->g1, join->g2, join->g3};
+        for (int k = 0; k < 2; k++) {
+            const batten_object *object = check->objects[join->object[k]].object;
+            batten_text_add(out, k ? ", \"b\": " : "%s\n    {\"a\": ", i ? "," : "");
+            batten_text_json(out, object->name);
+            batten_text_add(out, ", \"%s\": \"%s\"", k ? "side_b" : "side_a",
+                            bat_side_name(object, join->side[k]));
+        }
+        for (int k = 0; k < 4; k++) {
+            batten_text_add(out, ", ");
+            json_number(out, keys[k], values[k]);
+        }
+        batten_text_add(out, "}");
+    }
+}
+
+static void json_messages(batten_text *out, const batten_notes *notes)
+{
+    for (int i = 0; notes && i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        batten_text_add(out, "%s\n    {\"file\": ", i ? "," : "");
+        batten_text_json(out, note->file);
+        batten_text_add(out, ", \"line\": %d, \"entity\": ", note->line);
+        batten_text_json(out, note->entity);
+        batten_text_add(out, ", \"text\": ");
+        batten_text_json(out, note->text);
+        batten_text_add(out, "}");
+    }
 }
 
 void bat_report_json(const bat_check *check, batten_text *out)
@@ -178,7 +215,11 @@ void bat_report_json(const bat_check *check, batten_text *out)
         batten_text_add(out, i ? ",\n" : "\n");
         json_object(out, &check->objects[i]);
     }
-    batten_text_add(out, "\n  ],\n  \"joins\": [],\n  \"messages\": []\n}\n");
+    batten_text_add(out, "\n  ],\n  \"joins\": [");
+    json_joins(out, check);
+    batten_text_add(out, "],\n  \"messages\": [");
+    json_messages(out, check->run->notes);
+    batten_text_add(out, "]\n}\n");
 }
 
 /* ---- text: four digits, the same in every locale ---- */
@@ -256,7 +297,7 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
 static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)
 {
     for (int i = 0; i < c->distance_count; i++) {
-        const bat_distance *d = &c->distances[i];
+        const bat_reach *d = &c->distances[i];
         batten_text_add(out, "    distance from the %d points %s '%s': at most ", d->count,
                         d->is_faired ? "after fairing," : "given,", d->feature);
         add_length(out, check, d->max);
@@ -324,6 +365,25 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
     text_family(out, c, "buttock");
 }
 
+static void text_join(batten_text *out, const bat_check *check, const bat_join *join)
+{
+    for (int k = 0; k < 2; k++) {
+        const batten_object *object = check->objects[join->object[k]].object;
+        batten_text_add(out, "%s%s, %s", k ? " and " : "  ", object->name,
+                        bat_side_name(object, join->side[k]));
+    }
+    batten_text_add(out, ": gap ");
+    add_length(out, check, join->g0);
+    if (isfinite(join->g1)) {
+        batten_text_add(out, ", turning by ");
+        add_rounded(out, join->g1);
+        batten_text_add(out, " rad, curvatures differ by ");
+        add_rounded(out, join->g2);
+        batten_text_add(out, " of the larger");
+    }
+    batten_text_add(out, "\n");
+}
+
 void bat_report_text(const bat_check *check, batten_text *out)
 {
     const bat_document *d = check->run->document;
@@ -336,13 +396,21 @@ void bat_report_text(const bat_check *check, batten_text *out)
     batten_text_add(out, "\nThe result\n");
     for (int i = 0; i < check->object_count; i++)
         text_object(out, check, &check->objects[i]);
+    if (check->join_count)
+        batten_text_add(out, "\nWhat meets\n");
+    for (int i = 0; i < check->join_count; i++)
+        text_join(out, check, &check->joins[i]);
     batten_text_add(out, "\nVerdict: %s",
                     check->fair ? "fair" : "there are inflections in excess");
     if (isfinite(check->within)) {
-        batten_text_add(out, "; the points given lie %s ",
-                        check->ok ? "within" : "farther than");
+        batten_text_add(out, "; the points given %s ",
+                        check->ok              ? "lie within"
+                        : check->bounded_count ? "lie farther than"
+                                               : "could not be measured against");
         add_length(out, check, check->within);
-        batten_text_add(out, check->ok ? " of the surface" : " from the surface");
+        batten_text_add(out, check->ok              ? " of the shape"
+                             : check->bounded_count ? " from the shape"
+                                                    : "");
     }
     batten_text_add(out, ".\n");
 }

@@ -107,3 +107,73 @@ TEST(sections_of_a_fair_surface_are_fair)
         "\"family\": \"station\", \"name\": \"row 2\", \"at\": 1, \"visible_inflections\": 0");
     batten_release(json);
 }
+
+/* A design with one output: does it hold, and what notes are there? */
+static bool holds(const char *design_text, batten_notes *notes)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    CHECK_OK(batten_design_parse(design_text, strlen(design_text), NULL, notes, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, notes, &data, &size));
+    const bool held = design && batten_design_output_holds(design, 0);
+    batten_release(data);
+    batten_design_free(design);
+    return held;
+}
+
+#define MOVED                                                                               \
+    "batten: 1\nfeatures:\n"                                                                \
+    "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"          \
+    "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 " \
+    "mm]}\noutputs:\n"
+
+TEST(an_output_whose_bound_is_not_met_says_so)
+{
+    CHECK(holds(MOVED "  r.json: {check: high, within: 2 mm}\n", NULL));
+    CHECK(!holds(MOVED "  r.json: {check: high, within: 0.5 mm}\n", NULL));
+    CHECK(!holds(MOVED "  r.txt: {check: high, within: 0.5 mm}\n", NULL));
+}
+
+TEST(a_bound_that_nothing_was_measured_against_is_not_met)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK(!holds("batten: 1\nfeatures:\n  s: {sphere: 1 m}\noutputs:\n  r.txt: {check: s, "
+                 "within: 1 mm}\n",
+                 notes));
+    CHECK_INT(batten_notes_count(notes), 1);
+    if (batten_notes_count(notes) == 1)
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "could not be checked");
+    batten_notes_free(notes);
+}
+
+TEST(a_curve_is_measured_against_the_points_it_was_made_from)
+{
+    static const char curve[] =
+        "batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 1], [2, 0], [3, 2]]}\n"
+        "  c: {interpolate: p}\noutputs:\n  r.json: {check: c, within: 1 um}\n";
+    char *json = NULL;
+    CHECK(holds(curve, NULL));
+    CHECK_OK(report(curve, &json));
+    CHECK_CONTAINS(json, "\"distances\": [{\"from\": ");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0, 1e-14);
+    batten_release(json);
+}
+
+TEST(the_messages_of_a_report_are_the_notes)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    char *json = NULL;
+    size_t size;
+    static const char text[] = MOVED "  r.json: {check: high, within: 0.5 mm}\n";
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, notes, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, notes, &json, &size));
+    CHECK_CONTAINS(json, "\"messages\": [\n    {\"file\": ");
+    CHECK_CONTAINS(json, "a point given lies farther than 0.0005 from the shape");
+    batten_release(json);
+    batten_design_free(design);
+    batten_notes_free(notes);
+}

@@ -5,7 +5,7 @@
 static const batten_parameter parameters[] = {
     {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is looked at"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far the points given may lie from a surface"},
+     "how far the points given may lie from a surface, or from a curve made from them"},
 };
 
 static batten_status run(bat_run *run)
@@ -16,15 +16,22 @@ static batten_status run(bat_run *run)
     const double within = bat_has(run, "within") ? bat_number(run, "within") : HUGE_VAL;
     batten_status status = bat_check_all(run, "check", within, &check);
     if (status == BATTEN_OK) {
+        run->unmet = !check.ok;
+        if (!check.ok && check.bounded_count == 0)
+            bat_note(run,
+                     "the bound %g could not be checked: there is no surface with points, and "
+                     "no curve "
+                     "with points that were not made fair",
+                     within);
+        else if (!check.ok)
+            bat_note(run, "a point given lies farther than %g from the shape", within);
         if (dot && strcmp(dot, ".json") == 0)
             bat_report_json(&check, &text);
         else
             bat_report_text(&check, &text);
-        if (!check.ok)
-            bat_note(run, "a point given lies farther than %g from the surface", within);
         status = batten_text_take(&text, &run->data, &run->size);
     }
-    bat_pool_free(&check.pool);
+    bat_check_release(&check);
     return status;
 }
 
@@ -37,10 +44,17 @@ const bat_feature bat_feature_check = {
          "surface:\n"
          "the distance of the points given, and of those after fairing, from the nearest of "
          "all\n"
-         "surfaces that are looked at; the fairness of its\n"
-         "stations and waterlines, and how far its edges are from the centre plane. As JSON, "
-         "with\n"
-         "all digits, when the file ends in .json.",
+         "surfaces that are looked at; the fairness of "
+         "its\n"
+         "stations and waterlines, and how far its edges are from the centre plane. Where ends "
+         "of\n"
+         "curves or whole edges of surfaces meet within the tolerance of the design: the gap "
+         "g0, the\n"
+         "angle g1 by which the direction turns, in radians, the difference g2 of the "
+         "curvatures as a\n"
+         "part of the larger one, and for curves the difference g3 of the rates of curvature. "
+         "As JSON,\n"
+         "with all digits, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -1,0 +1,318 @@
+#include "design/check.h"
+#include "numeric/vector.h"
+
+#include <stdlib.h>
+
+/* Points of an edge at which two surfaces are compared. */
+#define JOIN_POINTS 17
+/* More joins than these are not listed. */
+#define MOST_JOINS 10000
+
+/* An end of a curve, or an edge of a surface with the points at both its ends. */
+typedef struct {
+    int object, side;
+    batten_vec3 p[2];
+    double key; /* the same for both directions of an edge, and in order of x */
+} end;
+
+/* ---- curves ---- */
+
+/* Derivatives by arc length, away from the end of a curve. Tangent, curvature and its rate are
+ * vectors across the curve, so that nothing depends on a normal, which a straight curve lacks.
+ */
+typedef struct {
+    batten_vec3 tangent, curvature, rate;
+} leaving;
+
+static bool leave_curve(const batten_curve *curve, int side, leaving *out)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const int d = batten_curve_dimension(curve);
+    double c[4 * 3];
+    if (batten_curve_evaluate_side(curve, side ? domain.b : domain.a,
+                                   side ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 3,
+                                   c) != BATTEN_OK)
+        return false;
+    const batten_vec3 c1 = bat_vec3_of(d, c + d), c2 = bat_vec3_of(d, c + 2 * d),
+                      c3 = bat_vec3_of(d, c + 3 * d);
+    const double v = bat_vec3_norm(c1);
+    if (!(v > 0))
+        return false;
+    /* With s the arc length: C' = v Cs, C'' = v' Cs + v^2 Css, C''' = .. Cs + 3 v v' Css + v^3
+     * Csss. */
+    const batten_vec3 t = bat_vec3_scale(c1, 1 / v);
+    const double v1 = bat_vec3_dot(t, c2);
+    const batten_vec3 k = bat_vec3_scale(bat_vec3_along(c2, -v1, t), 1 / (v * v));
+    const batten_vec3 across = bat_vec3_along(c3, -bat_vec3_dot(t, c3), t);
+    const batten_vec3 rate =
+        bat_vec3_scale(bat_vec3_along(across, -3 * v * v1, k), 1 / (v * v * v));
+    const double way = side ? -1 : 1; /* into the curve, away from its end */
+    *out = (leaving){bat_vec3_scale(t, way), k, bat_vec3_scale(rate, way)};
+    return true;
+}
+
+/* The angle by which a way out of one shape turns on its way into the other. */
+static double turn(batten_vec3 out_of, batten_vec3 into)
+{
+    return atan2(bat_vec3_norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
+}
+
+/* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
+ * over the size of the shapes counts as straight. */
+static double part(batten_vec3 a, batten_vec3 b, double straight)
+{
+    const double larger = bat_max(bat_vec3_norm(a), bat_vec3_norm(b));
+    return bat_vec3_norm(bat_vec3_subtract(a, b)) / bat_max(larger, straight);
+}
+
+static void compare_curves(const batten_curve *a, int side_a, const batten_curve *b, int side_b,
+                           double straight, bat_join *join)
+{
+    leaving la, lb;
+    join->g1 = join->g2 = join->g3 = NAN;
+    if (!leave_curve(a, side_a, &la) || !leave_curve(b, side_b, &lb))
+        return;
+    join->g1 = turn(bat_vec3_scale(la.tangent, -1), lb.tangent);
+    join->g2 = part(la.curvature, lb.curvature, straight);
+    join->g3 = bat_vec3_norm(
+        bat_vec3_along(la.rate, 1, lb.rate)); /* both lead away: their signs differ */
+    ;
+}
+
+/* ---- surfaces ---- */
+
+/* The point of an edge at `t`, the direction there into the surface, square to the edge, and
+ * the normal curvature in it as a vector; false where the surface is singular. */
+static bool leave_surface(const batten_surface *surface, int side, double t, batten_vec3 *into,
+                          batten_vec3 *curvature)
+{
+    const bool fixed_v = side >= 2, high = side % 2;
+    const batten_interval domain =
+        batten_surface_domain(surface, fixed_v ? BATTEN_V : BATTEN_U);
+    const double fixed = high ? domain.b : domain.a;
+    const int d = batten_surface_dimension(surface);
+    double s[BATTEN_SURFACE_DERIVATIVES(2) * 3];
+    if (batten_surface_evaluate(surface, fixed_v ? t : fixed, fixed_v ? fixed : t, 2, s) !=
+        BATTEN_OK)
+        return false;
+    const batten_vec3 su = bat_vec3_of(d, s + d), sv = bat_vec3_of(d, s + 2 * d);
+    const batten_vec3 suu = bat_vec3_of(d, s + 3 * d), suv = bat_vec3_of(d, s + 4 * d),
+                      svv = bat_vec3_of(d, s + 5 * d);
+    const batten_vec3 across = fixed_v ? sv : su, along = fixed_v ? su : sv;
+    const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
+    const batten_vec3 product = bat_vec3_cross(su, sv);
+    const double area = bat_vec3_norm(product), g = bat_vec3_dot(along, along);
+    if (!(area > 1e-12 * bat_vec3_norm(su) * bat_vec3_norm(sv)) || !(g > 0))
+        return false;
+    /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.
+     */
+    const double f = bat_vec3_dot(across, along) / g;
+    const batten_vec3 square = bat_vec3_along(across, -f, along);
+    const double length = bat_vec3_norm(square);
+    const batten_vec3 n = bat_vec3_scale(product, 1 / area);
+    const batten_vec3 second =
+        bat_vec3_along(bat_vec3_along(across2, -2 * f, suv), f * f, along2);
+    *into = bat_vec3_scale(square, (high ? -1 : 1) / length);
+    *curvature = bat_vec3_scale(n, bat_vec3_dot(second, n) / (length * length));
+    return true;
+}
+
+static batten_status edge_curve(const batten_surface *surface, int side, batten_curve **out)
+{
+    const batten_direction direction = side < 2 ? BATTEN_U : BATTEN_V;
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    return batten_surface_isocurve(surface, direction, side % 2 ? domain.b : domain.a, out);
+}
+
+/* Tangent planes at common points, and, where these agree, curvature across the edge: by the
+ * linkage curve theorem [PW92] two surfaces with one tangent plane along an edge have one
+ * curvature when they have it in one direction across. */
+static batten_status compare_surfaces(const batten_surface *a, int side_a,
+                                      const batten_surface *b, int side_b, double straight,
+                                      bat_join *join)
+{
+    batten_curve *edge_a = NULL, *edge_b = NULL;
+    batten_status status = edge_curve(a, side_a, &edge_a);
+    if (status == BATTEN_OK)
+        status = edge_curve(b, side_b, &edge_b);
+    join->g1 = join->g2 = join->g3 = NAN;
+    join->g0 = 0;
+    for (int i = 0; i < JOIN_POINTS && status == BATTEN_OK; i++) {
+        const batten_interval domain = batten_curve_domain(edge_a);
+        const double t = domain.a + (domain.b - domain.a) * i / (JOIN_POINTS - 1);
+        batten_vec3 into_a, into_b, curvature_a, curvature_b;
+        batten_deviation foot;
+        double p[3];
+        status = batten_curve_evaluate(edge_a, t, 0, p);
+        if (status == BATTEN_OK)
+            status = batten_curve_deviation(edge_b, 1, p, NULL, NULL, NULL, &foot);
+        if (status != BATTEN_OK)
+            break;
+        join->g0 = bat_max(join->g0, foot.max);
+        if (!leave_surface(a, side_a, t, &into_a, &curvature_a) ||
+            !leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b))
+            continue;
+        join->g1 = fmax(join->g1, turn(bat_vec3_scale(into_a, -1), into_b));
+        join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
+    }
+    batten_curve_unref(edge_a);
+    batten_curve_unref(edge_b);
+    return status;
+}
+
+/* ---- finding what meets ---- */
+
+static batten_status add_ends(const bat_checked *checked, int object, double tolerance,
+                              end *ends, int *count)
+{
+    const bool is_curve = checked->object->kind == BATTEN_OBJECT_CURVE;
+    batten_status status = BATTEN_OK;
+    for (int side = 0; side < (is_curve ? 2 : 4) && status == BATTEN_OK; side++) {
+        batten_curve *curve = NULL;
+        status = is_curve ? BATTEN_OK : edge_curve(checked->object->surface, side, &curve);
+        const batten_curve *at = is_curve ? checked->object->curve : curve;
+        double p[2][3], middle[3];
+        const batten_interval domain =
+            status == BATTEN_OK ? batten_curve_domain(at) : (batten_interval){0, 1};
+        const int d = status == BATTEN_OK ? batten_curve_dimension(at) : 3;
+        for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+            status =
+                batten_curve_evaluate(at, (is_curve ? side : k) ? domain.b : domain.a, 0, p[k]);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate(at, domain.a + (domain.b - domain.a) / 2, 0, middle);
+        /* An edge that is collapsed to a pole joins nothing. */
+        if (status == BATTEN_OK && (is_curve || bat_distance(d, p[0], p[1]) > tolerance ||
+                                    bat_distance(d, p[0], middle) > tolerance))
+            ends[(*count)++] = (end){
+                object, side, {bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])}, p[0][0] + p[1][0]};
+        batten_curve_unref(curve);
+    }
+    return status;
+}
+
+/* Objects in order, and their sides. */
+static int by_object(const end *a, const end *b)
+{
+    return a->object != b->object ? (a->object > b->object) - (a->object < b->object)
+                                  : a->side - b->side;
+}
+
+static int by_key(const void *a, const void *b)
+{
+    const end *x = a, *y = b;
+    if (x->key != y->key)
+        return x->key < y->key ? -1 : 1;
+    return by_object(x, y);
+}
+
+static double gap(batten_vec3 p, batten_vec3 q)
+{
+    return bat_vec3_norm(bat_vec3_subtract(p, q));
+}
+
+/* Do both points of one meet both points of the other, in either order? */
+static double ends_gap(const end *a, const end *b)
+{
+    return bat_min(bat_max(gap(a->p[0], b->p[0]), gap(a->p[1], b->p[1])),
+                   bat_max(gap(a->p[0], b->p[1]), gap(a->p[1], b->p[0])));
+}
+
+static double size_of(const batten_object *object)
+{
+    const batten_box box = object->kind == BATTEN_OBJECT_CURVE
+                               ? batten_curve_box(object->curve)
+                               : batten_surface_box(object->surface);
+    return gap(box.low, box.high);
+}
+
+static batten_status add_join(bat_check *check, const end *a, const end *b, double tolerance)
+{
+    const batten_object *x = check->objects[a->object].object,
+                        *y = check->objects[b->object].object;
+    const bool curves = x->kind == BATTEN_OBJECT_CURVE;
+    const double size = bat_max(size_of(x), size_of(y));
+    bat_join join = {
+        .object = {a->object, b->object}, .side = {a->side, b->side}, .g0 = ends_gap(a, b)};
+    batten_status status = BATTEN_OK;
+    if (curves)
+        compare_curves(x->curve, a->side, y->curve, b->side, tolerance / (size * size), &join);
+    else
+        status = compare_surfaces(x->surface, a->side, y->surface, b->side,
+                                  tolerance / (size * size), &join);
+    if (status != BATTEN_OK || !(join.g0 <= tolerance))
+        return status;
+    if ((check->join_count & (check->join_count - 1)) == 0) { /* room for twice as many */
+        bat_join *grown =
+            bat_resize(check->joins, 2 * (size_t)check->join_count + 1, sizeof *grown);
+        if (!grown)
+            return BATTEN_OUT_OF_MEMORY;
+        check->joins = grown;
+    }
+    check->joins[check->join_count++] = join;
+    return BATTEN_OK;
+}
+
+/* Along the sorted keys only those that are near each other can meet. */
+static batten_status sweep(bat_check *check, int count, const end *ends, double tolerance)
+{
+    const batten_job *job = check->run->job;
+    for (int i = 0; i < count; i++) {
+        if (job && job->is_cancelled && job->is_cancelled(job->user))
+            return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
+        for (int j = i + 1; j < count && ends[j].key - ends[i].key <= 2 * tolerance; j++) {
+            const bool in_order = by_object(&ends[i], &ends[j]) < 0;
+            const end *a = &ends[in_order ? i : j], *b = &ends[in_order ? j : i];
+            const batten_object_kind kind = check->objects[a->object].object->kind;
+            if (kind != check->objects[b->object].object->kind || ends_gap(a, b) > tolerance)
+                continue;
+            if (check->join_count == MOST_JOINS) {
+                bat_note(check->run, "more than %d joins; the others are not listed",
+                         MOST_JOINS);
+                return BATTEN_OK;
+            }
+            const batten_status status = add_join(check, a, b, tolerance);
+            if (status != BATTEN_OK)
+                return status;
+        }
+    }
+    return BATTEN_OK;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const bat_join *x = a, *y = b;
+    const int p[4] = {x->object[0], x->object[1], x->side[0], x->side[1]};
+    const int q[4] = {y->object[0], y->object[1], y->side[0], y->side[1]};
+    for (int k = 0; k < 4; k++)
+        if (p[k] != q[k])
+            return p[k] < q[k] ? -1 : 1;
+    return 0;
+}
+
+batten_status bat_joins_find(bat_check *check)
+{
+    const double tolerance = bat_tolerance(check->run);
+    end *ends = bat_array(4 * (size_t)check->object_count + 1, sizeof *ends);
+    batten_status status = ends ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    int count = 0;
+    for (int i = 0; i < check->object_count && status == BATTEN_OK; i++) {
+        const batten_object_kind kind = check->objects[i].object->kind;
+        if (kind == BATTEN_OBJECT_CURVE || kind == BATTEN_OBJECT_SURFACE)
+            status = add_ends(&check->objects[i], i, tolerance, ends, &count);
+    }
+    if (status == BATTEN_OK) {
+        qsort(ends, (size_t)count, sizeof *ends, by_key);
+        status = sweep(check, count, ends, tolerance);
+    }
+    if (status == BATTEN_OK && check->join_count)
+        qsort(check->joins, (size_t)check->join_count, sizeof *check->joins, by_place);
+    bat_release(ends);
+    return status;
+}
+
+const char *bat_side_name(const batten_object *object, int side)
+{
+    static const char *const curve_sides[] = {"start", "end"};
+    static const char *const surface_sides[] = {"u low", "u high", "v low", "v high"};
+    return object->kind == BATTEN_OBJECT_CURVE ? curve_sides[side] : surface_sides[side];
+}
