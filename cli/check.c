@@ -52,6 +52,13 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
 
 static int run_design(const arguments *given)
 {
+    static const char *const of_files[] = {"within", "unit"};
+    for (int i = 0; i < 2; i++)
+        if (arguments_has(given, of_files[i])) {
+            complain("batten check: --%s is for files of shapes; '%s' is a design, which says so itself",
+                     of_files[i], given->files[0]);
+            return EXIT_USAGE;
+        }
     batten_notes *notes = NULL;
     batten_design *design = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)

@@ -94,8 +94,6 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
             continue;
         double at[2];
         const int at_count = read_at(given->given[g].value, at);
-        if (at_count == 0)
-            return batten_fail(BATTEN_BAD_FORMAT, "--at wants U or U,V, not '%s'", given->given[g].value);
         for (int i = 0; i < batten_model_count(model); i++) {
             const batten_object *object = batten_model_object(model, i);
             const batten_object_kind kind = at_count == 1 ? BATTEN_OBJECT_CURVE : BATTEN_OBJECT_SURFACE;
@@ -118,6 +116,14 @@ static int run(const arguments *given)
     if (!arguments_has(given, "at")) {
         complain("batten eval: --at U or --at U,V is missing; see 'batten help eval'");
         return EXIT_USAGE;
+    }
+    for (int g = 0; g < given->given_count; g++) {
+        double at[2];
+        if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
+            read_at(given->given[g].value, at) == 0) {
+            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'", given->given[g].value);
+            return EXIT_USAGE;
+        }
     }
     batten_notes *notes = NULL;
     batten_model *model = NULL;

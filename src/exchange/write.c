@@ -11,6 +11,25 @@ batten_write_options batten_write_defaults(void)
                                   .date = NULL};
 }
 
+/* Is there something that the format holds? An empty model makes an empty file. */
+static batten_status check_shapes(const batten_model *model, batten_format format)
+{
+    const int count = batten_model_count(model);
+    for (int i = 0; i < count; i++) {
+        const batten_object_kind kind = batten_model_object(model, i)->kind;
+        if (kind == BATTEN_OBJECT_CURVE || kind == BATTEN_OBJECT_SURFACE ||
+            (kind == BATTEN_OBJECT_POINTS && format == BATTEN_FORMAT_STEP))
+            return BATTEN_OK;
+    }
+    if (count == 0)
+        return BATTEN_OK;
+    return bat_fail(
+        BATTEN_UNSUPPORTED, "%s, and of the %d object%s ('%.60s' first) none is such",
+        format == BATTEN_FORMAT_IGES ? "IGES files hold curves and surfaces"
+                                     : "STEP files hold points, curves and surfaces",
+        count, count == 1 ? "" : "s", batten_model_object(model, 0)->name);
+}
+
 static batten_status write_as(const batten_model *model, const batten_write_options *options,
                               batten_notes *notes, batten_text *text)
 {
@@ -41,7 +60,11 @@ batten_status batten_write_memory(const batten_model *model,
         chosen.name = "batten";
     if (!(chosen.tolerance >= 0 && isfinite(chosen.tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", chosen.tolerance);
-    batten_status status = write_as(model, &chosen, notes, &text);
+    batten_status status = BATTEN_OK;
+    if (chosen.format == BATTEN_FORMAT_IGES || chosen.format == BATTEN_FORMAT_STEP)
+        status = check_shapes(model, chosen.format);
+    if (status == BATTEN_OK)
+        status = write_as(model, &chosen, notes, &text);
     if (status == BATTEN_OK)
         status = batten_text_take(&text, data, size);
     batten_text_free(&text);

@@ -86,6 +86,31 @@ TEST(the_method_of_fit_brings_its_own_options)
     CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--degree-v", "1").exit, 2);
 }
 
+TEST(a_file_that_would_hold_nothing_is_not_written)
+{
+    const char *path = write_table("table.csv"), *target = test_scratch("nothing.igs");
+    const test_process run = RUN("batten", "convert", path, target);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "IGES files hold curves and surfaces");
+    CHECK(test_content(target) == NULL);
+}
+
+TEST(a_bound_that_is_not_met_is_exit_status_1)
+{
+    const char *design = test_scratch("bound.yaml");
+    const char *const limits[] = {"2 mm", "0.5 mm"};
+    for (int i = 0; i < COUNT(limits); i++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "batten: 1\nfeatures:\n  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
+                 "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 mm]}\n"
+                 "outputs:\n  bound.txt: {check: high, within: %s}\n", limits[i]);
+        test_write(design, text);
+        CHECK_INT(RUN("batten", "check", design).exit, i);
+        CHECK_INT(RUN("batten", "build", design).exit, i);
+    }
+}
+
 TEST(standard_input_is_a_file_named_dash)
 {
     const test_process run = test_run(table, (const char *const[]){"batten", "info", "-", NULL});

@@ -19,6 +19,18 @@ TEST(U1_an_unknown_option_is_named_with_the_nearest)
     check_usage(RUN("batten", "build", "-z", "x"), "-z");
 }
 
+TEST(U1_an_option_that_would_be_ignored_is_refused)
+{
+    check_usage(RUN("batten", "check", "hull.yaml", "--within", "1mm"), "--within");
+    check_usage(RUN("batten", "check", "hull.yaml", "--unit", "mm"), "--unit");
+}
+
+TEST(U1_a_parameter_that_is_no_number_is_refused)
+{
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "1e400"), "1e400");
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "1,2,3"), "1,2,3");
+}
+
 TEST(U1_an_unknown_command_is_named_with_the_nearest)
 {
     check_usage(RUN("batten", "biuld"), "did you mean 'build'");
