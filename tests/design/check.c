@@ -142,7 +142,7 @@ TEST(a_bound_that_nothing_was_measured_against_is_not_met)
     CHECK(!holds("batten: 1\nfeatures:\n  s: {sphere: 1 m}\noutputs:\n  r.txt: {check: s, "
                  "within: 1 mm}\n",
                  notes));
-    CHECK_INT(batten_notes_count(notes), 1);
+    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 1);
     if (batten_notes_count(notes) == 1)
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "could not be checked");
     batten_notes_free(notes);
@@ -171,8 +171,11 @@ TEST(the_messages_of_a_report_are_the_notes)
     CHECK_OK(batten_notes_create(10, &notes));
     CHECK_OK(batten_design_parse(text, strlen(text), NULL, notes, &design));
     CHECK_OK(batten_design_output(design, 0, NULL, notes, &json, &size));
-    CHECK_CONTAINS(json, "\"messages\": [\n    {\"file\": ");
-    CHECK_CONTAINS(json, "a point given lies farther than 0.0005 from the shape");
+    /* A note that found no memory is counted only. */
+    if (batten_notes_count(notes) == 1) {
+        CHECK_CONTAINS(json, "\"messages\": [\n    {\"file\": ");
+        CHECK_CONTAINS(json, "a point given lies farther than 0.0005 from the shape");
+    }
     batten_release(json);
     batten_design_free(design);
     batten_notes_free(notes);
