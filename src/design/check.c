@@ -124,9 +124,9 @@ static batten_status nearest_surface(const bat_check *check, const cloud *all, d
     return status;
 }
 
-static bat_reach sum_up(const char *feature, const cloud *all, const double *nearest)
+static bat_distance sum_up(const char *feature, const cloud *all, const double *nearest)
 {
-    bat_reach sum = {.feature = feature, .count = all->count};
+    bat_distance sum = {.feature = feature, .count = all->count};
     double squares = 0;
     int worst = 0;
     for (int i = 0; i < all->count; i++) {
@@ -151,7 +151,7 @@ static batten_status add_distance(bat_check *check, bat_checked *checked, int fe
     if (status == BATTEN_OK && all.count > 0)
         status = nearest_surface(check, &all, nearest, nearest + all.count);
     if (status == BATTEN_OK && all.count > 0) {
-        bat_reach *d = &checked->distances[checked->distance_count++];
+        bat_distance *d = &checked->distances[checked->distance_count++];
         *d = sum_up(check->run->document->features[feature].name, &all, nearest);
         d->is_faired = feature == check->faired;
         check->ok &= d->is_faired || d->max <= check->within;
@@ -361,12 +361,12 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
     bat_release(points);
     if (status != BATTEN_OK)
         return status;
-    bat_reach *to = &checked->distances[checked->distance_count++];
-    *to = (bat_reach){.feature = object->name,
-                      .is_faired = check->faired >= 0,
-                      .count = object->point_count,
-                      .max = deviation.max,
-                      .rms = deviation.rms};
+    bat_distance *to = &checked->distances[checked->distance_count++];
+    *to = (bat_distance){.feature = object->name,
+                         .is_faired = check->faired >= 0,
+                         .count = object->point_count,
+                         .max = deviation.max,
+                         .rms = deviation.rms};
     memcpy(to->worst, object->points + 3 * deviation.worst, sizeof to->worst);
     check->ok &= to->is_faired || to->max <= check->within;
     check->bounded_count += !to->is_faired;

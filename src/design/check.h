@@ -12,7 +12,7 @@ typedef struct {
     int count;
     double max, rms;
     double worst[3]; /* the point that lies farthest */
-} bat_reach;
+} bat_distance;
 
 /* A plane section of a surface where the data have a row. */
 typedef struct {
@@ -38,7 +38,7 @@ typedef struct {
     bool has_fairness;
     batten_fairness fairness; /* of a curve, in its plane */
     int distance_count, section_count, edge_count;
-    bat_reach distances[2]; /* from the points given, from those after fairing */
+    bat_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;
     bat_edge edges[4];
 } bat_checked;

@@ -1,5 +1,4 @@
 #include "design/check.h"
-#include "numeric/vector.h"
 
 #include <stdlib.h>
 
@@ -14,6 +13,44 @@ typedef struct {
     batten_vec3 p[2];
     double key; /* the same for both directions of an edge, and in order of x */
 } end;
+
+/* ---- vectors ---- */
+
+static batten_vec3 of(int d, const double *a)
+{
+    return (batten_vec3){a[0], d > 1 ? a[1] : 0, d > 2 ? a[2] : 0};
+}
+
+static batten_vec3 scale(batten_vec3 a, double factor)
+{
+    return (batten_vec3){a.x * factor, a.y * factor, a.z * factor};
+}
+
+/* a + factor b */
+static batten_vec3 plus(batten_vec3 a, double factor, batten_vec3 b)
+{
+    return (batten_vec3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+}
+
+static double dot(batten_vec3 a, batten_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static batten_vec3 cross(batten_vec3 a, batten_vec3 b)
+{
+    return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static double norm(batten_vec3 a)
+{
+    return hypot(hypot(a.x, a.y), a.z);
+}
+
+static double gap(batten_vec3 p, batten_vec3 q)
+{
+    return norm(plus(p, -1, q));
+}
 
 /* ---- curves ---- */
 
@@ -33,36 +70,34 @@ static bool leave_curve(const batten_curve *curve, int side, leaving *out)
                                    side ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 3,
                                    c) != BATTEN_OK)
         return false;
-    const batten_vec3 c1 = bat_vec3_of(d, c + d), c2 = bat_vec3_of(d, c + 2 * d),
-                      c3 = bat_vec3_of(d, c + 3 * d);
-    const double v = bat_vec3_norm(c1);
+    const batten_vec3 c1 = of(d, c + d), c2 = of(d, c + 2 * d), c3 = of(d, c + 3 * d);
+    const double v = norm(c1);
     if (!(v > 0))
         return false;
     /* With s the arc length: C' = v Cs, C'' = v' Cs + v^2 Css, C''' = .. Cs + 3 v v' Css + v^3
      * Csss. */
-    const batten_vec3 t = bat_vec3_scale(c1, 1 / v);
-    const double v1 = bat_vec3_dot(t, c2);
-    const batten_vec3 k = bat_vec3_scale(bat_vec3_along(c2, -v1, t), 1 / (v * v));
-    const batten_vec3 across = bat_vec3_along(c3, -bat_vec3_dot(t, c3), t);
-    const batten_vec3 rate =
-        bat_vec3_scale(bat_vec3_along(across, -3 * v * v1, k), 1 / (v * v * v));
+    const batten_vec3 t = scale(c1, 1 / v);
+    const double v1 = dot(t, c2);
+    const batten_vec3 k = scale(plus(c2, -v1, t), 1 / (v * v));
+    const batten_vec3 across = plus(c3, -dot(t, c3), t);
+    const batten_vec3 rate = scale(plus(across, -3 * v * v1, k), 1 / (v * v * v));
     const double way = side ? -1 : 1; /* into the curve, away from its end */
-    *out = (leaving){bat_vec3_scale(t, way), k, bat_vec3_scale(rate, way)};
+    *out = (leaving){scale(t, way), k, scale(rate, way)};
     return true;
 }
 
 /* The angle by which a way out of one shape turns on its way into the other. */
 static double turn(batten_vec3 out_of, batten_vec3 into)
 {
-    return atan2(bat_vec3_norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
+    return atan2(norm(cross(out_of, into)), dot(out_of, into));
 }
 
 /* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
  * over the size of the shapes counts as straight. */
 static double part(batten_vec3 a, batten_vec3 b, double straight)
 {
-    const double larger = bat_max(bat_vec3_norm(a), bat_vec3_norm(b));
-    return bat_vec3_norm(bat_vec3_subtract(a, b)) / bat_max(larger, straight);
+    const double larger = bat_max(norm(a), norm(b));
+    return gap(a, b) / bat_max(larger, straight);
 }
 
 static void compare_curves(const batten_curve *a, int side_a, const batten_curve *b, int side_b,
@@ -72,11 +107,9 @@ static void compare_curves(const batten_curve *a, int side_a, const batten_curve
     join->g1 = join->g2 = join->g3 = NAN;
     if (!leave_curve(a, side_a, &la) || !leave_curve(b, side_b, &lb))
         return;
-    join->g1 = turn(bat_vec3_scale(la.tangent, -1), lb.tangent);
+    join->g1 = turn(scale(la.tangent, -1), lb.tangent);
     join->g2 = part(la.curvature, lb.curvature, straight);
-    join->g3 = bat_vec3_norm(
-        bat_vec3_along(la.rate, 1, lb.rate)); /* both lead away: their signs differ */
-    ;
+    join->g3 = norm(plus(la.rate, 1, lb.rate)); /* both lead away: their signs differ */
 }
 
 /* ---- surfaces ---- */
@@ -95,25 +128,23 @@ static bool leave_surface(const batten_surface *surface, int side, double t, bat
     if (batten_surface_evaluate(surface, fixed_v ? t : fixed, fixed_v ? fixed : t, 2, s) !=
         BATTEN_OK)
         return false;
-    const batten_vec3 su = bat_vec3_of(d, s + d), sv = bat_vec3_of(d, s + 2 * d);
-    const batten_vec3 suu = bat_vec3_of(d, s + 3 * d), suv = bat_vec3_of(d, s + 4 * d),
-                      svv = bat_vec3_of(d, s + 5 * d);
+    const batten_vec3 su = of(d, s + d), sv = of(d, s + 2 * d);
+    const batten_vec3 suu = of(d, s + 3 * d), suv = of(d, s + 4 * d), svv = of(d, s + 5 * d);
     const batten_vec3 across = fixed_v ? sv : su, along = fixed_v ? su : sv;
     const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
-    const batten_vec3 product = bat_vec3_cross(su, sv);
-    const double area = bat_vec3_norm(product), g = bat_vec3_dot(along, along);
-    if (!(area > 1e-12 * bat_vec3_norm(su) * bat_vec3_norm(sv)) || !(g > 0))
+    const batten_vec3 product = cross(su, sv);
+    const double area = norm(product), g = dot(along, along);
+    if (!(area > 1e-12 * norm(su) * norm(sv)) || !(g > 0))
         return false;
     /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.
      */
-    const double f = bat_vec3_dot(across, along) / g;
-    const batten_vec3 square = bat_vec3_along(across, -f, along);
-    const double length = bat_vec3_norm(square);
-    const batten_vec3 n = bat_vec3_scale(product, 1 / area);
-    const batten_vec3 second =
-        bat_vec3_along(bat_vec3_along(across2, -2 * f, suv), f * f, along2);
-    *into = bat_vec3_scale(square, (high ? -1 : 1) / length);
-    *curvature = bat_vec3_scale(n, bat_vec3_dot(second, n) / (length * length));
+    const double f = dot(across, along) / g;
+    const batten_vec3 square = plus(across, -f, along);
+    const double length = norm(square);
+    const batten_vec3 n = scale(product, 1 / area);
+    const batten_vec3 second = plus(plus(across2, -2 * f, suv), f * f, along2);
+    *into = scale(square, (high ? -1 : 1) / length);
+    *curvature = scale(n, dot(second, n) / (length * length));
     return true;
 }
 
@@ -152,7 +183,7 @@ static batten_status compare_surfaces(const batten_surface *a, int side_a,
         if (!leave_surface(a, side_a, t, &into_a, &curvature_a) ||
             !leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b))
             continue;
-        join->g1 = fmax(join->g1, turn(bat_vec3_scale(into_a, -1), into_b));
+        join->g1 = fmax(join->g1, turn(scale(into_a, -1), into_b));
         join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
     }
     batten_curve_unref(edge_a);
@@ -181,10 +212,10 @@ static batten_status add_ends(const bat_checked *checked, int object, double tol
         if (status == BATTEN_OK)
             status = batten_curve_evaluate(at, domain.a + (domain.b - domain.a) / 2, 0, middle);
         /* An edge that is collapsed to a pole joins nothing. */
-        if (status == BATTEN_OK && (is_curve || bat_distance(d, p[0], p[1]) > tolerance ||
-                                    bat_distance(d, p[0], middle) > tolerance))
-            ends[(*count)++] = (end){
-                object, side, {bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])}, p[0][0] + p[1][0]};
+        if (status == BATTEN_OK && (is_curve || gap(of(d, p[0]), of(d, p[1])) > tolerance ||
+                                    gap(of(d, p[0]), of(d, middle)) > tolerance))
+            ends[(*count)++] =
+                (end){object, side, {of(d, p[0]), of(d, p[1])}, p[0][0] + p[1][0]};
         batten_curve_unref(curve);
     }
     return status;
@@ -203,11 +234,6 @@ static int by_key(const void *a, const void *b)
     if (x->key != y->key)
         return x->key < y->key ? -1 : 1;
     return by_object(x, y);
-}
-
-static double gap(batten_vec3 p, batten_vec3 q)
-{
-    return bat_vec3_norm(bat_vec3_subtract(p, q));
 }
 
 /* Do both points of one meet both points of the other, in either order? */
