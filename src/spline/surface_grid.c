@@ -12,7 +12,7 @@
 
 #include <string.h>
 
-enum { CHUNK_POINTS = 4096, BLOCK = 32 };
+enum { CHUNK_POINTS = 4096, BLOCK = 32, FRAME = 9 };
 
 /* Neighbouring control points in v that some parameter needs. */
 typedef struct {
@@ -215,7 +215,7 @@ static void evaluate_row(const grid *work, const double *lines, double *rows, do
         points_of_row(q, d, nurbs->weights != NULL, work, lines, out);
 }
 
-/* Room for the basis in u, the lines and one table of derivatives. */
+/* Room for the basis in u, the lines, and one table of derivatives or a block of frames. */
 typedef struct {
     double *basis, *lines, *rows;
 } row_room;
@@ -226,8 +226,8 @@ static batten_status make_room(const grid *work, row_room *out)
     const size_t n = (size_t)work->order,
                  line = (size_t)nurbs->axes[BATTEN_V].count * nurbs->width;
     const size_t basis = (n + 1) * ((size_t)nurbs->axes[BATTEN_U].degree + 1);
-    double *room =
-        bat_array(basis + (n + 1) * line + (n + 1) * (n + 2) / 2 * BAT_MAX_WIDTH, sizeof *room);
+    const size_t table = (n + 1) * (n + 2) / 2 * BAT_MAX_WIDTH, frames = BLOCK * FRAME;
+    double *room = bat_array(basis + (n + 1) * line + (table > frames ? table : frames), sizeof *room);
     if (!room)
         return BATTEN_OUT_OF_MEMORY;
     *out = (row_room){room, room + basis, room + basis + (n + 1) * line};
@@ -287,7 +287,7 @@ batten_status batten_surface_evaluate_grid(const batten_surface *surface, size_t
 /* S, Su, Sv in space, whatever the dimension: out [3][3]. */
 BAT_INLINE void frame_of_point(const int q, const int d, const bool rational,
                                const double *basis, const double *lines, size_t line,
-                               double out[9])
+                               double out[FRAME])
 {
     double rows[3 * BAT_MAX_WIDTH];
     const size_t width = (size_t)d + rational;
@@ -320,7 +320,7 @@ static batten_status rare_normal(const grid *work, size_t i, size_t j, double *n
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
-static batten_status normals_of_block(const grid *work, double (*frames)[9], double noise_u,
+static batten_status normals_of_block(const grid *work, double (*frames)[FRAME], double noise_u,
                                       size_t i, size_t begin, size_t end)
 {
     batten_status status = BATTEN_OK;
@@ -337,7 +337,7 @@ static batten_status normals_of_block(const grid *work, double (*frames)[9], dou
  * within themselves. */
 BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rational,
                                         const grid *work, const double *lines, double noise_u,
-                                        size_t i, double (*frames)[9])
+                                        size_t i, double (*frames)[FRAME])
 {
     const size_t width = (size_t)d + rational;
     const size_t line = (size_t)work->nurbs->axes[BATTEN_V].count * width;
@@ -356,11 +356,11 @@ BAT_INLINE batten_status normals_of_row(const int q, const int d, const bool rat
     return status;
 }
 
-static batten_status normal_row(const grid *work, const double *lines, double noise_u, size_t i)
+static batten_status normal_row(const grid *work, const double *lines, double noise_u, size_t i,
+                                double (*frames)[FRAME])
 {
     const bat_nurbs *nurbs = work->nurbs;
     const int q = nurbs->axes[BATTEN_V].degree, d = nurbs->base.dimension;
-    double frames[BLOCK][9];
     batten_status status;
     if (q == 3 && d == 3 && !nurbs->weights)
         status = normals_of_row(3, 3, false, work, lines, noise_u, i, frames);
@@ -386,7 +386,8 @@ static batten_status normal_rows(void *context, size_t begin, size_t end)
         const double span = combine_lines(work, work->u[i], room.basis, room.lines);
         status = normal_row(
             work, room.lines,
-            bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest), i);
+            bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest), i,
+            (double(*)[FRAME])(void *)room.rows);
     }
     bat_release(room.basis);
     return status;

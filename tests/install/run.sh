@@ -9,8 +9,13 @@ prefix=$scratch/prefix
 
 cmake --install "$build" --prefix "$prefix" > "$scratch/install.log"
 
+# A library under a sanitizer wants programs under the same one.
+sanitizer=$(sed -nE 's/^CMAKE_C_FLAGS_DEBUG:.*(-fsanitize=[^ ]+).*/\1/p' "$build/CMakeCache.txt")
+compiler=$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+
 # CMake
-cmake -G "$generator" -S "$source/tests/install" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" > "$scratch/cmake.log" ||
+cmake -G "$generator" -S "$source/tests/install" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" \
+    -DCMAKE_C_COMPILER="$compiler" -DCMAKE_C_FLAGS="$sanitizer" -DCMAKE_CXX_FLAGS="$sanitizer" > "$scratch/cmake.log" ||
     { cat "$scratch/cmake.log"; exit 1; }
 cmake --build "$scratch/cmake" > "$scratch/cmake.log" || { cat "$scratch/cmake.log"; exit 1; }
 "$scratch/cmake/consumer-c"
@@ -20,7 +25,7 @@ cmake --build "$scratch/cmake" > "$scratch/cmake.log" || { cat "$scratch/cmake.l
 pc=$(dirname "$(find "$prefix" -name batten.pc)")
 flags=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs batten batten-picture batten-design)
 libdir=$(PKG_CONFIG_PATH=$pc pkg-config --variable=libdir batten)
-${CC:-cc} -std=c17 "$source/tests/install/consumer.c" -o "$scratch/consumer" $flags -lm
+"$compiler" -std=c17 $sanitizer "$source/tests/install/consumer.c" -o "$scratch/consumer" $flags -lm
 LD_LIBRARY_PATH=$libdir "$scratch/consumer"
 
 # The command, its manual, its completion. The sanitizers' runtime may object to a foreign process: no matter here.

@@ -141,7 +141,7 @@ TEST(many_curves_are_named_where_they_end)
 {
     batten_model *model = scene_empty();
     for (int i = 0; i < 12; i++) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "frame%d", i);
         const double points[] = {0, i, 10, i + 0.2};
         scene_add_curve(model, name, scene_curve(2, 1, 2, points));

@@ -66,7 +66,7 @@ TEST(stations_are_aligned_in_profile_and_half_breadth_plan)
     const scene_word *breadth = scene_find(&words, "Half-breadth");
     CHECK(profile && breadth && profile->bottom < breadth->top);
     for (int station = 0; station <= 10; station++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "%d", station);
         bool aligned = false;
         for (int i = 0; i < words.count; i++)

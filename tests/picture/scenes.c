@@ -4,13 +4,6 @@
 #include <cairo.h>
 #include <stdlib.h>
 
-/* What fontconfig keeps to the end of the program is not ours to give back. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libfontconfig";
-}
-
 /* ---- models ---- */
 
 batten_model *scene_empty(void)

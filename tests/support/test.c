@@ -9,6 +9,7 @@
 #include <ftw.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 /* ---- memory that counts, and fails when told to ---- */
@@ -132,17 +133,48 @@ static bool run_once(const test_entry *test, fault_kind kind, long at)
     return whole;
 }
 
-/* Up to 1,000 places: all of them, else the first 500, the last 100 and 400 between. */
+/* Seconds that one test may spend on failing allocations; 0 for as many as it takes. */
+static double fault_seconds(void)
+{
+    const char *seconds = getenv("BATTEN_FAULT_SECONDS");
+    return seconds ? atof(seconds) : 1;
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
+}
+
+static long greatest_divisor(long a, long b)
+{
+    while (b) {
+        const long rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+/* Each place once, in steps of the golden section: wherever time runs out, those that were tried
+ * lie evenly over the whole test, the last one among them. */
 static void run_with_faults(const test_entry *test, long count)
 {
-    test_random random = test_random_begin(test->name);
-    for (long at = 1; at <= count; at++) {
-        if (count > 1000 && at > 500 && at <= count - 100 &&
-            test_random_unit(&random) * (double)(count - 600) > 400)
-            continue;
+    enum { AT_LEAST = 8 };
+    const double limit = fault_seconds(), begin = now();
+    long step = (long)(0.6180339887498949 * (double)count), tried = 0;
+    while (greatest_divisor(count, step) != 1)
+        step++;
+    for (long at = count; tried < count; at = (at + step) % count ? (at + step) % count : count) {
+        if (limit > 0 && tried >= AT_LEAST && now() - begin > limit)
+            break;
         run_once(test, ONE_FAULT, at);
         run_once(test, ALL_FAULTS, at);
+        tried++;
     }
+    if (tried < count)
+        print_message("[  SAMPLED ] %s: %ld of %ld allocations failed\n", test->name, tried, count);
 }
 
 static void run_entry(void **state)
