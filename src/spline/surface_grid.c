@@ -76,6 +76,37 @@ static void find_runs(grid *work, bool *needed)
     }
 }
 
+/* Points of cubics in space are made two at a time, where two lie in one span. */
+static bool works_in_pairs(const grid *work)
+{
+    const bat_nurbs *nurbs = work->nurbs;
+    return BAT_LANES == 2 && work->order == 0 && nurbs->axes[BATTEN_V].degree == 3 &&
+           nurbs->width == 3 && !nurbs->weights;
+}
+
+/* The end of the run of parameters, from j on, that lie in the span of v[j]. */
+static size_t end_of_span(const grid *work, size_t j)
+{
+    const int first = work->first[j];
+    while (j < work->count_v && work->first[j] == first)
+        j++;
+    return j;
+}
+
+/* The basis functions of the two points of a pair, side by side: [4][2] in place of [2][4]. */
+static void pair_basis(grid *work)
+{
+    for (size_t j = 0, end; j < work->count_v; j = end) {
+        end = end_of_span(work, j);
+        for (; j + 1 < end; j += 2) {
+            double *basis = work->basis + 4 * j, plain[8];
+            memcpy(plain, basis, sizeof plain);
+            for (int i = 0; i < 8; i++)
+                basis[i] = plain[4 * (i % 2) + i / 2];
+        }
+    }
+}
+
 static batten_status prepare(grid *work)
 {
     const bat_axis *axis = &work->nurbs->axes[BATTEN_V];
@@ -93,6 +124,8 @@ static batten_status prepare(grid *work)
             work->noise_v[j] = bat_derivative_noise(axis->degree, span, work->nurbs->largest);
         }
         find_runs(work, needed);
+        if (works_in_pairs(work))
+            pair_basis(work);
     }
     bat_release(needed);
     return enough ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -148,6 +181,47 @@ static double combine_lines(const grid *work, double u, double *basis, double *o
 }
 
 /* ---- points and derivatives ---- */
+
+#if defined(__GNUC__)
+/* A row of three numbers, each in both lanes. */
+typedef struct {
+    bat_pair x, y, z;
+} spread_row;
+
+BAT_INLINE spread_row spread(const double *row)
+{
+    return (spread_row){{row[0], row[0]}, {row[1], row[1]}, {row[2], row[2]}};
+}
+
+/* Points j and j + 1 of one span: each lane is a point, so the rows of the span stay in
+ * registers. The sums are those of bat_combine_rows. */
+BAT_INLINE void pair_of_points(const double *basis, spread_row r0, spread_row r1, spread_row r2,
+                               spread_row r3, double *out)
+{
+    const bat_pair c0 = bat_load(basis), c1 = bat_load(basis + 2), c2 = bat_load(basis + 4),
+                   c3 = bat_load(basis + 6);
+    const bat_pair x = c0 * r0.x + c1 * r1.x + c2 * r2.x + c3 * r3.x;
+    const bat_pair y = c0 * r0.y + c1 * r1.y + c2 * r2.y + c3 * r3.y;
+    const bat_pair z = c0 * r0.z + c1 * r1.z + c2 * r2.z + c3 * r3.z;
+    bat_store(out, (bat_pair){x[0], y[0]});
+    bat_store(out + 2, (bat_pair){z[0], x[1]});
+    bat_store(out + 4, (bat_pair){y[1], z[1]});
+}
+
+static void paired_points_of_row(const grid *work, const double *lines, double *out)
+{
+    for (size_t j = 0, end; j < work->count_v; j = end) {
+        const double *from = lines + (size_t)work->first[j] * 3;
+        const spread_row r0 = spread(from), r1 = spread(from + 3), r2 = spread(from + 6),
+                         r3 = spread(from + 9);
+        end = end_of_span(work, j);
+        for (; j + 1 < end; j += 2)
+            pair_of_points(work->basis + 4 * j, r0, r1, r2, r3, out + 3 * j);
+        if (j < end)
+            bat_combine_rows(4, 3, work->basis + 4 * j, from, 3, out + 3 * j);
+    }
+}
+#endif
 
 BAT_INLINE void points_of_row(const int q, const int d, const bool rational, const grid *work,
                               const double *lines, double *out)
@@ -207,6 +281,10 @@ static void evaluate_row(const grid *work, const double *lines, double *rows, do
     const int q = nurbs->axes[BATTEN_V].degree, d = nurbs->base.dimension;
     if (work->order > 0)
         derivatives_of_row(work, lines, rows, out);
+#if defined(__GNUC__)
+    else if (works_in_pairs(work))
+        paired_points_of_row(work, lines, out);
+#endif
     else if (q == 3 && nurbs->width == 3 && !nurbs->weights)
         points_of_row(3, 3, false, work, lines, out);
     else if (q == 3 && nurbs->width == 4)
@@ -246,6 +324,8 @@ static batten_status evaluate_rows(void *context, size_t begin, size_t end)
     const grid *work = context;
     const size_t n = (size_t)work->order, d = (size_t)work->nurbs->base.dimension;
     const size_t row = work->count_v * ((n + 1) * (n + 2) / 2) * d;
+    /* Means of control points, a few roundings aside, do not overflow. */
+    const bool bounded = n == 0 && !work->nurbs->weights && work->nurbs->largest < 1e300;
     row_room room;
     batten_status status = make_room(work, &room);
     if (status != BATTEN_OK)
@@ -253,7 +333,7 @@ static batten_status evaluate_rows(void *context, size_t begin, size_t end)
     for (size_t i = begin; i < end && status == BATTEN_OK; i++) {
         combine_lines(work, work->u[i], room.basis, room.lines);
         evaluate_row(work, room.lines, room.rows, work->out + i * row);
-        if (!bat_all_finite(work->out + i * row, row))
+        if (!bounded && !bat_all_finite(work->out + i * row, row))
             status = overflow(work, i);
     }
     bat_release(room.basis);

@@ -34,6 +34,36 @@ TEST(a_grid_has_the_bits_of_single_points_for_any_number_of_threads)
     }
 }
 
+TEST(cubics_two_at_a_time_have_the_bits_of_single_points)
+{
+    enum { DENSE = 41 };
+    test_random random = test_random_begin(__func__);
+    double knots[11], points[7 * 7 * 3], u[N], v[DENSE], one[3];
+    static double grid[N * DENSE * 3];
+    for (int c = 0; c < test_cases(20); c++) {
+        random_knots(&random, 3, 7, knots);
+        const batten_axis axis = {3, 7, knots, false};
+        for (int i = 0; i < 7 * 7 * 3; i++)
+            points[i] = test_random_in(&random, -10, 10);
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+        /* Rising parameters, so that spans hold one, an odd or an even number of them. */
+        for (int i = 0; i < N; i++)
+            u[i] = random_parameter(&random, surface, BATTEN_U);
+        for (int j = 0; j < DENSE; j++)
+            v[j] = j / (DENSE - 1.0);
+        const size_t count = (size_t)test_random_int(&random, 1, DENSE);
+        CHECK_OK(batten_surface_evaluate_grid(surface, N, u, count, v, 0, NULL, grid));
+        for (size_t i = 0; i < N; i++)
+            for (size_t j = 0; j < count; j++) {
+                CHECK_OK(batten_surface_evaluate(surface, u[i], v[j], 0, one));
+                for (size_t k = 0; k < 3; k++)
+                    CHECK_BITS(grid[(i * count + j) * 3 + k], one[k]);
+            }
+        batten_surface_unref(surface);
+    }
+}
+
 TEST(many_threads_give_the_bits_of_one)
 {
     enum { LARGE = 200 };
