@@ -147,3 +147,37 @@ TEST(F7_outputs_whose_ending_says_nothing_are_refused)
         batten_design_free(design);
     }
 }
+
+TEST(a_skin_ends_in_a_station_of_one_point)
+{
+    FILE *file = fopen(test_scratch("stem.csv"), "w");
+    CHECK(file != NULL);
+    fputs("x_m,z_m,half_breadth_m\n0,0,0\n0,1,1\n0,2,1.2\n2,0.5,0\n2,1,0.5\n2,2,0.8\n"
+          "3,1,0\n3,2,0.3\n3.5,2,0\n",
+          file);
+    fclose(file);
+    static const char text[] = "batten: 1\nfeatures:\n  table: {read: stem.csv}\n"
+                               "  stations: {interpolate: table, degree: 1}\n"
+                               "  hull: {skin: stations}\noutputs:\n"
+                               "  r.txt: {check: [hull, stations], within: 1 um}\n";
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("stem.yaml");
+    batten_design *design = NULL;
+    char *report = NULL;
+    size_t size;
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &report, &size));
+    const batten_surface *hull =
+        batten_model_object(batten_design_result(design, "hull")->value, 0)->surface;
+    const batten_interval u = batten_surface_domain(hull, BATTEN_U);
+    const double end = batten_surface_domain(hull, BATTEN_V).b;
+    for (int i = 0; i <= 10; i++) {
+        double point[3];
+        CHECK_OK(batten_surface_evaluate(hull, u.a + (u.b - u.a) * i / 10, end, 0, point));
+        CHECK_NEAR(point[0], 3.5, 1e-12);
+        CHECK_NEAR(point[1], 0, 1e-12);
+        CHECK_NEAR(point[2], 2, 1e-12);
+    }
+    batten_release(report);
+    batten_design_free(design);
+}

@@ -39,6 +39,20 @@ static batten_interpolate_options options_of(const bat_run *run)
     return options;
 }
 
+/* A section of one point, as where the stem ends, is a curve that stays there. */
+static batten_status fit_point(bat_run *run, const bat_row *row, const batten_object *from)
+{
+    batten_curve *curve = NULL;
+    double parameter = 0;
+    const batten_status status = batten_curve_line(3, row->points, row->points, &curve);
+    const batten_object like = {.name = row->name,
+                                .layer = from->layer,
+                                .point_count = 1,
+                                .points = row->points,
+                                .parameters = &parameter};
+    return bat_put_curve_like(run, status, curve, &like, true);
+}
+
 static batten_status fit_row(bat_run *run, const bat_row *row, const batten_object *from)
 {
     batten_curve *curve = NULL;
@@ -62,10 +76,13 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
 static batten_status fit_object(bat_run *run, const batten_object *object)
 {
     bat_rows rows = {0, NULL};
-    batten_status status = bat_rows_of(object, bat_word(run, "each") == EACH_LINE, &rows);
+    const bool lines = bat_word(run, "each") == EACH_LINE;
+    batten_status status = bat_rows_of(object, lines, &rows);
     for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
         if (rows.rows[i].count >= 2)
             status = fit_row(run, &rows.rows[i], object);
+        else if (rows.rows[i].count == 1 && !lines && object->kind == BATTEN_OBJECT_OFFSETS)
+            status = fit_point(run, &rows.rows[i], object);
         else
             bat_note(run, "'%s' has %d points and is left out; a curve needs 2",
                      rows.rows[i].name, rows.rows[i].count);
@@ -96,9 +113,11 @@ const bat_feature bat_feature_interpolate = {
               "'start' and\n"
               "'end'; 'clamped', 'second' and 'curvature' take their vector from "
               "'start-vector' and\n"
-              "'end-vector', 'direction' only its direction. Stations with a single point are "
-              "left out,\n"
-              "with a message. The curves keep their points for 'fair' and 'check'.",
+              "'end-vector', 'direction' only its direction. Stations with a single point "
+              "become\n"
+              "curves that stay there, in which a skin can end. The curves keep their points for "
+              "'fair'\n"
+              "and 'check'.",
               "features:\n"
               "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
               "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
