@@ -157,8 +157,9 @@ TEST(a_skin_ends_in_a_station_of_one_point)
           file);
     fclose(file);
     static const char text[] = "batten: 1\nfeatures:\n  table: {read: stem.csv}\n"
-                               "  stations: {interpolate: table, degree: 1}\n"
-                               "  hull: {skin: stations}\noutputs:\n"
+                               "  stations: {interpolate: table}\n"
+                               "  faired: {fair: stations, within: 1 mm}\n"
+                               "  hull: {skin: faired}\noutputs:\n"
                                "  r.txt: {check: [hull, stations], within: 1 um}\n";
     batten_design_options options = batten_design_defaults();
     options.file_name = test_scratch("stem.yaml");

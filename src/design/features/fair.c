@@ -5,6 +5,9 @@
 /* So many points that look like blunders are named one by one. */
 #define MOST_SUSPECTS 10
 
+/* Of fewer points there is nothing to fair: their curve stays as it is. */
+#define FEWEST_POINTS 4
+
 static const batten_parameter parameters[] = {
     {"fair", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "a table of offsets, or curves that have points"},
@@ -151,6 +154,8 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
     batten_fair_report report = {0};
     batten_curve *curve = NULL;
     const int count = object->point_count;
+    if (count < FEWEST_POINTS)
+        return batten_model_add(run->model, object);
     batten_object made = *object;
     double *faired = bat_array3((size_t)count, 3, sizeof *faired);
     batten_status status =
