@@ -31,6 +31,7 @@ TEST(the_sheet_says_what_it_shows)
 {
     batten_lines_plan_options plan = scene_plan(10);
     plan.design_waterline = -0.3;
+    plan.waterlines = plan.buttocks = 0.4;
     const scene_words words = words_of(scene_wigley(10, 2, 1, 1), &plan);
     static const char *const expected[] = {
         "Wigley", "Profile", "Half-breadth", "Body", "Length", "10", "Beam", "2",
