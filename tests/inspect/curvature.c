@@ -142,3 +142,86 @@ TEST(the_teeth_of_a_circle_end_on_a_circle)
     CHECK_STATUS(batten_curve_comb(circle, 1, NAN, teeth), BATTEN_NOT_FINITE);
     batten_curve_unref(circle);
 }
+
+/* ---- the examples of the notes ---- */
+
+/* Value and three derivatives at t, row by row. */
+static void helix(double t, double *v)
+{
+    const double rows[] = {5 * cos(t),  5 * sin(t), t / 5, -5 * sin(t), 5 * cos(t),  0.2,
+                           -5 * cos(t), -5 * sin(t), 0,    5 * sin(t),  -5 * cos(t), 0};
+    memcpy(v, rows, sizeof rows);
+}
+
+static void spiral(double t, double *v)
+{
+    const double s = sin(t / 2), c = cos(t / 2);
+    const double rows[] = {t * s,          t, 3 + t * c,      s + t / 2 * c,         1, c - t / 2 * s,
+                           c - t / 4 * s,  0, -s - t / 4 * c, -0.75 * s - t / 8 * c, 0, -0.75 * c + t / 8 * s};
+    memcpy(v, rows, sizeof rows);
+}
+
+static batten_curve *osculating(void (*f)(double, double *), double a, double b)
+{
+    enum { COUNT_OF_KNOTS = 65 };
+    double at[COUNT_OF_KNOTS], values[COUNT_OF_KNOTS * 12];
+    batten_curve *curve = NULL;
+    for (int i = 0; i < COUNT_OF_KNOTS; i++) {
+        at[i] = a + (b - a) * i / (COUNT_OF_KNOTS - 1);
+        f(at[i], values + 12 * (size_t)i);
+    }
+    CHECK_OK(batten_curve_from_hermite(3, COUNT_OF_KNOTS, 4, at, values, &curve));
+    return curve;
+}
+
+TEST(the_helix_of_the_notes_has_its_speed_curvature_and_torsion)
+{
+    batten_curve *curve = osculating(helix, 0, 6);
+    for (int k = 0; k <= 300; k++) {
+        batten_curve_local at;
+        CHECK_OK(batten_curve_local_at(curve, 6 * k / 300.0, k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));
+        CHECK_NEAR(at.speed, 5.003998401278721, 1e-10);
+        CHECK_NEAR(at.curvature, 5 / 25.04, 1e-9);
+        CHECK_NEAR(at.torsion, 0.2 / 25.04, 1e-8);
+        CHECK_NEAR(at.curvature / at.torsion, 25, 3e-5);
+    }
+    batten_curve_unref(curve);
+    curve = osculating(spiral, -6, 6);
+    batten_curve_local at;
+    CHECK_OK(batten_curve_local_at(curve, 0, BATTEN_FROM_RIGHT, &at));
+    CHECK_NEAR(at.curvature, 0.5, 1e-11);
+    batten_curve_unref(curve);
+}
+
+TEST(the_loop_of_the_notes_crosses_itself_at_its_double_point)
+{
+    /* x = 4t^3 + 10t^2 - 30t + 2, y = -30t^2 - 10t + 10 in powers of t + 5. */
+    const double ends[] = {-5, 5}, coefficients[] = {-98, -690, 170, 290, -50, -30, 4, 0};
+    batten_curve *curve = NULL;
+    batten_curve_local at;
+    CHECK_OK(batten_curve_from_power(2, 3, 1, ends, coefficients, 0, &curve));
+    for (int side = -1; side <= 1; side += 2) {
+        const double t = -1. / 6 + side * sqrt(33) / 2;
+        CHECK_OK(batten_curve_local_at(curve, t, BATTEN_FROM_RIGHT, &at));
+        CHECK_NEAR(at.point.x, 1978. / 27, 1e-11);
+        CHECK_NEAR(at.point.y, -710. / 3, 1e-11);
+        const double dx = 12 * t * t + 20 * t - 30, dy = -60 * t - 10, ddx = 24 * t + 20, ddy = -60;
+        CHECK_NEAR(at.curvature, (dx * ddy - dy * ddx) / pow(hypot(dx, dy), 3), 1e-14);
+    }
+    batten_curve_unref(curve);
+}
+
+TEST(another_parameter_changes_the_speed_and_not_the_curvature)
+{
+    const double points[] = {0, 0, 1, 2, 3, 1};
+    batten_curve *curve = NULL, *fast = NULL;
+    batten_curve_local at, twice;
+    CHECK_OK(shape_bezier(2, 2, points, &curve));
+    CHECK_OK(batten_curve_set_domain(curve, 0, 0.5, &fast));
+    CHECK_OK(batten_curve_local_at(curve, 1, BATTEN_FROM_LEFT, &at));
+    CHECK_OK(batten_curve_local_at(fast, 0.5, BATTEN_FROM_LEFT, &twice));
+    CHECK_NEAR(twice.speed, 2 * at.speed, 1e-14);
+    CHECK_NEAR(twice.curvature, at.curvature, 1e-15);
+    batten_curve_unref(fast);
+    batten_curve_unref(curve);
+}

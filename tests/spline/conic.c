@@ -277,3 +277,31 @@ TEST(G3_a_line_of_no_length_is_a_value)
     CHECK(p[0] == 1 && p[1] == 2);
     batten_curve_unref(line);
 }
+
+TEST(G2_every_pair_of_coinciding_points_and_every_size_is_refused)
+{
+    const double a[] = {0, 0}, b[] = {1, 1}, tip[] = {1e300, 0, 0, 0, 1e300, 0};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_arc_through(2, a, a, b, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_arc_through(2, a, b, b, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_curve_arc_through(4, a, b, a, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_line(4, tip, tip, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_polyline(0, 2, tip, &none), BATTEN_BAD_ARGUMENT);
+    CHECK(none == NULL);
+}
+
+TEST(a_conic_goes_through_no_point_beyond_any_side_of_its_triangle)
+{
+    const double a[] = {0, 0}, b[] = {1, 0}, c[] = {0, 1};
+    const double beyond[][2] = {{0.6, 0.6}, {-0.1, 0.5}, {0.5, -0.1}, {0.5, 0.5}, {0, 0.5}, {0.5, 0}};
+    batten_curve *none = NULL;
+    for (int i = 0; i < COUNT(beyond); i++) {
+        CHECK_STATUS(batten_curve_conic_through(a, b, c, beyond[i], &none), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("not inside the triangle");
+    }
+    const double huge[] = {1e200, 0}, high[] = {0, 1e200}, in[] = {1, 1};
+    CHECK_STATUS(batten_curve_conic_through(a, huge, high, in, &none), BATTEN_NOT_FINITE);
+    const double five[] = {1e200, 0, 0, 1e200, -1e200, 0, 0, -1e200, 0.8e200, -0.6e200};
+    CHECK_STATUS(batten_curve_conic_five(five, &none), BATTEN_SINGULAR_SYSTEM);
+    CHECK(none == NULL);
+}

@@ -168,3 +168,15 @@ TEST(K2_a_curve_of_bad_period_or_knots_is_not_made)
     CHECK_STATUS(batten_curve_create_periodic(1, 2, 0, square, NULL, period, &none), BATTEN_TOO_FEW_POINTS);
     CHECK(none == NULL);
 }
+
+TEST(clamped_means_at_both_ends)
+{
+    const double points[] = {0, 1, 3};
+    const double knots[4][6] = {{0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 2}, {-1, 0, 0, 1, 1, 1}, {-1, 0, 0, 1, 1, 2}};
+    for (int i = 0; i < 4; i++) {
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots[i], &curve));
+        CHECK(batten_curve_is_clamped(curve) == (i == 0));
+        batten_curve_unref(curve);
+    }
+}

@@ -70,3 +70,24 @@ TEST(a_batch_too_small_for_pieces_has_the_same_bits)
         CHECK_BITS(batch[k], one[k]);
     batten_curve_unref(curve);
 }
+
+/* Cubics have loops of their own for each dimension, with and without weights; beside a narrow span the derivatives
+ * are made another way. */
+TEST(cubics_of_every_kind_have_the_bits_of_single_calls)
+{
+    test_random random = test_random_begin(__func__);
+    const double knots[2][9] = {{0, 0, 0, 0, 0.5, 1, 1, 1, 1}, {0, 0, 0, 0, 1 - 1e-7, 1, 1, 1, 1}};
+    for (int i = 0; i < 12; i++) {
+        const int d = i % 3 + 1;
+        double points[15], weights[5];
+        for (int k = 0; k < 5 * d; k++)
+            points[k] = test_random_in(&random, -1, 1);
+        for (int k = 0; k < 5; k++)
+            weights[k] = test_random_in(&random, 0.5, 2);
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_curve_create(d, 3, 5, points, i / 3 % 2 ? weights : NULL, knots[i / 6], &curve));
+        for (int order = 0; order <= 3; order++)
+            check_batch(&random, curve, true, order);
+        batten_curve_unref(curve);
+    }
+}

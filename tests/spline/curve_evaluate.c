@@ -222,3 +222,24 @@ TEST(uniform_cubics_behave_as_the_notes_say)
     CHECK_NEAR(p[0], 6, 1e-14);
     CHECK_NEAR(hypot(p[2], p[3]) + hypot(p[4], p[5]), 0, 1e-14);
 }
+
+TEST(N1_periodic_curves_take_any_number_but_no_other_parameter)
+{
+    const double points[] = {0, 2, 1}, knots[] = {1, 2, 3, 4};
+    const double *const bad = (const double[]){NAN, INFINITY, -INFINITY};
+    batten_curve *curve = NULL;
+    double out = 7, start;
+    CHECK_OK(batten_curve_create_periodic(1, 2, 3, points, NULL, knots, &curve));
+    for (int i = 0; i < 3; i++)
+        CHECK_STATUS(batten_curve_evaluate(curve, bad[i], 0, &out), BATTEN_NOT_FINITE);
+    CHECK_BITS(out, 7);
+    CHECK_OK(batten_curve_evaluate(curve, 1, 0, &start));
+    for (int k = -40; k <= 40; k++) {
+        CHECK_OK(batten_curve_evaluate(curve, 1 + 3.0 * k, 0, &out));
+        CHECK_BITS(out, start);
+    }
+    /* Just below the start is just below the end; what rounding carries to the end is the start. */
+    CHECK_OK(batten_curve_evaluate(curve, nextafter(1, 0), 0, &out));
+    CHECK_NEAR(out, start, 1e-14);
+    batten_curve_unref(curve);
+}

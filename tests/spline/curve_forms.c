@@ -136,3 +136,31 @@ TEST(a_rational_curve_has_no_form_in_powers)
     CHECK_STATUS(batten_curve_to_power(curve, out), BATTEN_UNSUPPORTED);
     batten_curve_unref(curve);
 }
+
+TEST(forms_refuse_what_they_cannot_hold)
+{
+    const double ends[] = {0, 1}, values[20] = {0};
+    const double bad[] = {-1, NAN, INFINITY};
+    batten_curve *none = NULL;
+    CHECK_STATUS(batten_curve_from_hermite(1, 2, 0, ends, values, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, ends, values, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("5 values at each parameter");
+    for (int d = 0; d <= 4; d += 4) {
+        CHECK_STATUS(batten_curve_from_hermite(d, 2, 2, ends, values, &none), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_from_power(d, 1, 1, ends, values, 0, &none), BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("must be 1, 2 or 3");
+    }
+    for (int i = 0; i < COUNT(bad); i++)
+        CHECK_STATUS(batten_curve_from_power(1, 1, 1, ends, values, bad[i], &none), BATTEN_BAD_ARGUMENT);
+    CHECK(none == NULL);
+}
+
+TEST(N2_coefficients_too_large_for_numbers_are_an_overflow)
+{
+    const double points[] = {-1e300, 1e300}, knots[] = {0, 0, 1e-100, 1e-100};
+    double coefficients[2];
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create(1, 1, 2, points, NULL, knots, &curve));
+    CHECK_STATUS(batten_curve_to_power(curve, coefficients), BATTEN_OVERFLOW);
+    batten_curve_unref(curve);
+}

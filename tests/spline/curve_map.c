@@ -215,3 +215,47 @@ TEST(N2_a_map_to_where_numbers_end_is_an_overflow)
     CHECK_STATUS(batten_curve_transform(curve, &bad, &none), BATTEN_NOT_FINITE);
     batten_curve_unref(curve);
 }
+
+TEST(maps_refuse_each_coefficient_that_is_no_number)
+{
+    const double points[] = {0, 1, 3}, knots[] = {0, 0, 0, 1, 1, 1};
+    batten_curve *curve = NULL, *none = NULL;
+    CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &curve));
+    for (int i = 0; i < 4; i++) {
+        double m[] = {1, 0, 0.5, 1};
+        m[i] = i % 2 ? NAN : INFINITY;
+        CHECK_STATUS(batten_curve_moebius(curve, m[0], m[1], m[2], m[3], &none), BATTEN_NOT_FINITE);
+    }
+    for (int i = 0; i < 12; i++) {
+        batten_affine map = batten_affine_identity();
+        if (i < 9)
+            map.m[i / 3][i % 3] = NAN;
+        else
+            map.t[i - 9] = -INFINITY;
+        CHECK_STATUS(batten_curve_transform(curve, &map, &none), BATTEN_NOT_FINITE);
+    }
+    CHECK_STATUS(batten_curve_to_dimension(curve, 0, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_to_dimension(curve, 4, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_set_domain(curve, NAN, 1, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_set_domain(curve, 0, INFINITY, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_set_domain(curve, 1, 1, &none), BATTEN_BAD_ARGUMENT);
+    CHECK(none == NULL);
+    batten_curve_unref(curve);
+}
+
+TEST(a_rational_curve_keeps_its_points_under_a_moebius_map)
+{
+    const double points[] = {0, 1, 3, 2}, weights[] = {1, 3, 0.5, 2}, knots[] = {0, 0, 0, 0.25, 1, 1, 1};
+    batten_curve *curve = NULL, *moved = NULL;
+    CHECK_OK(batten_curve_create(1, 2, 4, points, weights, knots, &curve));
+    CHECK_OK(batten_curve_moebius(curve, 2, 1, 0.5, 1, &moved));
+    for (int i = 0; i <= 64; i++) {
+        const double u = i / 64.0;
+        double here, there;
+        CHECK_OK(batten_curve_evaluate(curve, u, 0, &here));
+        CHECK_OK(batten_curve_evaluate(moved, (2 * u + 1) / (0.5 * u + 1), 0, &there));
+        CHECK_NEAR(there, here, 1e-14);
+    }
+    batten_curve_unref(moved);
+    batten_curve_unref(curve);
+}

@@ -229,3 +229,23 @@ TEST(N2_rows_that_overflow_are_refused)
     CHECK(none == NULL && other == NULL);
     batten_curve_unref(curve);
 }
+
+TEST(cuts_and_parts_outside_the_domain_are_refused)
+{
+    const double points[] = {0, 1, 3}, knots[] = {0, 0, 0, 1, 1, 1};
+    const struct { double u; batten_status status; } cuts[] = {
+        {0, BATTEN_OUT_OF_DOMAIN}, {1, BATTEN_OUT_OF_DOMAIN}, {-1, BATTEN_OUT_OF_DOMAIN}, {2, BATTEN_OUT_OF_DOMAIN},
+        {NAN, BATTEN_NOT_FINITE}, {INFINITY, BATTEN_NOT_FINITE}};
+    batten_curve *curve = NULL, *left = NULL, *right = NULL;
+    CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &curve));
+    for (int i = 0; i < COUNT(cuts); i++)
+        CHECK_STATUS(batten_curve_split(curve, cuts[i].u, &left, &right), cuts[i].status);
+    CHECK_STATUS(batten_curve_subrange(curve, -1, 0.5, &left), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_subrange(curve, 0.5, 2, &left), BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_curve_subrange(curve, 0.5, NAN, &left), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_subrange(curve, NAN, 0.5, &left), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_subrange(curve, 0.5, 0.5, &left), BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("is empty");
+    CHECK(left == NULL && right == NULL);
+    batten_curve_unref(curve);
+}

@@ -162,3 +162,22 @@ TEST(what_cannot_be_reduced_is_refused_with_the_error)
     CHECK_STATUS(batten_curve_reduce(curve, 1, -0.1, NULL, &none), BATTEN_BAD_ARGUMENT);
     batten_curve_unref(curve);
 }
+
+TEST(what_cannot_be_removed_is_refused)
+{
+    const double points[] = {0, 1, 3, 2}, knots[] = {0, 0, 0, 0.5, 1, 1, 1}, bad[] = {-1, NAN, INFINITY};
+    const double absent[] = {0, 1, 0.25, -3, 7};
+    batten_curve *curve = NULL, *none = NULL;
+    CHECK_OK(batten_curve_create(1, 2, 4, points, NULL, knots, &curve));
+    for (int i = 0; i < COUNT(absent); i++)
+        CHECK_STATUS(batten_curve_remove_knot(curve, absent[i], 1, 1, NULL, NULL, &none), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, -1, 1, NULL, NULL, &none), BATTEN_BAD_ARGUMENT);
+    for (int i = 0; i < COUNT(bad); i++) {
+        const batten_status status = i == 0 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE;
+        CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, bad[i], NULL, NULL, &none), status);
+        CHECK_STATUS(batten_curve_join(curve, curve, bad[i], &none), BATTEN_BAD_ARGUMENT);
+    }
+    CHECK(none == NULL);
+    batten_curve_unref(curve);
+}
