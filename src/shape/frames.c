@@ -111,7 +111,8 @@ static batten_status frenet(const batten_curve *spine, double u, batten_frame *f
     const batten_status status = place_at(spine, u, &here);
     if (status != BATTEN_OK)
         return status;
-    const batten_vec3 x = across(here.second, here.tangent);
+    /* Where the spine bends little the first difference has few digits left: once more. */
+    const batten_vec3 x = across(across(here.second, here.tangent), here.tangent);
     const batten_vec3 bent = bat_vec3_cross(here.tangent, here.second);
     /* Below, the direction of the normal is the rounding of the second derivative. */
     if (!(bat_vec3_norm(bent) > 64 * DBL_EPSILON * bat_vec3_norm(here.second)))

@@ -141,3 +141,22 @@ TEST(sections_stand_evenly_by_arc_length)
     batten_curve_unref(circle);
     batten_curve_unref(spine);
 }
+
+TEST(a_frenet_frame_is_square_where_the_spine_bends_little)
+{
+    const double knots[] = {0, 0, 0, 1, 1, 1}, bends[] = {1e-3, 1e-6, 1e-9, 1e-12};
+    for (int i = 0; i < COUNT(bends); i++) {
+        const double points[] = {0, 0, 0, 1, 1.1, 1.3, 5, 5.5 + bends[i], 6.5};
+        batten_curve *spine = NULL;
+        CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &spine));
+        for (int k = 0; k <= 8; k++) {
+            const double at = k / 8.0;
+            batten_frame frame;
+            CHECK_OK(batten_curve_frames(spine, 1, &at, BATTEN_FRAME_FRENET, &frame));
+            const batten_vec3 x = frame.x, z = frame.z;
+            CHECK_NEAR(x.x * z.x + x.y * z.y + x.z * z.z, 0, 4 * DBL_EPSILON);
+            CHECK_NEAR(hypot(hypot(x.x, x.y), x.z), 1, 4 * DBL_EPSILON);
+        }
+        batten_curve_unref(spine);
+    }
+}
