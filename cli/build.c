@@ -16,6 +16,25 @@ static const option options[] = {
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
 };
 
+/* Is there a parameter of that name? A misspelt one would be added, and change nothing. */
+static batten_status check_parameter(const batten_design *design, const char *name)
+{
+    const int count = batten_design_parameter_count(design);
+    const char **names = batten_array((size_t)count, sizeof *names);
+    if (!names)
+        return BATTEN_OUT_OF_MEMORY;
+    bool found = false;
+    for (int i = 0; i < count; i++) {
+        names[i] = batten_design_parameter_name(design, i);
+        found |= strcmp(names[i], name) == 0;
+    }
+    const char *near = nearest_name(name, count, names);
+    batten_release(names);
+    return found ? BATTEN_OK
+                 : batten_fail(BATTEN_NOT_FOUND, "--set: the design has no parameter '%s'%s%s%s", name,
+                               near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
 /* --set name=value: a parameter when the name is a bare word, else a path. */
 static batten_status set_value(batten_design *design, const char *assignment, batten_notes *notes)
 {
@@ -26,8 +45,11 @@ static batten_status set_value(batten_design *design, const char *assignment, ba
     const bool is_path = memchr(assignment, '.', length) != NULL;
     batten_text path = BATTEN_TEXT;
     batten_text_add(&path, "%s%.*s", is_path ? "" : "parameters.", (int)length, assignment);
-    batten_status status = path.failed ? BATTEN_OUT_OF_MEMORY
-                                       : batten_design_set(design, path.bytes, equals + 1, notes);
+    batten_status status = path.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+    if (status == BATTEN_OK && strncmp(path.bytes, "parameters.", 11) == 0)
+        status = check_parameter(design, path.bytes + 11);
+    if (status == BATTEN_OK)
+        status = batten_design_set(design, path.bytes, equals + 1, notes);
     batten_text_free(&path);
     return status;
 }

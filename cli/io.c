@@ -169,7 +169,7 @@ int output_failed(const char *name, batten_status status)
 {
     job_end();
     if (status == BATTEN_CANCELLED)
-        complain("batten %s: cancelled; nothing was written", name);
+        complain("batten %s: cancelled; what was being written is as it was before", name);
     else
         complain("batten %s: %s", name, batten_message());
     return job_exit(EXIT_FAILED);

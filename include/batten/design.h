@@ -115,6 +115,9 @@ BATTEN_API void batten_design_free(batten_design *design);
 /** The text as it stands: loaded and saved it is the same bytes. It ends with a zero byte;
  * `length` may be NULL. Valid until the next edit. */
 BATTEN_API const char *batten_design_text(const batten_design *design, size_t *length);
+/** The parameters of the design, in the order of its text. */
+BATTEN_API int batten_design_parameter_count(const batten_design *design);
+BATTEN_API const char *batten_design_parameter_name(const batten_design *design, int index);
 /** How many metres one unit of the design is: the unit of all its results. */
 BATTEN_API double batten_design_unit_metres(const batten_design *design);
 /**

@@ -156,6 +156,17 @@ const char *batten_design_text(const batten_design *design, size_t *length)
     return design->now.text;
 }
 
+int batten_design_parameter_count(const batten_design *design)
+{
+    return design->now.document.parameter_count;
+}
+
+const char *batten_design_parameter_name(const batten_design *design, int index)
+{
+    assert(index >= 0 && index < design->now.document.parameter_count);
+    return design->now.document.parameters[index].name;
+}
+
 double batten_design_unit_metres(const batten_design *design)
 {
     return design->now.document.unit_metres;

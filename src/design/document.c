@@ -162,7 +162,8 @@ static const char *nearest_parameter(void *user, const char *name)
     const char *near = NULL;
     int best = 99;
     for (int i = 0; i < d->parameter_count; i++)
-        if (bat_is_nearer(name, d->parameters[i].name, &best))
+        if (strcmp(name, d->parameters[i].name) != 0 &&
+            bat_is_nearer(name, d->parameters[i].name, &best))
             near = d->parameters[i].name;
     return near;
 }

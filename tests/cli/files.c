@@ -95,6 +95,19 @@ TEST(a_file_that_would_hold_nothing_is_not_written)
     CHECK(test_content(target) == NULL);
 }
 
+TEST(a_misspelt_parameter_is_refused_with_the_nearest)
+{
+    const char *design = test_scratch("set.yaml");
+    test_write(design, "batten: 1\nparameters:\n  beam: 3 m\nfeatures:\n  a: {line: [[0, 0], [=beam, 0]]}\n");
+    CHECK_INT(RUN("batten", "build", design, "--set", "beam=4 m").exit, 0);
+    static const char *const wrong[] = {"baem=4 m", "parameters.baem=4 m"};
+    for (int i = 0; i < COUNT(wrong); i++) {
+        const test_process run = RUN("batten", "build", design, "--set", wrong[i]);
+        CHECK_INT(run.exit, 1);
+        CHECK_CONTAINS(run.errors, "no parameter 'baem'; did you mean 'beam'?");
+    }
+}
+
 TEST(a_bound_that_is_not_met_is_exit_status_1)
 {
     const char *design = test_scratch("bound.yaml");

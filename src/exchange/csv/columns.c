@@ -88,6 +88,10 @@ batten_status bat_columns_unit(const bat_separated *table, const bat_column *col
         if (!has_unit(columns[k].kind))
             continue;
         const double own = columns[k].unit_metres;
+        const char *text = table->fields[k].text;
+        if (own == 0 && strpbrk(text, "[("))
+            batten_notes_add(table->input->notes, table->input->file, table->line, "",
+                             "'%.40s' says no unit that is known", text);
         if (own > 0 && unit > 0 && own != unit)
             return bat_field_fail(table, k,
                                   "'%.40s' is in another unit than the columns before",

@@ -44,3 +44,11 @@ TEST(F6_two_units_in_one_header_are_refused)
     CHECK_BITS(batten_model_unit_metres(model), 1.0);
     batten_model_unref(model);
 }
+
+TEST(F6_a_unit_that_is_not_known_is_told)
+{
+    batten_model *model = read_noting("x [furlong],y\n1,2\n", BATTEN_FORMAT_POINTS,
+                                      "'x [furlong]' says no unit that is known");
+    CHECK_BITS(batten_model_unit_metres(model), 0.0);
+    batten_model_unref(model);
+}
