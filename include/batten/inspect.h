@@ -107,7 +107,7 @@ BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int c
                                                 batten_deviation *out);
 /** The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every valley
  * of a grid of 2 degree + 2 samples each way on each patch whose box comes near enough, inside the
- * patch first. */
+ * patch first: where the surface winds between samples, a nearer point can be missed. */
 BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface, int count,
                                                   const double *points, const double *start,
                                                   const batten_job *job, double *distances,
