@@ -4,20 +4,25 @@
 
 #include <stdlib.h>
 
+static batten_status make(const char *text, char **json)
+{
+    size_t size;
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_output(design, 0, NULL, NULL, json, &size);
+    batten_design_free(design);
+    return status;
+}
+
 /* The JSON of the check of `what`; bytes to release. */
 static char *check(const char *features, const char *what)
 {
     char text[2000];
     char *json = NULL;
-    size_t size;
-    batten_design *design = NULL;
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%soutputs:\n  r.json: {check: %s}\n",
              features, what);
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_output(design, 0, NULL, NULL, &json, &size);
-    CHECK_OK(status);
-    batten_design_free(design);
+    CHECK_OK(make(text, &json));
     return json;
 }
 

@@ -2,6 +2,8 @@
 
 #include "support/test.h"
 
+#include <batten/design.h>
+
 #include <string.h>
 
 static const bat_quantity beam = {3.2, 1, 0}, half = {0.5, 0, 0}, rake = {0.5, 0, 1};
@@ -230,4 +232,17 @@ TEST(edit_distance_counts_letters)
     CHECK(!bat_is_nearer("x", "y", &best));
     CHECK(bat_is_nearer("degre", "degree", &best) && best == 1);
     CHECK(!bat_is_nearer("degre", "decree", &best));
+}
+
+TEST(a_ring_of_parameters_offers_no_name_for_itself)
+{
+    static const char text[] = "batten: 1\nparameters:\n  a: =b\n  b: =a\n"
+                               "features:\n  l: {line: [[0, 0], [=a, 1]]}\n";
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_STATUS(batten_design_parse(text, strlen(text), NULL, notes, &design), BATTEN_BAD_FORMAT);
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        CHECK(strstr(batten_notes_at(notes, i)->text, "did you mean 'a'") == NULL);
+    batten_notes_free(notes);
 }
