@@ -161,10 +161,11 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
         exit = EXIT_FAILED;
     if (exit == EXIT_DONE && was_partly_read(design))
         exit = EXIT_PARTLY;
+    const bool failed = status != BATTEN_OK && status != BATTEN_PARTLY_READ;
     if (!arguments_has(given, "json"))
-        notes_show(notes);
+        failed ? failed_show(notes) : notes_show(notes);
     const int reported = report(given, design, names, made, notes);
-    if (status != BATTEN_OK && status != BATTEN_PARTLY_READ)
+    if (failed)
         exit = output_failed("build", status);
     batten_release(names);
     return reported == EXIT_DONE ? exit : reported;
@@ -182,7 +183,7 @@ static int run(const arguments *given)
     if (status == BATTEN_OK) {
         exit = build(design, given, notes);
     } else {
-        notes_show(notes);
+        failed_show(notes);
         exit = output_failed("build", status);
     }
     batten_design_free(design);

@@ -50,6 +50,8 @@ int job_exit(int otherwise);
 
 /* A place of a message: show all notes on standard error. */
 void notes_show(const batten_notes *notes);
+/* Of a failure: without the note that the message, which output_failed prints, says again. */
+void failed_show(const batten_notes *notes);
 void notes_json(batten_text *text, const batten_notes *notes);
 
 /* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a model,

@@ -38,7 +38,8 @@ static void add_commands(batten_text *text)
     for (int i = 0; i < command_count(); i++)
         batten_text_add(text, "  %-9s %s\n", command_at(i)->name, command_at(i)->summary);
     batten_text_add(text,
-                    "\n'batten help COMMAND' says more; 'batten help design' describes design files;\n"
+                    "\n'batten help COMMAND' says more; 'batten help design' describes design files,\n"
+                    "'batten help files' the tables and points that are read;\n"
                     "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
                     "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
 }
@@ -123,6 +124,40 @@ static const char design_manual[] =
     "(=beam/2). Paths are relative to the file and stay below its folder unless --allow-outside is given.\n"
     "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
 
+static const char files_manual[] =
+    "Files that Batten reads, told apart by their content:\n"
+    "\n"
+    "Tables of offsets (.csv), in three forms. An empty cell, x or - is a point that was not measured; a unit may\n"
+    "stand with a name, as height (mm), else it is that of the design, or 'unit: in' of 'read'.\n"
+    "\n"
+    "  A row for each point, columns in any order (the line may be left out):\n"
+    "\n"
+    "    x_m,  z_m,   half_breadth_m, line\n"
+    "    0,    0.24,  0,              keel\n"
+    "    0,    0.30,  0.283,          wl 0.30\n"
+    "    0.48, 0.618, 0.882,          sheer\n"
+    "\n"
+    "  A matrix: the corner says what stands down and across, the cells are half-breadths:\n"
+    "\n"
+    "    station\\height, 0.1,  0.25, 0.5\n"
+    "    0,              ,     0.40, 0.70\n"
+    "    1.2,            0.15, 0.60, 0.90\n"
+    "\n"
+    "  The loftsman's table: blocks of rows, each row one line with a height and a width at every station.\n"
+    "  2-8-6 is feet, inches and eighths:\n"
+    "\n"
+    "    axis,    name,    stem,  1,     2\n"
+    "    length,  station, 0,     24,    48\n"
+    "    heights, sheer,   2-8-6, 2-6-1, 2-3-5\n"
+    "    widths,  sheer,   0-0-7, 1-1-3, 1-11-0\n"
+    "\n"
+    "Points (.xyz, .csv, .txt): two or three numbers in a row; an empty line parts one curve from the next.\n"
+    "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper and lower side.\n"
+    "IGES (.igs): its B-spline curves and surfaces and those that are exactly such.\n"
+    "\n"
+    "Written are STEP AP214 (.step), IGES (.igs), tables (.csv), reports (.txt, .json), pictures (.svg, .pdf, .png).\n"
+    "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads it.\n";
+
 /* The whole manual in a form that other programs want. */
 static int print_as(const char *form)
 {
@@ -162,6 +197,8 @@ static int run(const arguments *given)
         add_features(&text);
     else if (strcmp(topic, "design") == 0)
         batten_text_add(&text, "%s", design_manual);
+    else if (strcmp(topic, "files") == 0 || strcmp(topic, "offsets") == 0)
+        batten_text_add(&text, "%s", files_manual);
     if (c)
         add_command(&text, c);
     if (c && f)
@@ -185,7 +222,7 @@ const command command_help = {
     .name = "help",
     .usage = "[TOPIC]",
     .summary = "the manual, offline",
-    .manual = "TOPIC is a command, a feature, 'features' or 'design'.",
+    .manual = "TOPIC is a command, a feature, 'features', 'design' or 'files'.",
     .most_files = 1,
     .option_count = 1,
     .options = options,

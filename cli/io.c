@@ -7,11 +7,21 @@
 #include <string.h>
 #include <unistd.h>
 
-void notes_show(const batten_notes *notes)
+/* Does the text end so? */
+static bool ends(const char *text, const char *end)
+{
+    const size_t length = strlen(text), tail = strlen(end);
+    return length >= tail && strcmp(text + length - tail, end) == 0;
+}
+
+/* All notes, but for those that `message` ends with. */
+static void show(const batten_notes *notes, const char *message)
 {
     job_end();
     for (int i = 0; i < batten_notes_count(notes); i++) {
         const batten_note *note = batten_notes_at(notes, i);
+        if (message && ends(message, note->text))
+            continue;
         char place[32] = "";
         if (note->line > 0)
             snprintf(place, sizeof place, "%d:", note->line);
@@ -21,6 +31,16 @@ void notes_show(const batten_notes *notes)
     }
     if (batten_notes_dropped(notes) > 0)
         complain("and %d more messages", batten_notes_dropped(notes));
+}
+
+void notes_show(const batten_notes *notes)
+{
+    show(notes, NULL);
+}
+
+void failed_show(const batten_notes *notes)
+{
+    show(notes, batten_message());
 }
 
 void notes_json(batten_text *text, const batten_notes *notes)

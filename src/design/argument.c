@@ -73,7 +73,7 @@ static void read_word(const reading *r, const char *given, bat_item *item)
             snprintf(near, sizeof near, "%s", word);
     }
     snprintf(what, sizeof what, "cannot be '%.60s'%s%s%s; it is one of: %s", given,
-             *near ? "; did you mean '" : "", near, *near ? "'?" : "", r->parameter->words);
+             *near ? "; did you mean '" : "", near, *near ? "'" : "", r->parameter->words);
     complain_of(r, what);
 }
 

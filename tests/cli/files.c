@@ -1,5 +1,8 @@
 #include "support/process.h"
 
+#include <stdio.h>
+#include <string.h>
+
 static const char table[] = "station,height,half_breadth\n"
                             "0,0,0\n0,1,1\n0,2,1.5\n"
                             "1,0,0\n1,1,1.2\n1,2,1.7\n"
@@ -49,6 +52,35 @@ TEST(W8_a_closed_pipe_is_a_failure)
 {
     const test_process run = test_shell("{ sleep 0.2; \"$BATTEN\" help; echo status $? >&2; } | true");
     CHECK_CONTAINS(run.errors, "status 1");
+}
+
+static const char *write_design(const char *name, const char *operation)
+{
+    const char *path = test_scratch(name);
+    char text[300];
+    snprintf(text, sizeof text, "batten: 1\nparameters:\n  height: 2\nfeatures:\n  a: {%s: [[0, 0], [1, =height]]}\n",
+             operation);
+    test_write(path, text);
+    return path;
+}
+
+TEST(what_is_wrong_in_a_design_is_said_once)
+{
+    const test_process run = RUN("batten", "build", write_design("once.yaml", "pionts"));
+    CHECK_INT(run.exit, 1);
+    const char *first = strstr(run.errors, "operation 'pionts'; did you mean 'points'?");
+    CHECK(first != NULL);
+    CHECK(strstr(first + 12, "pionts") == NULL);
+    CHECK_CONTAINS(run.errors, "once.yaml:5:");
+}
+
+TEST(set_refuses_a_parameter_that_the_design_has_not)
+{
+    const char *path = write_design("set.yaml", "points");
+    CHECK_INT(RUN("batten", "build", path, "--set", "height=3").exit, 0);
+    const test_process run = RUN("batten", "build", path, "--set", "hieght=3");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "no parameter 'hieght'; did you mean 'height'?");
 }
 
 TEST(info_tells_what_is_in_a_file)

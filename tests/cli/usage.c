@@ -92,6 +92,12 @@ TEST(help_says_what_there_is)
     CHECK_CONTAINS(RUN("batten", "--version").out, batten_version());
 }
 
+TEST(help_shows_the_tables_that_are_read)
+{
+    CHECK_CONTAINS(RUN("batten", "help", "files").out, "station\\height,");
+    CHECK_CONTAINS(RUN("batten", "help", "files").out, "2-8-6");
+}
+
 TEST(help_about_nothing_known_names_the_nearest)
 {
     check_usage(RUN("batten", "help", "skinn"), "did you mean 'skin'");

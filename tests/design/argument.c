@@ -60,7 +60,7 @@ TEST(arguments_of_the_wrong_kind_say_what_is_expected)
         {"{scale: p, by: 3 m}", "'by' of scale needs a number; '3 m' is a length"},
         {"{move: p, by: up}", "or one of origin x y z -x -y -z, not 'up'"},
         {"{mirror: p, plane: center}",
-         "cannot be 'center'; did you mean 'centre'?; it is one of: centre x y z"},
+         "cannot be 'center'; did you mean 'centre'; it is one of: centre x y z"},
         {"{mirror: p, keep: maybe}", "must be yes or no, not 'maybe'"},
         {"{mirror: [p]}", "mirror needs the name of a feature, not a list"},
         {"{mirror: {a: b}}", "not a map"},

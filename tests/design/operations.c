@@ -2,6 +2,7 @@
 
 #include <batten/design.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What the operations below work on. */
 static const char common[] = "batten: 1\nfeatures:\n"
@@ -161,5 +162,31 @@ TEST(a_lines_plan_takes_its_stations_and_title)
         CHECK(size > 200);
         batten_release(data);
     }
+    batten_design_free(design);
+}
+
+TEST(a_lines_plan_draws_the_stations_of_its_data)
+{
+    char text[2000];
+    snprintf(text, sizeof text,
+             "%s  st: {interpolate: t}\n  h: {skin: st}\noutputs:\n"
+             "  own.png: {lines-plan: h, data: t}\n"
+             "  same.png: {lines-plan: h, data: t, station-at: [0, 1, 2, 3, 4]}\n"
+             "  other.png: {lines-plan: h, data: t, stations: 0.5}\n",
+             common);
+    batten_design *design = NULL, *first = NULL;
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("stations.yaml");
+    CHECK_OK(evaluate("{collect: p}", &first)); /* writes offsets.csv: stations 0 to 4 */
+    batten_design_free(first);
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    char *data[3] = {NULL, NULL, NULL};
+    size_t size[3] = {0, 0, 0};
+    for (int i = 0; i < 3; i++)
+        CHECK_OK(batten_design_output(design, i, NULL, NULL, &data[i], &size[i]));
+    CHECK(size[0] == size[1] && memcmp(data[0], data[1], size[0]) == 0);
+    CHECK(size[0] != size[2] || memcmp(data[0], data[2], size[0]) != 0);
+    for (int i = 0; i < 3; i++)
+        batten_release(data[i]);
     batten_design_free(design);
 }

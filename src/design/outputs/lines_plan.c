@@ -3,7 +3,7 @@
 static const batten_parameter parameters[] = {
     {"lines-plan", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "half a hull, y to the side"},
     {"stations", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
-     "how far apart; 0: eleven over the length"},
+     "how far apart; 0: those of the table in 'data', else eleven over the length"},
     {"station-at", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
      "where the stations are, instead"},
     {"waterlines", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "how far apart; 0: chosen"},
@@ -17,14 +17,34 @@ static const batten_parameter parameters[] = {
      "pixels, or points of 1/72 inch"},
 };
 
-/* The stations asked for one by one; NULL for none, or without memory. */
-static double *list_stations(const bat_run *run)
+/* The table of offsets among the data whose stations are to be drawn, or NULL. */
+static const batten_offsets *table_of(const bat_run *run, const batten_lines_plan_options *plan)
 {
+    if (!plan->data || plan->stations > 0 || bat_has(run, "station-at"))
+        return NULL;
+    for (int i = 0; i < batten_model_count(plan->data); i++) {
+        const batten_object *object = batten_model_object(plan->data, i);
+        if (object->kind == BATTEN_OBJECT_OFFSETS)
+            return object->offsets;
+    }
+    return NULL;
+}
+
+/* The stations asked for one by one, or those of the table. */
+static batten_status list_stations(const bat_run *run, const batten_lines_plan_options *plan,
+                                   int *count, double **out)
+{
+    const batten_offsets *table = table_of(run, plan);
     const bat_argument *given = bat_argument_of(run, "station-at");
-    double *at = given->count ? bat_array((size_t)given->count, sizeof *at) : NULL;
-    for (int i = 0; at && i < given->count; i++)
-        at[i] = given->items[i].number[0];
-    return at;
+    const int wanted = table ? batten_offsets_station_count(table) : given->count;
+    double *at = wanted ? bat_array((size_t)wanted, sizeof *at) : NULL;
+    if (wanted && !at)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < wanted; i++)
+        at[i] = table ? batten_offsets_station(table, i)->x : given->items[i].number[0];
+    *count = wanted;
+    *out = at;
+    return BATTEN_OK;
 }
 
 static batten_lines_plan_options plan_of(const bat_run *run)
@@ -44,14 +64,12 @@ static batten_status draw(bat_run *run, const batten_model *model,
                           const batten_picture_options *options)
 {
     batten_lines_plan_options plan = plan_of(run);
-    const int count = bat_argument_of(run, "station-at")->count;
-    double *stations = list_stations(run);
-    if (count && !stations)
-        return BATTEN_OUT_OF_MEMORY;
+    double *stations = NULL;
+    batten_status status = list_stations(run, &plan, &plan.station_count, &stations);
+    if (status != BATTEN_OK)
+        return status;
     plan.station_at = stations;
-    plan.station_count = count;
-    const batten_status status =
-        batten_draw_lines_plan(model, &plan, options, run->notes, &run->data, &run->size);
+    status = batten_draw_lines_plan(model, &plan, options, run->notes, &run->data, &run->size);
     bat_release(stations);
     return status;
 }
