@@ -20,11 +20,25 @@ static bool has_data(const batten_model *model)
     return false;
 }
 
-/* The first feature upstream that has points, and the last that made points fair. */
+/* Does a feature place its sections along a spine, away from their points? */
+static bool displaces(const bat_entry *entry)
+{
+    const batten_feature *shown = &entry->feature->shown;
+    for (int k = 0; strcmp(shown->name, "skin") == 0 && k < shown->parameter_count; k++)
+        if (strcmp(shown->parameters[k].name, "spine") == 0)
+            return entry->arguments[k].count > 0;
+    return false;
+}
+
+/* The first feature upstream that has points, and the last that made points fair; none when
+ * sections were displaced since, for then distances from them mean nothing. */
 static void find_data(bat_check *check)
 {
     const bat_document *d = check->run->document;
     check->given = check->faired = -1;
+    for (int i = 0; i < d->feature_count; i++)
+        if (check->upstream[i] && displaces(&d->features[i]))
+            return;
     for (int k = 0; k < d->feature_count; k++) {
         const int i = d->order[k];
         if (!check->upstream[i] || !has_data(check->run->results[i].value))
