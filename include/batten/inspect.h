@@ -126,7 +126,8 @@ typedef struct batten_polylines {
 } batten_polylines;
 /**
  * Where a surface meets the plane `normal . x = offset`, found along isoparametric lines on a
- * `cells_u` x `cells_v` grid (every point is on the surface and on the plane to rounding; loops
+ * `cells_u` x `cells_v` grid (every point is on the surface, and on the plane to
+ * rounding, coarser only where knots nearly coincide; loops
  * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and its
  * parameters jump. A rim of the surface that lies in the plane belongs to the section; a line in
  * its inside where the plane only touches does not.

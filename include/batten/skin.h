@@ -39,7 +39,7 @@ typedef struct batten_skin_options {
 BATTEN_API batten_skin_options batten_skin_defaults(void);
 
 typedef struct batten_skin_report {
-    double deviation;       /**< farthest that a section moved; 0 when exact */
+    double deviation;       /**< farthest that a section moved; rounding alone counts as 0 */
     int worst_section;      /**< which one */
     int exact_knot_count;   /**< distinct inner knots that the exact union has */
     int knot_count;         /**< distinct inner knots of the result */
