@@ -210,8 +210,8 @@ static void run_skin(void *object)
     contest *c = object;
     batten_surface_unref(c->surface);
     c->surface = NULL;
-    must(batten_surface_skin((int)c->work->count, (const batten_curve *const *)c->sections, NULL, NULL,
-                             c->uv, NULL, &c->surface));
+    must(batten_surface_skin((int)c->work->count, (const batten_curve *const *)c->sections,
+                             NULL, NULL, c->uv, NULL, &c->surface));
 }
 
 static void gather_skin(void *object, double *result)

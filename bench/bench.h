@@ -47,8 +47,8 @@ typedef struct {
     bench_curve curve;
     bench_surface surface;
     bench_curve *sections; /* [count] */
-    double *u, *v, *data; /* parameters; points to pass through */
-    size_t result_count;  /* numbers in the common form */
+    double *u, *v, *data;  /* parameters; points to pass through */
+    size_t result_count;   /* numbers in the common form */
 } bench_work;
 
 /* What a contestant offers for one kind of work; NULL functions: nothing. */

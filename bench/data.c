@@ -152,7 +152,8 @@ static void fill_sections(bench_work *work)
     for (size_t k = 0; k < work->count; k++) {
         work->sections[k] = make_section((int)k);
         for (size_t i = 0; i < BENCH_PLACES; i++)
-            curve_point(&work->sections[k], work->u[i], work->data + 3 * (k * BENCH_PLACES + i));
+            curve_point(&work->sections[k], work->u[i],
+                        work->data + 3 * (k * BENCH_PLACES + i));
     }
 }
 

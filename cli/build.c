@@ -8,9 +8,12 @@
 #include <sys/stat.h>
 
 static const option options[] = {
-    {"output", 'o', OPTION_VALUE, "DIR", "where the outputs go (beside the design); made when it is missing"},
-    {"set", 0, OPTION_MANY, "NAME=VALUE", "set a parameter of the design, or a value by its path"},
-    {"only", 0, OPTION_VALUE, "FEATURE", "evaluate this feature and what it needs; make no outputs"},
+    {"output", 'o', OPTION_VALUE, "DIR",
+     "where the outputs go (beside the design); made when it is missing"},
+    {"set", 0, OPTION_MANY, "NAME=VALUE",
+     "set a parameter of the design, or a value by its path"},
+    {"only", 0, OPTION_VALUE, "FEATURE",
+     "evaluate this feature and what it needs; make no outputs"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
@@ -30,13 +33,16 @@ static batten_status check_parameter(const batten_design *design, const char *na
     }
     const char *near = nearest_name(name, count, names);
     batten_release(names);
-    return found ? BATTEN_OK
-                 : batten_fail(BATTEN_NOT_FOUND, "--set: the design has no parameter '%s'%s%s%s", name,
-                               near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return found
+               ? BATTEN_OK
+               : batten_fail(BATTEN_NOT_FOUND, "--set: the design has no parameter '%s'%s%s%s",
+                             name, near ? "; did you mean '" : "", near ? near : "",
+                             near ? "'?" : "");
 }
 
 /* --set name=value: a parameter when the name is a bare word, else a path. */
-static batten_status set_value(batten_design *design, const char *assignment, batten_notes *notes)
+static batten_status set_value(batten_design *design, const char *assignment,
+                               batten_notes *notes)
 {
     const char *equals = strchr(assignment, '=');
     if (!equals || equals == assignment)
@@ -54,7 +60,8 @@ static batten_status set_value(batten_design *design, const char *assignment, ba
     return status;
 }
 
-static batten_status set_values(batten_design *design, const arguments *given, batten_notes *notes)
+static batten_status set_values(batten_design *design, const arguments *given,
+                                batten_notes *notes)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < given->given_count; i++)
@@ -82,10 +89,12 @@ static batten_status make_folder(const char *folder)
 {
     if (mkdir(folder, 0777) == 0 || errno == EEXIST)
         return BATTEN_OK;
-    return batten_fail(BATTEN_FILE_ERROR, "cannot make the folder '%s': %s", folder, strerror(errno));
+    return batten_fail(BATTEN_FILE_ERROR, "cannot make the folder '%s': %s", folder,
+                       strerror(errno));
 }
 
-static batten_status make_output(batten_design *design, int index, const char *folder, batten_notes *notes)
+static batten_status make_output(batten_design *design, int index, const char *folder,
+                                 batten_notes *notes)
 {
     char *data = NULL;
     size_t size = 0;
@@ -100,8 +109,8 @@ static batten_status make_output(batten_design *design, int index, const char *f
 }
 
 /* Make every output; `names` receives those that were made. */
-static batten_status make_outputs(batten_design *design, const arguments *given, batten_notes *notes,
-                                  const char **names, int *made)
+static batten_status make_outputs(batten_design *design, const arguments *given,
+                                  batten_notes *notes, const char **names, int *made)
 {
     char *folder = output_folder(given);
     batten_status status = folder ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -133,8 +142,8 @@ static bool was_partly_read(const batten_design *design)
     return false;
 }
 
-static int report(const arguments *given, const batten_design *design, const char *const *names, int made,
-                  const batten_notes *notes)
+static int report(const arguments *given, const batten_design *design, const char *const *names,
+                  int made, const batten_notes *notes)
 {
     batten_text text = BATTEN_TEXT;
     if (arguments_has(given, "json"))
@@ -177,8 +186,8 @@ static int run(const arguments *given)
     batten_design *design = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("build", BATTEN_OUT_OF_MEMORY);
-    const batten_status status = batten_design_open(given->files[0], arguments_has(given, "allow-outside"), notes,
-                                                    &design);
+    const batten_status status = batten_design_open(
+        given->files[0], arguments_has(given, "allow-outside"), notes, &design);
     int exit;
     if (status == BATTEN_OK) {
         exit = build(design, given, notes);
@@ -195,8 +204,10 @@ const command command_build = {
     .name = "build",
     .usage = "DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]",
     .summary = "make everything that a design file describes: the main job",
-    .manual = "Evaluates the features of DESIGN and writes its outputs, each to a temporary file that is then\n"
-              "renamed. The report says how long each feature took, how far its result is from the data, how far\n"
+    .manual = "Evaluates the features of DESIGN and writes its outputs, each to a temporary "
+              "file that is then\n"
+              "renamed. The report says how long each feature took, how far its result is from "
+              "the data, how far\n"
               "fairing moved any point. 'batten help design' describes design files.",
     .least_files = 1,
     .most_files = 1,

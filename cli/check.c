@@ -22,7 +22,8 @@ static int print_check(batten_design *design, int index, batten_notes *notes)
 {
     char *data = NULL;
     size_t size = 0;
-    const batten_status status = batten_design_output(design, index, job_get(), notes, &data, &size);
+    const batten_status status =
+        batten_design_output(design, index, job_get(), notes, &data, &size);
     if (status != BATTEN_OK)
         return output_failed("check", status);
     int exit = output_save("-", data, size);
@@ -46,7 +47,8 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
     }
     if (found)
         return exit;
-    complain("batten check: the design has no output such as 'report.%s: {check: FEATURE}'", json ? "json" : "txt");
+    complain("batten check: the design has no output such as 'report.%s: {check: FEATURE}'",
+             json ? "json" : "txt");
     return EXIT_FAILED;
 }
 
@@ -55,7 +57,8 @@ static int run_design(const arguments *given)
     static const char *const of_files[] = {"within", "unit"};
     for (int i = 0; i < 2; i++)
         if (arguments_has(given, of_files[i])) {
-            complain("batten check: --%s is for files of shapes; '%s' is a design, which says so itself",
+            complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
+                     "so itself",
                      of_files[i], given->files[0]);
             return EXIT_USAGE;
         }
@@ -63,8 +66,8 @@ static int run_design(const arguments *given)
     batten_design *design = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("check", BATTEN_OUT_OF_MEMORY);
-    const batten_status status =
-        batten_design_open(given->files[0], arguments_has(given, "allow-outside"), notes, &design);
+    const batten_status status = batten_design_open(
+        given->files[0], arguments_has(given, "allow-outside"), notes, &design);
     int exit = EXIT_FAILED;
     if (status == BATTEN_OK)
         exit = check_design(design, arguments_has(given, "json"), notes);
@@ -93,7 +96,8 @@ const command command_check = {
     .name = "check",
     .usage = "IN [--within TOL] [--json]",
     .summary = "how fair a shape is, and how far from its data; status 1 when a bound fails",
-    .manual = "IN is a file of curves and surfaces, or a design (.yaml), whose own checks are then made.",
+    .manual = "IN is a file of curves and surfaces, or a design (.yaml), whose own checks are "
+              "then made.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -31,8 +31,8 @@ const command *command_find(const char *name);
 /* Complain about a name that is no command, with the nearest one. */
 void command_complain(const char *name);
 
-/* The options of a command and the parameters of its feature in one table, yours to batten_release; NULL without
- * memory. `method`: another feature instead, or NULL. */
+/* The options of a command and the parameters of its feature in one table, yours to
+ * batten_release; NULL without memory. `method`: another feature instead, or NULL. */
 option *command_options(const command *c, const char *method, int *count);
 
 /* ---- the running job: progress on a terminal, Ctrl-C ---- */
@@ -54,11 +54,11 @@ void notes_show(const batten_notes *notes);
 void failed_show(const batten_notes *notes);
 void notes_json(batten_text *text, const batten_notes *notes);
 
-/* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a model,
- * EXIT_FAILED without. */
+/* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a
+ * model, EXIT_FAILED without. */
 int input_read(const char *file, batten_notes *notes, batten_model **model);
-/* The file part of "file#name", yours to release, and the name or NULL. A file that exists under the whole name
- * is meant as it stands. */
+/* The file part of "file#name", yours to release, and the name or NULL. A file that exists
+ * under the whole name is meant as it stands. */
 batten_status input_split(const char *argument, char **file, const char **name);
 
 /* Print and free the text; EXIT_FAILED with a complaint when standard output refuses it. */

@@ -6,7 +6,8 @@
 /* One line on standard error; control characters that file names may hold are shown escaped. */
 void complain(const char *format, ...) BATTEN_PRINTF(1, 2);
 
-/* The name that a misspelt word most likely means: at most a third of its letters differ; or NULL. */
+/* The name that a misspelt word most likely means: at most a third of its letters differ; or
+ * NULL. */
 const char *nearest_name(const char *word, int count, const char *const *names);
 
 #endif

@@ -3,9 +3,11 @@
 #include <string.h>
 
 static const option options[] = {
-    {"unit", 0, OPTION_VALUE, "UNIT", "the unit of the result: m, mm, in, ft ... (that of the input)"},
+    {"unit", 0, OPTION_VALUE, "UNIT",
+     "the unit of the result: m, mm, in, ft ... (that of the input)"},
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
-    {"tolerance", 0, OPTION_VALUE, "T", "for what the format cannot say exactly, in the result's unit"},
+    {"tolerance", 0, OPTION_VALUE, "T",
+     "for what the format cannot say exactly, in the result's unit"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
 };
@@ -17,8 +19,9 @@ static bool unit_option(const arguments *given, const char *name, double *metres
     *metres = text ? batten_unit_metres(text) : 0;
     if (!text || *metres > 0)
         return true;
-    complain("batten convert: --%s: '%s' is no unit of length; known are m, mm, cm, km, in, ft and others", name,
-             text);
+    complain("batten convert: --%s: '%s' is no unit of length; known are m, mm, cm, km, in, ft "
+             "and others",
+             name, text);
     return false;
 }
 
@@ -68,8 +71,8 @@ static int report(const arguments *given, const batten_model *model, const batte
     batten_text_json(&text, given->files[0]);
     batten_text_add(&text, ", \"to\": ");
     batten_text_json(&text, given->files[1]);
-    batten_text_add(&text, ", \"objects\": %d, \"unit\": \"%s\",\n  \"messages\": ", batten_model_count(model),
-                    unit ? unit : "");
+    batten_text_add(&text, ", \"objects\": %d, \"unit\": \"%s\",\n  \"messages\": ",
+                    batten_model_count(model), unit ? unit : "");
     notes_json(&text, notes);
     batten_text_add(&text, "}\n");
     return output_print(&text);
@@ -83,7 +86,8 @@ static int run(const arguments *given)
         !arguments_number("convert", given, "tolerance", &write.tolerance))
         return EXIT_USAGE;
     if (batten_format_of_name(given->files[1]) == BATTEN_FORMAT_AUTO) {
-        complain("batten convert: the ending of '%s' names no format that can be written", given->files[1]);
+        complain("batten convert: the ending of '%s' names no format that can be written",
+                 given->files[1]);
         return EXIT_USAGE;
     }
     batten_notes *notes = NULL;
@@ -110,8 +114,10 @@ const command command_convert = {
     .name = "convert",
     .usage = "IN OUT [--unit UNIT]",
     .summary = "write what is in one file into another format",
-    .manual = "OUT ends in .step or .igs, or for points and tables in .csv, .xyz or .dat. What had to be\n"
-              "approximated or left out is reported; exit status 3 when only a part of IN could be read.",
+    .manual = "OUT ends in .step or .igs, or for points and tables in .csv, .xyz or .dat. What "
+              "had to be\n"
+              "approximated or left out is reported; exit status 3 when only a part of IN "
+              "could be read.",
     .least_files = 2,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

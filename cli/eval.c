@@ -60,8 +60,8 @@ static void add_result(batten_text *text, const result *r, bool first, bool json
     batten_text_add(text, "]}");
 }
 
-static batten_status evaluate(const batten_object *object, const double at[2], int at_count, int order,
-                              bool first, bool json, batten_text *text)
+static batten_status evaluate(const batten_object *object, const double at[2], int at_count,
+                              int order, bool first, bool json, batten_text *text)
 {
     double values[3 * BATTEN_SURFACE_DERIVATIVES(HIGHEST_ORDER)];
     result r = {.name = object->name, .at_count = at_count, .at = at, .values = values};
@@ -75,8 +75,8 @@ static batten_status evaluate(const batten_object *object, const double at[2], i
         r.value_count = BATTEN_SURFACE_DERIVATIVES(order);
         status = batten_surface_evaluate(object->surface, at[0], at[1], order, values);
     } else {
-        return batten_fail(BATTEN_BAD_ARGUMENT, "'%s' is no %s, so %d parameters do not fit", object->name,
-                           at_count == 1 ? "curve" : "surface", at_count);
+        return batten_fail(BATTEN_BAD_ARGUMENT, "'%s' is no %s, so %d parameters do not fit",
+                           object->name, at_count == 1 ? "curve" : "surface", at_count);
     }
     if (status == BATTEN_OK)
         add_result(text, &r, first, json);
@@ -84,8 +84,8 @@ static batten_status evaluate(const batten_object *object, const double at[2], i
 }
 
 /* All places on all objects that have as many parameters. */
-static batten_status evaluate_all(const batten_model *model, const arguments *given, int order, bool json,
-                                  batten_text *text)
+static batten_status evaluate_all(const batten_model *model, const arguments *given, int order,
+                                  bool json, batten_text *text)
 {
     bool first = true;
     const bool lone = batten_model_count(model) == 1;
@@ -96,16 +96,19 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
         const int at_count = read_at(given->given[g].value, at);
         for (int i = 0; i < batten_model_count(model); i++) {
             const batten_object *object = batten_model_object(model, i);
-            const batten_object_kind kind = at_count == 1 ? BATTEN_OBJECT_CURVE : BATTEN_OBJECT_SURFACE;
+            const batten_object_kind kind =
+                at_count == 1 ? BATTEN_OBJECT_CURVE : BATTEN_OBJECT_SURFACE;
             if (!lone && object->kind != kind)
                 continue;
-            const batten_status status = evaluate(object, at, at_count, order, first, json, text);
+            const batten_status status =
+                evaluate(object, at, at_count, order, first, json, text);
             if (status != BATTEN_OK)
                 return status;
             first = false;
         }
     }
-    return first ? batten_fail(BATTEN_NOT_FOUND, "no object takes these parameters") : BATTEN_OK;
+    return first ? batten_fail(BATTEN_NOT_FOUND, "no object takes these parameters")
+                 : BATTEN_OK;
 }
 
 static int run(const arguments *given)
@@ -121,7 +124,8 @@ static int run(const arguments *given)
         double at[2];
         if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
             read_at(given->given[g].value, at) == 0) {
-            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'", given->given[g].value);
+            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'",
+                     given->given[g].value);
             return EXIT_USAGE;
         }
     }
@@ -154,8 +158,10 @@ const command command_eval = {
     .name = "eval",
     .usage = "IN --at U[,V] [--at ...] [--order K]",
     .summary = "points and derivatives of curves and surfaces",
-    .manual = "IN is a file, file#name for one object in it, or - for standard input. Derivatives are printed\n"
-              "behind the point: du, duu ... of a curve; du, dv, duu, duv, dvv ... of a surface. Numbers have\n"
+    .manual = "IN is a file, file#name for one object in it, or - for standard input. "
+              "Derivatives are printed\n"
+              "behind the point: du, duu ... of a curve; du, dv, duu, duv, dvv ... of a "
+              "surface. Numbers have\n"
               "the fewest digits that read back to the same bits.",
     .least_files = 1,
     .most_files = 1,

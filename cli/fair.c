@@ -3,7 +3,8 @@
 #include <batten/picture.h>
 
 static const option options[] = {
-    {"output", 'o', OPTION_VALUE, "OUT", "the file to write: a table (.csv), .step, .igs, a picture"},
+    {"output", 'o', OPTION_VALUE, "OUT",
+     "the file to write: a table (.csv), .step, .igs, a picture"},
     {"within", 0, OPTION_VALUE, "TOL", "no point moves farther than this, as 2 mm; required"},
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
@@ -14,7 +15,8 @@ static int run(const arguments *given)
 {
     const char *output = arguments_get(given, "output");
     if (!output || !arguments_has(given, "within")) {
-        complain("batten fair: %s is missing; see 'batten help fair'", output ? "--within TOL" : "-o OUT");
+        complain("batten fair: %s is missing; see 'batten help fair'",
+                 output ? "--within TOL" : "-o OUT");
         return EXIT_USAGE;
     }
     batten_picture_format picture;
@@ -32,7 +34,8 @@ const command command_fair = {
     .name = "fair",
     .usage = "IN -o OUT --within TOL",
     .summary = "fair a curve or a table of offsets, moving no point farther than allowed",
-    .manual = "IN is a table of offsets, points, or a file of curves. The report says how far points were moved and\n"
+    .manual = "IN is a table of offsets, points, or a file of curves. The report says how far "
+              "points were moved and\n"
               "how many excess inflections there were before and after.",
     .least_files = 1,
     .most_files = 1,

@@ -20,8 +20,8 @@ static int run(const arguments *given)
     }
     if (method && !batten_feature_find(method)) {
         const char *near = batten_feature_nearest(method);
-        complain("batten fit: there is no method '%s'%s%s%s; see 'batten help features'", method,
-                 near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+        complain("batten fit: there is no method '%s'%s%s%s; see 'batten help features'",
+                 method, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
         return EXIT_USAGE;
     }
     batten_picture_format picture;
@@ -39,7 +39,8 @@ const command command_fit = {
     .name = "fit",
     .usage = "POINTS -o OUT [--method NAME]",
     .summary = "a curve or a surface from points",
-    .manual = "POINTS is a file of points, an aerofoil or a table of offsets. The parameters of the method are\n"
+    .manual = "POINTS is a file of points, an aerofoil or a table of offsets. The parameters "
+              "of the method are\n"
               "options; 'batten help NAME' describes them.",
     .least_files = 1,
     .most_files = 1,

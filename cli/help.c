@@ -9,8 +9,13 @@ static void add_option(batten_text *text, const option *o)
     size_t used = 0;
     const bool has_value = o->kind == OPTION_VALUE || o->kind == OPTION_MANY;
     const bool is_long = has_value && strlen(o->value) > 24;
-    const char *parts[] = {"  --", o->name, has_value ? " " : o->kind == OPTION_SWITCH ? "[=no]" : "",
-                           !has_value ? "" : is_long ? "WORD" : o->value};
+    const char *parts[] = {"  --", o->name,
+                           has_value                  ? " "
+                           : o->kind == OPTION_SWITCH ? "[=no]"
+                                                      : "",
+                           !has_value ? ""
+                           : is_long  ? "WORD"
+                                      : o->value};
     head[0] = 0;
     for (int i = 0; i < 4; i++) {
         const size_t length = strlen(parts[i]);
@@ -32,23 +37,27 @@ static void add_option(batten_text *text, const option *o)
 
 static void add_commands(batten_text *text)
 {
-    batten_text_add(text, "batten %s: from points to fair, manufacturable free-form curves and surfaces\n\n"
-                          "usage: batten COMMAND ...\n\n",
-                    batten_version());
+    batten_text_add(
+        text,
+        "batten %s: from points to fair, manufacturable free-form curves and surfaces\n\n"
+        "usage: batten COMMAND ...\n\n",
+        batten_version());
     for (int i = 0; i < command_count(); i++)
         batten_text_add(text, "  %-9s %s\n", command_at(i)->name, command_at(i)->summary);
-    batten_text_add(text,
-                    "\n'batten help COMMAND' says more; 'batten help design' describes design files,\n"
-                    "'batten help files' the tables and points that are read;\n"
-                    "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
-                    "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
+    batten_text_add(
+        text,
+        "\n'batten help COMMAND' says more; 'batten help design' describes design files,\n"
+        "'batten help files' the tables and points that are read;\n"
+        "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
+        "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
 }
 
 static void add_command(batten_text *text, const command *c)
 {
     int count = 0;
     option *options = command_options(c, NULL, &count);
-    batten_text_add(text, "usage: batten %s %s\n\n%s\n\n%s\n", c->name, c->usage, c->summary, c->manual);
+    batten_text_add(text, "usage: batten %s %s\n\n%s\n\n%s\n", c->name, c->usage, c->summary,
+                    c->manual);
     if (options && count > 0)
         batten_text_add(text, "\nOptions:\n");
     for (int i = 0; options && i < count; i++)
@@ -61,21 +70,23 @@ static void add_features(batten_text *text)
     batten_text_add(text, "Operations of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (!batten_feature_at(i)->is_output)
-            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name, batten_feature_at(i)->summary);
+            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name,
+                            batten_feature_at(i)->summary);
     batten_text_add(text, "\nOutputs of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (batten_feature_at(i)->is_output)
-            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name, batten_feature_at(i)->summary);
+            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name,
+                            batten_feature_at(i)->summary);
 }
 
 static const char *kind_name(const batten_parameter *p)
 {
     static const char *const names[] = {
-        [BATTEN_VALUE_MODEL] = "a feature", [BATTEN_VALUE_LENGTH] = "a length",
-        [BATTEN_VALUE_ANGLE] = "an angle",  [BATTEN_VALUE_NUMBER] = "a number",
+        [BATTEN_VALUE_MODEL] = "a feature",      [BATTEN_VALUE_LENGTH] = "a length",
+        [BATTEN_VALUE_ANGLE] = "an angle",       [BATTEN_VALUE_NUMBER] = "a number",
         [BATTEN_VALUE_COUNT] = "a whole number", [BATTEN_VALUE_WORD] = "a word",
-        [BATTEN_VALUE_TEXT] = "a text",     [BATTEN_VALUE_FILE] = "a file",
-        [BATTEN_VALUE_YES_NO] = "yes or no", [BATTEN_VALUE_POINT] = "a point",
+        [BATTEN_VALUE_TEXT] = "a text",          [BATTEN_VALUE_FILE] = "a file",
+        [BATTEN_VALUE_YES_NO] = "yes or no",     [BATTEN_VALUE_POINT] = "a point",
         [BATTEN_VALUE_RANGE] = "a range"};
     return (size_t)p->kind < sizeof names / sizeof names[0] ? names[p->kind] : "a value";
 }
@@ -85,12 +96,14 @@ static void add_feature(batten_text *text, const batten_feature *f)
     batten_text_add(text, "%s: %s\n\n%s\n\nParameters:\n", f->name, f->summary, f->manual);
     for (int i = 0; i < f->parameter_count; i++) {
         const batten_parameter *p = &f->parameters[i];
-        batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p), p->is_list ? ", or several" : "");
+        batten_text_add(text, "  %-14s %s%s", p->name, kind_name(p),
+                        p->is_list ? ", or several" : "");
         if (p->words)
             batten_text_add(text, ": %s", p->words);
         if (p->standard)
             batten_text_add(text, " (%s)", p->standard);
-        batten_text_add(text, "%s\n                 %s\n", p->required ? ", required" : "", p->summary);
+        batten_text_add(text, "%s\n                 %s\n", p->required ? ", required" : "",
+                        p->summary);
     }
     batten_text_add(text, "\nExample:\n\n%s\n\nIn C: %s\n", f->example, f->function);
     if (f->source && *f->source)
@@ -119,16 +132,21 @@ static const char design_manual[] =
     "      hull.png:   {picture: hull, shading: zebra}\n"
     "      report.txt: {check: hull}\n"
     "\n"
-    "The first key of a feature names the operation, its value is the principal input. Names refer to other\n"
-    "features, in any order. A value may carry a unit (2 mm, 30 deg) or be an expression over the parameters\n"
-    "(=beam/2). Paths are relative to the file and stay below its folder unless --allow-outside is given.\n"
+    "The first key of a feature names the operation, its value is the principal input. Names "
+    "refer to other\n"
+    "features, in any order. A value may carry a unit (2 mm, 30 deg) or be an expression over "
+    "the parameters\n"
+    "(=beam/2). Paths are relative to the file and stay below its folder unless "
+    "--allow-outside is given.\n"
     "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
 
 static const char files_manual[] =
     "Files that Batten reads, told apart by their content:\n"
     "\n"
-    "Tables of offsets (.csv), in three forms. An empty cell, x or - is a point that was not measured; a unit may\n"
-    "stand with a name, as height (mm), else it is that of the design, or 'unit: in' of 'read'.\n"
+    "Tables of offsets (.csv), in three forms. An empty cell, x or - is a point that was not "
+    "measured; a unit may\n"
+    "stand with a name, as height (mm), else it is that of the design, or 'unit: in' of "
+    "'read'.\n"
     "\n"
     "  A row for each point, columns in any order (the line may be left out):\n"
     "\n"
@@ -143,7 +161,8 @@ static const char files_manual[] =
     "    0,              ,     0.40, 0.70\n"
     "    1.2,            0.15, 0.60, 0.90\n"
     "\n"
-    "  The loftsman's table: blocks of rows, each row one line with a height and a width at every station.\n"
+    "  The loftsman's table: blocks of rows, each row one line with a height and a width at "
+    "every station.\n"
     "  2-8-6 is feet, inches and eighths:\n"
     "\n"
     "    axis,    name,    stem,  1,     2\n"
@@ -151,12 +170,16 @@ static const char files_manual[] =
     "    heights, sheer,   2-8-6, 2-6-1, 2-3-5\n"
     "    widths,  sheer,   0-0-7, 1-1-3, 1-11-0\n"
     "\n"
-    "Points (.xyz, .csv, .txt): two or three numbers in a row; an empty line parts one curve from the next.\n"
-    "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper and lower side.\n"
+    "Points (.xyz, .csv, .txt): two or three numbers in a row; an empty line parts one curve "
+    "from the next.\n"
+    "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper "
+    "and lower side.\n"
     "IGES (.igs): its B-spline curves and surfaces and those that are exactly such.\n"
     "\n"
-    "Written are STEP AP214 (.step), IGES (.igs), tables (.csv), reports (.txt, .json), pictures (.svg, .pdf, .png).\n"
-    "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads it.\n";
+    "Written are STEP AP214 (.step), IGES (.igs), tables (.csv), reports (.txt, .json), "
+    "pictures (.svg, .pdf, .png).\n"
+    "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads "
+    "it.\n";
 
 /* The whole manual in a form that other programs want. */
 static int print_as(const char *form)
@@ -176,7 +199,8 @@ static int print_as(const char *form)
         batten_text_add(&text, "%s\n", json);
         batten_release(json);
     } else {
-        complain("batten help: --as knows man, man-design, completion and schema, not '%s'", form);
+        complain("batten help: --as knows man, man-design, completion and schema, not '%s'",
+                 form);
         return EXIT_USAGE;
     }
     return output_print(&text);
@@ -209,13 +233,15 @@ static int run(const arguments *given)
         return output_print(&text);
 
     const char *near = batten_feature_nearest(topic);
-    complain("batten help: there is nothing about '%s'%s%s%s; see 'batten help' and 'batten help features'", topic,
-             near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+    complain("batten help: there is nothing about '%s'%s%s%s; see 'batten help' and 'batten "
+             "help features'",
+             topic, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
     return EXIT_USAGE;
 }
 
 static const option options[] = {
-    {"as", 0, OPTION_VALUE, "FORM", "print the whole manual as man, man-design, completion, or the schema of designs"},
+    {"as", 0, OPTION_VALUE, "FORM",
+     "print the whole manual as man, man-design, completion, or the schema of designs"},
 };
 
 const command command_help = {

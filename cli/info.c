@@ -6,7 +6,8 @@ static const option options[] = {
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
 };
 
-/* What is told of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces, else 0. */
+/* What is told of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces,
+ * else 0. */
 typedef struct {
     const char *type, *kind;
     int dimension, directions;
@@ -97,7 +98,8 @@ static facts facts_of(const batten_object *object, double tolerance)
                    .box = points_box(object)};
 }
 
-static void add_corner(batten_text *text, batten_vec3 corner, int dimension, const char *between)
+static void add_corner(batten_text *text, batten_vec3 corner, int dimension,
+                       const char *between)
 {
     const double values[3] = {corner.x, corner.y, corner.z};
     for (int k = 0; k < dimension; k++) {
@@ -118,7 +120,8 @@ static void add_json(batten_text *text, const batten_object *object, const facts
 {
     batten_text_add(text, "{\"name\": ");
     batten_text_json(text, object->name);
-    batten_text_add(text, ", \"type\": \"%s\", \"kind\": \"%s\", \"dimension\": %d", f->type, f->kind, f->dimension);
+    batten_text_add(text, ", \"type\": \"%s\", \"kind\": \"%s\", \"dimension\": %d", f->type,
+                    f->kind, f->dimension);
     add_pair(text, "degree", f->degree, f->directions);
     add_pair(text, "points", f->points, f->directions ? f->directions : f->points[1] ? 2 : 1);
     batten_text_add(text, ", \"rational\": %s, \"closed\": [", f->rational ? "true" : "false");
@@ -143,10 +146,12 @@ static void add_line(batten_text *text, const batten_object *object, const facts
 {
     batten_text_add(text, "%s: %s%s", object->name, f->rational ? "rational " : "", f->type);
     if (f->directions == 1)
-        batten_text_add(text, ", degree %d, %d points%s", f->degree[0], f->points[0], f->closed[0] ? ", closed" : "");
+        batten_text_add(text, ", degree %d, %d points%s", f->degree[0], f->points[0],
+                        f->closed[0] ? ", closed" : "");
     else if (f->directions == 2)
-        batten_text_add(text, " (%s), degree %d x %d, %d x %d points%s%s", f->kind, f->degree[0], f->degree[1],
-                        f->points[0], f->points[1], f->closed[0] ? ", closed in u" : "",
+        batten_text_add(text, " (%s), degree %d x %d, %d x %d points%s%s", f->kind,
+                        f->degree[0], f->degree[1], f->points[0], f->points[1],
+                        f->closed[0] ? ", closed in u" : "",
                         f->closed[1] ? ", closed in v" : "");
     else if (f->points[1])
         batten_text_add(text, ", %d stations, %d lines", f->points[0], f->points[1]);
@@ -174,7 +179,8 @@ static double size_of(const batten_model *model)
     return box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z);
 }
 
-static int print(const char *file, const batten_model *model, const batten_notes *notes, bool json)
+static int print(const char *file, const batten_model *model, const batten_notes *notes,
+                 bool json)
 {
     /* Ends within a billionth of the model's size are the same point. */
     const double tolerance = 1e-9 * size_of(model);
@@ -229,7 +235,8 @@ const command command_info = {
     .name = "info",
     .usage = "IN [--json]",
     .summary = "what is in a file",
-    .manual = "IN is a table of offsets, points, an aerofoil, an IGES file; file#name means one object in it, -\n"
+    .manual = "IN is a table of offsets, points, an aerofoil, an IGES file; file#name means "
+              "one object in it, -\n"
               "standard input. Exit status 3 when only a part could be read.",
     .least_files = 1,
     .most_files = 1,

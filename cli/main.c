@@ -5,8 +5,8 @@
 #include <string.h>
 
 static const command *const commands[] = {
-    &command_build,   &command_fit,  &command_fair, &command_check, &command_info,
-    &command_eval,    &command_convert, &command_draw, &command_help,
+    &command_build, &command_fit,     &command_fair, &command_check, &command_info,
+    &command_eval,  &command_convert, &command_draw, &command_help,
 };
 
 int command_count(void)
@@ -60,7 +60,8 @@ option *command_options(const command *c, const char *method, int *count)
         const batten_parameter *p = &feature->parameters[i];
         const option_kind kind = p->kind == BATTEN_VALUE_YES_NO ? OPTION_SWITCH : OPTION_VALUE;
         if (!has_own_option(c, p->name))
-            all[(*count)++] = (option){p->name, 0, kind, p->words ? p->words : "VALUE", p->summary};
+            all[(*count)++] =
+                (option){p->name, 0, kind, p->words ? p->words : "VALUE", p->summary};
     }
     return all;
 }
@@ -95,7 +96,8 @@ static int run(const command *c, int count, char **words)
         return output_failed(c->name, BATTEN_OUT_OF_MEMORY);
     arguments given;
     int status = EXIT_USAGE;
-    if (arguments_read(c->name, option_count, options, c->least_files, c->most_files, count, words, &given)) {
+    if (arguments_read(c->name, option_count, options, c->least_files, c->most_files, count,
+                       words, &given)) {
         job_begin(arguments_has(&given, "quiet"));
         status = c->run(&given);
         job_end();
@@ -116,7 +118,8 @@ int main(int count, char **words)
         command_help.run(&(arguments){0});
         return EXIT_USAGE;
     }
-    const char *name = strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 ? "help" : words[1];
+    const char *name =
+        strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 ? "help" : words[1];
     const command *c = command_find(name);
     if (!c) {
         command_complain(name);

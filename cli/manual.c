@@ -43,7 +43,8 @@ static void add_literal(batten_text *text, const char *words)
 
 static void add_header(batten_text *text, const char *name, int section, const char *summary)
 {
-    batten_text_add(text, ".TH %s %d \"\" \"Batten %s\" \"Batten\"\n", name, section, batten_version());
+    batten_text_add(text, ".TH %s %d \"\" \"Batten %s\" \"Batten\"\n", name, section,
+                    batten_version());
     add_section(text, "NAME");
     add_escaped(text, summary);
     batten_text_add(text, "\n");
@@ -88,7 +89,8 @@ void manual_page(batten_text *text)
     for (int i = 0; i < command_count(); i++)
         add_command(text, command_at(i));
     add_section(text, "FILES");
-    add_escaped(text, "IN is a file, file#name for one object in it, or - for standard input.\n");
+    add_escaped(text,
+                "IN is a file, file#name for one object in it, or - for standard input.\n");
     add_section(text, "EXIT STATUS");
     add_term(text, "0", "done");
     add_term(text, "1", "failed, or a bound is not met");
@@ -125,10 +127,12 @@ static void add_feature(batten_text *text, const batten_feature *f)
 
 void manual_design_page(batten_text *text)
 {
-    add_header(text, "BATTEN\\-DESIGN", 5, "batten-design - the file that says how shapes come to be");
+    add_header(text, "BATTEN\\-DESIGN", 5,
+               "batten-design - the file that says how shapes come to be");
     add_section(text, "DESCRIPTION");
-    batten_text_add(text, "A design is a YAML file. The first key of a feature names its operation.\n"
-                          "See\n.B batten help design\nfor the shape of the file.\n");
+    batten_text_add(text,
+                    "A design is a YAML file. The first key of a feature names its operation.\n"
+                    "See\n.B batten help design\nfor the shape of the file.\n");
     for (int output = 0; output < 2; output++) {
         add_section(text, output ? "OUTPUTS" : "OPERATIONS");
         for (int i = 0; i < batten_feature_count(); i++)
@@ -141,24 +145,29 @@ void manual_design_page(batten_text *text)
 
 void manual_completion(batten_text *text)
 {
-    batten_text_add(text, "# bash completion for batten\n_batten()\n{\n"
-                          "    local word=${COMP_WORDS[COMP_CWORD]} options=\n"
-                          "    if [ \"$COMP_CWORD\" = 1 ]; then\n        COMPREPLY=($(compgen -W '");
+    batten_text_add(text,
+                    "# bash completion for batten\n_batten()\n{\n"
+                    "    local word=${COMP_WORDS[COMP_CWORD]} options=\n"
+                    "    if [ \"$COMP_CWORD\" = 1 ]; then\n        COMPREPLY=($(compgen -W '");
     for (int i = 0; i < command_count(); i++)
         batten_text_add(text, "%s ", command_at(i)->name);
-    batten_text_add(text, "' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n");
+    batten_text_add(text,
+                    "' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n");
     for (int i = 0; i < command_count(); i++) {
         int count = 0;
         option *options = command_options(command_at(i), NULL, &count);
         batten_text_add(text, "    %s) options='", command_at(i)->name);
         for (int k = 0; options && k < count; k++)
             batten_text_add(text, "--%s ", options[k].name);
-        for (int k = 0; strcmp(command_at(i)->name, "help") == 0 && k < batten_feature_count(); k++)
+        for (int k = 0; strcmp(command_at(i)->name, "help") == 0 && k < batten_feature_count();
+             k++)
             batten_text_add(text, "%s ", batten_feature_at(k)->name);
         batten_text_add(text, "' ;;\n");
         batten_release(options);
     }
-    batten_text_add(text, "    esac\n"
-                          "    COMPREPLY=($(compgen -W \"$options\" -- \"$word\") $(compgen -f -- \"$word\"))\n"
-                          "}\ncomplete -o filenames -F _batten batten\n");
+    batten_text_add(
+        text,
+        "    esac\n"
+        "    COMPREPLY=($(compgen -W \"$options\" -- \"$word\") $(compgen -f -- \"$word\"))\n"
+        "}\ncomplete -o filenames -F _batten batten\n");
 }

@@ -47,9 +47,10 @@ static bool keep(const char *command, arguments *read, int index, const char *va
     return true;
 }
 
-/* One word that begins with '-'; `next` is the word behind it, taken when `*taken` becomes true. */
-static bool read_option(const char *command, arguments *read, const char *word, const char *next,
-                        bool *taken)
+/* One word that begins with '-'; `next` is the word behind it, taken when `*taken` becomes
+ * true. */
+static bool read_option(const char *command, arguments *read, const char *word,
+                        const char *next, bool *taken)
 {
     const bool is_long = word[1] == '-';
     const char *name = word + (is_long ? 2 : 1);
@@ -85,12 +86,13 @@ static bool read_words(const char *command, int most, int count, char **words, a
             options_end = true;
         } else if (!options_end && words[i][0] == '-' && words[i][1]) {
             bool taken = false;
-            if (!read_option(command, read, words[i], i + 1 < count ? words[i + 1] : NULL, &taken))
+            if (!read_option(command, read, words[i], i + 1 < count ? words[i + 1] : NULL,
+                             &taken))
                 return false;
             i += taken;
         } else if (read->file_count == most) {
-            complain("batten %s: '%s' is one word too many; see 'batten help %s'", command, words[i],
-                     command);
+            complain("batten %s: '%s' is one word too many; see 'batten help %s'", command,
+                     words[i], command);
             return false;
         } else {
             read->files[read->file_count++] = words[i];
@@ -99,8 +101,8 @@ static bool read_words(const char *command, int most, int count, char **words, a
     return true;
 }
 
-bool arguments_read(const char *command, int option_count, const option *options, int least, int most,
-                    int count, char **words, arguments *out)
+bool arguments_read(const char *command, int option_count, const option *options, int least,
+                    int most, int count, char **words, arguments *out)
 {
     arguments read = {.option_count = option_count, .options = options};
     read.given = batten_array((size_t)count, sizeof *read.given);
@@ -111,7 +113,8 @@ bool arguments_read(const char *command, int option_count, const option *options
     good = good && read_words(command, most, count, words, &read);
     if (good && read.file_count < least && !arguments_has(&read, "help")) {
         complain("batten %s: %s; see 'batten help %s'", command,
-                 read.file_count == 0 ? "a file is missing" : "another file is missing", command);
+                 read.file_count == 0 ? "a file is missing" : "another file is missing",
+                 command);
         good = false;
     }
     if (!good) {
@@ -142,7 +145,8 @@ bool arguments_has(const arguments *read, const char *name)
     return arguments_get(read, name) != NULL;
 }
 
-bool arguments_number(const char *command, const arguments *read, const char *name, double *value)
+bool arguments_number(const char *command, const arguments *read, const char *name,
+                      double *value)
 {
     const char *text = arguments_get(read, name);
     if (!text)
@@ -153,15 +157,15 @@ bool arguments_number(const char *command, const arguments *read, const char *na
     return false;
 }
 
-bool arguments_count(const char *command, const arguments *read, const char *name, int least, int most,
-                     int *value)
+bool arguments_count(const char *command, const arguments *read, const char *name, int least,
+                     int most, int *value)
 {
     double number = *value;
     if (!arguments_number(command, read, name, &number))
         return false;
     if (number < least || number > most || number != floor(number)) {
-        complain("batten %s: --%s wants a whole number from %d to %d, not '%s'", command, name, least,
-                 most, arguments_get(read, name));
+        complain("batten %s: --%s wants a whole number from %d to %d, not '%s'", command, name,
+                 least, most, arguments_get(read, name));
         return false;
     }
     *value = (int)number;

@@ -26,23 +26,25 @@ typedef struct {
     struct given {
         int option;
         const char *value;
-    } *given;
+    } * given;
     int file_count;
     const char **files;
 } arguments;
 
 /* Sort the words; a complaint goes to standard error. At most `most` words that are no options.
  * `--` ends the options; a lone `-` is a file. False for a usage error. */
-bool arguments_read(const char *command, int option_count, const option *options, int least, int most,
-                    int count, char **words, arguments *out);
+bool arguments_read(const char *command, int option_count, const option *options, int least,
+                    int most, int count, char **words, arguments *out);
 void arguments_free(arguments *read);
 
 /* The value of an option, "" of a flag, NULL when it was not given. */
 const char *arguments_get(const arguments *read, const char *name);
 bool arguments_has(const arguments *read, const char *name);
-/* A finite number; false with a complaint when something else was given; untouched when nothing was. */
-bool arguments_number(const char *command, const arguments *read, const char *name, double *value);
-bool arguments_count(const char *command, const arguments *read, const char *name, int least, int most,
-                     int *value);
+/* A finite number; false with a complaint when something else was given; untouched when nothing
+ * was. */
+bool arguments_number(const char *command, const arguments *read, const char *name,
+                      double *value);
+bool arguments_count(const char *command, const arguments *read, const char *name, int least,
+                     int most, int *value);
 
 #endif

@@ -30,12 +30,13 @@ static void feature_json(batten_text *text, const batten_feature_result *r)
     }
     if (r->fairing)
         batten_text_add(text, ", \"excess_inflections\": {\"before\": %d, \"after\": %d}",
-                        r->fairing->before.excess_inflections, r->fairing->after.excess_inflections);
+                        r->fairing->before.excess_inflections,
+                        r->fairing->after.excess_inflections);
     batten_text_add(text, "}");
 }
 
-void results_json(batten_text *text, const batten_design *design, int output_count, const char *const *outputs,
-                  const batten_notes *notes)
+void results_json(batten_text *text, const batten_design *design, int output_count,
+                  const char *const *outputs, const batten_notes *notes)
 {
     batten_text_add(text, "{\"features\": [");
     for (int i = 0; i < batten_design_result_count(design); i++) {
@@ -60,16 +61,20 @@ static void feature_text(batten_text *text, const batten_feature_result *r, cons
     if (r->has_error)
         batten_text_add(text, "  error at most %.3g %s", r->error_max, unit);
     if (r->has_moves)
-        batten_text_add(text, "  %d points moved, at most %.3g %s", r->moved_count, r->move_max, unit);
+        batten_text_add(text, "  %d points moved, at most %.3g %s", r->moved_count, r->move_max,
+                        unit);
     if (r->fairing)
-        batten_text_add(text, ", excess inflections %d -> %d", r->fairing->before.excess_inflections,
+        batten_text_add(text, ", excess inflections %d -> %d",
+                        r->fairing->before.excess_inflections,
                         r->fairing->after.excess_inflections);
     if (r->skin && r->skin->exact_knot_count != r->skin->knot_count)
-        batten_text_add(text, ", knots %d -> %d", r->skin->exact_knot_count, r->skin->knot_count);
+        batten_text_add(text, ", knots %d -> %d", r->skin->exact_knot_count,
+                        r->skin->knot_count);
     batten_text_add(text, "\n");
 }
 
-void results_text(batten_text *text, const batten_design *design, int output_count, const char *const *outputs)
+void results_text(batten_text *text, const batten_design *design, int output_count,
+                  const char *const *outputs)
 {
     const char *unit = batten_unit_name(batten_design_unit_metres(design));
     for (int i = 0; i < batten_design_result_count(design); i++)

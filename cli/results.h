@@ -4,8 +4,9 @@
 #include "command.h"
 
 /* `outputs`: names of the files that were made. */
-void results_json(batten_text *text, const batten_design *design, int output_count, const char *const *outputs,
-                  const batten_notes *notes);
-void results_text(batten_text *text, const batten_design *design, int output_count, const char *const *outputs);
+void results_json(batten_text *text, const batten_design *design, int output_count,
+                  const char *const *outputs, const batten_notes *notes);
+void results_text(batten_text *text, const batten_design *design, int output_count,
+                  const char *const *outputs);
 
 #endif

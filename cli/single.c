@@ -26,7 +26,8 @@ static const char *output_name(const single *s)
     return strcmp(s->output, "-") == 0 ? s->output_ending : s->output;
 }
 
-static batten_status compose(const single *s, const arguments *given, const char *unit, batten_text *text)
+static batten_status compose(const single *s, const arguments *given, const char *unit,
+                             batten_text *text)
 {
     batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n  input: {read: ", unit);
     batten_text_json(text, given->files[0]);
@@ -46,11 +47,13 @@ static batten_status compose(const single *s, const arguments *given, const char
     } else {
         batten_text_add(text, ": %s\n", result);
     }
-    return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design") : BATTEN_OK;
+    return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design")
+                        : BATTEN_OK;
 }
 
-static batten_status open_design(const single *s, const arguments *given, const batten_model *model,
-                                 batten_notes *notes, batten_design **design)
+static batten_status open_design(const single *s, const arguments *given,
+                                 const batten_model *model, batten_notes *notes,
+                                 batten_design **design)
 {
     const char *unit = arguments_get(given, "unit");
     if (!unit)
@@ -68,7 +71,8 @@ static batten_status open_design(const single *s, const arguments *given, const 
     return status;
 }
 
-static int report(const single *s, const arguments *given, const batten_design *design, const batten_notes *notes)
+static int report(const single *s, const arguments *given, const batten_design *design,
+                  const batten_notes *notes)
 {
     batten_text text = BATTEN_TEXT;
     const bool to_file = strcmp(s->output, "-") != 0;
@@ -81,7 +85,8 @@ static int report(const single *s, const arguments *given, const batten_design *
     return output_print(&text);
 }
 
-static int apply(const single *s, const arguments *given, const batten_model *model, batten_notes *notes)
+static int apply(const single *s, const arguments *given, const batten_model *model,
+                 batten_notes *notes)
 {
     batten_design *design = NULL;
     char *data = NULL;

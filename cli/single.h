@@ -7,11 +7,12 @@ typedef struct {
     const char *command;
     const char *operation;        /* a feature, or NULL: the output works on what was read */
     const char *output_operation; /* of the output, or NULL: written by its ending */
-    const char *output;           /* file name; "-": printed, with `output_ending` to choose the form */
+    const char *output; /* file name; "-": printed, with `output_ending` to choose the form */
     const char *output_ending;
 } single;
 
-/* Read the file, apply the operation, write the output; options of the feature's name are its parameters. */
+/* Read the file, apply the operation, write the output; options of the feature's name are its
+ * parameters. */
 int single_run(const single *s, const arguments *given);
 
 #endif

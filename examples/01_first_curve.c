@@ -27,8 +27,8 @@ int main(void)
     for (int i = 0; i < 5; i++) {
         batten_curve_local at;
         must(batten_curve_local_at(curve, parameters[i], BATTEN_FROM_RIGHT, &at));
-        printf("u = %.3f: (%.3f, %.3f), curvature %+.4f\n", parameters[i], at.point.x, at.point.y,
-               at.curvature);
+        printf("u = %.3f: (%.3f, %.3f), curvature %+.4f\n", parameters[i], at.point.x,
+               at.point.y, at.curvature);
     }
     batten_curve_unref(curve);
     return 0;

@@ -1,4 +1,5 @@
-/* Fair measured points: no point moves farther than it may, and the report says how far each did. */
+/* Fair measured points: no point moves farther than it may, and the report says how far each
+ * did. */
 #include <batten/batten.h>
 #include <math.h>
 #include <stdio.h>
@@ -30,7 +31,8 @@ int main(void)
     printf("%d points moved, at most %.4f m\n", report.moved_count, report.max_move);
     printf("excess inflections: %d before, %d after\n", report.before.excess_inflections,
            report.after.excess_inflections);
-    printf("bending energy: %.4g before, %.4g after\n", report.before.energy, report.after.energy);
+    printf("bending energy: %.4g before, %.4g after\n", report.before.energy,
+           report.after.energy);
     const int worse = report.max_move > 0.006 || report.after.energy > report.before.energy;
     batten_fair_report_release(&report);
     return worse;

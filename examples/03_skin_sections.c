@@ -28,15 +28,17 @@ int main(void)
 
     batten_surface *vase = NULL;
     batten_skin_report report;
-    must(batten_surface_skin(COUNT, (const batten_curve *const *)sections, NULL, NULL, NULL, &report,
-                             &vase));
-    printf("%d x %d control points, sections off by %.2g\n", batten_surface_point_count(vase, BATTEN_U),
+    must(batten_surface_skin(COUNT, (const batten_curve *const *)sections, NULL, NULL, NULL,
+                             &report, &vase));
+    printf("%d x %d control points, sections off by %.2g\n",
+           batten_surface_point_count(vase, BATTEN_U),
            batten_surface_point_count(vase, BATTEN_V), report.deviation);
 
     batten_model *model = NULL;
     must(batten_model_create(batten_unit_metres("mm"), &model));
-    must(batten_model_add(model, &(batten_object){.name = "vase", .kind = BATTEN_OBJECT_SURFACE,
-                                                  .surface = vase}));
+    must(batten_model_add(
+        model,
+        &(batten_object){.name = "vase", .kind = BATTEN_OBJECT_SURFACE, .surface = vase}));
     must(batten_write_file(model, "vase.step", NULL, NULL));
     printf("wrote vase.step\n");
 

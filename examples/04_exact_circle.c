@@ -1,4 +1,5 @@
-/* Circles and spheres are exact, and stay so when knots are inserted or the degree is raised. */
+/* Circles and spheres are exact, and stay so when knots are inserted or the degree is raised.
+ */
 #include <batten/batten.h>
 #include <math.h>
 #include <stdio.h>

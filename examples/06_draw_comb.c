@@ -14,14 +14,17 @@ static void must(batten_status status)
 
 int main(void)
 {
-    const double points[][3] = {{0, 0, 0}, {1, 1, 0}, {3, 1.4, 0}, {5, 0.4, 0}, {6, 0.6, 0}, {7, 1.6, 0}};
+    const double points[][3] = {{0, 0, 0},   {1, 1, 0},   {3, 1.4, 0},
+                                {5, 0.4, 0}, {6, 0.6, 0}, {7, 1.6, 0}};
     batten_curve *curve = NULL;
     must(batten_curve_interpolate(3, 6, &points[0][0], NULL, NULL, &curve));
 
     batten_model *model = NULL;
     must(batten_model_create(1, &model));
-    must(batten_model_add(model, &(batten_object){.name = "curve", .kind = BATTEN_OBJECT_CURVE,
-                                                  .curve = curve, .point_count = 6,
+    must(batten_model_add(model, &(batten_object){.name = "curve",
+                                                  .kind = BATTEN_OBJECT_CURVE,
+                                                  .curve = curve,
+                                                  .point_count = 6,
                                                   .points = &points[0][0]}));
 
     batten_picture_options options = batten_picture_defaults();

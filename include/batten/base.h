@@ -4,9 +4,9 @@
  * @file
  * What everything else stands on: statuses, the message of the last failure, memory.
  *
- * A function that can fail returns a `batten_status`. When it fails, its outputs are as they were
- * before the call, and `batten_message()` has one sentence that says what was wrong, with the
- * numbers in it. The library never prints, exits or aborts.
+ * A function that can fail returns a `batten_status`. When it fails, its outputs are as they
+ * were before the call, and `batten_message()` has one sentence that says what was wrong, with
+ * the numbers in it. The library never prints, exits or aborts.
  */
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,34 +31,36 @@ extern "C" {
 #define BATTEN_MAX_DEGREE 25
 
 /* The one table of statuses: name, text. */
-#define BATTEN_STATUS_TABLE(ROW)                                                               \
-    ROW(OK, "done")                                                                            \
-    ROW(BAD_ARGUMENT, "an argument is not allowed")                                            \
-    ROW(NOT_FINITE, "a number is not finite")                                                  \
-    ROW(BAD_DEGREE, "the degree is not allowed")                                               \
-    ROW(BAD_KNOTS, "the knots are not allowed")                                                \
-    ROW(BAD_WEIGHT, "a weight is not positive")                                                \
-    ROW(TOO_FEW_POINTS, "there are too few points")                                            \
-    ROW(COINCIDENT, "points coincide that must be apart")                                      \
-    ROW(NOT_INCREASING, "values do not increase")                                              \
-    ROW(OUT_OF_DOMAIN, "a parameter is outside the domain")                                    \
-    ROW(SINGULAR_HERE, "the shape is singular here")                                           \
-    ROW(SINGULAR_SYSTEM, "the equations have no unique solution")                              \
-    ROW(NOT_COMPATIBLE, "the inputs do not fit together")                                      \
-    ROW(TOLERANCE_NOT_MET, "the tolerance was not met")                                        \
-    ROW(OVERFLOW, "a number became too large")                                                 \
-    ROW(TOO_LARGE, "a limit on size is exceeded")                                              \
-    ROW(OUT_OF_MEMORY, "memory is exhausted")                                                  \
-    ROW(INCOMPLETE, "the work budget ended before the work")                                   \
-    ROW(CANCELLED, "cancelled")                                                                \
-    ROW(NOT_FOUND, "not found")                                                                \
-    ROW(FILE_ERROR, "the system refused a file operation")                                     \
-    ROW(BAD_FORMAT, "the text is not in the expected format")                                  \
-    ROW(PARTLY_READ, "only a part could be read")                                              \
+#define BATTEN_STATUS_TABLE(ROW)                                  \
+    ROW(OK, "done")                                               \
+    ROW(BAD_ARGUMENT, "an argument is not allowed")               \
+    ROW(NOT_FINITE, "a number is not finite")                     \
+    ROW(BAD_DEGREE, "the degree is not allowed")                  \
+    ROW(BAD_KNOTS, "the knots are not allowed")                   \
+    ROW(BAD_WEIGHT, "a weight is not positive")                   \
+    ROW(TOO_FEW_POINTS, "there are too few points")               \
+    ROW(COINCIDENT, "points coincide that must be apart")         \
+    ROW(NOT_INCREASING, "values do not increase")                 \
+    ROW(OUT_OF_DOMAIN, "a parameter is outside the domain")       \
+    ROW(SINGULAR_HERE, "the shape is singular here")              \
+    ROW(SINGULAR_SYSTEM, "the equations have no unique solution") \
+    ROW(NOT_COMPATIBLE, "the inputs do not fit together")         \
+    ROW(TOLERANCE_NOT_MET, "the tolerance was not met")           \
+    ROW(OVERFLOW, "a number became too large")                    \
+    ROW(TOO_LARGE, "a limit on size is exceeded")                 \
+    ROW(OUT_OF_MEMORY, "memory is exhausted")                     \
+    ROW(INCOMPLETE, "the work budget ended before the work")      \
+    ROW(CANCELLED, "cancelled")                                   \
+    ROW(NOT_FOUND, "not found")                                   \
+    ROW(FILE_ERROR, "the system refused a file operation")        \
+    ROW(BAD_FORMAT, "the text is not in the expected format")     \
+    ROW(PARTLY_READ, "only a part could be read")                 \
     ROW(UNSUPPORTED, "not supported")
 
 #define BATTEN_STATUS_ENUM(name, text) BATTEN_##name,
-typedef enum batten_status { BATTEN_STATUS_TABLE(BATTEN_STATUS_ENUM) BATTEN_STATUS_COUNT } batten_status;
+typedef enum batten_status {
+    BATTEN_STATUS_TABLE(BATTEN_STATUS_ENUM) BATTEN_STATUS_COUNT
+} batten_status;
 #undef BATTEN_STATUS_ENUM
 
 /** The name of a status, as in the header but without the prefix: "BAD_KNOTS". */
@@ -67,8 +69,8 @@ BATTEN_API const char *batten_status_name(batten_status status);
 /** What a status means, in a few words; the details are in batten_message(). */
 BATTEN_API const char *batten_status_text(batten_status status);
 
-/** One sentence about the last failure of this thread; "" before the first. Valid until the next
- * failure of the same thread. */
+/** One sentence about the last failure of this thread; "" before the first. Valid until the
+ * next failure of the same thread. */
 BATTEN_API const char *batten_message(void);
 
 /** "0.1.0". */
@@ -93,15 +95,15 @@ BATTEN_API void batten_set_allocator(const batten_allocator *allocator);
 BATTEN_API batten_status batten_fail(batten_status status, const char *format, ...)
     BATTEN_PRINTF(2, 3);
 
-/** Zeroed memory for `count` items of `size` bytes; NULL, and the message, when the product does
- * not fit or memory is exhausted. `count == 0` gives a block that may be released. */
+/** Zeroed memory for `count` items of `size` bytes; NULL, and the message, when the product
+ * does not fit or memory is exhausted. `count == 0` gives a block that may be released. */
 BATTEN_API void *batten_array(size_t count, size_t size);
 
 /** The same for `count_u * count_v` items of `size` bytes. */
 BATTEN_API void *batten_array3(size_t count_u, size_t count_v, size_t size);
 
-/** Resize a block of batten_array (or NULL) to `count` items; new bytes are not zeroed. On failure
- * NULL, and the old block is untouched. */
+/** Resize a block of batten_array (or NULL) to `count` items; new bytes are not zeroed. On
+ * failure NULL, and the old block is untouched. */
 BATTEN_API void *batten_resize(void *memory, size_t count, size_t size);
 
 /** Give back memory that the library handed over; NULL is welcome. */

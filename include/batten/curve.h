@@ -7,10 +7,10 @@
  * With degree p and n control points there are n + p + 1 knots U, and the domain is
  * [U[p], U[n]]. Points are Cartesian and never premultiplied; weights are positive, or NULL.
  *
- * A periodic curve is given by one period: m control points and m + 1 knots. It is kept, and seen
- * through the properties, in the wrapped form: n = m + p points of which the last p repeat the
- * first p, and all n + p + 1 knots. Functions that change a periodic curve return a periodic curve
- * where that has a meaning, else the clamped form; each says which.
+ * A periodic curve is given by one period: m control points and m + 1 knots. It is kept, and
+ * seen through the properties, in the wrapped form: n = m + p points of which the last p repeat
+ * the first p, and all n + p + 1 knots. Functions that change a periodic curve return a
+ * periodic curve where that has a meaning, else the clamped form; each says which.
  */
 #include <batten/geometry.h>
 #include <batten/job.h>
@@ -36,8 +36,8 @@ typedef enum batten_side { BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT } batten_side;
  * @param weights      [n], finite and positive; NULL for a polynomial curve
  * @param knots        [n + p + 1], finite, never decreasing; U[p] < U[n]; no knot inside the
  *                     domain more than p times, none at all more than p + 1 times
- * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, BAD_KNOTS, BAD_WEIGHT,
- *         TOO_LARGE or OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, BAD_KNOTS,
+ * BAD_WEIGHT, TOO_LARGE or OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_curve_create(int dimension, int degree, int point_count,
                                              const double *points, const double *weights,
@@ -46,16 +46,17 @@ BATTEN_API batten_status batten_curve_create(int dimension, int degree, int poin
 /**
  * Make a periodic curve from one period.
  *
- * `point_count` is m >= 1, fewer than p + 1 are allowed; `knots` [m + 1] never decrease and span the
- * period T = knots[m] - knots[0] > 0. For any integer j they go on as knots[j + m] = knots[j] + T,
- * and the points as points[i + m] = points[i]. The wrapped form, which the properties show, has
- * n = m + p points and the knots U[j] = knots[j - p], j = 0 .. m + 2 p. So the domain [U[p], U[n]] is
- * [knots[0], knots[m]]; wrapped point i is points[i modulo m]; and point i has its influence on
- * [U[i], U[i + p + 1]] = [knots[i - p], knots[i + 1]].
- * No knot may stand more than p times, the seam included. Errors as batten_curve_create.
+ * `point_count` is m >= 1, fewer than p + 1 are allowed; `knots` [m + 1] never decrease and
+ * span the period T = knots[m] - knots[0] > 0. For any integer j they go on as knots[j + m] =
+ * knots[j] + T, and the points as points[i + m] = points[i]. The wrapped form, which the
+ * properties show, has n = m + p points and the knots U[j] = knots[j - p], j = 0 .. m + 2 p. So
+ * the domain [U[p], U[n]] is [knots[0], knots[m]]; wrapped point i is points[i modulo m]; and
+ * point i has its influence on [U[i], U[i + p + 1]] = [knots[i - p], knots[i + 1]]. No knot may
+ * stand more than p times, the seam included. Errors as batten_curve_create.
  */
-BATTEN_API batten_status batten_curve_create_periodic(int dimension, int degree, int point_count,
-                                                      const double *points, const double *weights,
+BATTEN_API batten_status batten_curve_create_periodic(int dimension, int degree,
+                                                      int point_count, const double *points,
+                                                      const double *weights,
                                                       const double *knots, batten_curve **out);
 
 /** One more reference to the same curve. */
@@ -83,8 +84,8 @@ BATTEN_API bool batten_curve_is_closed(const batten_curve *curve, double toleran
 BATTEN_API batten_box batten_curve_box(const batten_curve *curve);
 /** Greville abscissa of control point i: (U[i+1] + ... + U[i+p]) / p. */
 BATTEN_API double batten_curve_greville(const batten_curve *curve, int i);
-/** Distinct knots of the domain, both ends included. @param[out] knots [batten_curve_point_count + 1]
- * at most, or NULL to count. @return how many */
+/** Distinct knots of the domain, both ends included. @param[out] knots
+ * [batten_curve_point_count + 1] at most, or NULL to count. @return how many */
 BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
 
 /* ---- evaluation ---- */
@@ -97,13 +98,14 @@ BATTEN_API int batten_curve_spans(const batten_curve *curve, double *knots);
  *
  * @param curve  any curve, of degree p and dimension d
  * @param u      parameter, in batten_curve_domain(curve)
- * @param order  highest derivative wanted, >= 0; those above p of a polynomial curve are exactly 0
+ * @param order  highest derivative wanted, >= 0; those above p of a polynomial curve are
+ * exactly 0
  * @param[out] out  [order + 1][d]; row k is the k-th derivative, in model units per u^k
  * @return BATTEN_OK, NOT_FINITE, BATTEN_OUT_OF_DOMAIN or BATTEN_OVERFLOW
  *
- * Error of a point: at most 8 p r |P| (rational, weights within 1:100: 10 p r |P|), r = 2^-53, |P| the
- * largest coordinate. Cost: about p^2 blends of control points; after a batch on the same curve, p d
- * multiplications. No allocation up to order 25.
+ * Error of a point: at most 8 p r |P| (rational, weights within 1:100: 10 p r |P|), r = 2^-53,
+ * |P| the largest coordinate. Cost: about p^2 blends of control points; after a batch on the
+ * same curve, p d multiplications. No allocation up to order 25.
  */
 BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double u, int order,
                                                double *out);
@@ -112,7 +114,8 @@ BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, d
                                                     batten_side side, int order, double *out);
 /**
  * Many parameters at once, in any order: the same bits as one by one, much faster.
- * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the index
+ * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the
+ * index
  */
 BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
                                                     const double *u, int order,
@@ -120,18 +123,18 @@ BATTEN_API batten_status batten_curve_evaluate_many(const batten_curve *curve, s
 
 /* ---- changes: each makes a new curve of the same shape unless it says otherwise ----
  *
- * Control points that do not change keep their bits. A curve whose homogeneous points are too large
- * for numbers is refused with OVERFLOW, one that would have more than 10 million points with
- * TOO_LARGE. Cost grows with the number of points. */
+ * Control points that do not change keep their bits. A curve whose homogeneous points are too
+ * large for numbers is refused with OVERFLOW, one that would have more than 10 million points
+ * with TOO_LARGE. Cost grows with the number of points. */
 
 /**
- * Insert a knot `times` times; with the times it stands there, p at most inside the domain, p + 1 at
- * its ends. Periodic curves stay periodic (any u is reduced to the period).
+ * Insert a knot `times` times; with the times it stands there, p at most inside the domain, p +
+ * 1 at its ends. Periodic curves stay periodic (any u is reduced to the period).
  * @return BATTEN_OK, BAD_ARGUMENT (times), NOT_FINITE, OUT_OF_DOMAIN or BAD_KNOTS (too often)
  * Source: [Boehm80].
  */
-BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u, int times,
-                                                  batten_curve **out);
+BATTEN_API batten_status batten_curve_insert_knot(const batten_curve *curve, double u,
+                                                  int times, batten_curve **out);
 /** Insert many knots at once: cost n + count p. Rules as for batten_curve_insert_knot.
  * @param knots [count], never decreasing (else NOT_INCREASING), inside the domain */
 BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int count,
@@ -141,61 +144,67 @@ BATTEN_API batten_status batten_curve_refine(const batten_curve *curve, int coun
  * periodic curve becomes clamped.
  *
  * @param u         a knot inside the domain; else NOT_FOUND
- * @param tolerance model units, 0 or more; of a rational curve the bound takes the smallest weight
- *                  and the largest coordinate into account, so it may be far too careful
+ * @param tolerance model units, 0 or more; of a rational curve the bound takes the smallest
+ * weight and the largest coordinate into account, so it may be far too careful
  * @param[out] removed  how often it could be removed; may be NULL
  * @param[out] error    a bound on how far the curve moved; may be NULL
  * Source: [Tiller92], with all equations checked.
  */
-BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, double u, int times,
-                                                  double tolerance, int *removed, double *error,
-                                                  batten_curve **out);
-/** Remove every knot that can go, the cheapest first, while the whole curve moves by no more than
- * `tolerance`: movements are added up span by span. A periodic curve becomes clamped. */
+BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, double u,
+                                                  int times, double tolerance, int *removed,
+                                                  double *error, batten_curve **out);
+/** Remove every knot that can go, the cheapest first, while the whole curve moves by no more
+ * than `tolerance`: movements are added up span by span. A periodic curve becomes clamped. */
 BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, double tolerance,
                                                    int *removed, double *error,
                                                    batten_curve **out);
-/** Raise the degree by `by` >= 0, to 25 at most (else BAD_DEGREE); every distinct knot stands so many
- * times more. Periodic curves stay periodic. Source: [Prautzsch84]. */
+/** Raise the degree by `by` >= 0, to 25 at most (else BAD_DEGREE); every distinct knot stands
+ * so many times more. Periodic curves stay periodic. Source: [Prautzsch84]. */
 BATTEN_API batten_status batten_curve_elevate(const batten_curve *curve, int by,
                                               batten_curve **out);
 /**
  * Lower the degree to `degree` >= 1, moving the curve by at most `tolerance`; fails with
- * TOLERANCE_NOT_MET (and the error in the message) otherwise. The result is clamped and keeps both
- * ends; inner knots stand once less for each degree, but once at least. The reverse of elevation.
+ * TOLERANCE_NOT_MET (and the error in the message) otherwise. The result is clamped and keeps
+ * both ends; inner knots stand once less for each degree, but once at least. The reverse of
+ * elevation.
  * @param[out] error a bound on how far the curve moved; may be NULL
  */
 BATTEN_API batten_status batten_curve_reduce(const batten_curve *curve, int degree,
-                                             double tolerance, double *error, batten_curve **out);
-/** Cut at u, inside the domain. Both parts keep their parameters, are clamped at both ends, and share
- * the point at the cut bit for bit. */
+                                             double tolerance, double *error,
+                                             batten_curve **out);
+/** Cut at u, inside the domain. Both parts keep their parameters, are clamped at both ends, and
+ * share the point at the cut bit for bit. */
 BATTEN_API batten_status batten_curve_split(const batten_curve *curve, double u,
                                             batten_curve **left, batten_curve **right);
 /** The part from a to b, a < b, clamped. Of a periodic curve b may lie beyond the end of the
  * domain, up to one period from a. */
 BATTEN_API batten_status batten_curve_subrange(const batten_curve *curve, double a, double b,
                                                batten_curve **out);
-/** Join end to start. The ends must be within `tolerance` (else NOT_COMPATIBLE) and meet halfway;
- * degrees and rationality are unified, the second domain is moved to follow the first (BAD_KNOTS when
- * knots fall together there), the joining knot is kept p times. At most 1 million points. */
-BATTEN_API batten_status batten_curve_join(const batten_curve *first, const batten_curve *second,
-                                           double tolerance, batten_curve **out);
+/** Join end to start. The ends must be within `tolerance` (else NOT_COMPATIBLE) and meet
+ * halfway; degrees and rationality are unified, the second domain is moved to follow the first
+ * (BAD_KNOTS when knots fall together there), the joining knot is kept p times. At most 1
+ * million points. */
+BATTEN_API batten_status batten_curve_join(const batten_curve *first,
+                                           const batten_curve *second, double tolerance,
+                                           batten_curve **out);
 /** The curve run backwards. Knots change their sign, which is exact: the domain [a, b] becomes
  * [-b, -a], the point at u is found at -u, and reversing twice gives the same bits. Call
  * batten_curve_set_domain where another domain is wanted. */
 BATTEN_API batten_status batten_curve_reverse(const batten_curve *curve, batten_curve **out);
-/** Map the domain linearly to [a, b], a < b. Points and weights keep their bits; knots that could not
- * be told apart in the new domain are refused with BAD_KNOTS. Periodic stays periodic. */
+/** Map the domain linearly to [a, b], a < b. Points and weights keep their bits; knots that
+ * could not be told apart in the new domain are refused with BAD_KNOTS. Periodic stays
+ * periodic. */
 BATTEN_API batten_status batten_curve_set_domain(const batten_curve *curve, double a, double b,
                                                  batten_curve **out);
-/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else BAD_ARGUMENT.
- * The result is rational; a periodic curve becomes clamped. */
+/** Replace u by (a u + b) / (c u + d); ad - bc > 0 and c u + d > 0 on all knots, else
+ * BAD_ARGUMENT. The result is rational; a periodic curve becomes clamped. */
 BATTEN_API batten_status batten_curve_moebius(const batten_curve *curve, double a, double b,
                                               double c, double d, batten_curve **out);
 /** The clamped form: also what a periodic curve becomes for formats that know no other. */
 BATTEN_API batten_status batten_curve_clamp(const batten_curve *curve, batten_curve **out);
 /** The same curve with all weights 1 instead of none. */
-BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve, batten_curve **out);
+BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve,
+                                                  batten_curve **out);
 /** The curve in 1..3 dimensions: coordinates are dropped, or added as 0. */
 BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
                                                    batten_curve **out);
@@ -203,17 +212,17 @@ BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, in
  * @param point [d] */
 BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,
                                                  const double *point, batten_curve **out);
-/** The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a point
- * leaves the numbers. */
+/** The curve under an affine map, of which the first d rows and columns count; OVERFLOW when a
+ * point leaves the numbers. */
 BATTEN_API batten_status batten_curve_transform(const batten_curve *curve,
                                                 const batten_affine *map, batten_curve **out);
 /**
  * Give curves the same degree, the same knots bit for bit and the same domain [0, 1], exactly.
  * Periodic curves stay periodic when all are, else all are clamped. Rational when one is.
  *
- * Knots of different curves that differ in [0, 1] by no more than rounding, 2 eps (max(|a|, |b|) /
- * (b - a) + 1) for each curve with its domain [a, b], are taken for the same knot, and the best known
- * value is used; knots of one curve are never joined.
+ * Knots of different curves that differ in [0, 1] by no more than rounding, 2 eps (max(|a|,
+ * |b|) / (b - a) + 1) for each curve with its domain [a, b], are taken for the same knot, and
+ * the best known value is used; knots of one curve are never joined.
  *
  * @param[out] out  [count]; yours to unref
  * @return also TOO_LARGE, before any work, when the curves would have more than about a million
@@ -232,17 +241,19 @@ BATTEN_API batten_status batten_curve_to_bezier(const batten_curve *curve, batte
 BATTEN_API batten_status batten_curve_from_bezier(int dimension, int degree, int piece_count,
                                                   const double *points, const double *weights,
                                                   const double *breaks, batten_curve **out);
-/** From points and derivatives at increasing parameters: degree 2 k - 1 where k values are given
- * at each, inner knots k times. @param values [count][k][d], the point, first, second ... derivative; k = 1..4 */
+/** From points and derivatives at increasing parameters: degree 2 k - 1 where k values are
+ * given at each, inner knots k times. @param values [count][k][d], the point, first, second ...
+ * derivative; k = 1..4 */
 BATTEN_API batten_status batten_curve_from_hermite(int dimension, int count, int k,
-                                                   const double *parameters, const double *values,
-                                                   batten_curve **out);
+                                                   const double *parameters,
+                                                   const double *values, batten_curve **out);
 /** From polynomial pieces in powers of (u - breaks[i]).
- * @param coefficients [piece_count][degree + 1][d], constant term first; pieces that do not join
- * within `tolerance` are an error */
+ * @param coefficients [piece_count][degree + 1][d], constant term first; pieces that do not
+ * join within `tolerance` are an error */
 BATTEN_API batten_status batten_curve_from_power(int dimension, int degree, int piece_count,
-                                                 const double *breaks, const double *coefficients,
-                                                 double tolerance, batten_curve **out);
+                                                 const double *breaks,
+                                                 const double *coefficients, double tolerance,
+                                                 batten_curve **out);
 /** The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
  * @param[out] coefficients [pieces][p + 1][d] */
 BATTEN_API batten_status batten_curve_to_power(const batten_curve *curve, double *coefficients);

@@ -90,7 +90,7 @@ typedef struct batten_design_options {
     const char *file_name; /**< for messages, and the folder to which paths are relative */
     bool allow_outside;    /**< paths may leave that folder */
     const batten_limits *limits;
-    const char *provided_file;    /**< a feature that reads this path, as it is written there, */
+    const char *provided_file; /**< a feature that reads this path, as it is written there, */
     const batten_model *provided; /**< takes this model instead of the file; NULL for none */
 } batten_design_options;
 BATTEN_API batten_design_options batten_design_defaults(void);

@@ -51,8 +51,8 @@ BATTEN_API batten_read_options batten_read_defaults(void);
  * Read bytes into a model.
  *
  * @param notes  receives what was odd; may be NULL
- * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a note);
- *         BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
+ * @return BATTEN_OK; BATTEN_PARTLY_READ, with a model, when entities were left out (each has a
+ * note); BATTEN_BAD_FORMAT, BATTEN_UNSUPPORTED, BATTEN_TOO_LARGE ... without one
  */
 BATTEN_API batten_status batten_read_memory(const char *data, size_t size,
                                             const batten_read_options *options,
@@ -67,10 +67,10 @@ typedef struct batten_write_options {
     size_t size;
     batten_format format; /**< by the name's ending */
     const char *name;     /**< of the product; "batten" */
-    double tolerance;     /**< for shapes that the format cannot say exactly, and as the file's own
-                               accuracy; model units; 0: 1e-6 of a metre */
-    const char *date;     /**< "2026-11-21T10:25:00", as the file is to say it; NULL for the same
-                               neutral date always, so that equal models give equal bytes */
+    double tolerance; /**< for shapes that the format cannot say exactly, and as the file's own
+                           accuracy; model units; 0: 1e-6 of a metre */
+    const char *date; /**< "2026-11-21T10:25:00", as the file is to say it; NULL for the same
+                           neutral date always, so that equal models give equal bytes */
 } batten_write_options;
 BATTEN_API batten_write_options batten_write_defaults(void);
 

@@ -16,46 +16,48 @@ typedef struct batten_fairness {
     int inflections;        /**< of the curve; in space: of no meaning, 0 */
     int excess_inflections; /**< beyond those that the data themselves require */
     int curvature_extrema;
-    double jumps;           /**< sum of squares of the jumps of the third derivative at the knots */
-    double energy;          /**< integral of curvature^2 ds (functions: of the second derivative^2) */
-    double variation;       /**< integral of (d curvature / ds)^2 ds */
+    double jumps;     /**< sum of squares of the jumps of the third derivative at the knots */
+    double energy;    /**< integral of curvature^2 ds (functions: of the second derivative^2) */
+    double variation; /**< integral of (d curvature / ds)^2 ds */
     double max_curvature;
-    bool fair;              /**< the default verdict: no excess inflections */
+    bool fair; /**< the default verdict: no excess inflections */
 } batten_fairness;
 
 /**
  * Judge a curve. Of a function (dimension 1) the second derivative stands for curvature.
  *
- * Inflections and extrema are found exactly, by the roots of polynomials; energy and variation are
- * integrals with 16 Gauss-Legendre nodes on each span.
+ * Inflections and extrema are found exactly, by the roots of polynomials; energy and variation
+ * are integrals with 16 Gauss-Legendre nodes on each span.
  *
- * @param points its data [count][dimension], from which the required inflections are counted: the
- *     changes of side to which the polygon turns; of a function the values at its distinct knots.
- *     NULL: none are required
+ * @param points its data [count][dimension], from which the required inflections are counted:
+ * the changes of side to which the polygon turns; of a function the values at its distinct
+ * knots. NULL: none are required
  */
 BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, int count,
                                                const double *points, batten_fairness *out);
 
 typedef enum batten_fair_order {
     BATTEN_FAIR_WORST_FIRST, /**< release the duck under the largest force */
-    BATTEN_FAIR_SWEEPS,      /**< one after another, until nothing moves: the least-energy curve within the bounds */
+    BATTEN_FAIR_SWEEPS,      /**< one after another, until nothing moves: the least-energy curve
+                                within the bounds */
     BATTEN_FAIR_ALTERNATE    /**< even ducks, then odd ones */
 } batten_fair_order;
 
 typedef struct batten_fair_options {
     size_t size;
-    double within;            /**< no point moves farther than this, in model units; required */
-    const double *within_each;/**< [count] instead of it; 0 holds a point; may be NULL */
-    bool hold_ends;           /**< true */
-    batten_fair_order order;  /**< BATTEN_FAIR_SWEEPS */
-    double relaxation;        /**< 1; (0, 1] */
-    int max_moves;            /**< 0: a bound from the number of points */
-    bool stop_when_fair;      /**< stop at the verdict (worst first); else go on to the least energy */
-    const int *corners;       /**< [corner_count] indices of points at which the curve is cut; held */
+    double within; /**< no point moves farther than this, in model units; required */
+    const double *within_each; /**< [count] instead of it; 0 holds a point; may be NULL */
+    bool hold_ends;            /**< true */
+    batten_fair_order order;   /**< BATTEN_FAIR_SWEEPS */
+    double relaxation;         /**< 1; (0, 1] */
+    int max_moves;             /**< 0: a bound from the number of points */
+    bool stop_when_fair; /**< stop at the verdict (worst first); else go on to the least energy
+                          */
+    const int *corners; /**< [corner_count] indices of points at which the curve is cut; held */
     int corner_count;
-    double corner_angle;      /**< of tables, radians: a station that turns at a point by this much more than
-                                   at both its neighbours has a corner there (a chine), which is not rounded;
-                                   25 degrees */
+    double corner_angle; /**< of tables, radians: a station that turns at a point by this much
+                            more than at both its neighbours has a corner there (a chine), which
+                            is not rounded; 25 degrees */
 } batten_fair_options;
 
 BATTEN_API batten_fair_options batten_fair_defaults(double within);
@@ -72,11 +74,12 @@ typedef struct batten_fair_report {
     double max_move, rms_move;     /**< over all points, model units */
     int moved_count;               /**< points that moved at all */
     int worst_set, worst_index;    /**< where the largest move is */
-    int suspect_count;             /**< points that look like blunders: force above 6 times the median with
-                                        neighbours of the opposite sign */
-    int move_count;                /**< length of `moves`: one for each point that moved */
-    batten_fair_move *moves;       /**< release with batten_fair_report_release */
-    batten_fair_move *suspects;    /**< [suspect_count], with the suggested place; not carried out */
+    int suspect_count; /**< points that look like blunders: force above 6 times the median with
+                            neighbours of the opposite sign */
+    int move_count;    /**< length of `moves`: one for each point that moved */
+    batten_fair_move *moves; /**< release with batten_fair_report_release */
+    batten_fair_move
+        *suspects; /**< [suspect_count], with the suggested place; not carried out */
 } batten_fair_report;
 BATTEN_API void batten_fair_report_release(batten_fair_report *report);
 
@@ -84,26 +87,27 @@ BATTEN_API void batten_fair_report_release(batten_fair_report *report);
  * Fair the points of one curve by bounded springback.
  *
  * Each duck in turn is released and the batten, a natural cubic spline, takes its place between
- * the others, but no point leaves the ball of radius `within` about where it was given: not by a
- * single rounding. Parameters are held. A point of the plane or of space moves at right angles to
- * the chord from its given predecessor to its successor, so that it does not slide along the
- * curve; where these two coincide, freely. A function (dimension 1) over `parameters` moves up
- * and down.
+ * the others, but no point leaves the ball of radius `within` about where it was given: not by
+ * a single rounding. Parameters are held. A point of the plane or of space moves at right
+ * angles to the chord from its given predecessor to its successor, so that it does not slide
+ * along the curve; where these two coincide, freely. A function (dimension 1) over `parameters`
+ * moves up and down.
  *
- * The energy, the integral of |z''|^2 over the parameters, is convex, so with BATTEN_FAIR_SWEEPS
- * the result is the one least-energy batten within the bounds, wherever sweeps begin: no duck
- * that is released alone would go farther than a millionth of its bound. It is found by an
- * interior-point method in some 20 banded solves; `relaxation` and `max_moves` do not matter.
- * WORST_FIRST releases at most `max_moves` ducks (0: 20 for each point), ALTERNATE alternates at most
- * `max_moves` / count times (0: 100). A second run whose bounds count from the result of the first
- * would go on moving; to go on within the same bounds, begin with the same points.
+ * The energy, the integral of |z''|^2 over the parameters, is convex, so with
+ * BATTEN_FAIR_SWEEPS the result is the one least-energy batten within the bounds, wherever
+ * sweeps begin: no duck that is released alone would go farther than a millionth of its bound.
+ * It is found by an interior-point method in some 20 banded solves; `relaxation` and
+ * `max_moves` do not matter. WORST_FIRST releases at most `max_moves` ducks (0: 20 for each
+ * point), ALTERNATE alternates at most `max_moves` / count times (0: 100). A second run whose
+ * bounds count from the result of the first would go on moving; to go on within the same
+ * bounds, begin with the same points.
  *
  * Pieces of fewer than 4 points are judged and not moved. Points whose bound is below the last
  * places of the coordinates, and moves that are, are none.
  *
  * In the report, `before` and `after` are of the batten through the points, in pieces between
- * corners; the inflections required are the fewest of any curve within the bounds. An inflection
- * that a millionth of the bound would remove is not counted.
+ * corners; the inflections required are the fewest of any curve within the bounds. An
+ * inflection that a millionth of the bound would remove is not counted.
  *
  * @param points      [count][dimension], count >= 2
  * @param parameters  [count] increasing, or NULL for chord length (not with dimension 1)
@@ -124,21 +128,23 @@ BATTEN_API batten_status batten_fair_points(int dimension, int count, const doub
 /** Which families of a table are faired. */
 typedef enum batten_fair_families {
     BATTEN_FAIR_STATIONS = 1,
-    BATTEN_FAIR_LINES = 2, /**< waterlines (half-breadths) or named lines (half-breadths and heights) */
+    BATTEN_FAIR_LINES =
+        2, /**< waterlines (half-breadths) or named lines (half-breadths and heights) */
     BATTEN_FAIR_BOTH = 3
 } batten_fair_families;
 
 /**
  * Fair a table of offsets. A point of a waterline moves in half-breadth only, any other point
- * within the ball of its bound in half-breadth and height; the bound counts from the given table
+ * within the ball of its bound in half-breadth and height; the bound counts from the given
+ * table
  * (`within_each`: station by station) and is never exceeded.
  *
  * Each run of at least 4 points of a line is a batten over x; each run of a station is one over
- * its chord length, cut at corners (`corner_angle`). Both are cut at the centre line. Minimised is
- * the sum of the energies of all battens, each family times the cube of its mean spacing, so that
- * a released point listens to both: one batten after another takes the least energy it can reach
- * while the others pull at its ducks as springs. So the sum never rises; the rounds end when no
- * point moves by more than a thousandth of its bound.
+ * its chord length, cut at corners (`corner_angle`). Both are cut at the centre line. Minimised
+ * is the sum of the energies of all battens, each family times the cube of its mean spacing, so
+ * that a released point listens to both: one batten after another takes the least energy it can
+ * reach while the others pull at its ducks as springs. So the sum never rises; the rounds end
+ * when no point moves by more than a thousandth of its bound.
  *
  * Held are points on the centre line, points that only end battens (`hold_ends`), and points
  * between neighbours of exactly the same half-breadth: parallel middle body, flat of side.

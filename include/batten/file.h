@@ -29,9 +29,9 @@ BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char *
  * arrives before the renaming ends the call with BATTEN_CANCELLED, the old file untouched; then
  * the signal takes its course. So a programme need not clean up after its own end.
  *
- * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file remains.
- *         When only the directory could not be synchronised, the message says that the file was
- *         saved but may not survive a power loss. BATTEN_CANCELLED, as above.
+ * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file
+ * remains. When only the directory could not be synchronised, the message says that the file
+ * was saved but may not survive a power loss. BATTEN_CANCELLED, as above.
  */
 BATTEN_API batten_status batten_save_file(const char *path, const char *data, size_t size);
 

@@ -33,8 +33,10 @@ typedef struct batten_affine {
 BATTEN_API batten_affine batten_affine_identity(void);
 BATTEN_API batten_affine batten_affine_translation(double x, double y, double z);
 BATTEN_API batten_affine batten_affine_scaling(double x, double y, double z);
-/** Rotation by `angle` radians about the axis through `origin` with direction `axis` (not zero). */
-BATTEN_API batten_affine batten_affine_rotation(batten_vec3 origin, batten_vec3 axis, double angle);
+/** Rotation by `angle` radians about the axis through `origin` with direction `axis` (not
+ * zero). */
+BATTEN_API batten_affine batten_affine_rotation(batten_vec3 origin, batten_vec3 axis,
+                                                double angle);
 /** Mirror in the plane through `origin` with normal `normal` (not zero). */
 BATTEN_API batten_affine batten_affine_mirror(batten_vec3 origin, batten_vec3 normal);
 /** First `first`, then `then`. */

@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/** What a curve does at one parameter. In the plane `binormal` is (0, 0, 1) and curvature signed:
- * positive where the curve turns left; in space curvature is never negative. */
+/** What a curve does at one parameter. In the plane `binormal` is (0, 0, 1) and curvature
+ * signed: positive where the curve turns left; in space curvature is never negative. */
 typedef struct batten_curve_local {
     batten_vec3 point;
     batten_vec3 tangent, normal, binormal;
@@ -21,23 +21,23 @@ typedef struct batten_curve_local {
     double torsion;        /**< 1 / length; 0 in the plane */
 } batten_curve_local;
 
-/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes; then `out` has the point, the
- * tangent from the first derivative that does not vanish, and 0 for the rest. In space normal and
- * binormal are 0 where the curve is straight. */
+/** @return BATTEN_SINGULAR_HERE where the first derivative vanishes; then `out` has the point,
+ * the tangent from the first derivative that does not vanish, and 0 for the rest. In space
+ * normal and binormal are 0 where the curve is straight. */
 BATTEN_API batten_status batten_curve_local_at(const batten_curve *curve, double u,
                                                batten_side side, batten_curve_local *out);
 
-/** Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance` (model
- * units, above 0; one below the rounding of the numbers is met as far as they can, see `error`).
- * Gauss-Legendre on each span, halved until both halves agree with the whole.
+/** Length over [a, b] inside the domain (all of it with NaN for both), within `tolerance`
+ * (model units, above 0; one below the rounding of the numbers is met as far as they can, see
+ * `error`). Gauss-Legendre on each span, halved until both halves agree with the whole.
  * @param[out] error an estimate of the error; may be NULL */
 BATTEN_API batten_status batten_curve_length(const batten_curve *curve, double tolerance,
                                              double *length, double *error);
-BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, double a, double b,
-                                                     double tolerance, double *length,
+BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, double a,
+                                                     double b, double tolerance, double *length,
                                                      double *error);
-/** Parameters at which the arc length from the start is s[i] (never decreasing, at most `tolerance`
- * outside the length).
+/** Parameters at which the arc length from the start is s[i] (never decreasing, at most
+ * `tolerance` outside the length).
  * @param[out] u [count] */
 BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
                                                 const double *s, double tolerance, double *u);
@@ -48,19 +48,20 @@ typedef struct batten_parameters {
     double *at;
 } batten_parameters;
 
-/** All inflections of a plane curve: sign changes of curvature, also those at knots and at the seam
- * of a periodic curve. Of a function (dimension 1) those of its second derivative. Sign changes
- * within the rounding of the control points are none, so a straight line has no inflections. */
+/** All inflections of a plane curve: sign changes of curvature, also those at knots and at the
+ * seam of a periodic curve. Of a function (dimension 1) those of its second derivative. Sign
+ * changes within the rounding of the control points are none, so a straight line has no
+ * inflections. */
 BATTEN_API batten_status batten_curve_inflections(const batten_curve *curve,
                                                   batten_parameters *out);
-/** All local extrema of curvature (in the plane signed) inside the domain, also those at knots where
- * its rate changes sign. Of a function those of its second derivative. */
+/** All local extrema of curvature (in the plane signed) inside the domain, also those at knots
+ * where its rate changes sign. Of a function those of its second derivative. */
 BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curve,
                                                         batten_parameters *out);
 /** All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
  * A coordinate that is constant on a piece gives both ends of the piece. */
-BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis, double value,
-                                                batten_parameters *out);
+BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
+                                                double value, batten_parameters *out);
 
 /** One tooth of a curvature comb. */
 typedef struct batten_tooth {
@@ -69,22 +70,22 @@ typedef struct batten_tooth {
     double curvature;
 } batten_tooth;
 /** @param[out] teeth [spans * per_span + 1] with spans = batten_curve_spans(curve, NULL) - 1 */
-BATTEN_API batten_status batten_curve_comb(const batten_curve *curve, int per_span, double scale,
-                                           batten_tooth *teeth);
+BATTEN_API batten_status batten_curve_comb(const batten_curve *curve, int per_span,
+                                           double scale, batten_tooth *teeth);
 
 /** What a surface does at one point. */
 typedef struct batten_surface_local {
     batten_vec3 point, normal;
-    double gaussian, mean;     /**< mean is positive where the surface bends towards the normal */
-    double kappa1, kappa2;     /**< principal curvatures, kappa1 >= kappa2 */
+    double gaussian, mean; /**< mean is positive where the surface bends towards the normal */
+    double kappa1, kappa2; /**< principal curvatures, kappa1 >= kappa2 */
     batten_vec3 direction1, direction2; /**< principal directions; any at an umbilic */
 } batten_surface_local;
-/** @return BATTEN_SINGULAR_HERE where Su and Sv do not span a plane but the normal has a limit; then
- * `out` has the point, the normal, and 0 for the rest. */
-BATTEN_API batten_status batten_surface_local_at(const batten_surface *surface, double u, double v,
-                                                 batten_surface_local *out);
-/** Gaussian and mean curvature on a grid. @param[out] gaussian, mean [count_u][count_v]; either may be
- * NULL; singular points are NaN. */
+/** @return BATTEN_SINGULAR_HERE where Su and Sv do not span a plane but the normal has a limit;
+ * then `out` has the point, the normal, and 0 for the rest. */
+BATTEN_API batten_status batten_surface_local_at(const batten_surface *surface, double u,
+                                                 double v, batten_surface_local *out);
+/** Gaussian and mean curvature on a grid. @param[out] gaussian, mean [count_u][count_v]; either
+ * may be NULL; singular points are NaN. */
 BATTEN_API batten_status batten_surface_curvature_grid(const batten_surface *surface,
                                                        size_t count_u, const double *u,
                                                        size_t count_v, const double *v,
@@ -94,20 +95,21 @@ BATTEN_API batten_status batten_surface_curvature_grid(const batten_surface *sur
 /** How far points lie from a shape. */
 typedef struct batten_deviation {
     double max, rms;
-    int worst;      /**< index of the farthest point */
-    double at[2];   /**< its foot's parameters */
+    int worst;    /**< index of the farthest point */
+    double at[2]; /**< its foot's parameters */
 } batten_deviation;
-/** Distance of points [count][dimension] from a curve: the global minimum, ends included. Every root
- * of (C - Q) . C' is found on each span whose box comes near enough.
+/** Distance of points [count][dimension] from a curve: the global minimum, ends included. Every
+ * root of (C - Q) . C' is found on each span whose box comes near enough.
  * @param start [count] first guesses, or NULL: the whole curve is searched
  * @param[out] distances [count], or NULL */
 BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int count,
                                                 const double *points, const double *start,
                                                 const batten_job *job, double *distances,
                                                 batten_deviation *out);
-/** The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every valley
- * of a grid of 2 degree + 2 samples each way on each patch whose box comes near enough, inside the
- * patch first: where the surface winds between samples, a nearer point can be missed. */
+/** The same for a surface, points [count][3]; start [count][2] or NULL. Descends from every
+ * valley of a grid of 2 degree + 2 samples each way on each patch whose box comes near enough,
+ * inside the patch first: where the surface winds between samples, a nearer point can be
+ * missed. */
 BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface, int count,
                                                   const double *points, const double *start,
                                                   const batten_job *job, double *distances,
@@ -128,13 +130,13 @@ typedef struct batten_polylines {
  * Where a surface meets the plane `normal . x = offset`, found along isoparametric lines on a
  * `cells_u` x `cells_v` grid (every point is on the surface, and on the plane to
  * rounding, coarser only where knots nearly coincide; loops
- * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and its
- * parameters jump. A rim of the surface that lies in the plane belongs to the section; a line in
- * its inside where the plane only touches does not.
+ * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and
+ * its parameters jump. A rim of the surface that lies in the plane belongs to the section; a
+ * line in its inside where the plane only touches does not.
  */
-BATTEN_API batten_status batten_surface_section(const batten_surface *surface, batten_vec3 normal,
-                                                double offset, int cells_u, int cells_v,
-                                                batten_polylines *out);
+BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
+                                                batten_vec3 normal, double offset, int cells_u,
+                                                int cells_v, batten_polylines *out);
 BATTEN_API void batten_polylines_release(batten_polylines *lines);
 
 #ifdef __cplusplus

@@ -26,9 +26,9 @@ typedef enum batten_parametrization {
  * @param points  [count][dimension]
  * @param closed  also give the step from the last point back to the first
  * @param[out] parameters  [count], or [count + 1] when closed; increasing
- * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide (uniform steps do not
- *         mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW
- * Source: [Lee89], [FN89].
+ * @return BATTEN_COINCIDENT naming the first pair of neighbours that coincide (uniform steps do
+ * not mind), BATTEN_NOT_FINITE, BATTEN_TOO_FEW_POINTS or BATTEN_OVERFLOW Source: [Lee89],
+ * [FN89].
  */
 BATTEN_API batten_status batten_parametrize(int dimension, int count, const double *points,
                                             batten_parametrization kind, bool closed,
@@ -44,7 +44,8 @@ typedef enum batten_end_kind {
     BATTEN_END_PARABOLIC, /**< second derivative constant over the end span */
     BATTEN_END_BESSEL,    /**< tangent of the parabola through the first three points */
     BATTEN_END_CIRCLE,    /**< tangent of the circle through the first three points */
-    BATTEN_END_CURVATURE, /**< curvature vector given in `vector`; what is not across the tangent is left out */
+    BATTEN_END_CURVATURE, /**< curvature vector given in `vector`; what is not across the
+                             tangent is left out */
     BATTEN_END_FAIR       /**< end slopes that make the jumps of the third derivative least */
 } batten_end_kind;
 
@@ -62,16 +63,17 @@ typedef struct batten_derivative {
 
 typedef struct batten_interpolate_options {
     size_t size;
-    int degree;                       /**< 3 */
-    batten_parametrization parameters;/**< BATTEN_CENTRIPETAL */
-    const double *given;              /**< [count] (periodic: [count + 1]) with BATTEN_GIVEN */
-    bool knots_at_data;               /**< true: C2 cubic with knots at the data and conditions at the
-                                           ends (degree 3, or odd degrees with `derivatives`);
-                                           false: averaged knots, no end conditions needed */
-    batten_end start, end;            /**< used with knots at the data */
-    bool periodic;                    /**< the curve closes smoothly; the first point is not repeated */
+    int degree;                        /**< 3 */
+    batten_parametrization parameters; /**< BATTEN_CENTRIPETAL */
+    const double *given;               /**< [count] (periodic: [count + 1]) with BATTEN_GIVEN */
+    bool knots_at_data;    /**< true: C2 cubic with knots at the data and conditions at the
+                                ends (degree 3, or odd degrees with `derivatives`);
+                                false: averaged knots, no end conditions needed */
+    batten_end start, end; /**< used with knots at the data */
+    bool periodic;         /**< the curve closes smoothly; the first point is not repeated */
     int derivative_count;
-    const batten_derivative *derivatives; /**< further conditions, at any data point (averaged knots) */
+    const batten_derivative
+        *derivatives; /**< further conditions, at any data point (averaged knots) */
 } batten_interpolate_options;
 
 /** Cubic, centripetal, knots at the data, not-a-knot ends. */
@@ -80,23 +82,25 @@ BATTEN_API batten_interpolate_options batten_interpolate_defaults(void);
 /**
  * A curve through points.
  *
- * Two points give a line, fewer points than degree + 1 a lower degree; three with not-a-knot ends
- * the parabola.
+ * Two points give a line, fewer points than degree + 1 a lower degree; three with not-a-knot
+ * ends the parabola.
  *
  * @param points  [count][dimension]; with a periodic curve each once
  * @param options NULL for the defaults
  * @param[out] parameters [count], those of the points; may be NULL
- * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING, SINGULAR_SYSTEM ...
+ * @return BATTEN_OK, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING, SINGULAR_SYSTEM
+ * ...
  *
- * With knots at the data each end takes (degree - 1) / 2 conditions; for each that is missing it does
- * without a knot. Periodic curves of even degree have their knots midway between the points, and
- * their domain begins half a step before the first.
+ * With knots at the data each end takes (degree - 1) / 2 conditions; for each that is missing
+ * it does without a knot. Periodic curves of even degree have their knots midway between the
+ * points, and their domain begins half a step before the first.
  *
- * Cost: linear in count. The result is checked: it passes every point within 8 eps of the largest
- * coordinate of data and control points, else TOLERANCE_NOT_MET.
- * Source: [deBoor01] ch. IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
+ * Cost: linear in count. The result is checked: it passes every point within 8 eps of the
+ * largest coordinate of data and control points, else TOLERANCE_NOT_MET. Source: [deBoor01] ch.
+ * IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
  */
-BATTEN_API batten_status batten_curve_interpolate(int dimension, int count, const double *points,
+BATTEN_API batten_status batten_curve_interpolate(int dimension, int count,
+                                                  const double *points,
                                                   const batten_interpolate_options *options,
                                                   double *parameters, batten_curve **out);
 
@@ -108,26 +112,28 @@ typedef struct batten_grid_options {
     const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
     bool knots_at_data;                /**< false: averaged knots (the default) */
     bool periodic_u, periodic_v;
-    batten_end_kind ends;              /**< what holds on the rim when no derivatives are given */
-    const double *du;                  /**< [2][count_v][d], Su on the first and last row; or NULL */
-    const double *dv;                  /**< [2][count_u][d], Sv on the first and last column; or NULL */
-    const double *twists;              /**< [2][2][d], Suv at the corners (u end first); or NULL */
+    batten_end_kind ends; /**< what holds on the rim when no derivatives are given */
+    const double *du;     /**< [2][count_v][d], Su on the first and last row; or NULL */
+    const double *dv;     /**< [2][count_u][d], Sv on the first and last column; or NULL */
+    const double *twists; /**< [2][2][d], Suv at the corners (u end first); or NULL */
 } batten_grid_options;
 
 BATTEN_API batten_grid_options batten_grid_defaults(void);
 
 /** What a grid interpolation found out about its data. */
 typedef struct batten_grid_report {
-    double residual;          /**< largest distance from a data point */
-    double spread_u, spread_v;/**< largest |row parameter - average|, in steps; above 0.5 skinning is better */
+    double residual;           /**< largest distance from a data point */
+    double spread_u, spread_v; /**< largest |row parameter - average|, in steps; above 0.5
+                                  skinning is better */
 } batten_grid_report;
 
 /**
  * A surface through a grid of points.
  *
- * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point are
- * left out of their average, and a rim that is one stays one: a pole. Where both `du` and `dv` are
- * given but not `twists`, the twists are estimated with Bessel's parabolas. Few points lower a degree.
+ * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point
+ * are left out of their average, and a rim that is one stays one: a pole. Where both `du` and
+ * `dv` are given but not `twists`, the twists are estimated with Bessel's parabolas. Few points
+ * lower a degree.
  *
  * @param points [count_u][count_v][dimension]
  * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL

@@ -2,8 +2,8 @@
 #define BATTEN_MODEL_H
 /**
  * @file
- * Named objects with a unit: what files are read into and written from, and what flows between the
- * features of a design.
+ * Named objects with a unit: what files are read into and written from, and what flows between
+ * the features of a design.
  */
 #include <batten/notes.h>
 #include <batten/offsets.h>
@@ -24,16 +24,16 @@ typedef enum batten_object_kind {
 /** One object of a model; what its kind does not use is NULL or 0. */
 typedef struct batten_object {
     const char *name;
-    const char *layer;            /**< "" for none */
+    const char *layer; /**< "" for none */
     bool has_colour;
-    double colour[3];             /**< sRGB, 0..1 */
+    double colour[3]; /**< sRGB, 0..1 */
     batten_object_kind kind;
     const batten_curve *curve;
     const batten_surface *surface;
     const batten_offsets *offsets;
-    int point_count;              /**< POINTS; also of a CURVE: the data that it was made from */
-    const double *points;         /**< [point_count][3] */
-    const double *parameters;     /**< [point_count], of the data on the curve; or NULL */
+    int point_count;          /**< POINTS; also of a CURVE: the data that it was made from */
+    const double *points;     /**< [point_count][3] */
+    const double *parameters; /**< [point_count], of the data on the curve; or NULL */
 } batten_object;
 
 /**

@@ -22,10 +22,10 @@ typedef enum batten_picture_format {
 BATTEN_API bool batten_picture_format_of_name(const char *path, batten_picture_format *format);
 
 typedef enum batten_view {
-    BATTEN_VIEW_AUTO,     /**< curves in a plane: that plane; else axonometric */
-    BATTEN_VIEW_TOP,      /**< x to the right, y up */
-    BATTEN_VIEW_FRONT,    /**< y to the right, z up: along the ship */
-    BATTEN_VIEW_SIDE,     /**< x to the right, z up */
+    BATTEN_VIEW_AUTO,  /**< curves in a plane: that plane; else axonometric */
+    BATTEN_VIEW_TOP,   /**< x to the right, y up */
+    BATTEN_VIEW_FRONT, /**< y to the right, z up: along the ship */
+    BATTEN_VIEW_SIDE,  /**< x to the right, z up */
     BATTEN_VIEW_AXONOMETRIC
 } batten_view;
 
@@ -33,33 +33,34 @@ typedef enum batten_shading {
     BATTEN_SHADING_PLAIN,
     BATTEN_SHADING_ISOLINES, /**< plain, with isoparametric lines */
     BATTEN_SHADING_ZEBRA,
-    BATTEN_SHADING_GAUSSIAN  /**< colours of the Gaussian curvature, with a legend */
+    BATTEN_SHADING_GAUSSIAN /**< colours of the Gaussian curvature, with a legend */
 } batten_shading;
 
 typedef struct batten_picture_options {
     size_t size;
     batten_picture_format format; /**< PNG; shaded pictures can be nothing else */
-    int width, height;            /**< pixels, or points of 1/72 inch, 64..16384; 1200 x 800. A lines
-                                       plan looks best on 1684 x 1191 (A2) or 1191 x 842 (A3) */
-    const char *title;            /**< "" */
+    int width, height; /**< pixels, or points of 1/72 inch, 64..16384; 1200 x 800. A lines
+                            plan looks best on 1684 x 1191 (A2) or 1191 x 842 (A3) */
+    const char *title; /**< "" */
     batten_view view;
-    double azimuth, elevation;    /**< of the eye, radians, from x towards y and up; for the
-                                       axonometric view; 28 and 12 degrees: off the port bow */
-    bool control_polygon;         /**< of curves */
-    bool data_points;             /**< that curves were made from */
-    bool comb;                    /**< curvature comb, plane curves and projections */
-    double comb_scale;            /**< 0: chosen so that the longest tooth is a tenth of the picture */
+    double azimuth, elevation; /**< of the eye, radians, from x towards y and up; for the
+                                    axonometric view; 28 and 12 degrees: off the port bow */
+    bool control_polygon;      /**< of curves */
+    bool data_points;          /**< that curves were made from */
+    bool comb;                 /**< curvature comb, plane curves and projections */
+    double comb_scale; /**< 0: chosen so that the longest tooth is a tenth of the picture */
     batten_shading shading;
-    int isolines;                 /**< parts into which they divide each direction, 1..1000; 10 */
-    double stripes;               /**< dark zebra stripes that a cylinder shows from edge to edge; 24.
-                                       They mirror tubes along the longest axis */
+    int isolines;   /**< parts into which they divide each direction, 1..1000; 10 */
+    double stripes; /**< dark zebra stripes that a cylinder shows from edge to edge; 24.
+                         They mirror tubes along the longest axis */
 } batten_picture_options;
 BATTEN_API batten_picture_options batten_picture_defaults(void);
 
 /**
- * Draw points, offsets, curves and the isoparametric lines of surfaces as lines, both axes at one scale.
- * Up to eight objects are told apart by colours, more are named where they end.
- * @return BATTEN_OK, BAD_ARGUMENT (no objects, sizes), NOT_FINITE, TOO_LARGE, OVERFLOW, OUT_OF_MEMORY
+ * Draw points, offsets, curves and the isoparametric lines of surfaces as lines, both axes at
+ * one scale. Up to eight objects are told apart by colours, more are named where they end.
+ * @return BATTEN_OK, BAD_ARGUMENT (no objects, sizes), NOT_FINITE, TOO_LARGE, OVERFLOW,
+ * OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_draw(const batten_model *model,
                                      const batten_picture_options *options, char **data,
@@ -67,9 +68,9 @@ BATTEN_API batten_status batten_draw(const batten_model *model,
 
 typedef struct batten_lines_plan_options {
     size_t size;
-    double stations;   /**< spacing; 0: eleven over the length */
-    double waterlines; /**< spacing; 0: chosen */
-    double buttocks;   /**< spacing; 0: chosen */
+    double stations;          /**< spacing; 0: eleven over the length */
+    double waterlines;        /**< spacing; 0: chosen */
+    double buttocks;          /**< spacing; 0: chosen */
     const double *station_at; /**< [station_count] instead of the spacing; or NULL */
     int station_count;
     double design_waterline;  /**< height; NaN for none */
@@ -78,15 +79,18 @@ typedef struct batten_lines_plan_options {
 BATTEN_API batten_lines_plan_options batten_lines_plan_defaults(void);
 
 /**
- * A lines drawing of a half hull (x along, y >= 0 to the side, z up): profile, half-breadth plan below it, and
- * body plan, at one usual scale (1:20, 1:25, 1:30 ...), true in PDF and SVG, with grid, title block and legend.
+ * A lines drawing of a half hull (x along, y >= 0 to the side, z up): profile, half-breadth
+ * plan below it, and body plan, at one usual scale (1:20, 1:25, 1:30 ...), true in PDF and SVG,
+ * with grid, title block and legend.
  *
- * The bow is at the larger x, to the right; stations are numbered from 0 at the smallest x. Of a whole hull the
- * half with y >= 0 is drawn; a half at y <= 0 is mirrored. Notes say what could not be drawn.
+ * The bow is at the larger x, to the right; stations are numbered from 0 at the smallest x. Of
+ * a whole hull the half with y >= 0 is drawn; a half at y <= 0 is mirrored. Notes say what
+ * could not be drawn.
  *
  * @param notes  may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than
- *         400 lines of a family), OVERFLOW, OUT_OF_MEMORY, or what the sections report
+ * @return BATTEN_OK, BAD_ARGUMENT (no hull, no room on the sheet), NOT_FINITE, NOT_INCREASING,
+ * TOO_LARGE (more than 400 lines of a family), OVERFLOW, OUT_OF_MEMORY, or what the sections
+ * report
  */
 BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
                                                 const batten_lines_plan_options *plan,
@@ -96,9 +100,10 @@ BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
 /**
  * Shade all surfaces of a model, seen in parallel projection; curves are drawn over them. PNG.
  *
- * The colours of Gaussian curvature end where 95 of 100 samples lie inside; the legend has the true extremes.
- * @return BATTEN_OK, BAD_ARGUMENT (no surface, sizes), UNSUPPORTED (SVG, PDF), NOT_FINITE, TOO_LARGE, OVERFLOW,
- *         CANCELLED, OUT_OF_MEMORY
+ * The colours of Gaussian curvature end where 95 of 100 samples lie inside; the legend has the
+ * true extremes.
+ * @return BATTEN_OK, BAD_ARGUMENT (no surface, sizes), UNSUPPORTED (SVG, PDF), NOT_FINITE,
+ * TOO_LARGE, OVERFLOW, CANCELLED, OUT_OF_MEMORY
  *
  * Cost: about 1/3 s for 1200 x 800. Nine samples for each pixel.
  */

@@ -19,57 +19,60 @@ typedef enum batten_frame_kind {
 
 typedef struct batten_skin_options {
     size_t size;
-    int degree;                        /**< across the sections, 3; lowered when there are too few */
+    int degree; /**< across the sections, 3; lowered when there are too few */
     batten_parametrization parameters; /**< across; BATTEN_CENTRIPETAL */
     const double *given;               /**< [count] across, with BATTEN_GIVEN */
-    batten_end start, end;             /**< natural, clamped (vector: the common tangent), ... */
-    bool periodic;                     /**< the last section is followed by the first */
-    bool align;                        /**< reverse sections that run against the first; a message says which */
-    double tolerance;                  /**< 0: exact union of all knots. Else few common knots are found
-                                            so that no section moves farther than this */
-    const batten_curve *spine;         /**< NULL: sections stand where they are. Else they are drawn in the
-                                            xy-plane and are placed along the spine */
-    const double *spine_at;            /**< [count] parameters of the sections on the spine; NULL: evenly by
-                                            arc length */
-    const double *twist;               /**< [count] radians about the spine; NULL: none */
-    const double *scale;               /**< [count]; NULL: all 1 */
+    batten_end start, end; /**< natural, clamped (vector: the common tangent), ... */
+    bool periodic;         /**< the last section is followed by the first */
+    bool align;       /**< reverse sections that run against the first; a message says which */
+    double tolerance; /**< 0: exact union of all knots. Else few common knots are found
+                           so that no section moves farther than this */
+    const batten_curve *spine; /**< NULL: sections stand where they are. Else they are drawn in
+                                  the xy-plane and are placed along the spine */
+    const double *spine_at; /**< [count] parameters of the sections on the spine; NULL: evenly
+                               by arc length */
+    const double *twist;    /**< [count] radians about the spine; NULL: none */
+    const double *scale;    /**< [count]; NULL: all 1 */
     batten_frame_kind frames;
 } batten_skin_options;
 
 BATTEN_API batten_skin_options batten_skin_defaults(void);
 
 typedef struct batten_skin_report {
-    double deviation;       /**< farthest that a section moved; rounding alone counts as 0 */
-    int worst_section;      /**< which one */
-    int exact_knot_count;   /**< distinct inner knots that the exact union has */
-    int knot_count;         /**< distinct inner knots of the result */
-    double span_ratio;      /**< smallest span over median span along the sections */
-    double normal_jump;     /**< largest jump of the normal over inner knot lines, radians */
+    double deviation;  /**< how far a section moved at most; without a tolerance, what rounding
+                          left */
+    int worst_section; /**< which one */
+    int exact_knot_count; /**< distinct inner knots that the exact union has */
+    int knot_count;       /**< distinct inner knots of the result */
+    double span_ratio;    /**< smallest span over median span along the sections */
+    double normal_jump;   /**< largest jump of the normal over inner knot lines, radians */
 } batten_skin_report;
 
 /**
  * The surface through sections: u runs along a section over [0, 1], v across them.
  *
- * Sections get one degree, one domain and common knots; then their control points are interpolated across,
- * weights included. With an odd degree across the knots stand at the sections and `start`, `end` hold; an
- * even degree has averaged knots. Circle and curvature ends are not possible. A clamped end has the given
- * derivative all along the section. A section may be a point (all control points equal): a pole. Sections
- * that are periodic, all of them, stay so and are unified exactly whatever the tolerance. With `align` the
- * message says which sections were reversed.
+ * Sections get one degree, one domain and common knots; then their control points are
+ * interpolated across, weights included. With an odd degree across the knots stand at the
+ * sections and `start`, `end` hold; an even degree has averaged knots. Circle and curvature
+ * ends are not possible. A clamped end has the given derivative all along the section. A
+ * section may be a point (all control points equal): a pole. Sections that are periodic, all of
+ * them, stay so and are unified exactly whatever the tolerance. With `align` the message says
+ * which sections were reversed.
  *
- * With a tolerance, spans of sections are first stretched, corners held, so that their speed does not jump where
- * their tangent goes on; then a section moves at most as `report->deviation` says, a bound at equal parameters; corners
- * stay corners; the ends of sections do not move. If that needs as many knots as the exact union, that is taken.
+ * With a tolerance, spans of sections are first stretched, corners held, so that their speed
+ * does not jump where their tangent goes on; then a section moves at most as
+ * `report->deviation` says, a bound at equal parameters; corners stay corners; the ends of
+ * sections do not move. If that needs as many knots as the exact union, that is taken.
  *
  * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL
  * @param[out] report may be NULL
- * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it would have,
- *         NOT_COMPATIBLE when an interpolated weight is not positive, TOLERANCE_NOT_MET when a section is
- *         missed by more than 1e-13 of its size beyond its deviation; BAD_ARGUMENT ...
+ * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it
+ * would have, NOT_COMPATIBLE when an interpolated weight is not positive, TOLERANCE_NOT_MET
+ * when a section is missed by more than 1e-13 of its size beyond its deviation; BAD_ARGUMENT
+ * ...
  *
- * Cost: linear in sections times common control points; with a tolerance the search fits every section about
- * three times for each knot it keeps.
- * Source: [PT97] 10.3; [Woodward88].
+ * Cost: linear in sections times common control points; with a tolerance the search fits every
+ * section about three times for each knot it keeps. Source: [PT97] 10.3; [Woodward88].
  */
 BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
                                              const batten_skin_options *options,
@@ -84,15 +87,17 @@ BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batt
                                                  batten_surface **out);
 
 /**
- * Frames along a spine, for those who place things themselves: orthonormal, axis z along the tangent.
+ * Frames along a spine, for those who place things themselves: orthonormal, axis z along the
+ * tangent.
  *
- * The first minimising or fixed frame stands at the start of the spine; its x is that axis of the world which
- * lies most across the tangent (x before y before z). A fixed frame keeps both axes all along.
+ * The first minimising or fixed frame stands at the start of the spine; its x is that axis of
+ * the world which lies most across the tangent (x before y before z). A fixed frame keeps both
+ * axes all along.
  * @param at [count] increasing, in the domain of the spine
  * @param[out] frames [count]
- * @return BATTEN_OK; SINGULAR_HERE without a tangent, or, Frenet, where the spine is straight; OUT_OF_DOMAIN,
- *         NOT_INCREASING
- * Source: [WJZL08], with 64 double reflections for each span of the spine.
+ * @return BATTEN_OK; SINGULAR_HERE without a tangent, or, Frenet, where the spine is straight;
+ * OUT_OF_DOMAIN, NOT_INCREASING Source: [WJZL08], with 64 double reflections for each span of
+ * the spine.
  */
 BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int count,
                                              const double *at, batten_frame_kind kind,

@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/** A place to stand: origin, and two directions that are made square and of length one; z keeps its
- * direction. */
+/** A place to stand: origin, and two directions that are made square and of length one; z keeps
+ * its direction. */
 typedef struct batten_frame {
     batten_vec3 origin;
     batten_vec3 x; /**< first axis, not zero */
@@ -36,8 +36,9 @@ BATTEN_API batten_status batten_curve_arc(double radius, double angle, batten_cu
 BATTEN_API batten_status batten_curve_arc_in(const batten_frame *frame, double radius,
                                              double start, double angle, batten_curve **out);
 /** The arc through three points of the plane or space. */
-BATTEN_API batten_status batten_curve_arc_through(int dimension, const double *a, const double *b,
-                                                  const double *c, batten_curve **out);
+BATTEN_API batten_status batten_curve_arc_through(int dimension, const double *a,
+                                                  const double *b, const double *c,
+                                                  batten_curve **out);
 
 /** How a full circle is written down. */
 typedef enum batten_circle_form {
@@ -67,12 +68,12 @@ BATTEN_API batten_status batten_curve_conic_five(const double *points, batten_cu
 BATTEN_API batten_status batten_surface_bilinear(batten_vec3 p00, batten_vec3 p10,
                                                  batten_vec3 p01, batten_vec3 p11,
                                                  batten_surface **out);
-/** Turn a profile about the axis through `origin` by `angle` in (0, 2 pi] radians; u runs around,
- * v along the profile. A profile that crosses the axis is refused, one that touches it has a
- * pole. */
-BATTEN_API batten_status batten_surface_revolved(const batten_curve *profile, batten_vec3 origin,
-                                                 batten_vec3 axis, double angle,
-                                                 batten_surface **out);
+/** Turn a profile about the axis through `origin` by `angle` in (0, 2 pi] radians; u runs
+ * around, v along the profile. A profile that crosses the axis is refused, one that touches it
+ * has a pole. */
+BATTEN_API batten_status batten_surface_revolved(const batten_curve *profile,
+                                                 batten_vec3 origin, batten_vec3 axis,
+                                                 double angle, batten_surface **out);
 /** About the z-axis of `frame`, from its origin up. u around, v up. */
 BATTEN_API batten_status batten_surface_cylinder(const batten_frame *frame, double radius,
                                                  double height, batten_surface **out);

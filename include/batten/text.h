@@ -4,8 +4,8 @@
  * @file
  * A text that grows: how files, reports and JSON are put together.
  *
- * A text that could not grow stays `failed`, and batten_text_take reports it: so a writer checks once, at
- * its end.
+ * A text that could not grow stays `failed`, and batten_text_take reports it: so a writer
+ * checks once, at its end.
  */
 #include <batten/base.h>
 
@@ -21,7 +21,11 @@ typedef struct batten_text {
 } batten_text;
 
 #ifdef __cplusplus
-#define BATTEN_TEXT batten_text{nullptr, 0, 0, false}
+#define BATTEN_TEXT          \
+    batten_text              \
+    {                        \
+        nullptr, 0, 0, false \
+    }
 #else
 #define BATTEN_TEXT ((batten_text){NULL, 0, 0, false})
 #endif

@@ -15,7 +15,7 @@ typedef struct {
     bat_result *results; /* [feature_count] */
     int *evaluated;      /* [feature_count] in the order of evaluation */
     int evaluated_count;
-    bool *unmet;         /* [output_count] its bound was not met when it was last made */
+    bool *unmet; /* [output_count] its bound was not met when it was last made */
 } state;
 
 struct batten_design {

@@ -324,9 +324,9 @@ static void unknown_operation(bat_document *d, int key, bool is_output)
         bat_complain(d, key, "'%s' stands under '%s'", word,
                      is_output ? "features" : "outputs");
     else
-        bat_complain(d, key,
-                     "there is no operation '%s'%s%s%s", word, near ? "; did you mean '" : "",
-                     near ? near : "", near ? "'?" : "; the first key names the operation");
+        bat_complain(d, key, "there is no operation '%s'%s%s%s", word,
+                     near ? "; did you mean '" : "", near ? near : "",
+                     near ? "'?" : "; the first key names the operation");
 }
 
 /* The operation of an entry that is a map: its first key. */

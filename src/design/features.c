@@ -5,13 +5,15 @@
 #include <string.h>
 
 /* All operations, in the order in which the manual shows them. */
-#define FEATURES(ROW)                                                                          \
-    ROW(read) ROW(points) ROW(interpolate) ROW(interpolate_grid) ROW(fair) ROW(skin)           \
-    ROW(ruled) ROW(extrude) ROW(revolve) ROW(line) ROW(polyline) ROW(arc) ROW(circle)          \
-    ROW(ellipse) ROW(conic) ROW(cylinder) ROW(cone) ROW(sphere) ROW(torus) ROW(mirror)         \
-    ROW(move) ROW(rotate) ROW(scale) ROW(elevate) ROW(reduce) ROW(refine)                      \
-    ROW(remove_knots) ROW(split) ROW(part) ROW(join) ROW(reverse) ROW(swap) ROW(curve_of)      \
-    ROW(collect) ROW(select) ROW(write) ROW(picture) ROW(lines_plan) ROW(check)
+#define FEATURES(ROW)                                                                         \
+    ROW(read)                                                                                 \
+    ROW(points) ROW(interpolate) ROW(interpolate_grid) ROW(fair) ROW(skin) ROW(ruled)         \
+        ROW(extrude) ROW(revolve) ROW(line) ROW(polyline) ROW(arc) ROW(circle) ROW(ellipse)   \
+            ROW(conic) ROW(cylinder) ROW(cone) ROW(sphere) ROW(torus) ROW(mirror) ROW(move)   \
+                ROW(rotate) ROW(scale) ROW(elevate) ROW(reduce) ROW(refine) ROW(remove_knots) \
+                    ROW(split) ROW(part) ROW(join) ROW(reverse) ROW(swap) ROW(curve_of)       \
+                        ROW(collect) ROW(select) ROW(write) ROW(picture) ROW(lines_plan)      \
+                            ROW(check)
 
 #define DECLARE(name) extern const bat_feature bat_feature_##name;
 FEATURES(DECLARE)

@@ -152,8 +152,8 @@ static batten_status release_all(bat_net *net, const batten_job *job, workspace 
 
 /* ---- report and result ---- */
 
-/* Suspects of a batten are counted along it: say, for now in `set`, which nodes of the table they
- * are, and for each node which suspect it is, counted from 1. */
+/* Suspects of a batten are counted along it: say, for now in `set`, which nodes of the table
+ * they are, and for each node which suspect it is, counted from 1. */
 static void note_suspects(const bat_net *net, const bat_strand *strand, int first,
                           batten_fair_report *report, int *suspect_of)
 {
@@ -172,7 +172,8 @@ static void note_suspects(const bat_net *net, const bat_strand *strand, int firs
 }
 
 /* A wrong number pulls at the station and at the line that it stands in alike, a tight bilge at
- * its station alone: drop a suspect that another batten would move by less than half as much. */
+ * its station alone: drop a suspect that another batten would move by less than half as much.
+ */
 static void question(const bat_net *net, const bat_strand *strand, workspace *w,
                      const batten_fair_report *report, int *suspect_of)
 {

@@ -3,10 +3,10 @@
  *
  * Each patch between knot lines has the box of its control points and a grid of sample points.
  * Of a patch whose box comes nearer than what was found so far, every sample that is nearer
- * than its neighbours starts a descent inside its patch, so that a crease along a knot line is a
- * rim like any other, and goes on over the whole surface where that ends on a knot line: Newton's
- * method on (r . Su, r . Sv) with r = S - Q, that falls back to Gauss-Newton where the second
- * derivatives point uphill, and never accepts a farther point.
+ * than its neighbours starts a descent inside its patch, so that a crease along a knot line is
+ * a rim like any other, and goes on over the whole surface where that ends on a knot line:
+ * Newton's method on (r . Su, r . Sv) with r = S - Q, that falls back to Gauss-Newton where the
+ * second derivatives point uphill, and never accepts a farther point.
  */
 #include "base/work.h"
 #include "inspect/nearest.h"
@@ -204,7 +204,8 @@ static void choose_step(const area *in, const slope *here, double step[2])
     bool free[2];
     for (int k = 0; k < 2; k++) {
         const double g = here->gradient[k];
-        free[k] = !((here->at[k] <= in->low[k] && g > 0) || (here->at[k] >= in->high[k] && g < 0));
+        free[k] =
+            !((here->at[k] <= in->low[k] && g > 0) || (here->at[k] >= in->high[k] && g < 0));
     }
     if (solve_step(here->second, here->gradient, free, step) ||
         solve_step(here->normal, here->gradient, free, step))
@@ -231,7 +232,8 @@ static batten_status descend(const patches *p, const double *q, const area *in, 
             double to[2];
             slope there;
             for (int j = 0; j < 2; j++)
-                to[j] = bat_min(in->high[j], bat_max(in->low[j], here.at[j] + ldexp(step[j], -half)));
+                to[j] = bat_min(in->high[j],
+                                bat_max(in->low[j], here.at[j] + ldexp(step[j], -half)));
             if (to[0] == here.at[0] && to[1] == here.at[1])
                 break;
             status = slope_at(p, q, in, to[0], to[1], &there);

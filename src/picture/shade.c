@@ -278,8 +278,8 @@ static void put(bat_light light, float colour[3])
     colour[2] = (float)light.blue;
 }
 
-/* Is this sample on an isoline? Lines are half a pixel to both sides. Edges are drawn as strokes,
- * for on the surface they would thin out where it turns edge on. */
+/* Is this sample on an isoline? Lines are half a pixel to both sides. Edges are drawn as
+ * strokes, for on the surface they would thin out where it turns edge on. */
 static bool is_on_line(const solid *s, const bat_fragment *f, int direction)
 {
     const int n = LINE_U + direction;

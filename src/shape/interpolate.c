@@ -265,14 +265,16 @@ static batten_status apply_curvatures(task *t)
     const batten_status status = find_model(t, &model);
     if (status != BATTEN_OK)
         return status;
-    /* A round makes some ten roundings; more where the tangent is a small difference, and there the
-     * last rounds can turn about the solution: a billionth of the curvature is near enough then. */
+    /* A round makes some ten roundings; more where the tangent is a small difference, and there
+     * the last rounds can turn about the solution: a billionth of the curvature is near enough
+     * then. */
     for (int round = 0; off > 32 * DBL_EPSILON && round < 10000; round++)
         off = step_both(t->dimension, &model, second);
     if (!(off <= 1e-9))
-        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "the curvatures at the ends were not reached: they were off by %g of their size",
-                        off);
+        return bat_fail(
+            BATTEN_TOLERANCE_NOT_MET,
+            "the curvatures at the ends were not reached: they were off by %g of their size",
+            off);
     for (int e = 0; e < 2; e++)
         if (model.wanted[e])
             memcpy(values[e], second[e], sizeof second[e]);

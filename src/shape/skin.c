@@ -371,16 +371,16 @@ static batten_status make_surface(const task *t, batten_surface **surface)
 
 /* ---- what is true of it ---- */
 
-/* How far the curve runs at u while its parameter is rounded: its knots are moved into [0, 1] by up
- * to 4 eps (max(|a|, |b|) + (b - a)), those of its partners too, and u is computed there and back. */
+/* How far the curve runs at u while its parameter is rounded: its knots are moved into [0, 1]
+ * by up to 4 eps (max(|a|, |b|) + (b - a)), those of its partners too, and u is computed there
+ * and back. */
 static batten_status parameter_rounding(const batten_curve *section, double u, double *moved)
 {
     const batten_interval domain = batten_curve_domain(section);
     const double end = bat_max(fabs(domain.a), fabs(domain.b));
     const double step = 12 * DBL_EPSILON * (end + (domain.b - domain.a));
     double low[3], high[3];
-    batten_status status =
-        batten_curve_evaluate(section, bat_max(domain.a, u - step), 0, low);
+    batten_status status = batten_curve_evaluate(section, bat_max(domain.a, u - step), 0, low);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(section, bat_min(domain.b, u + step), 0, high);
     if (status == BATTEN_OK)
@@ -397,7 +397,8 @@ static batten_status section_distance(const task *t, const batten_surface *surfa
     const batten_interval domain = batten_curve_domain(section);
     for (int i = 0; i < 2 * knot_count - 1; i++) {
         const double s = i % 2 == 0 ? knots[i / 2] : (knots[i / 2] + knots[i / 2 + 1]) / 2;
-        const double u = bat_min(domain.b, bat_max(domain.a, (1 - s) * domain.a + s * domain.b));
+        const double u =
+            bat_min(domain.b, bat_max(domain.a, (1 - s) * domain.a + s * domain.b));
         double given[3], found[3], rounding = 0;
         batten_status status = batten_curve_evaluate(section, u, 0, given);
         if (status == BATTEN_OK)

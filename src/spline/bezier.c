@@ -58,7 +58,8 @@ batten_status bat_spline_subrange(const bat_spline *spline, double a, double b, 
     return insert_and_trim(spline, a, b, count, knots, out);
 }
 
-batten_status bat_spline_split(const bat_spline *spline, double u, bat_spline *low, bat_spline *high)
+batten_status bat_spline_split(const bat_spline *spline, double u, bat_spline *low,
+                               bat_spline *high)
 {
     const double a = spline->knots[spline->degree], b = spline->knots[spline->count];
     double knots[3 * BATTEN_MAX_DEGREE];

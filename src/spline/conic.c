@@ -9,7 +9,8 @@ static const double HALF_PI = 1.57079632679489661923, TWO_PI = 6.283185307179586
 
 /* ---- straight ---- */
 
-batten_status batten_curve_line(int dimension, const double *a, const double *b, batten_curve **out)
+batten_status batten_curve_line(int dimension, const double *a, const double *b,
+                                batten_curve **out)
 {
     assert(a && b && out);
     const double knots[4] = {0, 0, 1, 1};
@@ -24,23 +25,28 @@ batten_status batten_curve_line(int dimension, const double *a, const double *b,
 static batten_status chord_knots(int d, int count, const double *points, double *knots)
 {
     for (int i = 1; i < count; i++) {
-        const double chord = bat_distance(d, points + (size_t)(i - 1) * (size_t)d, points + (size_t)i * (size_t)d);
+        const double chord = bat_distance(d, points + (size_t)(i - 1) * (size_t)d,
+                                          points + (size_t)i * (size_t)d);
         if (!isfinite(chord))
-            return bat_fail(BATTEN_NOT_FINITE, "the distance of points %d and %d is %g", i - 1, i, chord);
+            return bat_fail(BATTEN_NOT_FINITE, "the distance of points %d and %d is %g", i - 1,
+                            i, chord);
         knots[i + 1] = knots[i] + chord;
         if (!(knots[i + 1] > knots[i]))
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide: %g apart on a length of %g", i - 1, i,
+            return bat_fail(BATTEN_COINCIDENT,
+                            "points %d and %d coincide: %g apart on a length of %g", i - 1, i,
                             chord, knots[i]);
     }
     knots[count + 1] = knots[count];
     return BATTEN_OK;
 }
 
-batten_status batten_curve_polyline(int dimension, int count, const double *points, batten_curve **out)
+batten_status batten_curve_polyline(int dimension, int count, const double *points,
+                                    batten_curve **out)
 {
     assert(points && out);
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points; a polyline needs 2", count);
     double *knots = bat_array((size_t)count + 2, sizeof *knots);
@@ -85,17 +91,19 @@ static batten_status check_angle(double angle)
     if (!isfinite(angle))
         return bat_fail(BATTEN_NOT_FINITE, "the angle is %g", angle);
     if (!(angle > 0 && angle <= TWO_PI))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle is %.17g; it must be in (0, 2 pi]", angle);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle is %.17g; it must be in (0, 2 pi]",
+                        angle);
     return BATTEN_OK;
 }
 
-/* Points 2 i on the curve at start + i step; between two of them the meeting point of their tangents, which is
- * (first + second) / (1 + cos step) from the centre. */
-static void fill_arc(const ellipse *shape, double start, double angle, int pieces, double *points,
-                     double *weights, double *knots)
+/* Points 2 i on the curve at start + i step; between two of them the meeting point of their
+ * tangents, which is (first + second) / (1 + cos step) from the centre. */
+static void fill_arc(const ellipse *shape, double start, double angle, int pieces,
+                     double *points, double *weights, double *knots)
 {
     const int d = shape->dimension;
-    const double step = angle / pieces, rise = pieces == 4 && angle == TWO_PI ? 1 : 1 + cos(step);
+    const double step = angle / pieces,
+                 rise = pieces == 4 && angle == TWO_PI ? 1 : 1 + cos(step);
     double c0, s0;
     direction(start, &c0, &s0);
     put(shape, c0, s0, points);
@@ -118,8 +126,8 @@ static void fill_arc(const ellipse *shape, double start, double angle, int piece
 }
 
 /* ends: NULL, or the first and the last point, known better than by cos and sin. */
-static batten_status make_arc(const ellipse *shape, double start, double angle, const double *ends,
-                              batten_curve **out)
+static batten_status make_arc(const ellipse *shape, double start, double angle,
+                              const double *ends, batten_curve **out)
 {
     double points[27], weights[9], knots[12];
     const int pieces = bat_max_int(1, bat_min_int(4, (int)ceil(angle / HALF_PI)));
@@ -146,7 +154,8 @@ batten_status batten_curve_arc(double radius, double angle, batten_curve **out)
     return batten_curve_ellipse(radius, radius, 0, angle, out);
 }
 
-batten_status batten_curve_ellipse(double a, double b, double start, double angle, batten_curve **out)
+batten_status batten_curve_ellipse(double a, double b, double start, double angle,
+                                   batten_curve **out)
 {
     assert(out);
     const ellipse shape = {2, {0}, {a, 0, 0}, {0, b, 0}};
@@ -160,8 +169,8 @@ batten_status batten_curve_ellipse(double a, double b, double start, double angl
     return status == BATTEN_OK ? make_arc(&shape, start, angle, NULL, out) : status;
 }
 
-batten_status batten_curve_arc_in(const batten_frame *frame, double radius, double start, double angle,
-                                  batten_curve **out)
+batten_status batten_curve_arc_in(const batten_frame *frame, double radius, double start,
+                                  double angle, batten_curve **out)
 {
     assert(frame && out);
     batten_frame square;
@@ -186,10 +195,11 @@ batten_status batten_curve_arc_in(const batten_frame *frame, double radius, doub
 /* ---- a circle through three points ---- */
 
 /* Turning from ab to bc is half of the sweep from a to c: the angle at the circumference. */
-static batten_status arc_of(int d, const double *a, const double *b, const double *c, double length,
-                            batten_curve **out)
+static batten_status arc_of(int d, const double *a, const double *b, const double *c,
+                            double length, batten_curve **out)
 {
-    const batten_vec3 start = bat_vec3_of(d, a), end = bat_vec3_of(d, c), middle = bat_vec3_of(d, b);
+    const batten_vec3 start = bat_vec3_of(d, a), end = bat_vec3_of(d, c),
+                      middle = bat_vec3_of(d, b);
     const batten_vec3 ab = bat_vec3_scale(bat_vec3_subtract(middle, start), 1 / length);
     const batten_vec3 bc = bat_vec3_scale(bat_vec3_subtract(end, middle), 1 / length);
     const batten_vec3 ac = bat_vec3_scale(bat_vec3_subtract(end, start), 1 / length);
@@ -197,9 +207,11 @@ static batten_status arc_of(int d, const double *a, const double *b, const doubl
     const double sine = bat_vec3_norm(normal), half = atan2(sine, bat_vec3_dot(ab, bc));
     /* A cross product errs by a few eps of the product of lengths. */
     if (sine <= 8 * DBL_EPSILON * bat_vec3_norm(ab) * bat_vec3_norm(bc))
-        return bat_fail(BATTEN_SINGULAR_SYSTEM, "the three points lie on a line, no circle passes through them");
+        return bat_fail(BATTEN_SINGULAR_SYSTEM,
+                        "the three points lie on a line, no circle passes through them");
     const double chord = bat_vec3_norm(ac), radius = length * (chord / 2 / sin(half));
-    const batten_vec3 x = bat_vec3_scale(bat_vec3_cross(ac, normal), radius / sine / chord); /* towards b */
+    const batten_vec3 x =
+        bat_vec3_scale(bat_vec3_cross(ac, normal), radius / sine / chord); /* towards b */
     const batten_vec3 y = bat_vec3_scale(ac, radius / chord);
     const batten_vec3 centre =
         bat_vec3_along(bat_vec3_along(start, length / 2, ac), -cos(half), x);
@@ -217,19 +229,21 @@ batten_status batten_curve_arc_through(int dimension, const double *a, const dou
     const int d = dimension;
     if (d < 2 || d > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 2 or 3", d);
-    const double ab = bat_distance(d, a, b), bc = bat_distance(d, b, c), ac = bat_distance(d, a, c);
+    const double ab = bat_distance(d, a, b), bc = bat_distance(d, b, c),
+                 ac = bat_distance(d, a, c);
     if (!isfinite(ab + bc + ac))
         return bat_fail(BATTEN_NOT_FINITE, "the points are %g, %g and %g apart", ab, bc, ac);
     if (ab == 0 || bc == 0 || ac == 0)
-        return bat_fail(BATTEN_COINCIDENT, "two of the points coincide; they are %g, %g and %g apart", ab, bc,
-                        ac);
+        return bat_fail(BATTEN_COINCIDENT,
+                        "two of the points coincide; they are %g, %g and %g apart", ab, bc, ac);
     return arc_of(d, a, b, c, bat_max(ab, bc), out);
 }
 
 /* ---- full circles ---- */
 
-static batten_status scaled_circle(double radius, int count, const double *unit, const double *weights,
-                                   const double *knots, batten_curve **out)
+static batten_status scaled_circle(double radius, int count, const double *unit,
+                                   const double *weights, const double *knots,
+                                   batten_curve **out)
 {
     double points[14];
     for (int i = 0; i < 2 * count; i++)
@@ -263,8 +277,8 @@ batten_status batten_curve_circle(double radius, batten_circle_form form, batten
 
 /* ---- conics ---- */
 
-batten_status batten_curve_conic(int dimension, const double *a, const double *b, const double *c,
-                                 double w, batten_curve **out)
+batten_status batten_curve_conic(int dimension, const double *a, const double *b,
+                                 const double *c, double w, batten_curve **out)
 {
     assert(a && b && c && out);
     const double knots[6] = {0, 0, 0, 1, 1, 1}, weights[3] = {1, w, 1};
@@ -292,16 +306,20 @@ batten_status batten_curve_conic_through(const double *a, const double *b, const
         return bat_fail(BATTEN_NOT_FINITE, "the area of the triangle is %g", whole);
     if (whole == 0)
         return bat_fail(BATTEN_SINGULAR_SYSTEM, "the points of the triangle lie on a line");
-    const double at_a = area(q, b, c) / whole, at_b = area(a, q, c) / whole, at_c = area(a, b, q) / whole;
+    const double at_a = area(q, b, c) / whole, at_b = area(a, q, c) / whole,
+                 at_c = area(a, b, q) / whole;
     if (!(at_a > 0 && at_b > 0 && at_c > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the point is not inside the triangle: its barycentric coordinates are "
-                        "%g, %g, %g", at_a, at_b, at_c);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the point is not inside the triangle: its barycentric coordinates are "
+                        "%g, %g, %g",
+                        at_a, at_b, at_c);
     return batten_curve_conic(2, a, b, c, at_b / (2 * sqrt(at_a * at_c)), out);
 }
 
 /*
  * The conic through P0 .. P4 out of the pencil of conics through P0, P1, P3, P4:
- * F = s (P0 P1)(P3 P4) - t (P0 P3)(P1 P4), each bracket a line, with s and t so that F is 0 at P2.
+ * F = s (P0 P1)(P3 P4) - t (P0 P3)(P1 P4), each bracket a line, with s and t so that F is 0 at
+ * P2.
  */
 typedef struct {
     const double *p; /* [5][2] */
@@ -337,8 +355,8 @@ static void tangent(const pencil *conic, const double *a, double *out)
     }
 }
 
-/* The arc from point i to point j: where its tangents meet, and its weight; false when it is no arc below half a turn
- * that holds the points between. */
+/* The arc from point i to point j: where its tangents meet, and its weight; false when it is no
+ * arc below half a turn that holds the points between. */
 static bool arc_between(const pencil *conic, int i, int j, double *b, double *w)
 {
     const double *a = at(conic, i), *c = at(conic, j);
@@ -358,7 +376,8 @@ static bool arc_between(const pencil *conic, int i, int j, double *b, double *w)
     const double whole = area(a, b, c);
     for (int k = i + 1; k < j; k++) {
         const double *q = at(conic, k);
-        if (!(area(q, b, c) / whole > 0 && area(a, q, c) / whole > 0 && area(a, b, q) / whole > 0))
+        if (!(area(q, b, c) / whole > 0 && area(a, q, c) / whole > 0 &&
+              area(a, b, q) / whole > 0))
             return false;
     }
     return true;
@@ -370,7 +389,9 @@ static bool runs_on(const double *points, int pieces)
     for (int i = 1; i < pieces; i++) {
         const double *joint = points + 4 * i;
         const double *before = joint - 2, *after = joint + 2;
-        if ((joint[0] - before[0]) * (after[0] - joint[0]) + (joint[1] - before[1]) * (after[1] - joint[1]) <= 0)
+        if ((joint[0] - before[0]) * (after[0] - joint[0]) +
+                (joint[1] - before[1]) * (after[1] - joint[1]) <=
+            0)
             return false;
     }
     return true;
@@ -382,7 +403,8 @@ static bool conic_pieces(const pencil *conic, int pieces, double *points, double
     for (int i = 0; i <= pieces; i++) {
         memcpy(points + 4 * i, at(conic, i * step), 2 * sizeof *points);
         weights[2 * i] = 1;
-        if (i < pieces && !arc_between(conic, i * step, (i + 1) * step, points + 4 * i + 2, &weights[2 * i + 1]))
+        if (i < pieces && !arc_between(conic, i * step, (i + 1) * step, points + 4 * i + 2,
+                                       &weights[2 * i + 1]))
             return false;
     }
     return runs_on(points, pieces);
@@ -392,12 +414,13 @@ static batten_status check_five(const double *points)
 {
     const size_t bad = bat_first_not_finite(points, 10);
     if (bad < 10)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", bad % 2, bad / 2, points[bad]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g", bad % 2,
+                        bad / 2, points[bad]);
     for (int i = 0; i < 5; i++)
         for (int j = i + 1; j < 5; j++)
             if (points[2 * i] == points[2 * j] && points[2 * i + 1] == points[2 * j + 1])
-                return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide at (%g, %g)", i, j, points[2 * i],
-                                points[2 * i + 1]);
+                return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide at (%g, %g)", i,
+                                j, points[2 * i], points[2 * i + 1]);
     return BATTEN_OK;
 }
 
@@ -424,5 +447,6 @@ batten_status batten_curve_conic_five(const double *points, batten_curve **out)
             breaks[i] = (double)i / pieces;
         return batten_curve_from_bezier(2, 2, pieces, control, weights, breaks, out);
     }
-    return bat_fail(BATTEN_SINGULAR_SYSTEM, "the five points do not follow each other on one arc of a conic");
+    return bat_fail(BATTEN_SINGULAR_SYSTEM,
+                    "the five points do not follow each other on one arc of a conic");
 }

@@ -1,6 +1,6 @@
 /* Making, keeping and describing curves. */
-#include "numeric/vector.h"
 #include "spline/curve.h"
+#include "numeric/vector.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -10,7 +10,8 @@
 static batten_status check_sizes(int dimension, int degree, int point_count, int least)
 {
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
     if (degree < 1 || degree > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", degree,
                         BATTEN_MAX_DEGREE);
@@ -23,7 +24,8 @@ static batten_status check_sizes(int dimension, int degree, int point_count, int
     return BATTEN_OK;
 }
 
-batten_status bat_curve_make(int dimension, int degree, int count, bool rational, batten_curve **out)
+batten_status bat_curve_make(int dimension, int degree, int count, bool rational,
+                             batten_curve **out)
 {
     const size_t n = (size_t)count, d = (size_t)dimension, knot_count = n + (size_t)degree + 1;
     batten_curve *curve = bat_array(1, sizeof *curve);
@@ -51,8 +53,8 @@ static batten_status check_points(const batten_curve *curve)
     const size_t d = (size_t)curve->dimension, total = (size_t)curve->count * d;
     const size_t i = bat_first_not_finite(curve->points, total);
     if (i < total)
-        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point %zu is %g", i % d, i / d,
-                        curve->points[i]);
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of control point %zu is %g", i % d,
+                        i / d, curve->points[i]);
     return BATTEN_OK;
 }
 
@@ -64,7 +66,8 @@ static batten_status check_weights(batten_curve *curve)
         if (!isfinite(w))
             return bat_fail(BATTEN_NOT_FINITE, "weight %d is %g", i, w);
         if (w <= 0)
-            return bat_fail(BATTEN_BAD_WEIGHT, "weight %d is %g; weights must be positive", i, w);
+            return bat_fail(BATTEN_BAD_WEIGHT, "weight %d is %g; weights must be positive", i,
+                            w);
         largest = bat_max(largest, w);
     }
     /* Two steps, for 2^1074 is not a number and the least weight may need it. */
@@ -85,8 +88,9 @@ batten_status bat_curve_finish(batten_curve *curve, batten_curve **out)
     return status;
 }
 
-batten_status batten_curve_create(int dimension, int degree, int point_count, const double *points,
-                                  const double *weights, const double *knots, batten_curve **out)
+batten_status batten_curve_create(int dimension, int degree, int point_count,
+                                  const double *points, const double *weights,
+                                  const double *knots, batten_curve **out)
 {
     assert(points && knots && out);
     batten_status status = check_sizes(dimension, degree, point_count, degree + 1);
@@ -113,8 +117,9 @@ static batten_status check_period(int m, const double *period)
         if (!isfinite(period[i]))
             return bat_fail(BATTEN_NOT_FINITE, "knot %d is %g", i, period[i]);
     if (!(period[m] > period[0]))
-        return bat_fail(BATTEN_BAD_KNOTS, "the period is empty: knot 0 is %.17g and knot %d is %.17g",
-                        period[0], m, period[m]);
+        return bat_fail(BATTEN_BAD_KNOTS,
+                        "the period is empty: knot 0 is %.17g and knot %d is %.17g", period[0],
+                        m, period[m]);
     return BATTEN_OK;
 }
 
@@ -147,7 +152,8 @@ batten_status batten_curve_create_periodic(int dimension, int degree, int point_
     return status;
 }
 
-batten_status bat_curve_make_like(const batten_curve *like, int degree, int count, batten_curve **out)
+batten_status bat_curve_make_like(const batten_curve *like, int degree, int count,
+                                  batten_curve **out)
 {
     return bat_curve_make(like->dimension, degree, count, like->weights != NULL, out);
 }

@@ -1,6 +1,7 @@
 /*
- * Many parameters at once. bat_curve_on_piece defines what is computed; cubics, which are most of what people draw, have
- * loops of their own that do the same operations in the same order, two numbers at a time.
+ * Many parameters at once. bat_curve_on_piece defines what is computed; cubics, which are most
+ * of what people draw, have loops of their own that do the same operations in the same order,
+ * two numbers at a time.
  */
 #include "base/work.h"
 #include "spline/curve.h"
@@ -21,7 +22,7 @@ struct batch {
     const bat_pieces *pieces; /* NULL: span by span */
     const double *u;
     int order;
-    size_t size; /* numbers for a parameter */
+    size_t size;  /* numbers for a parameter */
     bool checked; /* results must be looked at: they may have overflown */
     run run;
     double *out;
@@ -30,28 +31,31 @@ struct batch {
 static void run_any(const batch *work, const bat_piece *on, size_t i, size_t end)
 {
     for (; i < end; i++)
-        bat_curve_on_piece(work->curve, on, work->u[i], work->order, work->out + i * work->size);
+        bat_curve_on_piece(work->curve, on, work->u[i], work->order,
+                           work->out + i * work->size);
 }
 
 /* ---- cubics ---- */
 
 /* The Bernstein polynomials of degree 3, as bat_bernstein makes them. */
-#define BERNSTEIN_3(type, t, s)                                                                \
-    const type tt = t * t, ss = s * s;                                              \
+#define BERNSTEIN_3(type, t, s)        \
+    const type tt = t * t, ss = s * s; \
     const type b0 = ss * s, b1 = 3 * t * ss, b2 = 3 * tt * s, b3 = tt * t
 
 /* Points, two of them in the lanes of a pair. */
-BAT_INLINE size_t cubic_pairs(const int d, const bool rational, const batch *work, const bat_piece *on,
-                              size_t i, size_t end)
+BAT_INLINE size_t cubic_pairs(const int d, const bool rational, const batch *work,
+                              const bat_piece *on, size_t i, size_t end)
 {
     const double a = on->a, h = on->b - on->a, *r = on->rows;
     const size_t stride = d + rational > 2 ? 4 : 2;
     for (; i + 1 < end; i += 2) {
-        const bat_pair u = bat_load(work->u + i), t = (u - a) / h, s = rational ? (on->b - u) / h : 1 - t;
+        const bat_pair u = bat_load(work->u + i), t = (u - a) / h,
+                       s = rational ? (on->b - u) / h : 1 - t;
         BERNSTEIN_3(bat_pair, t, s);
         bat_pair x[4];
         for (size_t c = 0; c < (size_t)d + rational; c++)
-            x[c] = b0 * r[c] + b1 * r[stride + c] + b2 * r[2 * stride + c] + b3 * r[3 * stride + c];
+            x[c] = b0 * r[c] + b1 * r[stride + c] + b2 * r[2 * stride + c] +
+                   b3 * r[3 * stride + c];
         double *out = work->out + i * (size_t)d;
         for (int c = 0; c < d; c++) {
             const bat_pair value = rational ? x[c] / x[d] : x[c];
@@ -63,8 +67,8 @@ BAT_INLINE size_t cubic_pairs(const int d, const bool rational, const batch *wor
 }
 
 /* Points, the coordinates of one in the lanes. */
-BAT_INLINE void cubic_points(const int d, const bool rational, const batch *work, const bat_piece *on,
-                               size_t i, size_t end)
+BAT_INLINE void cubic_points(const int d, const bool rational, const batch *work,
+                             const bat_piece *on, size_t i, size_t end)
 {
     const double a = on->a, h = on->b - on->a, *r = on->rows;
     const size_t stride = d + rational > 2 ? 4 : 2;
@@ -75,7 +79,8 @@ BAT_INLINE void cubic_points(const int d, const bool rational, const batch *work
         double x[4];
         for (size_t c = 0; c < stride; c += 2)
             bat_store(x + c, b0 * bat_load(r + c) + b1 * bat_load(r + stride + c) +
-                                 b2 * bat_load(r + 2 * stride + c) + b3 * bat_load(r + 3 * stride + c));
+                                 b2 * bat_load(r + 2 * stride + c) +
+                                 b3 * bat_load(r + 3 * stride + c));
         double *out = work->out + i * (size_t)d;
         for (int c = 0; c < d; c++)
             out[c] = rational ? x[c] / x[d] : x[c];
@@ -83,7 +88,8 @@ BAT_INLINE void cubic_points(const int d, const bool rational, const batch *work
 }
 
 /* Rows of the first and second derivative of a piece, as bat_piece_derive makes them. */
-BAT_INLINE void cubic_differences(const bat_piece *on, size_t stride, double *first, double *second)
+BAT_INLINE void cubic_differences(const bat_piece *on, size_t stride, double *first,
+                                  double *second)
 {
     const double h = on->b - on->a, f = 3 / h, g = 2 / h, *r = on->rows;
     for (size_t c = 0; c < 3 * stride; c += 2)
@@ -93,8 +99,8 @@ BAT_INLINE void cubic_differences(const bat_piece *on, size_t stride, double *fi
 }
 
 /* Points with one or two derivatives. */
-BAT_INLINE void cubic_derivatives(const int d, const bool rational, const int order, const batch *work,
-                                    const bat_piece *on, size_t i, size_t end)
+BAT_INLINE void cubic_derivatives(const int d, const bool rational, const int order,
+                                  const batch *work, const bat_piece *on, size_t i, size_t end)
 {
     const double a = on->a, h = on->b - on->a, *r = on->rows;
     const size_t stride = d + rational > 2 ? 4 : 2;
@@ -106,7 +112,8 @@ BAT_INLINE void cubic_derivatives(const int d, const bool rational, const int or
         const double c1 = 2 * t * s;
         for (size_t c = 0; c < stride; c += 2) {
             bat_store(x + c, b0 * bat_load(r + c) + b1 * bat_load(r + stride + c) +
-                                 b2 * bat_load(r + 2 * stride + c) + b3 * bat_load(r + 3 * stride + c));
+                                 b2 * bat_load(r + 2 * stride + c) +
+                                 b3 * bat_load(r + 3 * stride + c));
             bat_store(x + stride + c, ss * bat_load(f + c) + c1 * bat_load(f + stride + c) +
                                           tt * bat_load(f + 2 * stride + c));
             bat_store(x + 2 * stride + c, s * bat_load(g + c) + t * bat_load(g + stride + c));
@@ -120,18 +127,18 @@ BAT_INLINE void cubic_derivatives(const int d, const bool rational, const int or
     }
 }
 
-#define CUBIC(d, rational)                                                                     \
-    static void cubic_##d##_##rational(const batch *work, const bat_piece *on, size_t i,       \
-                                       size_t end)                                             \
-    {                                                                                          \
-        if (work->order == 0)                                                                  \
-            cubic_points(d, rational, work, on, i, end);                                       \
-        else if (on->tight)                                                                    \
-            run_any(work, on, i, end);                                                         \
-        else if (work->order == 1)                                                             \
-            cubic_derivatives(d, rational, 1, work, on, i, end);                               \
-        else                                                                                   \
-            cubic_derivatives(d, rational, 2, work, on, i, end);                               \
+#define CUBIC(d, rational)                                                               \
+    static void cubic_##d##_##rational(const batch *work, const bat_piece *on, size_t i, \
+                                       size_t end)                                       \
+    {                                                                                    \
+        if (work->order == 0)                                                            \
+            cubic_points(d, rational, work, on, i, end);                                 \
+        else if (on->tight)                                                              \
+            run_any(work, on, i, end);                                                   \
+        else if (work->order == 1)                                                       \
+            cubic_derivatives(d, rational, 1, work, on, i, end);                         \
+        else                                                                             \
+            cubic_derivatives(d, rational, 2, work, on, i, end);                         \
     }
 CUBIC(1, 0)
 CUBIC(2, 0)
@@ -143,7 +150,8 @@ CUBIC(3, 1)
 
 static run choose_run(const batten_curve *curve, int order)
 {
-    static const run cubic[2][3] = {{cubic_1_0, cubic_2_0, cubic_3_0}, {cubic_1_1, cubic_2_1, cubic_3_1}};
+    static const run cubic[2][3] = {{cubic_1_0, cubic_2_0, cubic_3_0},
+                                    {cubic_1_1, cubic_2_1, cubic_3_1}};
     if (curve->degree != 3 || order > 2)
         return run_any;
     return cubic[curve->weights != NULL][curve->dimension - 1];
@@ -155,8 +163,8 @@ static run choose_run(const batten_curve *curve, int order)
 static batten_status evaluate_each(const batch *work, size_t begin, size_t end)
 {
     for (size_t i = begin; i < end; i++) {
-        const batten_status status =
-            batten_curve_evaluate(work->curve, work->u[i], work->order, work->out + i * work->size);
+        const batten_status status = batten_curve_evaluate(work->curve, work->u[i], work->order,
+                                                           work->out + i * work->size);
         if (status == BATTEN_OK)
             continue;
         char reason[256];
@@ -166,7 +174,8 @@ static batten_status evaluate_each(const batch *work, size_t begin, size_t end)
     return BATTEN_OK;
 }
 
-/* Are the results of parameters begin .. end - 1 numbers? 0 times a number is 0, times anything else it is none. */
+/* Are the results of parameters begin .. end - 1 numbers? 0 times a number is 0, times anything
+ * else it is none. */
 static bool all_finite(const batch *work, size_t begin, size_t end)
 {
     double sum = 0;
@@ -175,7 +184,8 @@ static bool all_finite(const batch *work, size_t begin, size_t end)
     return sum == 0;
 }
 
-static batten_status evaluate_block(const batch *work, size_t begin, size_t end, const int *index)
+static batten_status evaluate_block(const batch *work, size_t begin, size_t end,
+                                    const int *index)
 {
     batten_status status = BATTEN_OK;
     for (size_t i = begin, next; i < end && status == BATTEN_OK; i = next) {
@@ -209,8 +219,9 @@ static batten_status evaluate_range(void *context, size_t begin, size_t end)
     return status;
 }
 
-batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count, const double *u,
-                                         int order, const batten_job *job, double *out)
+batten_status batten_curve_evaluate_many(const batten_curve *curve, size_t count,
+                                         const double *u, int order, const batten_job *job,
+                                         double *out)
 {
     assert(curve && (count == 0 || (u && out)) && order >= 0);
     const bat_pieces *pieces = bat_curve_pieces(curve, count);

@@ -9,13 +9,16 @@ bat_piece bat_curve_piece(const batten_curve *curve, int span, double *rows)
     const double *U = curve->knots;
     bat_curve_rows(curve, span - p, p + 1, bat_curve_width(curve), rows);
     bat_piece_from_rows(p, U, span, bat_curve_width(curve), rows);
-    return (bat_piece){span, U[span], U[span + 1], bat_span_is_tight(p, U, span), bat_curve_width(curve), rows};
+    return (bat_piece){
+        span, U[span], U[span + 1], bat_span_is_tight(p, U, span), bat_curve_width(curve),
+        rows};
 }
 
 /* ---- derivatives of the homogeneous curve on one span ---- */
 
 /* Bezier rows of the derivative `times` through differences of the control points. */
-static void tight_rows(const batten_curve *curve, int span, int times, size_t width, double *rows)
+static void tight_rows(const batten_curve *curve, int span, int times, size_t width,
+                       double *rows)
 {
     const int p = curve->degree;
     bat_curve_rows(curve, span - p, p + 1, width, rows);
@@ -25,13 +28,15 @@ static void tight_rows(const batten_curve *curve, int span, int times, size_t wi
 }
 
 /* out [order + 1][stride of the piece], order <= p. */
-static void homogeneous(const batten_curve *curve, const bat_piece *on, double u, int order, double *out)
+static void homogeneous(const batten_curve *curve, const bat_piece *on, double u, int order,
+                        double *out)
 {
     const int p = curve->degree;
     const size_t stride = on->stride;
     const double h = on->b - on->a, t = (u - on->a) / h;
-    /* Unequal weights can make the curve run at any speed, so near the end 1 - t must be known as well as t is near
-     * the start; that s + t is not quite 1 then cancels in the quotient. Without weights it would not. */
+    /* Unequal weights can make the curve run at any speed, so near the end 1 - t must be known
+     * as well as t is near the start; that s + t is not quite 1 then cancels in the quotient.
+     * Without weights it would not. */
     const double s = curve->weights ? (on->b - u) / h : 1 - t;
     double basis[BATTEN_MAX_DEGREE + 1], rows[BAT_MAX_ROWS];
     bat_bernstein(p, t, s, basis);
@@ -66,7 +71,8 @@ void bat_divide(int degree, size_t d, int order, size_t stride, const double *a,
     }
 }
 
-void bat_curve_on_piece(const batten_curve *curve, const bat_piece *on, double u, int order, double *out)
+void bat_curve_on_piece(const batten_curve *curve, const bat_piece *on, double u, int order,
+                        double *out)
 {
     const int p = curve->degree, stored = bat_min_int(order, p);
     const size_t d = (size_t)curve->dimension;
@@ -104,13 +110,14 @@ batten_status bat_curve_place(const batten_curve *curve, batten_side side, doubl
 batten_status bat_curve_check_result(double u, size_t count, const double *out)
 {
     if (bat_first_not_finite(out, count) < count)
-        return bat_fail(BATTEN_OVERFLOW, "the point or a derivative at %.17g is too large for a number", u);
+        return bat_fail(BATTEN_OVERFLOW,
+                        "the point or a derivative at %.17g is too large for a number", u);
     return BATTEN_OK;
 }
 
 /* Through a buffer, so that an overflow leaves `out` alone. */
-static batten_status evaluate_checked(const batten_curve *curve, const bat_piece *on, double u, int order,
-                                      double *buffer, double *out)
+static batten_status evaluate_checked(const batten_curve *curve, const bat_piece *on, double u,
+                                      int order, double *buffer, double *out)
 {
     const size_t count = ((size_t)order + 1) * (size_t)curve->dimension;
     bat_curve_on_piece(curve, on, u, order, buffer);
@@ -126,7 +133,8 @@ static bat_piece piece_at(const batten_curve *curve, double u, batten_side side,
     const bat_pieces *pieces = side == BATTEN_FROM_RIGHT ? bat_curve_pieces(curve, 0) : NULL;
     if (pieces)
         return bat_pieces_find(pieces, curve->degree, u);
-    return bat_curve_piece(curve, bat_knots_span(curve->degree, curve->count, curve->knots, u, side), rows);
+    return bat_curve_piece(
+        curve, bat_knots_span(curve->degree, curve->count, curve->knots, u, side), rows);
 }
 
 batten_status batten_curve_evaluate_side(const batten_curve *curve, double u, batten_side side,

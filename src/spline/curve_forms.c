@@ -12,7 +12,8 @@ batten_status bat_breaks_check(int piece_count, const double *breaks)
         if (!isfinite(breaks[i]))
             return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i, breaks[i]);
         if (i > 0 && breaks[i] <= breaks[i - 1])
-            return bat_fail(BATTEN_NOT_INCREASING, "break %d is %.17g, not above break %d, which is %.17g", i,
+            return bat_fail(BATTEN_NOT_INCREASING,
+                            "break %d is %.17g, not above break %d, which is %.17g", i,
                             breaks[i], i - 1, breaks[i - 1]);
     }
     return BATTEN_OK;
@@ -37,7 +38,8 @@ static batten_status check_size(int degree, double count)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", degree,
                         BATTEN_MAX_DEGREE);
     if (count > BAT_MAX_POINTS)
-        return bat_fail(BATTEN_TOO_LARGE, "%.0f control points would be needed; the limit is %d", count,
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "%.0f control points would be needed; the limit is %d", count,
                         BAT_MAX_POINTS);
     return BATTEN_OK;
 }
@@ -55,16 +57,17 @@ batten_status batten_curve_from_bezier(int dimension, int degree, int piece_coun
     double *knots = bat_knots_of_breaks(degree, degree, piece_count, breaks);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
-    status = batten_curve_create(dimension, degree, piece_count * degree + 1, points, weights, knots,
-                                 out);
+    status = batten_curve_create(dimension, degree, piece_count * degree + 1, points, weights,
+                                 knots, out);
     bat_release(knots);
     return status;
 }
 
 /* ---- Hermite ---- */
 
-/* Control point of degree p = 2 k - 1 with the knots u (k times), u + y[0] .. u + y[k - 2]: the blossom there,
- * sum over r of e_r(y) (p - r)! / p! P^(r)(u), with the elementary symmetric polynomials e_r. */
+/* Control point of degree p = 2 k - 1 with the knots u (k times), u + y[0] .. u + y[k - 2]: the
+ * blossom there, sum over r of e_r(y) (p - r)! / p! P^(r)(u), with the elementary symmetric
+ * polynomials e_r. */
 static void hermite_point(int d, int k, const double *y, const double *derivatives, double *out)
 {
     double e[4] = {1, 0, 0, 0};
@@ -83,7 +86,7 @@ static void hermite_point(int d, int k, const double *y, const double *derivativ
 
 /* a of the other knots of a point lie at the node before, the rest at the one after. */
 void bat_hermite_points(int d, int count, int k, const double *parameters, const double *values,
-                           double *out)
+                        double *out)
 {
     for (int i = 0; i < count; i++) {
         const double before = i > 0 ? parameters[i - 1] - parameters[i] : 0;
@@ -97,14 +100,17 @@ void bat_hermite_points(int d, int count, int k, const double *parameters, const
     }
 }
 
-batten_status batten_curve_from_hermite(int dimension, int count, int k, const double *parameters,
-                                        const double *values, batten_curve **out)
+batten_status batten_curve_from_hermite(int dimension, int count, int k,
+                                        const double *parameters, const double *values,
+                                        batten_curve **out)
 {
     assert(parameters && values && out);
     if (k < 1 || k > 4)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d values at each parameter; 1..4 are possible", k);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d values at each parameter; 1..4 are possible",
+                        k);
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d parameters; at least 2 are needed", count);
     batten_status status = check_size(2 * k - 1, (double)count * k);
@@ -145,8 +151,8 @@ static batten_status check_joint(size_t d, int joint, const double *end, const d
 {
     const double gap = bat_distance((int)d, end, start);
     if (!(gap <= tolerance))
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "pieces %d and %d are %g apart, more than %g", joint - 1, joint,
-                        gap, tolerance);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "pieces %d and %d are %g apart, more than %g",
+                        joint - 1, joint, gap, tolerance);
     return BATTEN_OK;
 }
 
@@ -165,12 +171,14 @@ static batten_status power_points(size_t d, int p, int piece_count, const double
     return BATTEN_OK;
 }
 
-batten_status batten_curve_from_power(int dimension, int degree, int piece_count, const double *breaks,
-                                      const double *coefficients, double tolerance, batten_curve **out)
+batten_status batten_curve_from_power(int dimension, int degree, int piece_count,
+                                      const double *breaks, const double *coefficients,
+                                      double tolerance, batten_curve **out)
 {
     assert(breaks && coefficients && out);
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
     if (!(tolerance >= 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
     batten_status status = check_size(degree, (double)piece_count * degree + 1);
@@ -184,7 +192,8 @@ batten_status batten_curve_from_power(int dimension, int degree, int piece_count
         return BATTEN_OUT_OF_MEMORY;
     status = power_points(d, degree, piece_count, breaks, coefficients, tolerance, points);
     if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(dimension, degree, piece_count, points, NULL, breaks, out);
+        status =
+            batten_curve_from_bezier(dimension, degree, piece_count, points, NULL, breaks, out);
     bat_release(points);
     return status;
 }

@@ -39,24 +39,29 @@ batten_status batten_curve_set_domain(const batten_curve *curve, double a, doubl
 
 /* ---- rational parameters ---- */
 
-static batten_status check_moebius(const batten_curve *curve, double a, double b, double c, double d)
+static batten_status check_moebius(const batten_curve *curve, double a, double b, double c,
+                                   double d)
 {
     const int last = curve->count + curve->degree;
     if (!isfinite(a) || !isfinite(b) || !isfinite(c) || !isfinite(d))
-        return bat_fail(BATTEN_NOT_FINITE, "(%g u + %g) / (%g u + %g) has a coefficient that is no number", a,
-                        b, c, d);
+        return bat_fail(BATTEN_NOT_FINITE,
+                        "(%g u + %g) / (%g u + %g) has a coefficient that is no number", a, b,
+                        c, d);
     if (!(a * d - b * c > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "(%g u + %g) / (%g u + %g) does not rise: a d - b c is %g", a, b,
-                        c, d, a * d - b * c);
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "(%g u + %g) / (%g u + %g) does not rise: a d - b c is %g", a, b, c, d,
+                        a * d - b * c);
     /* c u + d is linear: positive at both ends, positive between. */
     for (int i = 0; i <= last; i += last)
         if (!(c * curve->knots[i] + d > 0))
-            return bat_fail(BATTEN_BAD_ARGUMENT, "%g u + %g is %g at knot %d, %g; it must be positive", c, d,
+            return bat_fail(BATTEN_BAD_ARGUMENT,
+                            "%g u + %g is %g at knot %d, %g; it must be positive", c, d,
                             c * curve->knots[i] + d, i, curve->knots[i]);
     return BATTEN_OK;
 }
 
-/* w_i divided by the product of c U_(i+j) + d, j = 1 .. p, each taken against its value at the start. */
+/* w_i divided by the product of c U_(i+j) + d, j = 1 .. p, each taken against its value at the
+ * start. */
 static void moebius(const batten_curve *curve, double a, double b, double c, double d,
                     batten_curve *made)
 {
@@ -73,8 +78,8 @@ static void moebius(const batten_curve *curve, double a, double b, double c, dou
     }
 }
 
-static batten_status moebius_open(const batten_curve *curve, double a, double b, double c, double d,
-                                  batten_curve **out)
+static batten_status moebius_open(const batten_curve *curve, double a, double b, double c,
+                                  double d, batten_curve **out)
 {
     batten_status status = check_moebius(curve, a, b, c, d);
     batten_curve *made = NULL;
@@ -92,8 +97,8 @@ static batten_status moebius_open(const batten_curve *curve, double a, double b,
     return status;
 }
 
-batten_status batten_curve_moebius(const batten_curve *curve, double a, double b, double c, double d,
-                                   batten_curve **out)
+batten_status batten_curve_moebius(const batten_curve *curve, double a, double b, double c,
+                                   double d, batten_curve **out)
 {
     assert(curve && out);
     if (!curve->periodic)
@@ -110,15 +115,18 @@ batten_status batten_curve_moebius(const batten_curve *curve, double a, double b
 
 /* ---- weights, dimension ---- */
 
-/* The same knots and, as far as there are any, coordinates, with other dimension or with weights. */
-static batten_status recast(const batten_curve *curve, int dimension, bool rational, batten_curve **out)
+/* The same knots and, as far as there are any, coordinates, with other dimension or with
+ * weights. */
+static batten_status recast(const batten_curve *curve, int dimension, bool rational,
+                            batten_curve **out)
 {
     batten_curve *made;
     const batten_status status =
         bat_curve_make(dimension, curve->degree, curve->count, rational, &made);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = (size_t)curve->count, from = (size_t)curve->dimension, to = (size_t)dimension;
+    const size_t n = (size_t)curve->count, from = (size_t)curve->dimension,
+                 to = (size_t)dimension;
     made->periodic = curve->periodic;
     memcpy(made->knots, curve->knots, (n + (size_t)curve->degree + 1) * sizeof *made->knots);
     for (size_t i = 0; i < n; i++) {
@@ -136,11 +144,13 @@ batten_status batten_curve_to_rational(const batten_curve *curve, batten_curve *
     return recast(curve, curve->dimension, true, out);
 }
 
-batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension, batten_curve **out)
+batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
+                                        batten_curve **out)
 {
     assert(curve && out);
     if (dimension < 1 || dimension > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3", dimension);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
     return recast(curve, dimension, curve->weights != NULL, out);
 }
 
@@ -157,7 +167,8 @@ batten_status batten_curve_with_point(const batten_curve *curve, int index, cons
     /* The wrapped points of a periodic curve repeat: each copy moves. */
     const int period = curve->periodic ? curve->count - curve->degree : curve->count;
     for (int i = index % period; i < curve->count; i += period)
-        memcpy(made->points + i * curve->dimension, point, (size_t)curve->dimension * sizeof *point);
+        memcpy(made->points + i * curve->dimension, point,
+               (size_t)curve->dimension * sizeof *point);
     return bat_curve_finish(made, out);
 }
 
@@ -196,5 +207,6 @@ batten_status batten_curve_transform(const batten_curve *curve, const batten_aff
     if (bad == total)
         return bat_curve_finish(made, out);
     batten_curve_unref(made);
-    return bat_fail(BATTEN_OVERFLOW, "control point %zu is mapped to where numbers end", bad / (size_t)d);
+    return bat_fail(BATTEN_OVERFLOW, "control point %zu is mapped to where numbers end",
+                    bad / (size_t)d);
 }

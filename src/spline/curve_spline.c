@@ -89,8 +89,8 @@ batten_status bat_curve_unwrap(const batten_curve *curve, int more, bat_spline *
     return BATTEN_OK;
 }
 
-batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline, double a, int m,
-                             batten_curve **out)
+batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline, double a,
+                             int m, batten_curve **out)
 {
     const int p = spline->degree;
     int last_a = 0;
@@ -104,8 +104,8 @@ batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline,
     batten_status status = bat_curve_from_spline(like, NULL, 0, &part, &open);
     if (status != BATTEN_OK)
         return status;
-    status = batten_curve_create_periodic(like->dimension, p, part.count, open->points, open->weights,
-                                          open->knots + p, out);
+    status = batten_curve_create_periodic(like->dimension, p, part.count, open->points,
+                                          open->weights, open->knots + p, out);
     batten_curve_unref(open);
     return status;
 }

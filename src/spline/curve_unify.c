@@ -1,14 +1,15 @@
 /*
  * Many curves with one degree and one knot vector.
  *
- * The distinct knots of all curves, mapped to [0, 1], are gathered into groups first; then each curve's knots are moved
- * onto its groups, and what it lacks is inserted. So the vectors are the same bits, and no sliver of a span appears
- * where two curves mean the same knot. Knots of one curve are never joined.
+ * The distinct knots of all curves, mapped to [0, 1], are gathered into groups first; then each
+ * curve's knots are moved onto its groups, and what it lacks is inserted. So the vectors are
+ * the same bits, and no sliver of a span appears where two curves mean the same knot. Knots of
+ * one curve are never joined.
  *
- * How far apart may the same knot be? A knot is stored within half an ulp of max(|a|, |b|), both ends of its domain as
- * well, and the mapping (u - a) / (b - a) rounds three times more. So a knot is known within
- * 2 eps (max(|a|, |b|) / (b - a) + 1) in [0, 1], and two curves may differ by the sum of what is theirs. The value of
- * the best known one is taken.
+ * How far apart may the same knot be? A knot is stored within half an ulp of max(|a|, |b|),
+ * both ends of its domain as well, and the mapping (u - a) / (b - a) rounds three times more.
+ * So a knot is known within 2 eps (max(|a|, |b|) / (b - a) + 1) in [0, 1], and two curves may
+ * differ by the sum of what is theirs. The value of the best known one is taken.
  */
 #include "spline/curve.h"
 
@@ -53,7 +54,8 @@ static void survey(unification *work)
     }
 }
 
-static batten_status prepare(const unification *work, const batten_curve *given, batten_curve **out)
+static batten_status prepare(const unification *work, const batten_curve *given,
+                             batten_curve **out)
 {
     batten_curve *open = NULL, *raised = NULL, *mapped = NULL;
     batten_status status = BATTEN_OK;
@@ -162,8 +164,10 @@ static batten_status check_size(const unification *work)
     for (int g = 0; g < work->group_count; g++)
         knots += work->groups[g].times;
     if (knots * work->count > BAT_MAX_MADE_POINTS)
-        return bat_fail(BATTEN_TOO_LARGE, "%d curves with %.0f common knots have about %.3g control points; the limit is %d",
-                        work->count, knots, knots * work->count, BAT_MAX_MADE_POINTS);
+        return bat_fail(
+            BATTEN_TOO_LARGE,
+            "%d curves with %.0f common knots have about %.3g control points; the limit is %d",
+            work->count, knots, knots * work->count, BAT_MAX_MADE_POINTS);
     return BATTEN_OK;
 }
 
@@ -194,7 +198,8 @@ static batten_status snap(const unification *work, const entry *entries, batten_
 }
 
 /* What the curve of these entries lacks, into `knots`. */
-static int lacking(const unification *work, const entry *entries, const entry *end, double *knots)
+static int lacking(const unification *work, const entry *entries, const entry *end,
+                   double *knots)
 {
     int count = 0;
     for (int g = 0; g < work->group_count; g++) {
@@ -207,8 +212,8 @@ static int lacking(const unification *work, const entry *entries, const entry *e
     return count;
 }
 
-static batten_status complete(const unification *work, int c, const entry *entries, const entry *end,
-                              double *knots)
+static batten_status complete(const unification *work, int c, const entry *entries,
+                              const entry *end, double *knots)
 {
     batten_status status = snap(work, entries, &work->curves[c]);
     if (status != BATTEN_OK)
@@ -275,7 +280,8 @@ static batten_status unify(unification *work)
     return status == BATTEN_OK ? complete_all(work) : status;
 }
 
-batten_status batten_curves_unify(int count, const batten_curve *const *curves, batten_curve **out)
+batten_status batten_curves_unify(int count, const batten_curve *const *curves,
+                                  batten_curve **out)
 {
     assert(count >= 0 && (count == 0 || (curves && out)));
     unification work = {.count = count, .given = curves};

@@ -1,14 +1,16 @@
 /*
- * Degree elevation through the blossom [Prautzsch84]: a control point of degree q = p + 1 is the mean of f(.. without
- * v_i ..) over its q knots v, and each of these is a control point of a refinement of the old spline, a convex
- * combination of old points. So nothing is extrapolated, however unequal the spans.
+ * Degree elevation through the blossom [Prautzsch84]: a control point of degree q = p + 1 is
+ * the mean of f(.. without v_i ..) over its q knots v, and each of these is a control point of
+ * a refinement of the old spline, a convex combination of old points. So nothing is
+ * extrapolated, however unequal the spans.
  */
 #include "spline/spline.h"
 
 #include <string.h>
 
-/* Weights [p + 1] of the rows span - p .. span in the blossom at t[0..p-1] of a refinement whose knot before t[0] lies
- * in the span: discrete B-splines [Cohen80]. A weight 0 may belong to a row or knot that does not exist. */
+/* Weights [p + 1] of the rows span - p .. span in the blossom at t[0..p-1] of a refinement
+ * whose knot before t[0] lies in the span: discrete B-splines [Cohen80]. A weight 0 may belong
+ * to a row or knot that does not exist. */
 static void refined_weights(int p, const double *knots, int span, const double *t, double *out)
 {
     const double *U = knots + span;
@@ -30,7 +32,8 @@ static void refined_weights(int p, const double *knots, int span, const double *
     }
 }
 
-void bat_elevation_row(int degree, const double *knots, int span, const double *window, double *out)
+void bat_elevation_row(int degree, const double *knots, int span, const double *window,
+                       double *out)
 {
     const int p = degree, q = p + 1;
     double t[BATTEN_MAX_DEGREE], weights[BATTEN_MAX_DEGREE + 1];
@@ -103,8 +106,8 @@ static void elevate_rows(const bat_spline *from, const bat_spline *to)
 static batten_status elevate_once(const bat_spline *spline, bat_spline *out)
 {
     bat_spline made = {.degree = spline->degree + 1, .width = spline->width};
-    batten_status status = bat_knots_elevate(spline->degree, spline->count, spline->knots, &made.knots,
-                                             &made.count);
+    batten_status status = bat_knots_elevate(spline->degree, spline->count, spline->knots,
+                                             &made.knots, &made.count);
     if (status != BATTEN_OK)
         return status;
     made.values = bat_array3((size_t)made.count, made.width, sizeof *made.values);

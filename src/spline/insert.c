@@ -1,4 +1,5 @@
-/* Knot insertion [Boehm80]: from left to right, each row is touched at most p times for a knot. */
+/* Knot insertion [Boehm80]: from left to right, each row is touched at most p times for a knot.
+ */
 #include "spline/spline.h"
 
 #include <string.h>
@@ -34,7 +35,8 @@ static void advance(insertion *work, double u)
     }
 }
 
-/* Q_i = a_i P_i + (1 - a_i) P_(i-1), a_i = (u - U_i) / (U_(i+p) - U_i), for i = k - p + 1 .. k - s. */
+/* Q_i = a_i P_i + (1 - a_i) P_(i-1), a_i = (u - U_i) / (U_(i+p) - U_i), for i = k - p + 1 .. k
+ * - s. */
 static void insert_one(insertion *work, double u)
 {
     bat_spline *to = work->to;
@@ -45,7 +47,8 @@ static void insert_one(insertion *work, double u)
     for (int i = bat_min_int(k, work->from->count + work->done - 1); i >= k - s; i--)
         copy_row(to, i + 1, to, i);
     for (int i = k - s; i > k - p; i--) {
-        const double right = i + p <= k ? to->knots[i + p] : work->from->knots[i + p - work->done];
+        const double right =
+            i + p <= k ? to->knots[i + p] : work->from->knots[i + p - work->done];
         const double alpha = (u - to->knots[i]) / (right - to->knots[i]), beta = 1 - alpha;
         double *q = row(to, i);
         const double *before = row(to, i - 1);

@@ -8,12 +8,12 @@ static batten_status check_order(int count, const double *knots, const char *wha
         if (!isfinite(knots[i]))
             return bat_fail(BATTEN_NOT_FINITE, "%s %d is %g", what, i, knots[i]);
         if (i > 0 && knots[i] < knots[i - 1])
-            return bat_fail(BATTEN_BAD_KNOTS, "%s %d is %.17g, below %s %d, which is %.17g", what, i,
-                            knots[i], what, i - 1, knots[i - 1]);
+            return bat_fail(BATTEN_BAD_KNOTS, "%s %d is %.17g, below %s %d, which is %.17g",
+                            what, i, knots[i], what, i - 1, knots[i - 1]);
     }
     if (!isfinite(knots[count - 1] - knots[0]))
-        return bat_fail(BATTEN_BAD_KNOTS, "%s 0 is %g and %s %d is %g: too far apart", what, knots[0],
-                        what, count - 1, knots[count - 1]);
+        return bat_fail(BATTEN_BAD_KNOTS, "%s 0 is %g and %s %d is %g: too far apart", what,
+                        knots[0], what, count - 1, knots[count - 1]);
     return BATTEN_OK;
 }
 
@@ -25,14 +25,15 @@ batten_status bat_knots_check(int degree, int count, const double *knots, const 
         return status;
     const double a = knots[p], b = knots[count];
     if (a >= b)
-        return bat_fail(BATTEN_BAD_KNOTS, "the domain is empty: %s %d and %s %d are both %.17g", what, p,
-                        what, count, a);
+        return bat_fail(BATTEN_BAD_KNOTS, "the domain is empty: %s %d and %s %d are both %.17g",
+                        what, p, what, count, a);
     for (int i = 0, times = 1; i < knot_count; i++, times++) {
         if (i > 0 && knots[i] > knots[i - 1])
             times = 1;
         const int most = knots[i] > a && knots[i] < b ? p : p + 1;
         if (times > most)
-            return bat_fail(BATTEN_BAD_KNOTS, "%s %d, %.17g, stands more than %d times, too often for degree %d",
+            return bat_fail(BATTEN_BAD_KNOTS,
+                            "%s %d, %.17g, stands more than %d times, too often for degree %d",
                             what, i, knots[i], most, p);
     }
     return BATTEN_OK;
@@ -77,31 +78,33 @@ batten_status bat_knots_clip(double a, double b, double *u)
     const double larger = bat_max(fabs(a), fabs(b));
     const double allowed = 4 * (nextafter(larger, HUGE_VAL) - larger);
     if (*u < a - allowed || *u > b + allowed)
-        return bat_fail(BATTEN_OUT_OF_DOMAIN, "the parameter %.17g is outside the domain [%.17g, %.17g]", *u,
-                        a, b);
+        return bat_fail(BATTEN_OUT_OF_DOMAIN,
+                        "the parameter %.17g is outside the domain [%.17g, %.17g]", *u, a, b);
     *u = *u < a ? a : b;
     return BATTEN_OK;
 }
 
-batten_status bat_knots_check_insertion(int degree, int count, const double *knots, bool periodic, int added,
-                                        const double *new_knots)
+batten_status bat_knots_check_insertion(int degree, int count, const double *knots,
+                                        bool periodic, int added, const double *new_knots)
 {
     const double a = knots[degree], b = knots[count];
     for (int i = 0, times = 1; i < added; i++, times++) {
         const double u = new_knots[i];
         if (!(u >= a && u <= b))
             return bat_fail(isfinite(u) ? BATTEN_OUT_OF_DOMAIN : BATTEN_NOT_FINITE,
-                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]", i, u, a, b);
+                            "knot %d to insert is %.17g, not in the domain [%.17g, %.17g]", i,
+                            u, a, b);
         if (i > 0 && u < new_knots[i - 1])
-            return bat_fail(BATTEN_NOT_INCREASING, "knot %d to insert is %.17g, below knot %d, which is %.17g",
-                            i, u, i - 1, new_knots[i - 1]);
+            return bat_fail(BATTEN_NOT_INCREASING,
+                            "knot %d to insert is %.17g, below knot %d, which is %.17g", i, u,
+                            i - 1, new_knots[i - 1]);
         if (i > 0 && u > new_knots[i - 1])
             times = 1;
         const int have = bat_knots_multiplicity(degree, count, knots, u);
         const int most = degree + (!periodic && (u == a || u == b));
         if (have + times > most)
-            return bat_fail(BATTEN_BAD_KNOTS, "knot %.17g would stand %d times; %d are allowed", u,
-                            have + times, most);
+            return bat_fail(BATTEN_BAD_KNOTS, "knot %.17g would stand %d times; %d are allowed",
+                            u, have + times, most);
     }
     return BATTEN_OK;
 }
@@ -138,7 +141,8 @@ static double carry(double u, double from, double to, double a, double b)
     return u < to ? bat_min(mapped, b) : bat_max(mapped, b);
 }
 
-batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b, double *out)
+batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b,
+                            double *out)
 {
     const double from = knots[degree], to = knots[count];
     if (!isfinite(a) || !isfinite(b))
@@ -149,13 +153,16 @@ batten_status bat_knots_map(int degree, int count, const double *knots, double a
     for (int i = 0; i <= count + degree; i++) {
         out[i] = same ? knots[i] : carry(knots[i], from, to, a, b);
         if (i > 0 && knots[i] > knots[i - 1] && out[i] <= out[i - 1])
-            return bat_fail(BATTEN_BAD_KNOTS, "knots %d and %d, %.17g and %.17g, cannot be told apart in [%.17g, %.17g]",
-                            i - 1, i, knots[i - 1], knots[i], a, b);
+            return bat_fail(
+                BATTEN_BAD_KNOTS,
+                "knots %d and %d, %.17g and %.17g, cannot be told apart in [%.17g, %.17g]",
+                i - 1, i, knots[i - 1], knots[i], a, b);
     }
     return bat_knots_check(degree, count, out, "new knot");
 }
 
-/* N[0..q], degree q, on span k: the triangular recurrence without a division by an empty span. */
+/* N[0..q], degree q, on span k: the triangular recurrence without a division by an empty span.
+ */
 static void basis_values(int q, const double *knots, int k, double u, double *out)
 {
     out[0] = 1;
@@ -177,7 +184,8 @@ static void basis_differentiate(int q, const double *knots, int k, double *out)
 {
     double before = 0;
     for (int j = 0; j <= q; j++) {
-        const double here = j < q ? q * (out[j] / (knots[k + 1 + j] - knots[k + 1 + j - q])) : 0;
+        const double here =
+            j < q ? q * (out[j] / (knots[k + 1 + j] - knots[k + 1 + j - q])) : 0;
         out[j] = before - here;
         before = here;
     }

@@ -4,7 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
-void bat_curve_rows(const batten_curve *curve, int first, int count, size_t stride, double *rows)
+void bat_curve_rows(const batten_curve *curve, int first, int count, size_t stride,
+                    double *rows)
 {
     const size_t d = (size_t)curve->dimension;
     const double *point = curve->points + (size_t)first * d;
@@ -40,7 +41,8 @@ static bat_pieces *allocate(const batten_curve *curve)
     made->count = (int)count;
     made->stride = bat_curve_width(curve) > 2 ? 4 : 2;
     made->breaks = bat_array(count + 1, sizeof *made->breaks);
-    made->rows = bat_array3(count, ((size_t)curve->degree + 1) * made->stride, sizeof *made->rows);
+    made->rows =
+        bat_array3(count, ((size_t)curve->degree + 1) * made->stride, sizeof *made->rows);
     made->spans = bat_array(count, sizeof *made->spans);
     made->tight = bat_array(count, sizeof *made->tight);
     made->guide = bat_array(count + 1, sizeof *made->guide);
@@ -64,7 +66,8 @@ static void fill_rows(const batten_curve *curve, bat_pieces *pieces)
         pieces->tight[i] = bat_span_is_tight(p, U, k);
         pieces->spans[i++] = k;
     }
-    const size_t total = (size_t)pieces->count * size, numbers = (size_t)curve->count * (size_t)curve->dimension;
+    const size_t total = (size_t)pieces->count * size,
+                 numbers = (size_t)curve->count * (size_t)curve->dimension;
     double largest = 0;
     for (size_t i = 0; i < total; i++)
         largest = bat_max(largest, fabs(pieces->rows[i]));
@@ -73,14 +76,15 @@ static void fill_rows(const batten_curve *curve, bat_pieces *pieces)
     pieces->bounded = largest < 1e300;
 }
 
-/* Which of `count` equal slices of the domain u lies in; rises with u, whatever the rounding. */
+/* Which of `count` equal slices of the domain u lies in; rises with u, whatever the rounding.
+ */
 static inline int slice(const bat_pieces *pieces, double u)
 {
     return bat_min_int((int)((u - pieces->breaks[0]) * pieces->slices), pieces->count - 1);
 }
 
-/* guide[j]: how many inner breaks lie in slices before j. Pieces that reach into slice j are those from guide[j] to
- * guide[j + 1]. */
+/* guide[j]: how many inner breaks lie in slices before j. Pieces that reach into slice j are
+ * those from guide[j] to guide[j + 1]. */
 static void fill_guide(bat_pieces *pieces)
 {
     const double slices = pieces->count / (pieces->breaks[pieces->count] - pieces->breaks[0]);
@@ -97,8 +101,8 @@ static void fill_guide(bat_pieces *pieces)
         pieces->step *= 2;
 }
 
-/* Index of the piece that holds u. As many halvings for each u, and no branch: random parameters are not to be
- * guessed. */
+/* Index of the piece that holds u. As many halvings for each u, and no branch: random
+ * parameters are not to be guessed. */
 static inline int find(const bat_pieces *pieces, double u)
 {
     const int j = slice(pieces, u), last = pieces->guide[j + 1];
@@ -113,8 +117,9 @@ static inline int find(const bat_pieces *pieces, double u)
 bat_piece bat_pieces_get(const bat_pieces *pieces, int degree, int index)
 {
     const size_t size = ((size_t)degree + 1) * pieces->stride;
-    return (bat_piece){pieces->spans[index], pieces->breaks[index],    pieces->breaks[index + 1],
-                       pieces->tight[index], pieces->stride, pieces->rows + (size_t)index * size};
+    return (bat_piece){
+        pieces->spans[index], pieces->breaks[index], pieces->breaks[index + 1],
+        pieces->tight[index], pieces->stride,        pieces->rows + (size_t)index * size};
 }
 
 bat_piece bat_pieces_find(const bat_pieces *pieces, int degree, double u)
@@ -136,7 +141,8 @@ void bat_pieces_locate(const bat_pieces *pieces, size_t count, const double *u, 
 
 const bat_pieces *bat_curve_pieces(const batten_curve *curve, size_t count)
 {
-    batten_curve *shared = (batten_curve *)(uintptr_t)curve; /* the cache is no part of the shape */
+    batten_curve *shared =
+        (batten_curve *)(uintptr_t)curve; /* the cache is no part of the shape */
     bat_pieces *pieces = atomic_load_explicit(&shared->pieces, memory_order_acquire);
     if (pieces || count < (size_t)(curve->count - curve->degree) / 8 + 1)
         return pieces;

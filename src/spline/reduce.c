@@ -1,8 +1,9 @@
 /*
- * Degree reduction: the spline of degree q = p - 1, every inner knot standing once less (but once at least), whose
- * elevated rows come nearest to those given, in the sense of least squares with both ends kept. For a Bezier curve
- * without end conditions that is the best polynomial in L2 as well [Lutterkort99]. The largest difference of the rows
- * bounds the movement.
+ * Degree reduction: the spline of degree q = p - 1, every inner knot standing once less (but
+ * once at least), whose elevated rows come nearest to those given, in the sense of least
+ * squares with both ends kept. For a Bezier curve without end conditions that is the best
+ * polynomial in L2 as well [Lutterkort99]. The largest difference of the rows bounds the
+ * movement.
  */
 #include "numeric/banded.h"
 #include "numeric/vector.h"
@@ -12,12 +13,12 @@
 
 /* The equations of one step. */
 typedef struct {
-    bat_spline target;   /* the given spline on the knots of the elevated result */
-    bat_spline made;     /* the result */
-    double *weights;     /* [target.count][q + 1] rows of the elevation matrix */
-    int *spans;          /* [target.count] the last column of each */
-    double *matrix;      /* [unknowns][q + 1] lower half of E^T E */
-    double *right;       /* [unknowns][width] */
+    bat_spline target; /* the given spline on the knots of the elevated result */
+    bat_spline made;   /* the result */
+    double *weights;   /* [target.count][q + 1] rows of the elevation matrix */
+    int *spans;        /* [target.count] the last column of each */
+    double *matrix;    /* [unknowns][q + 1] lower half of E^T E */
+    double *right;     /* [unknowns][width] */
 } reduction;
 
 static void free_reduction(reduction *work)
@@ -39,7 +40,8 @@ static batten_status make_result(const bat_spline *spline, bat_spline *out)
             distinct++;
             single += U[i] != U[i + 1];
         }
-    const batten_status status = bat_spline_make(p - 1, n - 1 - distinct + single, spline->width, out);
+    const batten_status status =
+        bat_spline_make(p - 1, n - 1 - distinct + single, spline->width, out);
     if (status != BATTEN_OK)
         return status;
     int count = 0;
@@ -130,12 +132,14 @@ static void fill_matrix(reduction *work)
             for (int b = 0; b <= a; b++) {
                 const int row = work->spans[j] - p + 1 + a, column = work->spans[j] - p + 1 + b;
                 if (column > 0 && row < last)
-                    work->matrix[(size_t)(row - 1) * (size_t)p + (size_t)(p - 1 + b - a)] += w[a] * w[b];
+                    work->matrix[(size_t)(row - 1) * (size_t)p + (size_t)(p - 1 + b - a)] +=
+                        w[a] * w[b];
             }
     }
 }
 
-/* One Newton step of the least squares, exact but for rounding; a second one takes that away. */
+/* One Newton step of the least squares, exact but for rounding; a second one takes that away.
+ */
 static void improve(reduction *work, double *scratch)
 {
     const int p = work->target.degree, unknowns = work->made.count - 2;
@@ -169,7 +173,8 @@ static batten_status solve(reduction *work, size_t group, double *error)
            width * sizeof *scratch);
     fill_weights(work);
     fill_matrix(work);
-    batten_status status = unknowns > 0 ? bat_symmetric_factor(unknowns, p - 1, work->matrix) : BATTEN_OK;
+    batten_status status =
+        unknowns > 0 ? bat_symmetric_factor(unknowns, p - 1, work->matrix) : BATTEN_OK;
     for (int step = 0; status == BATTEN_OK && unknowns > 0 && step < 2; step++)
         improve(work, scratch);
     for (int j = 0; status == BATTEN_OK && j < work->target.count; j++) {
@@ -181,7 +186,8 @@ static batten_status solve(reduction *work, size_t group, double *error)
     return status;
 }
 
-static batten_status reduce_once(const bat_spline *spline, size_t group, double *error, bat_spline *out)
+static batten_status reduce_once(const bat_spline *spline, size_t group, double *error,
+                                 bat_spline *out)
 {
     reduction work;
     double moved = 0;
@@ -197,8 +203,8 @@ static batten_status reduce_once(const bat_spline *spline, size_t group, double 
     return status;
 }
 
-batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
-                                double *error, bat_spline *out)
+batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group,
+                                double tolerance, double *error, bat_spline *out)
 {
     bat_spline made;
     double moved = 0;
@@ -212,8 +218,9 @@ batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t gro
     }
     if (status == BATTEN_OK && !(moved <= tolerance)) {
         bat_spline_free(&made);
-        status = bat_fail(BATTEN_TOLERANCE_NOT_MET, "reduced to degree %d, it moves by up to %g, more than %g",
-                          degree, moved, tolerance);
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "reduced to degree %d, it moves by up to %g, more than %g", degree,
+                          moved, tolerance);
     }
     if (status != BATTEN_OK)
         return status;

@@ -1,12 +1,14 @@
 /*
- * Knot removal [Tiller92]. A knot u = U[r] of multiplicity s can go when the p - s points Q between two fixed ones
- * satisfy the p - s + 1 equations of insertion,
+ * Knot removal [Tiller92]. A knot u = U[r] of multiplicity s can go when the p - s points Q
+ * between two fixed ones satisfy the p - s + 1 equations of insertion,
  *
- *     P_i = a_i Q_i + (1 - a_i) Q_(i-1),  a_i = (u - U_i) / (U_(i+p+1) - U_i),  i = r - p .. r - s.
+ *     P_i = a_i Q_i + (1 - a_i) Q_(i-1),  a_i = (u - U_i) / (U_(i+p+1) - U_i),  i = r - p .. r
+ * - s.
  *
- * All but one are solved, from both ends towards it; it is the one whose residual is least. By how much the largest
- * residual of all of them is, by so much at most has the curve moved: the residuals are control points of the
- * difference. The equations are checked after solving, so rounding is in the bound.
+ * All but one are solved, from both ends towards it; it is the one whose residual is least. By
+ * how much the largest residual of all of them is, by so much at most has the curve moved: the
+ * residuals are control points of the difference. The equations are checked after solving, so
+ * rounding is in the bound.
  */
 #include "numeric/vector.h"
 #include "spline/spline.h"
@@ -17,8 +19,8 @@
 /* A spline from which knots are taken. */
 typedef struct {
     bat_spline *spline;
-    size_t group;     /* numbers in one point, of which a row has one or many */
-    double *rows;     /* [2 p + 3][width] scratch: solutions from the left, then from the right */
+    size_t group; /* numbers in one point, of which a row has one or many */
+    double *rows; /* [2 p + 3][width] scratch: solutions from the left, then from the right */
 } removal;
 
 static double alpha(const bat_spline *spline, int i, double u)
@@ -33,7 +35,8 @@ static double *row_of(const bat_spline *spline, int i)
 }
 
 /* The largest norm of a point of P - (a Q + (1 - a) Q'). */
-static double residual(const removal *work, const double *P, double a, const double *Q, const double *before)
+static double residual(const removal *work, const double *P, double a, const double *Q,
+                       const double *before)
 {
     const size_t width = work->spline->width;
     double largest = 0, difference[4];
@@ -47,7 +50,8 @@ static double residual(const removal *work, const double *P, double a, const dou
     return largest;
 }
 
-/* left[k], k = 0 .. p - s + 1: Q_(first-1+k) from the left; right[k] the same from the right. */
+/* left[k], k = 0 .. p - s + 1: Q_(first-1+k) from the left; right[k] the same from the right.
+ */
 static void solve_both(const removal *work, int r, int s, double *left, double *right)
 {
     const bat_spline *spline = work->spline;
@@ -58,17 +62,21 @@ static void solve_both(const removal *work, int r, int s, double *left, double *
     for (int k = 1; k <= count; k++) {
         const double a = alpha(spline, first + k - 1, u), *P = row_of(spline, first + k - 1);
         for (size_t c = 0; c < width; c++)
-            left[(size_t)k * width + c] = (P[c] - (1 - a) * left[(size_t)(k - 1) * width + c]) / a;
+            left[(size_t)k * width + c] =
+                (P[c] - (1 - a) * left[(size_t)(k - 1) * width + c]) / a;
     }
-    memcpy(right + (size_t)(count + 1) * width, row_of(spline, first + count + 1), width * sizeof *right);
+    memcpy(right + (size_t)(count + 1) * width, row_of(spline, first + count + 1),
+           width * sizeof *right);
     for (int k = count; k >= 1; k--) {
         const double a = alpha(spline, first + k, u), *P = row_of(spline, first + k);
         for (size_t c = 0; c < width; c++)
-            right[(size_t)k * width + c] = (P[c] - a * right[(size_t)(k + 1) * width + c]) / (1 - a);
+            right[(size_t)k * width + c] =
+                (P[c] - a * right[(size_t)(k + 1) * width + c]) / (1 - a);
     }
 }
 
-/* Take the left solution up to the equation that is left open, the right one beyond it; into `left`. */
+/* Take the left solution up to the equation that is left open, the right one beyond it; into
+ * `left`. */
 static void meet(const removal *work, int r, int s, double *left, const double *right)
 {
     const bat_spline *spline = work->spline;
@@ -77,7 +85,8 @@ static void meet(const removal *work, int r, int s, double *left, const double *
     int open = 0;
     double least = HUGE_VAL;
     for (int k = 0; k <= count; k++) {
-        const double here = residual(work, row_of(spline, first + k), alpha(spline, first + k, spline->knots[r]),
+        const double here = residual(work, row_of(spline, first + k),
+                                     alpha(spline, first + k, spline->knots[r]),
                                      right + (size_t)(k + 1) * width, left + (size_t)k * width);
         if (here < least) {
             least = here;
@@ -99,16 +108,18 @@ static double removal_error(const removal *work, int r, int s)
     meet(work, r, s, left, right);
     double largest = 0;
     for (int k = 0; k <= count; k++)
-        largest = bat_max(largest, residual(work, row_of(spline, first + k),
-                                            alpha(spline, first + k, spline->knots[r]),
-                                            left + (size_t)(k + 1) * width, left + (size_t)k * width));
+        largest = bat_max(largest,
+                          residual(work, row_of(spline, first + k),
+                                   alpha(spline, first + k, spline->knots[r]),
+                                   left + (size_t)(k + 1) * width, left + (size_t)k * width));
     return largest;
 }
 
 static batten_status removal_begin(removal *work, bat_spline *spline, size_t group)
 {
     *work = (removal){spline, group, NULL};
-    work->rows = bat_array3(2 * ((size_t)spline->degree + 2), spline->width, sizeof *work->rows);
+    work->rows =
+        bat_array3(2 * ((size_t)spline->degree + 2), spline->width, sizeof *work->rows);
     return work->rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
@@ -125,7 +136,8 @@ static void close_gap(bat_spline *spline, int r, int s)
     const int n = spline->count, p = spline->degree;
     memmove(row_of(spline, r - s), row_of(spline, r - s + 1),
             (size_t)(n - 1 - (r - s)) * spline->width * sizeof *spline->values);
-    memmove(spline->knots + r, spline->knots + r + 1, (size_t)(n + p - r) * sizeof *spline->knots);
+    memmove(spline->knots + r, spline->knots + r + 1,
+            (size_t)(n + p - r) * sizeof *spline->knots);
     spline->count--;
 }
 
@@ -231,7 +243,8 @@ static void compact(thinning *work)
     int knots = 0, rows = 0;
     for (int i = 0; i < spline->count; i++)
         if (!work->row_gone[i])
-            memmove(row_of(spline, rows++), row_of(spline, i), spline->width * sizeof *spline->values);
+            memmove(row_of(spline, rows++), row_of(spline, i),
+                    spline->width * sizeof *spline->values);
     for (int j = 0; j < knot_count; j++)
         if (work->gone[j])
             work->moved[knots - 1] = bat_max(work->moved[knots - 1], work->moved[j]);
@@ -242,7 +255,8 @@ static void compact(thinning *work)
     spline->count = rows;
 }
 
-/* Of the knots that can go, those whose going moves the curve least, as long as they do not touch each other. */
+/* Of the knots that can go, those whose going moves the curve least, as long as they do not
+ * touch each other. */
 static int remove_round(thinning *work)
 {
     bat_spline *spline = work->removal.spline;
@@ -253,7 +267,8 @@ static int remove_round(thinning *work)
     memset(work->row_gone, 0, (size_t)spline->count * sizeof *work->row_gone);
     for (int i = 0; i < work->count; i++) {
         const int r = work->candidates[i].r, s = work->candidates[i].s;
-        if (near_gone(work, r) || moved_before(work, r, s) + work->candidates[i].error > work->tolerance)
+        if (near_gone(work, r) ||
+            moved_before(work, r, s) + work->candidates[i].error > work->tolerance)
             continue;
         const double moved = removal_error(&work->removal, r, s);
         take_points(&work->removal, r, s);
@@ -266,7 +281,8 @@ static int remove_round(thinning *work)
     return removed;
 }
 
-static batten_status thin(bat_spline *spline, size_t group, double tolerance, int *removed, double *error)
+static batten_status thin(bat_spline *spline, size_t group, double tolerance, int *removed,
+                          double *error)
 {
     const size_t knot_count = (size_t)spline->count + (size_t)spline->degree + 1;
     thinning work = {.tolerance = tolerance};

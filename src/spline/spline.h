@@ -1,11 +1,12 @@
 /*
- * The one mechanism under curves and surfaces: a polynomial spline whose control values are rows of `width`
- * numbers. A polynomial curve has width d, a rational one d + 1 (w x, w y, .., w); a surface is, along u, a
- * spline whose rows hold a whole line of control points, and along v the same after transposing. So knot
- * insertion, removal, elevation, splitting are written once.
+ * The one mechanism under curves and surfaces: a polynomial spline whose control values are
+ * rows of `width` numbers. A polynomial curve has width d, a rational one d + 1 (w x, w y, ..,
+ * w); a surface is, along u, a spline whose rows hold a whole line of control points, and along
+ * v the same after transposing. So knot insertion, removal, elevation, splitting are written
+ * once.
  *
- * A bat_spline owns its arrays. All operations make a new one and leave the old; they know nothing of weights or
- * of periodicity.
+ * A bat_spline owns its arrays. All operations make a new one and leave the old; they know
+ * nothing of weights or of periodicity.
  */
 #ifndef BAT_SPLINE_H
 #define BAT_SPLINE_H
@@ -24,47 +25,56 @@ void bat_spline_free(bat_spline *spline);
 
 /* ---- knots (src/spline/knots.c) ---- */
 
-/* Check what a caller gave: finite, not decreasing, multiplicities, a domain. `what` names it in messages: "knot",
- * "knot in u". */
+/* Check what a caller gave: finite, not decreasing, multiplicities, a domain. `what` names it
+ * in messages: "knot", "knot in u". */
 batten_status bat_knots_check(int degree, int count, const double *knots, const char *what);
-/* The span index k with U[k] <= u < U[k + 1], p <= k < n; the last span is closed on the right; from the left:
- * U[k] < u <= U[k + 1]. u must lie in the domain. */
+/* The span index k with U[k] <= u < U[k + 1], p <= k < n; the last span is closed on the right;
+ * from the left: U[k] < u <= U[k + 1]. u must lie in the domain. */
 int bat_knots_span(int degree, int count, const double *knots, double u, batten_side side);
 int bat_knots_multiplicity(int degree, int count, const double *knots, double u);
-/* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise. */
+/* Move a parameter at most 4 ulps outside onto the end; OUT_OF_DOMAIN or NOT_FINITE otherwise.
+ */
 batten_status bat_knots_clip(double a, double b, double *u);
-/* May `new_knots` [added] be inserted? They rise, lie in the domain, and stand not too often with those there. */
-batten_status bat_knots_check_insertion(int degree, int count, const double *knots, bool periodic, int added,
-                                        const double *new_knots);
-/* All m + 2 p + 1 knots of a periodic spline from the m + 1 of one period; `period` becomes knots p .. p + m. */
+/* May `new_knots` [added] be inserted? They rise, lie in the domain, and stand not too often
+ * with those there. */
+batten_status bat_knots_check_insertion(int degree, int count, const double *knots,
+                                        bool periodic, int added, const double *new_knots);
+/* All m + 2 p + 1 knots of a periodic spline from the m + 1 of one period; `period` becomes
+ * knots p .. p + m. */
 void bat_knots_wrap(int degree, int m, const double *period, double *knots);
 /* The knots of the reversed spline: negated, so that reversing twice gives the same bits. */
 void bat_knots_reverse(int degree, int count, const double *knots, double *out);
-/* The knots with their domain mapped linearly to [a, b]; BAD_KNOTS when distinct ones would coincide there. */
-batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b, double *out);
-/* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order + 1][p + 1]. */
+/* The knots with their domain mapped linearly to [a, b]; BAD_KNOTS when distinct ones would
+ * coincide there. */
+batten_status bat_knots_map(int degree, int count, const double *knots, double a, double b,
+                            double *out);
+/* Basis functions N[0..p] that live on span k, and their derivatives up to `order`: out [order
+ * + 1][p + 1]. */
 void bat_basis(int degree, const double *knots, int span, double u, int order, double *out);
 
 /* ---- one span in Bezier form (src/spline/piece.c) ----
  *
- * Evaluation turns the p + 1 rows that bear on a span into its Bezier rows and combines these with Bernstein
- * polynomials of t = (u - U[k]) / (U[k + 1] - U[k]): a convex combination, so accurate for every degree, and exact at
- * both ends of the span. One call and a batch share these steps, hence the same bits. */
+ * Evaluation turns the p + 1 rows that bear on a span into its Bezier rows and combines these
+ * with Bernstein polynomials of t = (u - U[k]) / (U[k + 1] - U[k]): a convex combination, so
+ * accurate for every degree, and exact at both ends of the span. One call and a batch share
+ * these steps, hence the same bits. */
 
 /* In place: the rows [p + 1][width] of points span - p .. span become Bezier rows. */
 void bat_piece_from_rows(int degree, const double *knots, int span, size_t width, double *rows);
 /* In place: Bezier rows of degree p become those of the derivative, degree p - 1. */
 void bat_piece_derive(int degree, double width_of_span, size_t width, double *rows);
-/* In place: rows of points span - p .. span become those of the derivative; the knots stay and the degree is one
- * less, points span - p + 1 .. span. */
+/* In place: rows of points span - p .. span become those of the derivative; the knots stay and
+ * the degree is one less, points span - p + 1 .. span. */
 void bat_rows_derive(int degree, const double *knots, int span, size_t width, double *rows);
-/* Is the span so much narrower than its neighbours that differences of its Bezier rows would lose digits? Then
- * derivatives go through bat_rows_derive. 64 degree: at most 6 bits beyond those of equal spans are lost. */
+/* Is the span so much narrower than its neighbours that differences of its Bezier rows would
+ * lose digits? Then derivatives go through bat_rows_derive. 64 degree: at most 6 bits beyond
+ * those of equal spans are lost. */
 bool bat_span_is_tight(int degree, const double *knots, int span);
 /* Bernstein polynomials out [p + 1] at t, s = 1 - t; at 0 and 1 exactly 0 and 1. */
 void bat_bernstein(int degree, double t, double s, double *out);
 /* out [width] = sum of basis[i] rows[i]. */
-void bat_combine(int degree, const double *basis, size_t width, const double *rows, double *out);
+void bat_combine(int degree, const double *basis, size_t width, const double *rows,
+                 double *out);
 extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 
 /* ---- other forms (src/spline/curve_forms.c) ---- */
@@ -73,45 +83,50 @@ extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 batten_status bat_breaks_check(int piece_count, const double *breaks);
 /* Each break `times` times, the first and the last degree + 1 times; release them. */
 double *bat_knots_of_breaks(int degree, int times, int piece_count, const double *breaks);
-/* The control rows out [count][k][width], degree 2 k - 1, that take values [count][k][width] (value, first .. derivative)
- * at the parameters. */
-void bat_hermite_points(int width, int count, int k, const double *parameters, const double *values,
-                        double *out);
+/* The control rows out [count][k][width], degree 2 k - 1, that take values [count][k][width]
+ * (value, first .. derivative) at the parameters. */
+void bat_hermite_points(int width, int count, int k, const double *parameters,
+                        const double *values, double *out);
 /* The Bezier rows b [p + 1][width] of a piece of length h in powers c [p + 1][width]. */
 void bat_power_to_bezier(int p, size_t width, double h, const double *c, double *b);
 
 /* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
 
-/* Insert knots [count], never decreasing, inside the domain or at its ends, none more often than p + 1 times
- * together with those there. Rows that do not change keep their bits. */
+/* Insert knots [count], never decreasing, inside the domain or at its ends, none more often
+ * than p + 1 times together with those there. Rows that do not change keep their bits. */
 batten_status bat_spline_insert(const bat_spline *spline, int count, const double *knots,
                                 bat_spline *out);
-/* One knot, inside the domain, up to `times` times while no point moves by more than `tolerance`: a row is a number of
- * points of `group` coordinates, group <= 4. *error: a bound on the movement of the whole shape. */
+/* One knot, inside the domain, up to `times` times while no point moves by more than
+ * `tolerance`: a row is a number of points of `group` coordinates, group <= 4. *error: a bound
+ * on the movement of the whole shape. */
 batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
                                 double tolerance, int *removed, double *error, bat_spline *out);
-/* All inner knots that can go while the movements, added up span by span, stay within `tolerance`; those that cost
- * least go first. */
+/* All inner knots that can go while the movements, added up span by span, stay within
+ * `tolerance`; those that cost least go first. */
 batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
                                     int *removed, double *error, bat_spline *out);
-/* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed. */
+/* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed.
+ */
 batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
 /* The knots of the spline elevated by one, and its number of points; release them. */
 batten_status bat_knots_elevate(int degree, int count, const double *knots, double **out,
                                 int *point_count);
-/* Weights [p + 1] of the rows span - p .. span in the elevated row that has the p + 1 knots `window`; the span is
- * that which holds the knot before them. */
-void bat_elevation_row(int degree, const double *knots, int span, const double *window, double *out);
-/* Clamped; inner knots stand once less for each degree, once at least. TOLERANCE_NOT_MET when rows move by more than
- * `tolerance`, in the sense of bat_spline_remove. */
-batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group, double tolerance,
-                                double *error, bat_spline *out);
+/* Weights [p + 1] of the rows span - p .. span in the elevated row that has the p + 1 knots
+ * `window`; the span is that which holds the knot before them. */
+void bat_elevation_row(int degree, const double *knots, int span, const double *window,
+                       double *out);
+/* Clamped; inner knots stand once less for each degree, once at least. TOLERANCE_NOT_MET when
+ * rows move by more than `tolerance`, in the sense of bat_spline_remove. */
+batten_status bat_spline_reduce(const bat_spline *spline, int degree, size_t group,
+                                double tolerance, double *error, bat_spline *out);
 /* A tolerance is a number, and not negative (curve_simplify.c). */
 batten_status bat_tolerance_check(double tolerance);
 /* Clamped at both ends of [a, b] inside the domain. */
-batten_status bat_spline_subrange(const bat_spline *spline, double a, double b, bat_spline *out);
+batten_status bat_spline_subrange(const bat_spline *spline, double a, double b,
+                                  bat_spline *out);
 /* Both parts clamped at both ends; they share the row at u. */
-batten_status bat_spline_split(const bat_spline *spline, double u, bat_spline *low, bat_spline *high);
+batten_status bat_spline_split(const bat_spline *spline, double u, bat_spline *low,
+                               bat_spline *high);
 /* Every knot of the domain p times, p + 1 at its ends. */
 batten_status bat_spline_to_bezier(const bat_spline *spline, bat_spline *out);
 

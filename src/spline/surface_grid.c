@@ -305,7 +305,8 @@ static batten_status make_room(const grid *work, row_room *out)
                  line = (size_t)nurbs->axes[BATTEN_V].count * nurbs->width;
     const size_t basis = (n + 1) * ((size_t)nurbs->axes[BATTEN_U].degree + 1);
     const size_t table = (n + 1) * (n + 2) / 2 * BAT_MAX_WIDTH, frames = BLOCK * FRAME;
-    double *room = bat_array(basis + (n + 1) * line + (table > frames ? table : frames), sizeof *room);
+    double *room =
+        bat_array(basis + (n + 1) * line + (table > frames ? table : frames), sizeof *room);
     if (!room)
         return BATTEN_OUT_OF_MEMORY;
     *out = (row_room){room, room + basis, room + basis + (n + 1) * line};
@@ -464,10 +465,10 @@ static batten_status normal_rows(void *context, size_t begin, size_t end)
         return status;
     for (size_t i = begin; i < end && status == BATTEN_OK; i++) {
         const double span = combine_lines(work, work->u[i], room.basis, room.lines);
-        status = normal_row(
-            work, room.lines,
-            bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest), i,
-            (double(*)[FRAME])(void *)room.rows);
+        status =
+            normal_row(work, room.lines,
+                       bat_derivative_noise(nurbs->axes[BATTEN_U].degree, span, nurbs->largest),
+                       i, (double(*)[FRAME])(void *)room.rows);
     }
     bat_release(room.basis);
     return status;

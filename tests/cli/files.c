@@ -29,8 +29,8 @@ TEST(F1_what_cannot_be_read_is_refused_with_the_reason)
 
 TEST(F8_odd_file_names_work_and_are_shown_escaped)
 {
-    static const char *const names[] = {"with blank.csv", "quo\"te'.csv", "-dash.csv", "new\nline.csv", "b\xff.csv",
-                                        "hash#.csv"};
+    static const char *const names[] = {"with blank.csv", "quo\"te'.csv", "-dash.csv",
+                                        "new\nline.csv",  "b\xff.csv",    "hash#.csv"};
     for (int i = 0; i < COUNT(names); i++) {
         const char *path = write_table(names[i]);
         CHECK_INT(RUN("batten", "info", path).exit, 0);
@@ -42,15 +42,16 @@ TEST(F8_odd_file_names_work_and_are_shown_escaped)
 
 TEST(W8_a_full_or_closed_standard_output_is_a_failure)
 {
-    const test_process run =
-        test_shell("\"$BATTEN\" help > /dev/full; a=$?; \"$BATTEN\" help features >&-; echo $a $?");
+    const test_process run = test_shell(
+        "\"$BATTEN\" help > /dev/full; a=$?; \"$BATTEN\" help features >&-; echo $a $?");
     CHECK_CONTAINS(run.out, "1 1");
     CHECK_CONTAINS(run.errors, "standard output");
 }
 
 TEST(W8_a_closed_pipe_is_a_failure)
 {
-    const test_process run = test_shell("{ sleep 0.2; \"$BATTEN\" help; echo status $? >&2; } | true");
+    const test_process run =
+        test_shell("{ sleep 0.2; \"$BATTEN\" help; echo status $? >&2; } | true");
     CHECK_CONTAINS(run.errors, "status 1");
 }
 
@@ -58,8 +59,10 @@ static const char *write_design(const char *name, const char *operation)
 {
     const char *path = test_scratch(name);
     char text[300];
-    snprintf(text, sizeof text, "batten: 1\nparameters:\n  height: 2\nfeatures:\n  a: {%s: [[0, 0], [1, =height]]}\n",
-             operation);
+    snprintf(
+        text, sizeof text,
+        "batten: 1\nparameters:\n  height: 2\nfeatures:\n  a: {%s: [[0, 0], [1, =height]]}\n",
+        operation);
     test_write(path, text);
     return path;
 }
@@ -88,9 +91,10 @@ TEST(info_tells_what_is_in_a_file)
     const char *path = write_table("table.csv");
     const test_process run = RUN("batten", "info", path, "--json");
     CHECK_INT(run.exit, 0);
-    static const char *const keys[] = {"\"unit\"",   "\"objects\"", "\"name\"",   "\"type\"",   "\"kind\"",
-                                       "\"dimension\"", "\"degree\"", "\"points\"", "\"rational\"", "\"closed\"",
-                                       "\"domain\"", "\"box\"",     "\"messages\""};
+    static const char *const keys[] = {
+        "\"unit\"",      "\"objects\"", "\"name\"",    "\"type\"",     "\"kind\"",
+        "\"dimension\"", "\"degree\"",  "\"points\"",  "\"rational\"", "\"closed\"",
+        "\"domain\"",    "\"box\"",     "\"messages\""};
     for (int i = 0; i < COUNT(keys); i++)
         CHECK_CONTAINS(run.out, keys[i]);
 }
@@ -113,7 +117,10 @@ TEST(the_method_of_fit_brings_its_own_options)
 {
     const char *points = test_scratch("grid.xyz"), *surface = test_scratch("grid.igs");
     test_write(points, "0 0 0\n1 0 1\n2 0 0\n\n0 1 0\n1 1 2\n2 1 0\n\n0 2 0\n1 2 1\n2 2 0\n");
-    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--method", "interpolate-grid", "--degree-v", "1").exit, 0);
+    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--method", "interpolate-grid",
+                  "--degree-v", "1")
+                  .exit,
+              0);
     CHECK_CONTAINS(RUN("batten", "info", surface).out, "degree 2 x 1");
     CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--degree-v", "1").exit, 2);
 }
@@ -130,7 +137,9 @@ TEST(a_file_that_would_hold_nothing_is_not_written)
 TEST(a_misspelt_parameter_is_refused_with_the_nearest)
 {
     const char *design = test_scratch("set.yaml");
-    test_write(design, "batten: 1\nparameters:\n  beam: 3 m\nfeatures:\n  a: {line: [[0, 0], [=beam, 0]]}\n");
+    test_write(
+        design,
+        "batten: 1\nparameters:\n  beam: 3 m\nfeatures:\n  a: {line: [[0, 0], [=beam, 0]]}\n");
     CHECK_INT(RUN("batten", "build", design, "--set", "beam=4 m").exit, 0);
     static const char *const wrong[] = {"baem=4 m", "parameters.baem=4 m"};
     for (int i = 0; i < COUNT(wrong); i++) {
@@ -147,9 +156,12 @@ TEST(a_bound_that_is_not_met_is_exit_status_1)
     for (int i = 0; i < COUNT(limits); i++) {
         char text[512];
         snprintf(text, sizeof text,
-                 "batten: 1\nfeatures:\n  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
-                 "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 mm]}\n"
-                 "outputs:\n  bound.txt: {check: high, within: %s}\n", limits[i]);
+                 "batten: 1\nfeatures:\n  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, "
+                 "1, 0]], columns: 2}\n"
+                 "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: "
+                 "[0, 0, 1 mm]}\n"
+                 "outputs:\n  bound.txt: {check: high, within: %s}\n",
+                 limits[i]);
         test_write(design, text);
         CHECK_INT(RUN("batten", "check", design).exit, i);
         CHECK_INT(RUN("batten", "build", design).exit, i);
@@ -158,7 +170,8 @@ TEST(a_bound_that_is_not_met_is_exit_status_1)
 
 TEST(standard_input_is_a_file_named_dash)
 {
-    const test_process run = test_run(table, (const char *const[]){"batten", "info", "-", NULL});
+    const test_process run =
+        test_run(table, (const char *const[]){"batten", "info", "-", NULL});
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.out, "4 stations");
 }
@@ -178,7 +191,8 @@ TEST(one_object_of_a_file_is_named_behind_a_hash)
 TEST(fairing_a_table_keeps_the_bound)
 {
     const char *path = write_table("table.csv"), *faired = test_scratch("faired.csv");
-    const test_process run = RUN("batten", "fair", path, "-o", faired, "--within", "0.01", "--json");
+    const test_process run =
+        RUN("batten", "fair", path, "-o", faired, "--within", "0.01", "--json");
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.out, "\"moved\"");
     CHECK_CONTAINS(run.out, "\"excess_inflections\"");
@@ -189,12 +203,15 @@ TEST(W9_an_interrupt_leaves_the_target_untouched)
 {
     const char *design = test_scratch("long.yaml"), *target = test_scratch("long.png");
     write_table("table.csv");
-    test_write(design, "batten: 1\nunits: m\nfeatures:\n  t: {read: table.csv}\n  s: {interpolate: t, each: station}\n"
-                       "  h: {skin: s}\noutputs:\n  long.png: {picture: h, shading: zebra, width: 8000, height: 8000}\n");
+    test_write(design, "batten: 1\nunits: m\nfeatures:\n  t: {read: table.csv}\n  s: "
+                       "{interpolate: t, each: station}\n"
+                       "  h: {skin: s}\noutputs:\n  long.png: {picture: h, shading: zebra, "
+                       "width: 8000, height: 8000}\n");
     test_write(target, "old");
     char line[1024];
     snprintf(line, sizeof line,
-             "timeout -s INT 0.3 \"$BATTEN\" build '%s' -q; echo status $?; ls -A \"$(dirname '%s')\" | grep -c batten-tmp",
+             "timeout -s INT 0.3 \"$BATTEN\" build '%s' -q; echo status $?; ls -A \"$(dirname "
+             "'%s')\" | grep -c batten-tmp",
              design, design);
     const test_process run = test_shell(line);
     CHECK_CONTAINS(run.out, "\n0\n");

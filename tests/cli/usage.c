@@ -38,7 +38,8 @@ TEST(U1_an_unknown_command_is_named_with_the_nearest)
 
 TEST(U1_a_repeated_option_is_refused)
 {
-    check_usage(RUN("batten", "build", "-o", "a", "--output", "b", "x.yaml"), "--output is given twice");
+    check_usage(RUN("batten", "build", "-o", "a", "--output", "b", "x.yaml"),
+                "--output is given twice");
 }
 
 TEST(U1_an_option_without_its_value_is_refused)
@@ -49,7 +50,8 @@ TEST(U1_an_option_without_its_value_is_refused)
 
 TEST(U1_a_word_where_a_number_stands_is_refused)
 {
-    check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "many"), "wants a number");
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "many"),
+                "wants a number");
     check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "-1"), "whole number");
 }
 

@@ -140,14 +140,13 @@ TEST(sections_placed_along_a_spine_are_not_compared_with_their_points)
     batten_design *design = NULL;
     char *data = NULL;
     size_t size = 0;
-    static const char text[] =
-        "batten: 1\nunits: m\nfeatures:\n"
-        "  p: {points: [[1, 0], [0, 1], [-1, 0], [0, -1]]}\n"
-        "  c: {interpolate: p}\n"
-        "  q: {scale: c, by: 0.5}\n"
-        "  path: {line: [[5, 0, 0], [5, 0, 3]]}\n"
-        "  s: {skin: [c, q], spine: path}\n"
-        "outputs:\n  r.txt: {check: s}\n";
+    static const char text[] = "batten: 1\nunits: m\nfeatures:\n"
+                               "  p: {points: [[1, 0], [0, 1], [-1, 0], [0, -1]]}\n"
+                               "  c: {interpolate: p}\n"
+                               "  q: {scale: c, by: 0.5}\n"
+                               "  path: {line: [[5, 0, 0], [5, 0, 3]]}\n"
+                               "  s: {skin: [c, q], spine: path}\n"
+                               "outputs:\n  r.txt: {check: s}\n";
     CHECK_OK(batten_design_parse(text, sizeof text - 1, NULL, NULL, &design));
     CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
     CHECK(strstr(data, "points given") == NULL);

@@ -241,7 +241,8 @@ TEST(a_ring_of_parameters_offers_no_name_for_itself)
     batten_notes *notes = NULL;
     batten_design *design = NULL;
     CHECK_OK(batten_notes_create(10, &notes));
-    CHECK_STATUS(batten_design_parse(text, strlen(text), NULL, notes, &design), BATTEN_BAD_FORMAT);
+    CHECK_STATUS(batten_design_parse(text, strlen(text), NULL, notes, &design),
+                 BATTEN_BAD_FORMAT);
     for (int i = 0; i < batten_notes_count(notes); i++)
         CHECK(strstr(batten_notes_at(notes, i)->text, "did you mean 'a'") == NULL);
     batten_notes_free(notes);

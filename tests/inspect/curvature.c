@@ -148,16 +148,17 @@ TEST(the_teeth_of_a_circle_end_on_a_circle)
 /* Value and three derivatives at t, row by row. */
 static void helix(double t, double *v)
 {
-    const double rows[] = {5 * cos(t),  5 * sin(t), t / 5, -5 * sin(t), 5 * cos(t),  0.2,
-                           -5 * cos(t), -5 * sin(t), 0,    5 * sin(t),  -5 * cos(t), 0};
+    const double rows[] = {5 * cos(t),  5 * sin(t),  t / 5, -5 * sin(t), 5 * cos(t),  0.2,
+                           -5 * cos(t), -5 * sin(t), 0,     5 * sin(t),  -5 * cos(t), 0};
     memcpy(v, rows, sizeof rows);
 }
 
 static void spiral(double t, double *v)
 {
     const double s = sin(t / 2), c = cos(t / 2);
-    const double rows[] = {t * s,          t, 3 + t * c,      s + t / 2 * c,         1, c - t / 2 * s,
-                           c - t / 4 * s,  0, -s - t / 4 * c, -0.75 * s - t / 8 * c, 0, -0.75 * c + t / 8 * s};
+    const double rows[] = {
+        t * s,         t, 3 + t * c,      s + t / 2 * c,         1, c - t / 2 * s,
+        c - t / 4 * s, 0, -s - t / 4 * c, -0.75 * s - t / 8 * c, 0, -0.75 * c + t / 8 * s};
     memcpy(v, rows, sizeof rows);
 }
 
@@ -179,7 +180,8 @@ TEST(the_helix_of_the_notes_has_its_speed_curvature_and_torsion)
     batten_curve *curve = osculating(helix, 0, 6);
     for (int k = 0; k <= 300; k++) {
         batten_curve_local at;
-        CHECK_OK(batten_curve_local_at(curve, 6 * k / 300.0, k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));
+        CHECK_OK(batten_curve_local_at(curve, 6 * k / 300.0,
+                                       k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));
         CHECK_NEAR(at.speed, 5.003998401278721, 1e-10);
         CHECK_NEAR(at.curvature, 5 / 25.04, 1e-9);
         CHECK_NEAR(at.torsion, 0.2 / 25.04, 1e-8);
@@ -205,7 +207,8 @@ TEST(the_loop_of_the_notes_crosses_itself_at_its_double_point)
         CHECK_OK(batten_curve_local_at(curve, t, BATTEN_FROM_RIGHT, &at));
         CHECK_NEAR(at.point.x, 1978. / 27, 1e-11);
         CHECK_NEAR(at.point.y, -710. / 3, 1e-11);
-        const double dx = 12 * t * t + 20 * t - 30, dy = -60 * t - 10, ddx = 24 * t + 20, ddy = -60;
+        const double dx = 12 * t * t + 20 * t - 30, dy = -60 * t - 10, ddx = 24 * t + 20,
+                     ddy = -60;
         CHECK_NEAR(at.curvature, (dx * ddy - dy * ddx) / pow(hypot(dx, dy), 3), 1e-14);
     }
     batten_curve_unref(curve);

@@ -112,7 +112,8 @@ TEST(I1_no_scan_of_a_creased_surface_finds_a_nearer_point)
             for (int j = 0; j <= 60; j++) {
                 CHECK_OK(batten_surface_evaluate(surface, i / 60.0, j / 60.0, 0, at));
                 for (int k = 0; k < 10; k++)
-                    CHECK(distances[k] <= hypot(hypot(at[0] - q[3 * k], at[1] - q[3 * k + 1]), at[2] - q[3 * k + 2]) *
+                    CHECK(distances[k] <= hypot(hypot(at[0] - q[3 * k], at[1] - q[3 * k + 1]),
+                                                at[2] - q[3 * k + 2]) *
                                               (1 + 1e-12));
             }
         batten_surface_unref(surface);

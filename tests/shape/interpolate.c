@@ -730,7 +730,8 @@ TEST(curvatures_that_rounding_keeps_from_the_last_digits_are_reached)
         double at[3][2];
         CHECK_OK(batten_curve_evaluate(curve, e ? domain.b : domain.a, 2, at[0]));
         const double speed = hypot(at[1][0], at[1][1]);
-        const double turn = (at[1][0] * at[2][1] - at[1][1] * at[2][0]) / (speed * speed * speed);
+        const double turn =
+            (at[1][0] * at[2][1] - at[1][1] * at[2][0]) / (speed * speed * speed);
         const double across = (at[1][0] * wanted[e][1] - at[1][1] * wanted[e][0]) / speed;
         CHECK_NEAR(turn, across, 1e-8);
     }

@@ -410,9 +410,11 @@ TEST(skins_that_make_no_sense_are_refused)
 
 TEST(curves_far_along_their_parameter_are_extruded)
 {
-    const double starts[] = {0, -1e3, 1e6, 1e9}, points[] = {0, 0, 0, 3, 5, 1, 7, -4, 0, 9, 1, 2, 12, 3, 1};
+    const double starts[] = {0, -1e3, 1e6, 1e9},
+                 points[] = {0, 0, 0, 3, 5, 1, 7, -4, 0, 9, 1, 2, 12, 3, 1};
     for (int i = 0; i < COUNT(starts); i++) {
-        const double a = starts[i], knots[] = {a, a, a, a, a + 0.25, a + 1, a + 1, a + 1, a + 1};
+        const double a = starts[i],
+                     knots[] = {a, a, a, a, a + 0.25, a + 1, a + 1, a + 1, a + 1};
         const batten_vec3 up = {0, 0, 10};
         batten_curve *curve = NULL;
         batten_surface *wall = NULL;
@@ -422,7 +424,8 @@ TEST(curves_far_along_their_parameter_are_extruded)
             double given[3], found[3];
             CHECK_OK(batten_curve_evaluate(curve, a + k / 32.0, 0, given));
             CHECK_OK(batten_surface_evaluate(wall, k / 32.0, 1, 0, found));
-            for (int c = 0; c < 3; c++) /* quarters are exact at any start, so nothing is lost */
+            for (int c = 0; c < 3;
+                 c++) /* quarters are exact at any start, so nothing is lost */
                 CHECK_NEAR(found[c], given[c] + (c == 2 ? 10 : 0), 1e-13 * 22);
         }
         batten_surface_unref(wall);
@@ -432,7 +435,8 @@ TEST(curves_far_along_their_parameter_are_extruded)
 
 TEST(sections_with_rounded_parameters_are_skinned)
 {
-    const double thirds[] = {1e6, 1e6, 1e6, 1e6, 1e6 + 1 / 3.0, 1e6 + 1, 1e6 + 1, 1e6 + 1, 1e6 + 1};
+    const double thirds[] = {1e6,     1e6,     1e6,     1e6,    1e6 + 1 / 3.0,
+                             1e6 + 1, 1e6 + 1, 1e6 + 1, 1e6 + 1};
     const double sevenths[] = {0, 0, 0, 0, 2 / 7.0, 1, 1, 1, 1};
     const double points[] = {0, 0, 3, 5, 7, -4, 9, 1, 12, 3};
     batten_curve *sections[3] = {NULL};
@@ -443,7 +447,8 @@ TEST(sections_with_rounded_parameters_are_skinned)
             placed[3 * i + 1] = points[2 * i + 1];
             placed[3 * i + 2] = k;
         }
-        CHECK_OK(batten_curve_create(3, 3, 5, placed, NULL, k == 1 ? sevenths : thirds, &sections[k]));
+        CHECK_OK(batten_curve_create(3, 3, 5, placed, NULL, k == 1 ? sevenths : thirds,
+                                     &sections[k]));
     }
     batten_surface *surface = NULL;
     batten_skin_report report;

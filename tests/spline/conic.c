@@ -9,11 +9,13 @@ static void check_circle(const batten_curve *curve, double radius, double x, dou
     const batten_interval domain = batten_curve_domain(curve);
     for (int i = 0; i <= 1000; i++) {
         double out[9];
-        CHECK_OK(batten_curve_evaluate(curve, domain.a + i / 1000.0 * (domain.b - domain.a), 2, out));
+        CHECK_OK(batten_curve_evaluate(curve, domain.a + i / 1000.0 * (domain.b - domain.a), 2,
+                                       out));
         CHECK_NEAR(hypot(out[0] - x, out[1] - y) / radius, 1, 4 * DBL_EPSILON);
         const double speed = hypot(out[2], out[3]);
         if (speed > radius / 100) /* else the differences of nearly equal points tell little */
-            CHECK_NEAR((out[2] * out[5] - out[3] * out[4]) / (speed * speed * speed) * radius, 1, 1e-11);
+            CHECK_NEAR((out[2] * out[5] - out[3] * out[4]) / (speed * speed * speed) * radius,
+                       1, 1e-11);
     }
 }
 
@@ -77,11 +79,14 @@ TEST(an_arc_in_a_frame_lies_in_its_plane)
     double start[3];
     CHECK_OK(batten_curve_evaluate(arc, 0, 0, start));
     /* The first axis is (0, 1, 0) made square: (-5, 2, -5) / sqrt 54. */
-    const double along = (-5 * (start[0] - 1) + 2 * (start[1] - 2) - 5 * (start[2] - 3)) / sqrt(54);
+    const double along =
+        (-5 * (start[0] - 1) + 2 * (start[1] - 2) - 5 * (start[2] - 3)) / sqrt(54);
     CHECK_NEAR(along, 2 * cos(0.5), 4e-15);
     batten_curve_unref(arc);
-    const batten_frame flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, none = {{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
-    const batten_frame bad = {{0, 0, 0}, {1, 0, 0}, {2, NAN, 0}}, no_z = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+    const batten_frame flat = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+                       none = {{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
+    const batten_frame bad = {{0, 0, 0}, {1, 0, 0}, {2, NAN, 0}},
+                       no_z = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
     CHECK_STATUS(batten_curve_arc_in(&flat, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_arc_in(&none, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_arc_in(&no_z, 1, 0, 1, &arc), BATTEN_BAD_ARGUMENT);
@@ -170,7 +175,8 @@ TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
     CHECK_STATUS(batten_curve_conic(4, a, b, c, 1, &none), BATTEN_BAD_ARGUMENT);
 }
 
-static void check_five(const double *points, double (*equation)(double, double), double tolerance)
+static void check_five(const double *points, double (*equation)(double, double),
+                       double tolerance)
 {
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_conic_five(points, &curve));
@@ -227,9 +233,11 @@ TEST(five_points_give_their_conic)
 
 TEST(five_points_that_are_no_arc_are_refused)
 {
-    const double line[] = {0, 0, 1, 0, 2, 0, 3, 0, 4, 1}, twice[] = {0, 0, 1, 0, 2, 1, 1, 0, 4, 1};
+    const double line[] = {0, 0, 1, 0, 2, 0, 3, 0, 4, 1},
+                 twice[] = {0, 0, 1, 0, 2, 1, 1, 0, 4, 1};
     const double bad[] = {0, 0, 1, 0, 2, NAN, 1, 0, 4, 1};
-    const double branches[] = {1, 1, 2, 0.5, -1, -1, -2, -0.5, -0.5, -2}, mixed[] = {1, 0, -1, 0, 0, 1, 0.6, 0.8, 0, -1};
+    const double branches[] = {1, 1, 2, 0.5, -1, -1, -2, -0.5, -0.5, -2},
+                 mixed[] = {1, 0, -1, 0, 0, 1, 0.6, 0.8, 0, -1};
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_conic_five(line, &none), BATTEN_SINGULAR_SYSTEM);
     CHECK_STATUS(batten_curve_conic_five(twice, &none), BATTEN_COINCIDENT);
@@ -293,10 +301,12 @@ TEST(G2_every_pair_of_coinciding_points_and_every_size_is_refused)
 TEST(a_conic_goes_through_no_point_beyond_any_side_of_its_triangle)
 {
     const double a[] = {0, 0}, b[] = {1, 0}, c[] = {0, 1};
-    const double beyond[][2] = {{0.6, 0.6}, {-0.1, 0.5}, {0.5, -0.1}, {0.5, 0.5}, {0, 0.5}, {0.5, 0}};
+    const double beyond[][2] = {{0.6, 0.6}, {-0.1, 0.5}, {0.5, -0.1},
+                                {0.5, 0.5}, {0, 0.5},    {0.5, 0}};
     batten_curve *none = NULL;
     for (int i = 0; i < COUNT(beyond); i++) {
-        CHECK_STATUS(batten_curve_conic_through(a, b, c, beyond[i], &none), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_conic_through(a, b, c, beyond[i], &none),
+                     BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("not inside the triangle");
     }
     const double huge[] = {1e200, 0}, high[] = {0, 1e200}, in[] = {1, 1};

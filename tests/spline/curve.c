@@ -10,10 +10,13 @@ TEST(K9_degrees_and_counts_at_their_limits)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_create(2, 0, 4, square, NULL, knots, &curve), BATTEN_BAD_DEGREE);
     CHECK_STATUS(batten_curve_create(2, 26, 4, square, NULL, knots, &curve), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_create(2, 4, 4, square, NULL, knots, &curve), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_create(2, 4, 4, square, NULL, knots, &curve),
+                 BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("4 control points for degree 4; 5 are needed");
-    CHECK_STATUS(batten_curve_create(2, 1, 0, square, NULL, knots, &curve), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_create(4, 1, 2, square, NULL, knots, &curve), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_create(2, 1, 0, square, NULL, knots, &curve),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_create(4, 1, 2, square, NULL, knots, &curve),
+                 BATTEN_BAD_ARGUMENT);
     CHECK(curve == NULL);
 }
 
@@ -21,8 +24,10 @@ TEST(S1_counts_that_wrap_are_refused)
 {
     const double knots[60] = {0};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 1, -1, square, NULL, knots, &curve), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_create(2, 1, 2147483647, square, NULL, knots, &curve), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curve_create(2, 1, -1, square, NULL, knots, &curve),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_create(2, 1, 2147483647, square, NULL, knots, &curve),
+                 BATTEN_TOO_LARGE);
 }
 
 TEST(K8_weights_must_be_positive)
@@ -30,10 +35,12 @@ TEST(K8_weights_must_be_positive)
     const double knots[] = {0, 0, 1, 2, 3, 3};
     double weights[] = {1, 1, 0, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve), BATTEN_BAD_WEIGHT);
+    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve),
+                 BATTEN_BAD_WEIGHT);
     CHECK_MESSAGE("weight 2 is 0");
     weights[2] = INFINITY;
-    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_create(2, 1, 4, square, weights, knots, &curve),
+                 BATTEN_NOT_FINITE);
 }
 
 TEST(N1_coordinates_that_are_no_numbers_are_refused)
@@ -114,9 +121,12 @@ TEST(K1_an_empty_period_is_refused)
 {
     const double knots[] = {1, 1, 1}, bad[] = {0, NAN, 1}, falling[] = {0, 2, 1};
     batten_curve *curve = NULL;
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, knots, &curve), BATTEN_BAD_KNOTS);
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, bad, &curve), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, falling, &curve), BATTEN_BAD_KNOTS);
+    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, knots, &curve),
+                 BATTEN_BAD_KNOTS);
+    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, bad, &curve),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_create_periodic(1, 1, 2, square, NULL, falling, &curve),
+                 BATTEN_BAD_KNOTS);
 }
 
 TEST(greville_abscissae_are_the_points_of_the_identity)
@@ -129,7 +139,8 @@ TEST(greville_abscissae_are_the_points_of_the_identity)
         const int n = batten_curve_point_count(curve);
         for (int k = 0; k < n; k++)
             points[k] = batten_curve_greville(curve, k);
-        CHECK_OK(batten_curve_create(1, batten_curve_degree(curve), n, points, NULL, batten_curve_knots(curve), &identity));
+        CHECK_OK(batten_curve_create(1, batten_curve_degree(curve), n, points, NULL,
+                                     batten_curve_knots(curve), &identity));
         for (int k = 0; k < 10; k++) {
             double value, u = test_parameter(&random, curve);
             CHECK_OK(batten_curve_evaluate(identity, u, 0, &value));
@@ -145,9 +156,11 @@ TEST(a_curve_stays_in_its_box)
     test_random random = test_random_begin(__func__);
     const test_wish any = {0};
     for (int i = 0; i < test_cases(300); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
         const batten_box box = batten_curve_box(curve);
-        const double most = 8 * batten_curve_degree(curve) * DBL_EPSILON * test_curve_size(curve);
+        const double most =
+            8 * batten_curve_degree(curve) * DBL_EPSILON * test_curve_size(curve);
         double p[3] = {0};
         CHECK_OK(batten_curve_evaluate(curve, test_parameter(&random, curve), 0, p));
         CHECK(p[0] >= box.low.x - most && p[0] <= box.high.x + most);
@@ -164,15 +177,18 @@ TEST(K2_a_curve_of_bad_period_or_knots_is_not_made)
     CHECK_STATUS(batten_curve_create(2, 2, 4, square, NULL, knots, &none), BATTEN_OK);
     batten_curve_unref(none);
     none = NULL;
-    CHECK_STATUS(batten_curve_create_periodic(1, 2, 4, square, NULL, period, &none), BATTEN_BAD_KNOTS);
-    CHECK_STATUS(batten_curve_create_periodic(1, 2, 0, square, NULL, period, &none), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_create_periodic(1, 2, 4, square, NULL, period, &none),
+                 BATTEN_BAD_KNOTS);
+    CHECK_STATUS(batten_curve_create_periodic(1, 2, 0, square, NULL, period, &none),
+                 BATTEN_TOO_FEW_POINTS);
     CHECK(none == NULL);
 }
 
 TEST(clamped_means_at_both_ends)
 {
     const double points[] = {0, 1, 3};
-    const double knots[4][6] = {{0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 2}, {-1, 0, 0, 1, 1, 1}, {-1, 0, 0, 1, 1, 2}};
+    const double knots[4][6] = {
+        {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 2}, {-1, 0, 0, 1, 1, 1}, {-1, 0, 0, 1, 1, 2}};
     for (int i = 0; i < 4; i++) {
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots[i], &curve));

@@ -1,4 +1,5 @@
-/* The bounds of evaluation and of the exact changes, measured in r = 2^-53 against sums in higher precision. */
+/* The bounds of evaluation and of the exact changes, measured in r = 2^-53 against sums in
+ * higher precision. */
 #include <batten/curve.h>
 
 #include "support/generate.h"
@@ -56,7 +57,8 @@ static batten_curve *curve_of(test_random *random, family kind, int p, bool rati
 static void reference(const batten_curve *curve, double u, wide *point, wide *derivative)
 {
     const int p = batten_curve_degree(curve), n = batten_curve_point_count(curve);
-    const double *U = batten_curve_knots(curve), *P = batten_curve_points(curve), *W = batten_curve_weights(curve);
+    const double *U = batten_curve_knots(curve), *P = batten_curve_points(curve),
+                 *W = batten_curve_weights(curve);
     int k = p;
     while (k + 1 < n && (U[k + 1] <= u || U[k] == U[k + 1]))
         k++;
@@ -70,7 +72,8 @@ static void reference(const batten_curve *curve, double u, wide *point, wide *de
     }
     for (int j = 0; j < p; j++)
         for (int c = 0; c < 3; c++)
-            rows[1][j][c] = p * (rows[0][j + 1][c] - rows[0][j][c]) / ((wide)U[k + 1 + j] - U[k + 1 + j - p]);
+            rows[1][j][c] = p * (rows[0][j + 1][c] - rows[0][j][c]) /
+                            ((wide)U[k + 1 + j] - U[k + 1 + j - p]);
     for (int m = 0; m < 2; m++)
         for (int level = 1; level <= p - m; level++)
             for (int j = 0; j <= p - m - level; j++) {
@@ -108,17 +111,20 @@ static void measure(bool rational, double point_bound, double derivative_bound)
     test_random random = test_random_begin("accuracy");
     double worst = 0, worst_derivative = 0;
     for (int i = 0; i < test_cases(3000); i++) {
-        const int p = test_random_int(&random, 0, 4) ? test_random_int(&random, 1, 5) : test_random_int(&random, 1, 25);
+        const int p = test_random_int(&random, 0, 4) ? test_random_int(&random, 1, 5)
+                                                     : test_random_int(&random, 1, 25);
         batten_curve *curve = curve_of(&random, (family)(i % FAMILIES), p, rational);
         const double size = test_curve_size(curve);
         for (int k = 0; k < 10; k++) {
-            const double u = test_parameter(&random, curve), D = 2 * p * size / least_span(curve, u);
+            const double u = test_parameter(&random, curve),
+                         D = 2 * p * size / least_span(curve, u);
             wide point[2], derivative[2];
             double out[4];
             CHECK_OK(batten_curve_evaluate(curve, u, 1, out));
             reference(curve, u, point, derivative);
             worst = fmax(worst, error_of(out, point) / (p * r * size));
-            worst_derivative = fmax(worst_derivative, error_of(out + 2, derivative) / (p * r * D));
+            worst_derivative =
+                fmax(worst_derivative, error_of(out + 2, derivative) / (p * r * D));
         }
         batten_curve_unref(curve);
     }
@@ -144,7 +150,8 @@ TEST(inserting_and_elevating_keep_their_bounds)
         const int p = test_random_int(&random, 1, 5);
         batten_curve *curve = curve_of(&random, (family)(i % FAMILIES), p, false), *made = NULL;
         const batten_interval domain = batten_curve_domain(curve);
-        const double u = domain.a + test_random_unit(&random) * (domain.b - domain.a), size = test_curve_size(curve);
+        const double u = domain.a + test_random_unit(&random) * (domain.b - domain.a),
+                     size = test_curve_size(curve);
         CHECK_OK(batten_curve_insert_knot(curve, u, 1, &made));
         double sum = 0;
         for (int k = 0; k < 10; k++) {
@@ -152,7 +159,8 @@ TEST(inserting_and_elevating_keep_their_bounds)
             wide before[2], after[2], slope[2];
             reference(curve, v, before, slope);
             reference(made, v, after, slope);
-            sum = fmax(sum, fmax(fabs((double)(before[0] - after[0])), fabs((double)(before[1] - after[1]))));
+            sum = fmax(sum, fmax(fabs((double)(before[0] - after[0])),
+                                 fabs((double)(before[1] - after[1]))));
         }
         CHECK_NEAR(sum / (r * size), 0, 8);
         batten_curve_unref(made);
@@ -162,7 +170,8 @@ TEST(inserting_and_elevating_keep_their_bounds)
             wide before[2], after[2], slope[2];
             reference(curve, v, before, slope);
             reference(made, v, after, slope);
-            sum = fmax(sum, fmax(fabs((double)(before[0] - after[0])), fabs((double)(before[1] - after[1]))));
+            sum = fmax(sum, fmax(fabs((double)(before[0] - after[0])),
+                                 fabs((double)(before[1] - after[1]))));
         }
         CHECK_NEAR(sum / (r * size), 0, 8);
         batten_curve_unref(made);

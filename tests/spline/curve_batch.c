@@ -34,7 +34,8 @@ TEST(a_batch_has_the_bits_of_single_calls)
     for (int i = 0; i < test_cases(400); i++) {
         /* Every second one a cubic, which has loops of its own. */
         const test_wish wish = {.tame = i % 8 != 0, .degree = i % 2 ? 3 : 0};
-        batten_curve *curve = i % 5 ? test_curve(&random, &wish) : test_periodic_curve(&random, &wish);
+        batten_curve *curve =
+            i % 5 ? test_curve(&random, &wish) : test_periodic_curve(&random, &wish);
         const batten_interval domain = batten_curve_domain(curve);
         const int order = wish.tame ? i % 5 : 0;
         if (domain.b - domain.a < 1e300)
@@ -71,12 +72,13 @@ TEST(a_batch_too_small_for_pieces_has_the_same_bits)
     batten_curve_unref(curve);
 }
 
-/* Cubics have loops of their own for each dimension, with and without weights; beside a narrow span the derivatives
- * are made another way. */
+/* Cubics have loops of their own for each dimension, with and without weights; beside a narrow
+ * span the derivatives are made another way. */
 TEST(cubics_of_every_kind_have_the_bits_of_single_calls)
 {
     test_random random = test_random_begin(__func__);
-    const double knots[2][9] = {{0, 0, 0, 0, 0.5, 1, 1, 1, 1}, {0, 0, 0, 0, 1 - 1e-7, 1, 1, 1, 1}};
+    const double knots[2][9] = {{0, 0, 0, 0, 0.5, 1, 1, 1, 1},
+                                {0, 0, 0, 0, 1 - 1e-7, 1, 1, 1, 1}};
     for (int i = 0; i < 12; i++) {
         const int d = i % 3 + 1;
         double points[15], weights[5];
@@ -85,7 +87,8 @@ TEST(cubics_of_every_kind_have_the_bits_of_single_calls)
         for (int k = 0; k < 5; k++)
             weights[k] = test_random_in(&random, 0.5, 2);
         batten_curve *curve = NULL;
-        CHECK_OK(batten_curve_create(d, 3, 5, points, i / 3 % 2 ? weights : NULL, knots[i / 6], &curve));
+        CHECK_OK(batten_curve_create(d, 3, 5, points, i / 3 % 2 ? weights : NULL, knots[i / 6],
+                                     &curve));
         for (int order = 0; order <= 3; order++)
             check_batch(&random, curve, true, order);
         batten_curve_unref(curve);

@@ -4,18 +4,22 @@
 #include "support/checksum.h"
 #include "support/generate.h"
 
-/* From gcc 12, and clang 14 agreed. A change of this number is a change of bits for every user: say why. */
+/* From gcc 12, and clang 14 agreed. A change of this number is a change of bits for every user:
+ * say why. */
 static const uint64_t RECORDED = 0xaa50f48cfd30800fu;
 
 static uint64_t sum_of_curve(uint64_t sum, const batten_curve *curve)
 {
-    const size_t n = (size_t)batten_curve_point_count(curve), d = (size_t)batten_curve_dimension(curve);
+    const size_t n = (size_t)batten_curve_point_count(curve),
+                 d = (size_t)batten_curve_dimension(curve);
     sum = test_checksum(sum, batten_curve_knots(curve), (size_t)batten_curve_knot_count(curve));
     sum = test_checksum(sum, batten_curve_points(curve), n * d);
-    return batten_curve_weights(curve) ? test_checksum(sum, batten_curve_weights(curve), n) : sum;
+    return batten_curve_weights(curve) ? test_checksum(sum, batten_curve_weights(curve), n)
+                                       : sum;
 }
 
-static uint64_t sum_of_points(uint64_t sum, test_random *random, const batten_curve *curve, const batten_job *job)
+static uint64_t sum_of_points(uint64_t sum, test_random *random, const batten_curve *curve,
+                              const batten_job *job)
 {
     double u[64], out[64 * 9];
     for (int i = 0; i < 64; i++)
@@ -48,7 +52,8 @@ static uint64_t sum_of_all(const batten_job *job)
     uint64_t sum = 0;
     for (int i = 0; i < 100; i++) {
         const test_wish wish = {.tame = true, .degree = 1 + i % 7};
-        batten_curve *curve = i % 4 ? test_curve(&random, &wish) : test_periodic_curve(&random, &wish);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &wish) : test_periodic_curve(&random, &wish);
         sum = sum_of_curve(sum, curve);
         sum = sum_of_points(sum, &random, curve, job);
         sum = sum_of_changes(sum, curve);

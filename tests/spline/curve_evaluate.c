@@ -22,7 +22,8 @@ TEST(a_bezier_cubic_is_its_polynomial)
     batten_curve_unref(curve);
 }
 
-static batten_curve *small(int degree, const double *points, const double *weights, double a, double b)
+static batten_curve *small(int degree, const double *points, const double *weights, double a,
+                           double b)
 {
     double knots[60];
     for (int i = 0; i < 2 * degree + 2; i++)
@@ -68,7 +69,8 @@ TEST(N2_what_is_too_large_is_an_overflow_and_what_is_tiny_is_right)
     CHECK_BITS(out, 7);
     batten_curve_unref(curve);
     curve = small(1, huge, weights, 0, 1);
-    CHECK_OK(batten_curve_evaluate(curve, 0.5, 0, &out)); /* weights are scaled: nothing overflows */
+    CHECK_OK(
+        batten_curve_evaluate(curve, 0.5, 0, &out)); /* weights are scaled: nothing overflows */
     CHECK_NEAR(out / 1e300, 1, 1e-15);
     batten_curve_unref(curve);
     const double largest[] = {1.7e308, -1.7e308};
@@ -151,8 +153,10 @@ TEST(K10_orders_above_the_degree)
 
 TEST(curvature_at_the_start_of_a_rational_bezier_curve_is_that_of_the_notes)
 {
-    /* kappa(0) = (n - 1) / n (w0 w2 / w1^2) (Delta b0 x Delta b1) / |Delta b0|^3 for n = 2, 3, 4 [V]. */
-    const double points[] = {0, 0, 1, 0.5, 1.5, 2, 3, 2.5, 4, 1}, weights[] = {1.5, 2, 0.7, 3, 1};
+    /* kappa(0) = (n - 1) / n (w0 w2 / w1^2) (Delta b0 x Delta b1) / |Delta b0|^3 for n = 2, 3,
+     * 4 [V]. */
+    const double points[] = {0, 0, 1, 0.5, 1.5, 2, 3, 2.5, 4, 1},
+                 weights[] = {1.5, 2, 0.7, 3, 1};
     for (int n = 2; n <= 4; n++) {
         double knots[10], out[6];
         for (int i = 0; i < 2 * n + 2; i++)
@@ -162,7 +166,8 @@ TEST(curvature_at_the_start_of_a_rational_bezier_curve_is_that_of_the_notes)
         CHECK_OK(batten_curve_evaluate(curve, 0, 2, out));
         const double speed = hypot(out[2], out[3]), edge = hypot(1, 0.5);
         const double kappa = (out[2] * out[5] - out[3] * out[4]) / (speed * speed * speed);
-        const double expected = (n - 1.0) / n * (1.5 * 0.7 / 4) * (1 * 1.5 - 0.5 * 0.5) / (edge * edge * edge);
+        const double expected =
+            (n - 1.0) / n * (1.5 * 0.7 / 4) * (1 * 1.5 - 0.5 * 0.5) / (edge * edge * edge);
         CHECK_NEAR(kappa / expected, 1, 1e-13);
         batten_curve_unref(curve);
     }
@@ -173,8 +178,10 @@ TEST(the_loop_of_the_notes_meets_itself)
     const double breaks[] = {-5, 5};
     double c[8], at = -5;
     /* x = 4t^3 + 10t^2 - 30t + 2, y = -30t^2 - 10t + 10 in powers of (t + 5). */
-    const double x0 = ((4 * at + 10) * at - 30) * at + 2, x1 = (12 * at + 20) * at - 30, x2 = 12 * at + 10;
-    const double coefficients[] = {x0, (-30 * at - 10) * at + 10, x1, -60 * at - 10, x2, -30, 4, 0};
+    const double x0 = ((4 * at + 10) * at - 30) * at + 2, x1 = (12 * at + 20) * at - 30,
+                 x2 = 12 * at + 10;
+    const double coefficients[] = {x0, (-30 * at - 10) * at + 10, x1, -60 * at - 10, x2, -30, 4,
+                                   0};
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_from_power(2, 3, 1, breaks, coefficients, 0, &curve));
     const double root = sqrt(33) / 2;
@@ -238,7 +245,8 @@ TEST(N1_periodic_curves_take_any_number_but_no_other_parameter)
         CHECK_OK(batten_curve_evaluate(curve, 1 + 3.0 * k, 0, &out));
         CHECK_BITS(out, start);
     }
-    /* Just below the start is just below the end; what rounding carries to the end is the start. */
+    /* Just below the start is just below the end; what rounding carries to the end is the
+     * start. */
     CHECK_OK(batten_curve_evaluate(curve, nextafter(1, 0), 0, &out));
     CHECK_NEAR(out, start, 1e-14);
     batten_curve_unref(curve);

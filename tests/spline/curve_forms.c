@@ -19,7 +19,8 @@ TEST(hermite_data_come_back)
             for (int j = 0; j < count; j++)
                 for (int side = 0; side < 2; side++) {
                     double out[8];
-                    CHECK_OK(batten_curve_evaluate_side(curve, parameters[j], (batten_side)side, k - 1, out));
+                    CHECK_OK(batten_curve_evaluate_side(curve, parameters[j], (batten_side)side,
+                                                        k - 1, out));
                     for (int c = 0; c < 2 * k; c++)
                         CHECK_NEAR(out[c], values[j * k * 2 + c], c < 4 ? 1e-13 : 1e-9);
                 }
@@ -29,7 +30,8 @@ TEST(hermite_data_come_back)
 
 TEST(the_cubic_hermite_matrix_of_the_notes)
 {
-    /* [2 -2 1 1; -3 3 -2 -1; 0 0 1 0; 1 0 0 0] times P0, P1, R0, R1: coefficients of t^3 .. 1. */
+    /* [2 -2 1 1; -3 3 -2 -1; 0 0 1 0; 1 0 0 0] times P0, P1, R0, R1: coefficients of t^3 .. 1.
+     */
     const double ends[] = {0, 1}, values[] = {5, 7, 2, -3}, P0 = 5, R0 = 7, P1 = 2, R1 = -3;
     double c[4];
     batten_curve *curve = NULL;
@@ -55,9 +57,10 @@ TEST(quintic_hermite_functions_of_the_notes)
         CHECK_OK(batten_curve_from_hermite(1, 2, 3, ends, values, &curve));
         for (double t = 0; t <= 1; t += 0.125) {
             const double t3 = t * t * t, t4 = t3 * t, t5 = t4 * t;
-            const double expected[] = {1 - 10 * t3 + 15 * t4 - 6 * t5, t - 6 * t3 + 8 * t4 - 3 * t5,
-                                       (t * t - 3 * t3 + 3 * t4 - t5) / 2, 10 * t3 - 15 * t4 + 6 * t5,
-                                       -4 * t3 + 7 * t4 - 3 * t5, (t3 - 2 * t4 + t5) / 2};
+            const double expected[] = {
+                1 - 10 * t3 + 15 * t4 - 6 * t5,     t - 6 * t3 + 8 * t4 - 3 * t5,
+                (t * t - 3 * t3 + 3 * t4 - t5) / 2, 10 * t3 - 15 * t4 + 6 * t5,
+                -4 * t3 + 7 * t4 - 3 * t5,          (t3 - 2 * t4 + t5) / 2};
             double value;
             CHECK_OK(batten_curve_evaluate(curve, t, 0, &value));
             CHECK_NEAR(value, expected[unit], 1e-14);
@@ -69,7 +72,8 @@ TEST(quintic_hermite_functions_of_the_notes)
 TEST(powers_and_back)
 {
     test_random random = test_random_begin(__func__);
-    const test_wish wish = {.tame = true, .degree = 4, .rational = TEST_NEVER, .dimension = 2, .most_points = 20};
+    const test_wish wish = {
+        .tame = true, .degree = 4, .rational = TEST_NEVER, .dimension = 2, .most_points = 20};
     for (int i = 0; i < test_cases(100); i++) {
         batten_curve *curve = test_curve(&random, &wish), *back = NULL;
         double breaks[40], coefficients[40 * 5 * 2];
@@ -94,8 +98,9 @@ TEST(bezier_pieces_and_back_keep_every_point)
         double breaks[64];
         const int pieces = batten_curve_spans(curve, breaks) - 1;
         CHECK_OK(batten_curve_to_bezier(curve, &bezier));
-        CHECK_OK(batten_curve_from_bezier(batten_curve_dimension(bezier), batten_curve_degree(bezier), pieces,
-                                          batten_curve_points(bezier), batten_curve_weights(bezier), breaks, &back));
+        CHECK_OK(batten_curve_from_bezier(
+            batten_curve_dimension(bezier), batten_curve_degree(bezier), pieces,
+            batten_curve_points(bezier), batten_curve_weights(bezier), breaks, &back));
         CHECK_INT(batten_curve_knot_count(back), batten_curve_knot_count(bezier));
         for (int k = 0; k < batten_curve_knot_count(back); k++)
             CHECK_BITS(batten_curve_knots(back)[k], batten_curve_knots(bezier)[k]);
@@ -107,24 +112,40 @@ TEST(bezier_pieces_and_back_keep_every_point)
 
 TEST(forms_refuse_bad_numbers)
 {
-    const double rising[] = {0, 1, 2}, falling[] = {0, 2, 1}, bad[] = {0, NAN, 1}, values[24] = {0, 1, 0, 5};
+    const double rising[] = {0, 1, 2}, falling[] = {0, 2, 1}, bad[] = {0, NAN, 1},
+                 values[24] = {0, 1, 0, 5};
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, falling, &none), BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, bad, &none), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_from_bezier(1, 0, 2, values, NULL, rising, &none), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_from_bezier(1, 1, 0, values, NULL, rising, &none), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_from_bezier(1, 25, 2147483647, values, NULL, rising, &none), BATTEN_TOO_LARGE);
-    CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, rising, values, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_from_hermite(1, 1, 2, rising, values, &none), BATTEN_TOO_FEW_POINTS);
-    CHECK_STATUS(batten_curve_from_hermite(1, 3, 2, falling, values, &none), BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_from_hermite(4, 3, 2, rising, values, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_from_hermite(1, 2147483647, 2, rising, values, &none), BATTEN_TOO_LARGE);
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, 0.1, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, falling, &none),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 2, values, NULL, bad, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_from_bezier(1, 0, 2, values, NULL, rising, &none),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_from_bezier(1, 1, 0, values, NULL, rising, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_from_bezier(1, 25, 2147483647, values, NULL, rising, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, rising, values, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_hermite(1, 1, 2, rising, values, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_curve_from_hermite(1, 3, 2, falling, values, &none),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_hermite(4, 3, 2, rising, values, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_hermite(1, 2147483647, 2, rising, values, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, 0.1, &none),
+                 BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("pieces 0 and 1 are 1 apart");
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, falling, values, 0.1, &none), BATTEN_NOT_INCREASING);
-    CHECK_STATUS(batten_curve_from_power(1, 26, 2, rising, values, 0.1, &none), BATTEN_BAD_DEGREE);
-    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, NAN, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_from_power(0, 1, 2, rising, values, 1, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, falling, values, 0.1, &none),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_curve_from_power(1, 26, 2, rising, values, 0.1, &none),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_from_power(1, 1, 2, rising, values, NAN, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_power(0, 1, 2, rising, values, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
 }
 
 TEST(a_rational_curve_has_no_form_in_powers)
@@ -146,12 +167,15 @@ TEST(forms_refuse_what_they_cannot_hold)
     CHECK_STATUS(batten_curve_from_hermite(1, 2, 5, ends, values, &none), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("5 values at each parameter");
     for (int d = 0; d <= 4; d += 4) {
-        CHECK_STATUS(batten_curve_from_hermite(d, 2, 2, ends, values, &none), BATTEN_BAD_ARGUMENT);
-        CHECK_STATUS(batten_curve_from_power(d, 1, 1, ends, values, 0, &none), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_from_hermite(d, 2, 2, ends, values, &none),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_from_power(d, 1, 1, ends, values, 0, &none),
+                     BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("must be 1, 2 or 3");
     }
     for (int i = 0; i < COUNT(bad); i++)
-        CHECK_STATUS(batten_curve_from_power(1, 1, 1, ends, values, bad[i], &none), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_from_power(1, 1, 1, ends, values, bad[i], &none),
+                     BATTEN_BAD_ARGUMENT);
     CHECK(none == NULL);
 }
 

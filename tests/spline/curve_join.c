@@ -7,17 +7,20 @@ TEST(halves_rejoin_to_the_curve)
     test_random random = test_random_begin(__func__);
     const test_wish any = {0};
     for (int i = 0; i < test_cases(300); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
         batten_curve *left = NULL, *right = NULL, *whole = NULL;
         const batten_interval domain = batten_curve_domain(curve);
         const double u = domain.a + test_random_in(&random, 0.1, 0.9) * (domain.b - domain.a);
         const double size = test_curve_size(curve);
         CHECK_OK(batten_curve_split(curve, u, &left, &right));
         CHECK_OK(batten_curve_join(left, right, 0, &whole));
-        CHECK_INT(batten_curve_point_count(whole), batten_curve_point_count(left) + batten_curve_point_count(right) - 1);
+        CHECK_INT(batten_curve_point_count(whole),
+                  batten_curve_point_count(left) + batten_curve_point_count(right) - 1);
         for (int k = 0; k < 20; k++) {
             const double v = test_parameter(&random, curve);
-            CHECK_NEAR(test_curve_distance(curve, v, whole, v, size), 0, 32 * batten_curve_degree(curve) * DBL_EPSILON);
+            CHECK_NEAR(test_curve_distance(curve, v, whole, v, size), 0,
+                       32 * batten_curve_degree(curve) * DBL_EPSILON);
         }
         batten_curve_unref(whole);
         batten_curve_unref(right);
@@ -29,7 +32,8 @@ TEST(halves_rejoin_to_the_curve)
 TEST(curves_of_any_degree_and_kind_join)
 {
     const double line[] = {0, 0, 1, 0}, line_knots[] = {5, 5, 6, 6};
-    const double arc[] = {1, 0, 2, 0, 2, 1}, arc_knots[] = {0, 0, 0, 2, 2, 2}, weights[] = {3, 2, 3};
+    const double arc[] = {1, 0, 2, 0, 2, 1}, arc_knots[] = {0, 0, 0, 2, 2, 2},
+                 weights[] = {3, 2, 3};
     batten_curve *first = NULL, *second = NULL, *both = NULL;
     CHECK_OK(batten_curve_create(2, 1, 2, line, NULL, line_knots, &first));
     CHECK_OK(batten_curve_create(2, 2, 3, arc, weights, arc_knots, &second));
@@ -67,7 +71,8 @@ TEST(ends_that_nearly_meet_are_joined_halfway)
 
 TEST(K6_knots_that_fall_together_when_moved_are_refused)
 {
-    const double a[] = {0, 1}, b[] = {1, 2, 3}, far[] = {1e9, 1e9, 1e9 + 1, 1e9 + 1}, fine[] = {0, 0, 1e-9, 1, 1};
+    const double a[] = {0, 1}, b[] = {1, 2, 3}, far[] = {1e9, 1e9, 1e9 + 1, 1e9 + 1},
+                 fine[] = {0, 0, 1e-9, 1, 1};
     batten_curve *first = NULL, *second = NULL, *none = NULL;
     CHECK_OK(batten_curve_create(1, 1, 2, a, NULL, far, &first));
     CHECK_OK(batten_curve_create(1, 1, 3, b, NULL, fine, &second));

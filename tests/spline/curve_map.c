@@ -22,7 +22,8 @@ static void check_identical(const batten_curve *a, const batten_curve *b)
     CHECK_INT(batten_curve_point_count(a), batten_curve_point_count(b));
     CHECK_INT(batten_curve_is_periodic(a), batten_curve_is_periodic(b));
     check_same_bits(batten_curve_knots(a), batten_curve_knots(b), batten_curve_knot_count(a));
-    check_same_bits(batten_curve_weights(a), batten_curve_weights(b), batten_curve_point_count(a));
+    check_same_bits(batten_curve_weights(a), batten_curve_weights(b),
+                    batten_curve_point_count(a));
     check_same_bits(batten_curve_points(a), batten_curve_points(b),
                     batten_curve_point_count(a) * batten_curve_dimension(a));
 }
@@ -36,7 +37,8 @@ TEST(reversing_twice_changes_no_bit_and_once_runs_backwards)
         CHECK_OK(batten_curve_reverse(back, &again));
         check_identical(curve, again);
         CHECK_BITS(batten_curve_domain(back).a, -batten_curve_domain(curve).b);
-        const double size = test_curve_size(curve), most = 16 * batten_curve_degree(curve) * DBL_EPSILON;
+        const double size = test_curve_size(curve),
+                     most = 16 * batten_curve_degree(curve) * DBL_EPSILON;
         for (int k = 0; k < 10; k++) {
             const double u = test_parameter(&random, curve);
             CHECK_NEAR(test_curve_distance(curve, u, back, -u, size), 0, most);
@@ -52,7 +54,8 @@ TEST(another_domain_keeps_points_and_scales_derivatives)
     test_random random = test_random_begin(__func__);
     const test_wish tame = {.tame = true};
     for (int i = 0; i < test_cases(200); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &tame) : test_periodic_curve(&random, &tame);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &tame) : test_periodic_curve(&random, &tame);
         batten_curve *mapped = NULL, *same = NULL;
         const batten_interval domain = batten_curve_domain(curve);
         const int d = batten_curve_dimension(curve), p = batten_curve_degree(curve);
@@ -93,10 +96,12 @@ TEST(a_moebius_change_of_the_parameter_keeps_the_shape)
     test_random random = test_random_begin(__func__);
     const test_wish tame = {.tame = true, .degree = 3};
     for (int i = 0; i < test_cases(200); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &tame) : test_periodic_curve(&random, &tame);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &tame) : test_periodic_curve(&random, &tame);
         const batten_interval domain = batten_curve_domain(curve);
         const double *knots = batten_curve_knots(curve);
-        const double c = test_random_in(&random, -0.5, 0.5) / (knots[batten_curve_knot_count(curve) - 1] + 1);
+        const double c = test_random_in(&random, -0.5, 0.5) /
+                         (knots[batten_curve_knot_count(curve) - 1] + 1);
         const double d = 1 + fabs(knots[0]), a = 2, b = -1;
         batten_curve *mapped = NULL;
         CHECK_OK(batten_curve_moebius(curve, a, b, c, d, &mapped));
@@ -105,8 +110,9 @@ TEST(a_moebius_change_of_the_parameter_keeps_the_shape)
             const double u = domain.a + k / 10.0 * (domain.b - domain.a);
             const double v = (a * u + b) / (c * u + d);
             const batten_interval range = batten_curve_domain(mapped);
-            CHECK_NEAR(test_curve_distance(curve, fmin(u, domain.b), mapped, fmin(fmax(v, range.a), range.b), 1), 0,
-                       1e-11);
+            CHECK_NEAR(test_curve_distance(curve, fmin(u, domain.b), mapped,
+                                           fmin(fmax(v, range.a), range.b), 1),
+                       0, 1e-11);
         }
         batten_curve_unref(mapped);
         batten_curve_unref(curve);
@@ -130,7 +136,8 @@ TEST(weights_and_dimensions_are_added_and_dropped_without_changing_a_bit)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(200); i++) {
-        batten_curve *curve = any_curve(&random, i), *rational = NULL, *space = NULL, *back = NULL;
+        batten_curve *curve = any_curve(&random, i), *rational = NULL, *space = NULL,
+                     *back = NULL;
         CHECK_OK(batten_curve_to_rational(curve, &rational));
         CHECK(batten_curve_is_rational(rational));
         check_same_bits(batten_curve_points(curve), batten_curve_points(rational),
@@ -151,7 +158,8 @@ TEST(weights_and_dimensions_are_added_and_dropped_without_changing_a_bit)
 
 TEST(a_control_point_is_replaced_with_all_its_copies)
 {
-    const double points[] = {0, 1, 2, 3}, knots[] = {0, 1, 2, 3, 4}, moved[] = {9}, bad[] = {NAN};
+    const double points[] = {0, 1, 2, 3}, knots[] = {0, 1, 2, 3, 4}, moved[] = {9},
+                 bad[] = {NAN};
     batten_curve *curve = NULL, *edited = NULL;
     CHECK_OK(batten_curve_create_periodic(1, 3, 4, points, NULL, knots, &curve));
     CHECK_OK(batten_curve_with_point(curve, 5, moved, &edited));
@@ -175,7 +183,8 @@ TEST(an_affine_map_and_evaluation_commute)
         const double u = test_parameter(&random, curve);
         CHECK_OK(batten_curve_evaluate(curve, u, 0, p));
         CHECK_OK(batten_curve_evaluate(mapped, u, 0, q));
-        const double most = 64 * batten_curve_degree(curve) * DBL_EPSILON * (4 + test_curve_size(curve));
+        const double most =
+            64 * batten_curve_degree(curve) * DBL_EPSILON * (4 + test_curve_size(curve));
         CHECK_NEAR(q[0], p[0] + (d > 1 ? 2 * p[1] : 0) + 3, most);
         if (d > 1)
             CHECK_NEAR(q[1], -p[0] + 0.5 * p[1] - 4, most);
@@ -224,7 +233,8 @@ TEST(maps_refuse_each_coefficient_that_is_no_number)
     for (int i = 0; i < 4; i++) {
         double m[] = {1, 0, 0.5, 1};
         m[i] = i % 2 ? NAN : INFINITY;
-        CHECK_STATUS(batten_curve_moebius(curve, m[0], m[1], m[2], m[3], &none), BATTEN_NOT_FINITE);
+        CHECK_STATUS(batten_curve_moebius(curve, m[0], m[1], m[2], m[3], &none),
+                     BATTEN_NOT_FINITE);
     }
     for (int i = 0; i < 12; i++) {
         batten_affine map = batten_affine_identity();
@@ -245,7 +255,8 @@ TEST(maps_refuse_each_coefficient_that_is_no_number)
 
 TEST(a_rational_curve_keeps_its_points_under_a_moebius_map)
 {
-    const double points[] = {0, 1, 3, 2}, weights[] = {1, 3, 0.5, 2}, knots[] = {0, 0, 0, 0.25, 1, 1, 1};
+    const double points[] = {0, 1, 3, 2}, weights[] = {1, 3, 0.5, 2},
+                 knots[] = {0, 0, 0, 0.25, 1, 1, 1};
     batten_curve *curve = NULL, *moved = NULL;
     CHECK_OK(batten_curve_create(1, 2, 4, points, weights, knots, &curve));
     CHECK_OK(batten_curve_moebius(curve, 2, 1, 0.5, 1, &moved));

@@ -8,7 +8,8 @@
 /* ---- derivatives against the complex step ---- */
 
 /* de Boor's algorithm for an argument that is not real: row by row in the order of [dB]. */
-static double complex de_boor(int p, const double *knots, int span, double complex u, double complex *rows)
+static double complex de_boor(int p, const double *knots, int span, double complex u,
+                              double complex *rows)
 {
     for (int r = 1; r <= p; r++)
         for (int j = p; j >= r; j--) {
@@ -23,7 +24,8 @@ static double complex_step(const batten_curve *curve, double u)
 {
     enum { MOST = BATTEN_MAX_DEGREE + 1 };
     const int p = batten_curve_degree(curve);
-    const double *knots = batten_curve_knots(curve), *w = batten_curve_weights(curve), h = 1e-30;
+    const double *knots = batten_curve_knots(curve), *w = batten_curve_weights(curve),
+                 h = 1e-30;
     const double *points = batten_curve_points(curve);
     double complex above[MOST], below[MOST];
     int span = p;
@@ -48,7 +50,8 @@ TEST(derivatives_are_those_of_the_complex_step)
             const double u = domain.a + (domain.b - domain.a) * test_random_unit(&random);
             double out[2];
             CHECK_OK(batten_curve_evaluate(curve, u, 1, out));
-            const double expected = complex_step(curve, u), scale = fmax(fabs(expected), test_curve_size(curve));
+            const double expected = complex_step(curve, u),
+                         scale = fmax(fabs(expected), test_curve_size(curve));
             CHECK_NEAR(out[1] / scale, expected / scale, 1e-11);
         }
         batten_curve_unref(curve);
@@ -70,14 +73,18 @@ static double hinge(double x)
 /* The spline with f at the Greville abscissae for control points. */
 static batten_curve *schoenberg(test_random *random, double (*f)(double))
 {
-    const test_wish wish = {.dimension = 1, .degree = test_random_int(random, 1, 6), .tame = true,
-                            .rational = TEST_NEVER, .clamped = TEST_ALWAYS};
+    const test_wish wish = {.dimension = 1,
+                            .degree = test_random_int(random, 1, 6),
+                            .tame = true,
+                            .rational = TEST_NEVER,
+                            .clamped = TEST_ALWAYS};
     batten_curve *curve = test_curve(random, &wish), *made = NULL;
     const int n = batten_curve_point_count(curve);
     double points[TEST_MOST_POINTS];
     for (int i = 0; i < n; i++)
         points[i] = f(batten_curve_greville(curve, i));
-    CHECK_OK(batten_curve_create(1, wish.degree, n, points, NULL, batten_curve_knots(curve), &made));
+    CHECK_OK(
+        batten_curve_create(1, wish.degree, n, points, NULL, batten_curve_knots(curve), &made));
     batten_curve_unref(curve);
     return made;
 }
@@ -180,14 +187,16 @@ TEST(no_line_crosses_a_curve_more_often_than_its_polygon)
         batten_curve *curve = test_curve(&random, &wish);
         const batten_interval domain = batten_curve_domain(curve);
         const double size = test_curve_size(curve), angle = test_random_in(&random, 0, 6.3);
-        const double x = cos(angle), y = sin(angle), offset = test_random_in(&random, -0.7, 0.7) * size;
+        const double x = cos(angle), y = sin(angle),
+                     offset = test_random_in(&random, -0.7, 0.7) * size;
         const double *P = batten_curve_points(curve);
         changes polygon = {0, 0}, line = {0, 0};
         for (int k = 0; k < batten_curve_point_count(curve); k++)
             see(&polygon, x * P[2 * k] + y * P[2 * k + 1] - offset, 0);
         for (int k = 0; k <= 500; k++) {
             double p[2];
-            CHECK_OK(batten_curve_evaluate(curve, fmin(domain.a + (domain.b - domain.a) * k / 500, domain.b), 0, p));
+            CHECK_OK(batten_curve_evaluate(
+                curve, fmin(domain.a + (domain.b - domain.a) * k / 500, domain.b), 0, p));
             see(&line, x * p[0] + y * p[1] - offset, 1e-12 * size);
         }
         CHECK(line.count <= polygon.count);

@@ -5,7 +5,8 @@
 static const test_wish any = {0};
 
 /* The same shape, where p r |P| is what one evaluation may err. */
-static void check_same(test_random *random, const batten_curve *a, const batten_curve *b, double factor)
+static void check_same(test_random *random, const batten_curve *a, const batten_curve *b,
+                       double factor)
 {
     const double size = test_curve_size(a);
     const int p = batten_curve_degree(a) + batten_curve_degree(b);
@@ -22,7 +23,8 @@ TEST(a_knot_inserted_moves_nothing)
         batten_curve *curve = test_curve(&random, &any), *refined = NULL;
         const double u = test_parameter(&random, curve);
         const batten_status status = batten_curve_insert_knot(curve, u, 1, &refined);
-        CHECK(status == BATTEN_OK || status == BATTEN_BAD_KNOTS || status == BATTEN_OUT_OF_MEMORY);
+        CHECK(status == BATTEN_OK || status == BATTEN_BAD_KNOTS ||
+              status == BATTEN_OUT_OF_MEMORY);
         if (status == BATTEN_OK) {
             CHECK_INT(batten_curve_point_count(refined), batten_curve_point_count(curve) + 1);
             check_same(&random, curve, refined, 8);
@@ -39,7 +41,8 @@ TEST(a_periodic_curve_stays_periodic_when_refined_and_elevated)
         batten_curve *curve = test_periodic_curve(&random, &any), *refined = NULL;
         const double u = test_parameter(&random, curve);
         const batten_status status = batten_curve_insert_knot(curve, u, 1, &refined);
-        CHECK(status == BATTEN_OK || status == BATTEN_BAD_KNOTS || status == BATTEN_OUT_OF_MEMORY);
+        CHECK(status == BATTEN_OK || status == BATTEN_BAD_KNOTS ||
+              status == BATTEN_OUT_OF_MEMORY);
         if (status == BATTEN_OK) {
             CHECK(batten_curve_is_periodic(refined));
             CHECK_INT(batten_curve_point_count(refined), batten_curve_point_count(curve) + 1);
@@ -61,7 +64,8 @@ TEST(K5_the_clamped_form_is_the_same_curve)
     test_random random = test_random_begin(__func__);
     const test_wish unclamped = {.clamped = TEST_NEVER};
     for (int i = 0; i < test_cases(500); i++) {
-        batten_curve *curve = i % 2 ? test_curve(&random, &unclamped) : test_periodic_curve(&random, &any);
+        batten_curve *curve =
+            i % 2 ? test_curve(&random, &unclamped) : test_periodic_curve(&random, &any);
         batten_curve *clamped = NULL;
         CHECK_OK(batten_curve_clamp(curve, &clamped));
         CHECK(batten_curve_is_clamped(clamped) && !batten_curve_is_periodic(clamped));
@@ -78,7 +82,8 @@ TEST(an_elevated_curve_is_the_same_curve)
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(500); i++) {
         batten_curve *curve = test_curve(&random, &any), *elevated = NULL;
-        const int room = 25 - batten_curve_degree(curve), by = test_random_int(&random, 0, room < 3 ? room : 3);
+        const int room = 25 - batten_curve_degree(curve),
+                  by = test_random_int(&random, 0, room < 3 ? room : 3);
         CHECK_OK(batten_curve_elevate(curve, by, &elevated));
         CHECK_INT(batten_curve_degree(elevated), batten_curve_degree(curve) + by);
         check_same(&random, curve, elevated, 8 + 8 * by);
@@ -91,7 +96,8 @@ TEST(both_parts_of_a_cut_are_the_curve)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(500); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
         const batten_interval domain = batten_curve_domain(curve);
         const double u = test_parameter(&random, curve);
         batten_curve *left = NULL, *right = NULL;
@@ -104,7 +110,8 @@ TEST(both_parts_of_a_cut_are_the_curve)
             CHECK_NEAR(test_curve_distance(left, u, right, u, size), 0, 0);
             for (int k = 0; k < 20; k++) {
                 const double v = test_parameter(&random, curve);
-                CHECK_NEAR(test_curve_distance(v <= u ? left : right, v, curve, v, size), 0, most);
+                CHECK_NEAR(test_curve_distance(v <= u ? left : right, v, curve, v, size), 0,
+                           most);
             }
         } else
             CHECK_STATUS(batten_curve_split(curve, u, &left, &right), BATTEN_OUT_OF_DOMAIN);
@@ -118,7 +125,8 @@ TEST(bezier_pieces_are_the_curve)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(300); i++) {
-        batten_curve *curve = i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
+        batten_curve *curve =
+            i % 4 ? test_curve(&random, &any) : test_periodic_curve(&random, &any);
         batten_curve *bezier = NULL;
         CHECK_OK(batten_curve_to_bezier(curve, &bezier));
         const int p = batten_curve_degree(bezier), pieces = batten_curve_spans(curve, NULL) - 1;
@@ -139,7 +147,8 @@ static int count_knots(const batten_curve *curve, double u)
 
 static batten_curve *quadratic(bool periodic)
 {
-    const double points[] = {0, 1, 3, 2, 5}, knots[] = {0, 0, 0, 1, 2, 3, 3, 3}, period[] = {0, 1, 2, 3, 4, 5};
+    const double points[] = {0, 1, 3, 2, 5}, knots[] = {0, 0, 0, 1, 2, 3, 3, 3},
+                 period[] = {0, 1, 2, 3, 4, 5};
     batten_curve *curve = NULL;
     if (periodic)
         CHECK_OK(batten_curve_create_periodic(1, 2, 5, points, NULL, period, &curve));
@@ -151,7 +160,8 @@ static batten_curve *quadratic(bool periodic)
 TEST(K4_K6_insertion_never_exceeds_the_degree)
 {
     batten_curve *curve = quadratic(false), *none = NULL, *made = NULL;
-    const double falling[] = {2, 1}, outside[] = {1, 4}, bad[] = {NAN}, twice[] = {0.5, 0.5, 2.5};
+    const double falling[] = {2, 1}, outside[] = {1, 4}, bad[] = {NAN},
+                 twice[] = {0.5, 0.5, 2.5};
     CHECK_STATUS(batten_curve_insert_knot(curve, 1, 2, &none), BATTEN_BAD_KNOTS);
     CHECK_MESSAGE("would stand 3 times; 2 are allowed");
     CHECK_STATUS(batten_curve_insert_knot(curve, 0, 1, &none), BATTEN_BAD_KNOTS);
@@ -219,7 +229,8 @@ TEST(K9_elevation_stops_at_degree_25)
 
 TEST(N2_rows_that_overflow_are_refused)
 {
-    const double points[] = {1e308, -1e308, 1e308}, knots[] = {0, 0, 0, 1, 1, 1}, weights[] = {1, 1.9, 1};
+    const double points[] = {1e308, -1e308, 1e308}, knots[] = {0, 0, 0, 1, 1, 1},
+                 weights[] = {1, 1.9, 1};
     batten_curve *curve = NULL, *none = NULL, *other = NULL;
     CHECK_OK(batten_curve_create(1, 2, 3, points, weights, knots, &curve));
     CHECK_STATUS(batten_curve_insert_knot(curve, 0.5, 1, &none), BATTEN_OVERFLOW);
@@ -233,9 +244,12 @@ TEST(N2_rows_that_overflow_are_refused)
 TEST(cuts_and_parts_outside_the_domain_are_refused)
 {
     const double points[] = {0, 1, 3}, knots[] = {0, 0, 0, 1, 1, 1};
-    const struct { double u; batten_status status; } cuts[] = {
-        {0, BATTEN_OUT_OF_DOMAIN}, {1, BATTEN_OUT_OF_DOMAIN}, {-1, BATTEN_OUT_OF_DOMAIN}, {2, BATTEN_OUT_OF_DOMAIN},
-        {NAN, BATTEN_NOT_FINITE}, {INFINITY, BATTEN_NOT_FINITE}};
+    const struct {
+        double u;
+        batten_status status;
+    } cuts[] = {{0, BATTEN_OUT_OF_DOMAIN},  {1, BATTEN_OUT_OF_DOMAIN},
+                {-1, BATTEN_OUT_OF_DOMAIN}, {2, BATTEN_OUT_OF_DOMAIN},
+                {NAN, BATTEN_NOT_FINITE},   {INFINITY, BATTEN_NOT_FINITE}};
     batten_curve *curve = NULL, *left = NULL, *right = NULL;
     CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &curve));
     for (int i = 0; i < COUNT(cuts); i++)

@@ -44,15 +44,21 @@ TEST(removal_keeps_its_bound)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(500); i++) {
-        batten_curve *curve = i % 5 ? test_curve(&random, &any) : test_periodic_curve(&random, &any), *thin = NULL;
-        const double size = test_curve_size(curve), tolerance = size * test_random_in(&random, 0, 0.5);
+        batten_curve *curve =
+                         i % 5 ? test_curve(&random, &any) : test_periodic_curve(&random, &any),
+                     *thin = NULL;
+        const double size = test_curve_size(curve),
+                     tolerance = size * test_random_in(&random, 0, 0.5);
         int removed = -1;
         double error = -1;
-        const batten_status status = batten_curve_remove_knots(curve, tolerance, &removed, &error, &thin);
-        CHECK(status == BATTEN_OK || status == BATTEN_BAD_WEIGHT || status == BATTEN_OUT_OF_MEMORY);
+        const batten_status status =
+            batten_curve_remove_knots(curve, tolerance, &removed, &error, &thin);
+        CHECK(status == BATTEN_OK || status == BATTEN_BAD_WEIGHT ||
+              status == BATTEN_OUT_OF_MEMORY);
         if (status == BATTEN_OK) {
             CHECK(error <= tolerance);
-            CHECK(distance(&random, curve, thin) <= error + 32 * batten_curve_degree(curve) * DBL_EPSILON * size);
+            CHECK(distance(&random, curve, thin) <=
+                  error + 32 * batten_curve_degree(curve) * DBL_EPSILON * size);
         }
         batten_curve_unref(thin);
         batten_curve_unref(curve);
@@ -63,7 +69,8 @@ TEST(all_knots_of_a_refined_polynomial_go)
 {
     test_random random = test_random_begin(__func__);
     for (int p = 1; p <= 5; p++) {
-        const test_wish bezier = {.tame = true, .degree = p, .most_points = p + 1, .clamped = TEST_ALWAYS};
+        const test_wish bezier = {
+            .tame = true, .degree = p, .most_points = p + 1, .clamped = TEST_ALWAYS};
         batten_curve *curve = test_curve(&random, &bezier), *refined = NULL, *thin = NULL;
         const batten_interval domain = batten_curve_domain(curve);
         double knots[100];
@@ -97,11 +104,15 @@ TEST(a_knot_that_matters_stays)
     CHECK_NEAR(error, 1, 1e-15); /* the middle comes down from (1, 1) to (1, 0) */
     batten_curve_unref(same);
     batten_curve *none = NULL;
-    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, 1, NULL, NULL, &none), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, 1, NULL, NULL, &none),
+                 BATTEN_NOT_FOUND);
     CHECK_STATUS(batten_curve_remove_knot(curve, 0, 1, 1, NULL, NULL, &none), BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 1, -1, 1, NULL, NULL, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 1, 1, -1, NULL, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_remove_knot(curve, 1, -1, 1, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_remove_knot(curve, 1, 1, -1, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_remove_knots(curve, NAN, NULL, NULL, &none), BATTEN_NOT_FINITE);
     batten_curve_unref(curve);
 }
@@ -110,7 +121,8 @@ TEST(reducing_an_elevated_curve_restores_it)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(300); i++) {
-        batten_curve *curve = test_curve(&random, &tame), *clamped = NULL, *elevated = NULL, *back = NULL;
+        batten_curve *curve = test_curve(&random, &tame), *clamped = NULL, *elevated = NULL,
+                     *back = NULL;
         const int p = batten_curve_degree(curve), d = batten_curve_dimension(curve);
         const int by = test_random_int(&random, 0, 25 - p < 3 ? 25 - p : 3);
         double error = -1;
@@ -132,17 +144,21 @@ TEST(a_reduced_curve_keeps_its_ends_and_its_bound)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(300); i++) {
-        batten_curve *curve = i % 5 ? test_curve(&random, &any) : test_periodic_curve(&random, &any), *low = NULL;
+        batten_curve *curve =
+                         i % 5 ? test_curve(&random, &any) : test_periodic_curve(&random, &any),
+                     *low = NULL;
         const batten_interval domain = batten_curve_domain(curve);
         const int p = batten_curve_degree(curve), q = test_random_int(&random, 1, p);
         const double size = test_curve_size(curve);
         double error = -1;
         const batten_status status = batten_curve_reduce(curve, q, 1e4 * size, &error, &low);
-        CHECK(status == BATTEN_OK || status == BATTEN_BAD_WEIGHT || status == BATTEN_OUT_OF_MEMORY ||
-              status == BATTEN_TOLERANCE_NOT_MET);
+        CHECK(status == BATTEN_OK || status == BATTEN_BAD_WEIGHT ||
+              status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOLERANCE_NOT_MET);
         if (status == BATTEN_OK) {
-            CHECK_NEAR(test_curve_distance(curve, domain.a, low, domain.a, size), 0, 32 * p * DBL_EPSILON);
-            CHECK_NEAR(test_curve_distance(curve, domain.b, low, domain.b, size), 0, 32 * p * DBL_EPSILON);
+            CHECK_NEAR(test_curve_distance(curve, domain.a, low, domain.a, size), 0,
+                       32 * p * DBL_EPSILON);
+            CHECK_NEAR(test_curve_distance(curve, domain.b, low, domain.b, size), 0,
+                       32 * p * DBL_EPSILON);
             CHECK(distance(&random, curve, low) <= error + 32 * p * DBL_EPSILON * size);
         }
         batten_curve_unref(low);
@@ -165,17 +181,22 @@ TEST(what_cannot_be_reduced_is_refused_with_the_error)
 
 TEST(what_cannot_be_removed_is_refused)
 {
-    const double points[] = {0, 1, 3, 2}, knots[] = {0, 0, 0, 0.5, 1, 1, 1}, bad[] = {-1, NAN, INFINITY};
+    const double points[] = {0, 1, 3, 2}, knots[] = {0, 0, 0, 0.5, 1, 1, 1},
+                 bad[] = {-1, NAN, INFINITY};
     const double absent[] = {0, 1, 0.25, -3, 7};
     batten_curve *curve = NULL, *none = NULL;
     CHECK_OK(batten_curve_create(1, 2, 4, points, NULL, knots, &curve));
     for (int i = 0; i < COUNT(absent); i++)
-        CHECK_STATUS(batten_curve_remove_knot(curve, absent[i], 1, 1, NULL, NULL, &none), BATTEN_NOT_FOUND);
-    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none), BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, -1, 1, NULL, NULL, &none), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_curve_remove_knot(curve, absent[i], 1, 1, NULL, NULL, &none),
+                     BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_curve_remove_knot(curve, NAN, 1, 1, NULL, NULL, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, -1, 1, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
     for (int i = 0; i < COUNT(bad); i++) {
         const batten_status status = i == 0 ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE;
-        CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, bad[i], NULL, NULL, &none), status);
+        CHECK_STATUS(batten_curve_remove_knot(curve, 0.5, 1, bad[i], NULL, NULL, &none),
+                     status);
         CHECK_STATUS(batten_curve_join(curve, curve, bad[i], &none), BATTEN_BAD_ARGUMENT);
     }
     CHECK(none == NULL);

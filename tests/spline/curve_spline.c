@@ -35,8 +35,10 @@ TEST(rational_points_that_do_not_change_keep_their_bits)
         bat_spline spline = {0};
         CHECK_OK(bat_curve_to_spline(curve, &spline));
         CHECK_OK(bat_curve_from_spline(curve, &spline, 0, &spline, &again));
-        CHECK(memcmp(curve->points, again->points, (size_t)(curve->count * curve->dimension) * sizeof(double)) == 0);
-        CHECK(memcmp(curve->weights, again->weights, (size_t)curve->count * sizeof(double)) == 0);
+        CHECK(memcmp(curve->points, again->points,
+                     (size_t)(curve->count * curve->dimension) * sizeof(double)) == 0);
+        CHECK(memcmp(curve->weights, again->weights, (size_t)curve->count * sizeof(double)) ==
+              0);
         bat_spline_free(&spline);
         batten_curve_unref(again);
         batten_curve_unref(curve);

@@ -44,10 +44,12 @@ TEST(K7_unified_curves_share_their_knots_bit_for_bit)
 {
     test_random random = test_random_begin(__func__);
     for (int i = 0; i < test_cases(200); i++) {
-        const test_wish wish = {.tame = true, .degree = test_random_int(&random, 1, 4), .most_points = 12};
+        const test_wish wish = {
+            .tame = true, .degree = test_random_int(&random, 1, 4), .most_points = 12};
         batten_curve *curves[MANY] = {NULL};
         for (int c = 0; c < MANY; c++)
-            curves[c] = i % 2 || c % 2 ? test_periodic_curve(&random, &wish) : test_curve(&random, &wish);
+            curves[c] = i % 2 || c % 2 ? test_periodic_curve(&random, &wish)
+                                       : test_curve(&random, &wish);
         check_unification(&random, curves);
         unref_all(MANY, curves);
     }
@@ -100,7 +102,8 @@ TEST(S5_too_many_common_knots_are_refused_before_the_work)
         knots[POINTS + 1] = knots[POINTS];
         CHECK_OK(batten_curve_create(1, 1, POINTS, points, NULL, knots, &curves[c]));
     }
-    CHECK_STATUS(batten_curves_unify(CURVES, (const batten_curve *const *)curves, made), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_curves_unify(CURVES, (const batten_curve *const *)curves, made),
+                 BATTEN_TOO_LARGE);
     CHECK(made[0] == NULL);
     unref_all(CURVES, curves);
 }

@@ -18,7 +18,8 @@ TEST(bezier_rows_are_elevated_as_in_the_notes)
         double expected = 0;
         for (int j = 0; j <= n; j++)
             if (i - j >= 0 && i - j <= r)
-                expected += spline.values[j] * bat_binomials[n][j] * bat_binomials[r][i - j] / bat_binomials[n + r][i];
+                expected += spline.values[j] * bat_binomials[n][j] * bat_binomials[r][i - j] /
+                            bat_binomials[n + r][i];
         CHECK_NEAR(made.values[i], expected, 4e-15);
     }
     bat_spline_free(&made);

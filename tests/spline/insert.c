@@ -2,7 +2,8 @@
 
 #include "support/generate.h"
 
-/* Marsden: the rows prod (tau - U[i + j]) make (tau - u)^p; on any refined knots they are of the same form. */
+/* Marsden: the rows prod (tau - U[i + j]) make (tau - u)^p; on any refined knots they are of
+ * the same form. */
 static void fill_marsden(bat_spline *spline, double tau)
 {
     for (int i = 0; i < spline->count; i++) {
@@ -28,7 +29,8 @@ static void check_marsden(const bat_spline *spline)
 {
     bat_spline expected = {0};
     CHECK_OK(bat_spline_make(spline->degree, spline->count, 1, &expected));
-    memcpy(expected.knots, spline->knots, (size_t)(spline->count + spline->degree + 1) * sizeof(double));
+    memcpy(expected.knots, spline->knots,
+           (size_t)(spline->count + spline->degree + 1) * sizeof(double));
     fill_marsden(&expected, -1);
     for (int i = 0; i < spline->count; i++)
         CHECK_NEAR(spline->values[i] / expected.values[i], 1, 1e-12);

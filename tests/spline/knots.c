@@ -50,7 +50,8 @@ TEST(spans_are_closed_on_the_side_asked_for)
 
 TEST(spans_are_not_empty_where_the_ends_are)
 {
-    const double knots[] = {0, 1, 1, 1, 2, 2, 2, 3}; /* degree 2: the domain [1, 2], U[2] = U[3] */
+    const double knots[] = {0, 1, 1, 1,
+                            2, 2, 2, 3}; /* degree 2: the domain [1, 2], U[2] = U[3] */
     CHECK_INT(bat_knots_span(2, 5, knots, 1, BATTEN_FROM_RIGHT), 3);
     CHECK_INT(bat_knots_span(2, 5, knots, 2, BATTEN_FROM_LEFT), 3);
 }

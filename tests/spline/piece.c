@@ -6,7 +6,8 @@ TEST(binomials_are_pascals)
 {
     for (int p = 1; p <= BATTEN_MAX_DEGREE; p++)
         for (int i = 1; i < p; i++)
-            CHECK_BITS(bat_binomials[p][i], bat_binomials[p - 1][i - 1] + bat_binomials[p - 1][i]);
+            CHECK_BITS(bat_binomials[p][i],
+                       bat_binomials[p - 1][i - 1] + bat_binomials[p - 1][i]);
 }
 
 TEST(bernstein_polynomials_sum_to_one_and_give_x_squared_its_bernstein_form)
@@ -30,8 +31,8 @@ TEST(bernstein_polynomials_sum_to_one_and_give_x_squared_its_bernstein_form)
 
 TEST(unisurf_functions_are_sums_of_bernstein_polynomials)
 {
-    /* f_i = (-t)^i / (i - 1)! d^(i-1)/dt^(i-1) [((1 - t)^n - 1) / t]; n = 3: f_1 = 3t - 3t^2 + t^3,
-     * f_2 = 3t^2 - 2t^3, f_3 = t^3. */
+    /* f_i = (-t)^i / (i - 1)! d^(i-1)/dt^(i-1) [((1 - t)^n - 1) / t]; n = 3: f_1 = 3t - 3t^2 +
+     * t^3, f_2 = 3t^2 - 2t^3, f_3 = t^3. */
     double b[4];
     for (double t = 0; t <= 1; t += 0.125) {
         bat_bernstein(3, t, 1 - t, b);

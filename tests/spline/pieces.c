@@ -11,7 +11,8 @@ TEST(pieces_are_found_as_spans_are)
         const bat_pieces *pieces = bat_curve_pieces(curve, 1000);
         for (int k = 0; pieces && k < 30; k++) {
             const double u = test_parameter(&random, curve);
-            const int span = bat_knots_span(curve->degree, curve->count, curve->knots, u, BATTEN_FROM_RIGHT);
+            const int span =
+                bat_knots_span(curve->degree, curve->count, curve->knots, u, BATTEN_FROM_RIGHT);
             CHECK_INT(bat_pieces_find(pieces, curve->degree, u).knot, span);
             int index = 0;
             bat_pieces_locate(pieces, 1, &u, &index);

@@ -18,7 +18,8 @@ TEST(a_parabola_elevated_twice_is_found_again)
     for (int i = 0; i < 6; i++)
         CHECK_NEAR(made.values[i], values[i], 1e-13);
     bat_spline_free(&made);
-    CHECK_STATUS(bat_spline_reduce(&spline, 1, 1, 1e-3, &error, &made), BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(bat_spline_reduce(&spline, 1, 1, 1e-3, &error, &made),
+                 BATTEN_TOLERANCE_NOT_MET);
     bat_spline_free(&high);
     bat_spline_free(&spline);
 }

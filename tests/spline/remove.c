@@ -5,7 +5,8 @@
 TEST(what_was_inserted_is_removed_and_no_more)
 {
     bat_spline spline = {0}, refined = {0}, made = {0};
-    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, values[] = {1, 4, -2, 0, 5, 3}, u[] = {1.5, 1.5};
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, values[] = {1, 4, -2, 0, 5, 3},
+                 u[] = {1.5, 1.5};
     int removed = -1;
     double error = -1;
     CHECK_OK(bat_spline_make(3, 6, 1, &spline));

@@ -1,5 +1,5 @@
-/* The bound of points on surfaces, in r = 2^-53, against sums in higher precision: knots that nearly coincide or grow
- * geometrically, control points that fall together, unequal weights. */
+/* The bound of points on surfaces, in r = 2^-53, against sums in higher precision: knots that
+ * nearly coincide or grow geometrically, control points that fall together, unequal weights. */
 #include "support/surfaces.h"
 
 #if defined(__SIZEOF_FLOAT128__) && !defined(__clang__)
@@ -41,19 +41,23 @@ static batten_surface *surface_of(test_random *random, family kind, bool rationa
     for (int i = 0; i < n; i++) {
         const bool collapsed = i > 0 && test_random_int(random, 0, 9) == 0;
         for (int c = 0; c < 3; c++)
-            points[3 * i + c] = collapsed ? points[3 * i - 3 + c] : test_random_in(random, -1, 1);
+            points[3 * i + c] =
+                collapsed ? points[3 * i - 3 + c] : test_random_in(random, -1, 1);
         weights[i] = test_random_in(random, 0.1, 10);
     }
     batten_surface *surface = NULL;
-    CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, rational ? weights : NULL, &surface));
+    CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, rational ? weights : NULL,
+                                   &surface));
     return surface;
 }
 
-/* All basis functions that bear on u, by the triangle of Cox and de Boor; the first of them is returned. */
+/* All basis functions that bear on u, by the triangle of Cox and de Boor; the first of them is
+ * returned. */
 static int basis(const batten_surface *surface, batten_direction direction, double u, wide *N)
 {
     const double *U = batten_surface_knots(surface, direction);
-    const int p = batten_surface_degree(surface, direction), n = batten_surface_point_count(surface, direction);
+    const int p = batten_surface_degree(surface, direction),
+              n = batten_surface_point_count(surface, direction);
     int k = p;
     while (k + 1 < n && U[k + 1] <= u)
         k++;
@@ -89,10 +93,12 @@ static void reference(const batten_surface *surface, double u, double v, wide ou
 }
 
 /* A parameter anywhere in a span, or within 1e-12 of its length of either end. */
-static double parameter(test_random *random, const batten_surface *surface, batten_direction direction)
+static double parameter(test_random *random, const batten_surface *surface,
+                        batten_direction direction)
 {
     const double *U = batten_surface_knots(surface, direction);
-    const int p = batten_surface_degree(surface, direction), n = batten_surface_point_count(surface, direction);
+    const int p = batten_surface_degree(surface, direction),
+              n = batten_surface_point_count(surface, direction);
     const int k = test_random_int(random, p, n - 1), where = test_random_int(random, 0, 2);
     const double t = where == 0 ? test_random_unit(random) : where == 1 ? 1e-12 : 1 - 1e-12;
     return U[k] + t * (U[k + 1] - U[k]);
@@ -104,9 +110,11 @@ static double worst_error(bool rational)
     double worst = 0;
     for (int i = 0; i < test_cases(1500); i++) {
         batten_surface *surface = surface_of(&random, (family)(i % FAMILIES), rational);
-        const int degrees = batten_surface_degree(surface, BATTEN_U) + batten_surface_degree(surface, BATTEN_V);
+        const int degrees =
+            batten_surface_degree(surface, BATTEN_U) + batten_surface_degree(surface, BATTEN_V);
         for (int k = 0; k < 10; k++) {
-            const double u = parameter(&random, surface, BATTEN_U), v = parameter(&random, surface, BATTEN_V);
+            const double u = parameter(&random, surface, BATTEN_U),
+                         v = parameter(&random, surface, BATTEN_V);
             double out[3];
             wide point[3];
             CHECK_OK(batten_surface_evaluate(surface, u, v, 0, out));
@@ -119,7 +127,8 @@ static double worst_error(bool rational)
     return worst;
 }
 
-/* Coordinates are at most 1; each degree of either direction costs a few roundings: seen 1.9 and 2.4. */
+/* Coordinates are at most 1; each degree of either direction costs a few roundings: seen 1.9
+ * and 2.4. */
 TEST(points_of_polynomial_surfaces_keep_their_bound)
 {
     CHECK_NEAR(worst_error(false), 0, 4);

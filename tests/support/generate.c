@@ -44,8 +44,8 @@ static double step(test_random *random, const test_wish *wish)
 }
 
 /* Steps, some of them 0, so that nothing stands too often. */
-static void steps_to_knots(test_random *random, const test_wish *wish, int p, int n, bool clamped,
-                           double *knots)
+static void steps_to_knots(test_random *random, const test_wish *wish, int p, int n,
+                           bool clamped, double *knots)
 {
     int times = 1;
     knots[0] = 0;
@@ -68,7 +68,8 @@ static void steps_to_knots(test_random *random, const test_wish *wish, int p, in
     }
 }
 
-void test_knots(test_random *random, const test_wish *wish, int degree, int count, double *knots)
+void test_knots(test_random *random, const test_wish *wish, int degree, int count,
+                double *knots)
 {
     const int p = degree, n = count;
     double raw[TEST_MOST_POINTS + 26];
@@ -79,7 +80,8 @@ void test_knots(test_random *random, const test_wish *wish, int degree, int coun
         steps_to_knots(random, wish, p, n, clamped, raw);
         for (int i = 0; i <= n + p; i++)
             knots[i] = shift + scale * raw[i];
-        for (int i = 0, times = 1; i <= n + p; i++, times++) { /* scaling may join near-equal ones */
+        for (int i = 0, times = 1; i <= n + p;
+             i++, times++) { /* scaling may join near-equal ones */
             if (i > 0 && knots[i] > knots[i - 1])
                 times = 1;
             if (times > (knots[i] > knots[p] && knots[i] < knots[n] ? p : p + 1))
@@ -97,8 +99,8 @@ void test_points(test_random *random, const test_wish *wish, size_t count, int d
     for (size_t i = 0; i < count; i++) {
         const bool collapsed = i > 0 && !wish->tame && test_random_unit(random) < 0.1;
         for (size_t k = 0; k < d; k++)
-            points[i * d + k] =
-                collapsed ? points[(i - 1) * d + k] : shift + size * test_random_in(random, -1, 1);
+            points[i * d + k] = collapsed ? points[(i - 1) * d + k]
+                                          : shift + size * test_random_in(random, -1, 1);
     }
 }
 
@@ -118,7 +120,8 @@ batten_curve *test_curve(test_random *random, const test_wish *wish)
 {
     const int d = wished_dimension(random, wish), p = test_degree(random, wish);
     const int n = test_point_count(random, wish, p);
-    double knots[TEST_MOST_POINTS + 26], points[TEST_MOST_POINTS * 3], weights[TEST_MOST_POINTS];
+    double knots[TEST_MOST_POINTS + 26], points[TEST_MOST_POINTS * 3],
+        weights[TEST_MOST_POINTS];
     const bool rational = chosen(random, wish->rational, 0.4);
     test_knots(random, wish, p, n, knots);
     test_points(random, wish, (size_t)n, d, points);
@@ -132,10 +135,11 @@ batten_curve *test_periodic_curve(test_random *random, const test_wish *wish)
 {
     const int d = wished_dimension(random, wish), p = test_degree(random, wish);
     const int m = test_random_int(random, 1, wish->most_points ? wish->most_points : 20);
-    double knots[TEST_MOST_POINTS + 1] = {0}, points[TEST_MOST_POINTS * 3], weights[TEST_MOST_POINTS];
+    double knots[TEST_MOST_POINTS + 1] = {0}, points[TEST_MOST_POINTS * 3],
+                                    weights[TEST_MOST_POINTS];
     const bool rational = chosen(random, wish->rational, 0.4);
-    /* Multiples of 2^-40 of a power of two: knots beyond the period are exact, else near-equal ones would not stay
-     * in proportion and the shape would differ from period to period. */
+    /* Multiples of 2^-40 of a power of two: knots beyond the period are exact, else near-equal
+     * ones would not stay in proportion and the shape would differ from period to period. */
     const double scale = wish->tame ? 1 : ldexp(1, test_random_int(random, -30, 30));
     for (int i = 1, times = 1; i <= m; i++) {
         /* The last step is never 0, so that the seam does not gather the knots of both ends. */
@@ -147,7 +151,8 @@ batten_curve *test_periodic_curve(test_random *random, const test_wish *wish)
     test_points(random, wish, (size_t)m, d, points);
     test_weights(random, (size_t)m, weights);
     batten_curve *curve = NULL;
-    CHECK_OK(batten_curve_create_periodic(d, p, m, points, rational ? weights : NULL, knots, &curve));
+    CHECK_OK(batten_curve_create_periodic(d, p, m, points, rational ? weights : NULL, knots,
+                                          &curve));
     return curve;
 }
 
@@ -171,15 +176,16 @@ double test_parameter(test_random *random, const batten_curve *curve)
     case 0:
         return knot;
     case 1:
-        return fmin(fmax(nextafter(knot, test_random_int(random, 0, 1) ? 1e300 : -1e300), domain.a),
-                    domain.b);
+        return fmin(
+            fmax(nextafter(knot, test_random_int(random, 0, 1) ? 1e300 : -1e300), domain.a),
+            domain.b);
     default:
         return fmin(domain.a + test_random_unit(random) * (domain.b - domain.a), domain.b);
     }
 }
 
-double test_curve_distance(const batten_curve *a, double at_a, const batten_curve *b, double at_b,
-                           double size)
+double test_curve_distance(const batten_curve *a, double at_a, const batten_curve *b,
+                           double at_b, double size)
 {
     double p[3] = {0}, q[3] = {0}, distance = 0;
     CHECK_OK(batten_curve_evaluate(a, at_a, 0, p));

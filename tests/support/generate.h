@@ -1,6 +1,7 @@
 /*
- * Random curves and surfaces of the nasty kind: 20 % of the inner knots equal, 10 % nearly equal (1 ulp to 1e-9 of the
- * domain), 10 % of the points collapsed, sizes 1e-9 to 1e9, any domain, rational or not, degrees 1..25, mostly small.
+ * Random curves and surfaces of the nasty kind: 20 % of the inner knots equal, 10 % nearly
+ * equal (1 ulp to 1e-9 of the domain), 10 % of the points collapsed, sizes 1e-9 to 1e9, any
+ * domain, rational or not, degrees 1..25, mostly small.
  */
 #ifndef TESTS_SUPPORT_GENERATE_H
 #define TESTS_SUPPORT_GENERATE_H
@@ -23,7 +24,8 @@ typedef struct {
 } test_wish;
 
 /* Knots [count + degree + 1] that batten_curve_create accepts. */
-void test_knots(test_random *random, const test_wish *wish, int degree, int count, double *knots);
+void test_knots(test_random *random, const test_wish *wish, int degree, int count,
+                double *knots);
 /* Control points [count][dimension]. */
 void test_points(test_random *random, const test_wish *wish, size_t count, int dimension,
                  double *points);
@@ -41,7 +43,7 @@ double test_curve_size(const batten_curve *curve);
 /* A random parameter in the domain: often a knot, an end, or close to one. */
 double test_parameter(test_random *random, const batten_curve *curve);
 /* Two curves at one parameter: the distance, divided by `size`. */
-double test_curve_distance(const batten_curve *a, double at_a, const batten_curve *b, double at_b,
-                           double size);
+double test_curve_distance(const batten_curve *a, double at_a, const batten_curve *b,
+                           double at_b, double size);
 
 #endif

@@ -48,7 +48,8 @@ static void redirect(const char *path, int flags, int to)
 
 test_process test_run(const char *input, const char *const *words)
 {
-    const char *in = test_scratch("stdin"), *out = test_scratch("stdout"), *errors = test_scratch("stderr");
+    const char *in = test_scratch("stdin"), *out = test_scratch("stdout"),
+               *errors = test_scratch("stderr");
     test_write(in, input ? input : "");
     const char *program = strcmp(words[0], "batten") == 0 ? command : words[0];
     fflush(NULL);

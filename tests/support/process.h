@@ -4,13 +4,13 @@
 #include "support/test.h"
 
 typedef struct {
-    int exit;           /* its status; 128 + the signal that killed it */
-    const char *out;    /* what it wrote; freed with the test */
+    int exit;        /* its status; 128 + the signal that killed it */
+    const char *out; /* what it wrote; freed with the test */
     const char *errors;
 } test_process;
 
-/* Run words, the last being NULL, with standard input from `input` (NULL: nothing). A first word "batten" means the
- * command that was just built. */
+/* Run words, the last being NULL, with standard input from `input` (NULL: nothing). A first
+ * word "batten" means the command that was just built. */
 test_process test_run(const char *input, const char *const *words);
 #define RUN(...) test_run(NULL, (const char *const[]){__VA_ARGS__, NULL})
 

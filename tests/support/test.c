@@ -157,8 +157,8 @@ static long greatest_divisor(long a, long b)
     return a;
 }
 
-/* Each place once, in steps of the golden section: wherever time runs out, those that were tried
- * lie evenly over the whole test, the last one among them. */
+/* Each place once, in steps of the golden section: wherever time runs out, those that were
+ * tried lie evenly over the whole test, the last one among them. */
 static void run_with_faults(const test_entry *test, long count)
 {
     enum { AT_LEAST = 8 };
@@ -166,7 +166,8 @@ static void run_with_faults(const test_entry *test, long count)
     long step = (long)(0.6180339887498949 * (double)count), tried = 0;
     while (greatest_divisor(count, step) != 1)
         step++;
-    for (long at = count; tried < count; at = (at + step) % count ? (at + step) % count : count) {
+    for (long at = count; tried < count;
+         at = (at + step) % count ? (at + step) % count : count) {
         if (limit > 0 && tried >= AT_LEAST && now() - begin > limit)
             break;
         run_once(test, ONE_FAULT, at);
@@ -174,7 +175,8 @@ static void run_with_faults(const test_entry *test, long count)
         tried++;
     }
     if (tried < count)
-        print_message("[  SAMPLED ] %s: %ld of %ld allocations failed\n", test->name, tried, count);
+        print_message("[  SAMPLED ] %s: %ld of %ld allocations failed\n", test->name, tried,
+                      count);
 }
 
 static void run_entry(void **state)

@@ -3,10 +3,10 @@
  *
  *     TEST(an_arc_stays_on_its_circle) { ... CHECK_OK(batten_curve_arc(1, 1, &arc)); ... }
  *
- * Every test is also run with its allocations failing one after another (`--faults`). Then a call
- * under CHECK_OK or CHECK_STATUS that reports BATTEN_OUT_OF_MEMORY is made a second time, which
- * must succeed: so the failed call left everything as it was. When all later allocations fail too,
- * the test ends there. In every run all memory must have been given back at the end.
+ * Every test is also run with its allocations failing one after another (`--faults`). Then a
+ * call under CHECK_OK or CHECK_STATUS that reports BATTEN_OUT_OF_MEMORY is made a second time,
+ * which must succeed: so the failed call left everything as it was. When all later allocations
+ * fail too, the test ends there. In every run all memory must have been given back at the end.
  */
 #ifndef TESTS_SUPPORT_TEST_H
 #define TESTS_SUPPORT_TEST_H
@@ -28,28 +28,28 @@ typedef struct test_entry {
 } test_entry;
 void test_register(test_entry *entry);
 
-#define TEST(name)                                                                             \
-    static void name(void);                                                                    \
-    static test_entry name##_entry = {#name, name, NULL};                                      \
-    __attribute__((constructor)) static void name##_register(void)                             \
-    {                                                                                          \
-        test_register(&name##_entry);                                                          \
-    }                                                                                          \
+#define TEST(name)                                                 \
+    static void name(void);                                        \
+    static test_entry name##_entry = {#name, name, NULL};          \
+    __attribute__((constructor)) static void name##_register(void) \
+    {                                                              \
+        test_register(&name##_entry);                              \
+    }                                                              \
     static void name(void)
 
 /* ---- checks; a failing one ends the test ---- */
 
 #define CHECK(condition) test_check(condition, #condition, __FILE__, __LINE__)
 #define CHECK_OK(call) CHECK_STATUS(call, BATTEN_OK)
-#define CHECK_STATUS(call, expected)                                                           \
-    do {                                                                                       \
-        batten_status status_ = (call);                                                        \
-        if (test_memory_failed(status_, expected))                                             \
-            status_ = (call);                                                                  \
-        test_status(status_, expected, #call, __FILE__, __LINE__);                             \
+#define CHECK_STATUS(call, expected)                               \
+    do {                                                           \
+        batten_status status_ = (call);                            \
+        if (test_memory_failed(status_, expected))                 \
+            status_ = (call);                                      \
+        test_status(status_, expected, #call, __FILE__, __LINE__); \
     } while (0)
 #define CHECK_INT(actual, expected) test_int(actual, expected, #actual, __FILE__, __LINE__)
-#define CHECK_NEAR(actual, expected, tolerance)                                                \
+#define CHECK_NEAR(actual, expected, tolerance) \
     test_near(actual, expected, tolerance, #actual, __FILE__, __LINE__)
 /* The same bits: 0 and -0 differ. */
 #define CHECK_BITS(actual, expected) test_bits(actual, expected, #actual, __FILE__, __LINE__)
@@ -62,9 +62,10 @@ void test_register(test_entry *entry);
 
 void test_check(bool holds, const char *text, const char *file, int line);
 bool test_memory_failed(batten_status status, batten_status expected);
-void test_status(batten_status actual, batten_status expected, const char *text, const char *file,
-                 int line);
-void test_int(long long actual, long long expected, const char *text, const char *file, int line);
+void test_status(batten_status actual, batten_status expected, const char *text,
+                 const char *file, int line);
+void test_int(long long actual, long long expected, const char *text, const char *file,
+              int line);
 void test_near(double actual, double expected, double tolerance, const char *text,
                const char *file, int line);
 void test_bits(double actual, double expected, const char *text, const char *file, int line);
@@ -78,8 +79,8 @@ _Noreturn void test_skip(const char *format, ...) __attribute__((format(printf, 
 /* Zeroed memory for the test itself; never fails and is given back when the test ends. */
 void *test_array(size_t count, size_t size);
 
-/* How many random cases to try where `usual` are usual: BATTEN_CASES multiplies it, and runs with
- * failing allocations take two. */
+/* How many random cases to try where `usual` are usual: BATTEN_CASES multiplies it, and runs
+ * with failing allocations take two. */
 int test_cases(int usual);
 
 /* The path of a file of the shared data, or SKIP when it is absent. */
@@ -95,8 +96,8 @@ typedef struct test_random {
 } test_random;
 test_random test_random_begin(const char *name); /* seeds by the name and BATTEN_SEED */
 uint64_t test_random_bits(test_random *random);
-double test_random_unit(test_random *random);                     /* [0, 1) */
-double test_random_in(test_random *random, double a, double b);   /* [a, b) */
-int test_random_int(test_random *random, int a, int b);           /* a .. b */
+double test_random_unit(test_random *random);                   /* [0, 1) */
+double test_random_in(test_random *random, double a, double b); /* [a, b) */
+int test_random_int(test_random *random, int a, int b);         /* a .. b */
 
 #endif

@@ -106,20 +106,21 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_interpolate = {
-    .shown = {"interpolate", "Curves through points",
-              "Through each station or line of a table of offsets, or through each row of "
-              "points. Cubics\n"
-              "have their knots at the data and need a condition at both ends: 'ends', or "
-              "'start' and\n"
-              "'end'; 'clamped', 'second' and 'curvature' take their vector from "
-              "'start-vector' and\n"
-              "'end-vector', 'direction' only its direction. Stations with a single point "
-              "become\n"
-              "curves that stay there, in which a skin can end. The curves keep their points for "
-              "'fair'\n"
-              "and 'check'.",
-              "features:\n"
-              "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
-              "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
-              "[PT97]", "batten_curve_interpolate", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"interpolate", "Curves through points",
+         "Through each station or line of a table of offsets, or through each row of "
+         "points. Cubics\n"
+         "have their knots at the data and need a condition at both ends: 'ends', or "
+         "'start' and\n"
+         "'end'; 'clamped', 'second' and 'curvature' take their vector from "
+         "'start-vector' and\n"
+         "'end-vector', 'direction' only its direction. Stations with a single point "
+         "become\n"
+         "curves that stay there, in which a skin can end. The curves keep their points for "
+         "'fair'\n"
+         "and 'check'.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
+         "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
+         "[PT97]", "batten_curve_interpolate", BAT_PARAMETERS(parameters), false},
     .run = run};

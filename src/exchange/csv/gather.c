@@ -276,7 +276,8 @@ static size_t end_of_station(const table *t, size_t begin)
     return end;
 }
 
-/* Sort by stations. As listed: points of one line together while those that come twice are sought. */
+/* Sort by stations. As listed: points of one line together while those that come twice are
+ * sought. */
 static batten_status sort_stations(table *t)
 {
     batten_status status = BATTEN_OK;

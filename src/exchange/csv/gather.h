@@ -1,9 +1,10 @@
 /*
  * The points of a table of offsets as they come, in any order, and the table that they make.
  *
- * Stations are sorted by x. Points of a station are as they came where the table lists them one by
- * one with their lines: a sheer may run above a waterline here and below it there. Else they are in
- * the order of the mean heights of their lines, a point without a line in that of its own height.
+ * Stations are sorted by x. Points of a station are as they came where the table lists them one
+ * by one with their lines: a sheer may run above a waterline here and below it there. Else they
+ * are in the order of the mean heights of their lines, a point without a line in that of its
+ * own height.
  */
 #ifndef BAT_GATHER_H
 #define BAT_GATHER_H
