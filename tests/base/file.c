@@ -598,8 +598,8 @@ static int status_of_child(const char *path, int sent, bool while_writing, bool 
 {
     const pid_t child = fork();
     if (child == 0) {
-        if (handled)
-            sigaction(sent, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
+        /* Programs in the background are born with signals ignored. */
+        sigaction(sent, &(struct sigaction){.sa_handler = handled ? SIG_IGN : SIG_DFL}, NULL);
         signal_sent = sent;
         real_system = bat_system;
         if (while_writing)

@@ -161,8 +161,9 @@ TEST(a_bound_that_nothing_was_measured_against_is_not_met)
     CHECK(!holds("batten: 1\nfeatures:\n  s: {sphere: 1 m}\noutputs:\n  r.txt: {check: s, "
                  "within: 1 mm}\n",
                  notes));
-    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 1);
-    if (batten_notes_count(notes) == 1)
+    /* A call that failed for want of memory and is made again says it again. */
+    CHECK(batten_notes_count(notes) + batten_notes_dropped(notes) >= 1);
+    if (batten_notes_count(notes) >= 1)
         CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "could not be checked");
     batten_notes_free(notes);
 }
