@@ -1,3 +1,4 @@
+#include "numeric/vector.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
 
@@ -23,30 +24,14 @@ typedef struct {
     const char *name;
 } end_view;
 
-static double inner(int d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (int k = 0; k < d; k++)
-        sum += a[k] * b[k];
-    return sum;
-}
-
-static double distance(int d, const double *a, const double *b)
-{
-    double v[3] = {0, 0, 0};
-    for (int k = 0; k < d; k++)
-        v[k] = b[k] - a[k];
-    return hypot(hypot(v[0], v[1]), v[2]);
-}
-
 /* The derivative along `direction` that is 1 for each unit of the chord. */
 static batten_status directed(const end_view *e, const double *direction, double *value)
 {
     const double zero[3] = {0, 0, 0};
-    const double size = distance(e->dimension, zero, direction);
+    const double size = bat_distance(e->dimension, zero, direction);
     if (!(size > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the direction at the %s has no length", e->name);
-    const double speed = distance(e->dimension, e->a, e->b) / e->step;
+    const double speed = bat_distance(e->dimension, e->a, e->b) / e->step;
     for (int k = 0; k < e->dimension; k++)
         value[k] = direction[k] / size * speed;
     return BATTEN_OK;
@@ -60,14 +45,14 @@ static bool circle(const end_view *e, double *value)
     double tangent[3] = {0, 0, 0}, chord[3] = {0, 0, 0}, zero[3] = {0, 0, 0};
     if (e->count == 2)
         return false;
-    const double ab = distance(d, e->a, e->b), ca = distance(d, e->c, e->a);
+    const double ab = bat_distance(d, e->a, e->b), ca = bat_distance(d, e->c, e->a);
     if (!(ab > 0 && ca > 0))
         return false;
     for (int k = 0; k < d; k++) {
         chord[k] = (e->b[k] - e->a[k]) / ab;
         tangent[k] = chord[k] + (e->a[k] - e->c[k]) / ca * (ab / ca);
     }
-    const double size = distance(d, zero, tangent);
+    const double size = bat_distance(d, zero, tangent);
     if (!(size > 0))
         return false;
     double sum[3] = {0, 0, 0}, difference[3] = {0, 0, 0};
@@ -75,7 +60,8 @@ static bool circle(const end_view *e, double *value)
         sum[k] = tangent[k] / size + chord[k];
         difference[k] = tangent[k] / size - chord[k];
     }
-    const double angle = 2 * atan2(distance(d, zero, difference), distance(d, zero, sum));
+    const double angle =
+        2 * atan2(bat_distance(d, zero, difference), bat_distance(d, zero, sum));
     const double arc = angle > 0 ? ab * angle / sin(angle) : ab;
     for (int k = 0; k < d; k++)
         value[k] = e->sign * tangent[k] / size * arc / e->step;
@@ -219,10 +205,10 @@ static batten_status find_model(task *t, end_model *model)
 static double step_second(int d, const double *wanted, const double *tangent, double response,
                           double *second)
 {
-    const double square = inner(d, tangent, tangent), along = inner(d, wanted, tangent);
+    const double square = bat_dot(d, tangent, tangent), along = bat_dot(d, wanted, tangent);
     /* The step turns an error by a right angle and lengthens it by r; this damping serves it
      * best. */
-    const double r2 = 4 * inner(d, wanted, wanted) * square * response * response;
+    const double r2 = 4 * bat_dot(d, wanted, wanted) * square * response * response;
     const double damping = 1 / (1 + r2);
     double off = 0, size = DBL_MIN;
     for (int k = 0; k < d; k++) {

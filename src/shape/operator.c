@@ -1,3 +1,4 @@
+#include "numeric/vector.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
 
@@ -338,14 +339,6 @@ static batten_status make_matrix(const bat_request *r, bat_operator *op)
 
 /* ---- fair ends ---- */
 
-static double dot(int count, const double *a, const double *b)
-{
-    double sum = 0;
-    for (int i = 0; i < count; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* gradient = G^T G response, where row i of G gives the jump of the third derivative at inner
  * knot i of a cubic, from five control values. */
 static void jump_gradient(const bat_operator *op, const double *response, double *gradient)
@@ -359,7 +352,7 @@ static void jump_gradient(const bat_operator *op, const double *response, double
             g[j] -= before[12 + j];
             g[j + 1] += after[12 + j];
         }
-        const double jump = dot(5, g, response + s - 4);
+        const double jump = bat_dot(5, g, response + s - 4);
         for (int j = 0; j < 5; j++)
             gradient[s - 4 + j] += jump * g[j];
     }
@@ -381,7 +374,7 @@ static batten_status make_fair(bat_operator *op)
     for (int e = 0; e < op->fair_count; e++)
         for (int f = 0; f < op->fair_count; f++)
             op->gram[e][f] =
-                dot(op->count, op->gradient + (size_t)e * n, op->response + (size_t)f * n);
+                bat_dot(op->count, op->gradient + (size_t)e * n, op->response + (size_t)f * n);
     return BATTEN_OK;
 }
 

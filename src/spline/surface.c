@@ -1,5 +1,6 @@
 /* Making, keeping and describing surfaces. */
 #include "spline/surface.h"
+#include "numeric/vector.h"
 
 #include "spline/curve.h"
 
@@ -272,14 +273,6 @@ static int nurbs_spans(const batten_surface *surface, batten_direction direction
     return count;
 }
 
-static double distance(int dimension, const double *a, const double *b)
-{
-    double sum = 0;
-    for (int k = 0; k < dimension; k++)
-        sum = hypot(sum, b[k] - a[k]);
-    return sum;
-}
-
 /* At degree + 1 places of each span of the other direction: both ends are there of that degree.
  */
 static bool nurbs_is_closed(const batten_surface *surface, batten_direction direction,
@@ -298,7 +291,7 @@ static bool nurbs_is_closed(const batten_surface *surface, batten_direction dire
                                    first) != BATTEN_OK ||
                 bat_nurbs_evaluate(surface, at_u ? ends.b : t, at_u ? t : ends.b,
                                    BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, 0, last) != BATTEN_OK ||
-                !(distance(surface->dimension, first, last) <= tolerance))
+                !(bat_distance(surface->dimension, first, last) <= tolerance))
                 return false;
         }
     return true;
