@@ -69,9 +69,12 @@ static void add_features(batten_text *text)
 {
     batten_text_add(text, "Operations of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
-        if (!batten_feature_at(i)->is_output)
+        if (!batten_feature_at(i)->is_output) {
+            if (i == 0 || strcmp(batten_feature_group(i), batten_feature_group(i - 1)) != 0)
+                batten_text_add(text, "%s%s\n\n", i ? "\n" : "", batten_feature_group(i));
             batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name,
                             batten_feature_at(i)->summary);
+        }
     batten_text_add(text, "\nOutputs of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (batten_feature_at(i)->is_output)

@@ -5,6 +5,7 @@
  * Everything of libbatten. Pictures and designs have headers and libraries of their own.
  */
 #include <batten/base.h>
+#include <batten/chain.h>
 #include <batten/curve.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>

@@ -74,6 +74,8 @@ typedef struct batten_feature {
 /** Features first, then outputs, in the order of the manual. */
 BATTEN_API int batten_feature_count(void);
 BATTEN_API const batten_feature *batten_feature_at(int index);
+/** The title under which the manual shows it: "Curves through points". */
+BATTEN_API const char *batten_feature_group(int index);
 /** NULL when there is none of that name. */
 BATTEN_API const batten_feature *batten_feature_find(const char *name);
 /** The known name nearest to a misspelt one, or NULL. */

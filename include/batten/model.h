@@ -5,6 +5,7 @@
  * Named objects with a unit: what files are read into and written from, and what flows between
  * the features of a design.
  */
+#include <batten/chain.h>
 #include <batten/notes.h>
 #include <batten/offsets.h>
 #include <batten/surface.h>
@@ -29,6 +30,8 @@ typedef struct batten_object {
     double colour[3]; /**< sRGB, 0..1 */
     batten_object_kind kind;
     const batten_curve *curve;
+    const batten_chain *chain; /**< of a CURVE: what it truly is, when that is no NURBS; `curve`
+                                    is then near to it */
     const batten_surface *surface;
     const batten_offsets *offsets;
     int point_count;          /**< POINTS; also of a CURVE: the data that it was made from */

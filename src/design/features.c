@@ -4,26 +4,35 @@
 #include <assert.h>
 #include <string.h>
 
-/* All operations, in the order in which the manual shows them. */
-#define FEATURES(ROW)                                                                         \
-    ROW(read)                                                                                 \
-    ROW(points) ROW(interpolate) ROW(interpolate_grid) ROW(fair) ROW(skin) ROW(ruled)         \
-        ROW(extrude) ROW(revolve) ROW(line) ROW(polyline) ROW(arc) ROW(circle) ROW(ellipse)   \
-            ROW(conic) ROW(cylinder) ROW(cone) ROW(sphere) ROW(torus) ROW(mirror) ROW(move)   \
-                ROW(rotate) ROW(scale) ROW(elevate) ROW(reduce) ROW(refine) ROW(remove_knots) \
-                    ROW(split) ROW(part) ROW(join) ROW(reverse) ROW(swap) ROW(curve_of)       \
-                        ROW(collect) ROW(select) ROW(write) ROW(picture) ROW(lines_plan)      \
-                            ROW(check)
-
-#define DECLARE(name) extern const bat_feature bat_feature_##name;
-FEATURES(DECLARE)
-#undef DECLARE
-
-#define ADDRESS(name) &bat_feature_##name,
-static const bat_feature *const features[] = {FEATURES(ADDRESS)};
-#undef ADDRESS
+/* All operations, in the order in which the manual shows them: GROUP begins a group of them. */
+#define GROUP(title)
+#define ROW(name) extern const bat_feature bat_feature_##name;
+#include "design/features.list"
+#undef ROW
+#define ROW(name) &bat_feature_##name,
+static const bat_feature *const features[] = {
+#include "design/features.list"
+};
+#undef ROW
+#undef GROUP
 
 #define FEATURE_COUNT ((int)(sizeof features / sizeof features[0]))
+
+/* The group of each: its title stands before its rows. */
+static const char *group_of(int index)
+{
+    const char *group = "";
+    int i = 0;
+#define GROUP(title) group = (title);
+#define ROW(name)       \
+    if (i++ == index) { \
+        return group;   \
+    }
+#include "design/features.list"
+#undef ROW
+#undef GROUP
+    return group;
+}
 
 int batten_feature_count(void)
 {
@@ -39,6 +48,12 @@ const bat_feature *bat_feature_at(int index)
 const batten_feature *batten_feature_at(int index)
 {
     return &bat_feature_at(index)->shown;
+}
+
+const char *batten_feature_group(int index)
+{
+    assert(index >= 0 && index < FEATURE_COUNT);
+    return group_of(index);
 }
 
 const bat_feature *bat_feature_find(const char *name)

@@ -170,6 +170,7 @@ batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curv
     batten_object object = *like;
     object.kind = BATTEN_OBJECT_CURVE;
     object.curve = curve;
+    object.chain = NULL; /* of the curve that it was made from */
     object.surface = NULL;
     if (!keep_data) {
         object.point_count = 0;
@@ -267,6 +268,21 @@ static double *map_points(const batten_affine *map, int count, const double *poi
     return mapped;
 }
 
+/* A chain keeps being one under maps that keep shapes; else the curve alone goes on. */
+static batten_status map_chain(const batten_affine *map, const batten_chain *chain,
+                               batten_chain **out)
+{
+    const batten_frame world = batten_frame_world();
+    batten_chain *placed = NULL;
+    batten_status status = BATTEN_OK;
+    if (batten_chain_dimension(chain) < 3)
+        status = batten_chain_place(chain, &world, &placed);
+    if (status == BATTEN_OK)
+        status = batten_chain_transform(placed ? placed : chain, map, out);
+    batten_chain_unref(placed);
+    return status == BATTEN_BAD_ARGUMENT ? BATTEN_OK : status;
+}
+
 /* A plane curve is lifted into space, unless it would stay in its plane anyway. */
 static batten_status map_curve(const batten_affine *map, const batten_curve *curve,
                                batten_curve **out)
@@ -284,6 +300,7 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
 {
     batten_object made = *object;
     batten_curve *curve = NULL;
+    batten_chain *chain = NULL;
     batten_surface *surface = NULL;
     double *points = NULL;
     batten_status status = BATTEN_OK;
@@ -302,6 +319,10 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
         status = map_curve(map, object->curve, &curve);
         made.curve = curve;
     }
+    if (status == BATTEN_OK && object->chain) {
+        status = map_chain(map, object->chain, &chain);
+        made.chain = chain;
+    }
     if (status == BATTEN_OK && object->surface) {
         status = batten_surface_transform(object->surface, map, &surface);
         made.surface = surface;
@@ -309,6 +330,7 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &made);
     batten_surface_unref(surface);
+    batten_chain_unref(chain);
     batten_curve_unref(curve);
     bat_release(points);
     return status;

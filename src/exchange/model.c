@@ -43,6 +43,7 @@ static void object_free(const batten_object *object)
     release(object->points);
     release(object->parameters);
     batten_curve_unref((batten_curve *)(uintptr_t)object->curve);
+    batten_chain_unref((batten_chain *)(uintptr_t)object->chain);
     batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
     batten_offsets_unref((batten_offsets *)(uintptr_t)object->offsets);
 }
@@ -131,6 +132,7 @@ bool batten_model_box(const batten_model *model, batten_box *box)
 static batten_status check(const batten_object *object)
 {
     assert((object->kind == BATTEN_OBJECT_CURVE) == (object->curve != NULL));
+    assert(object->kind == BATTEN_OBJECT_CURVE || !object->chain);
     assert((object->kind == BATTEN_OBJECT_SURFACE) == (object->surface != NULL));
     assert((object->kind == BATTEN_OBJECT_OFFSETS) == (object->offsets != NULL));
     assert(object->point_count >= 0 && (object->points || !object->point_count));
@@ -196,6 +198,7 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
                             ? copy(object->parameters, count, sizeof *object->parameters)
                             : NULL;
     copied.curve = object->curve ? batten_curve_ref(object->curve) : NULL;
+    copied.chain = object->chain ? batten_chain_ref(object->chain) : NULL;
     copied.surface = object->surface ? batten_surface_ref(object->surface) : NULL;
     copied.offsets = object->offsets ? batten_offsets_ref(object->offsets) : NULL;
     if (!copied.name || !copied.layer || (count && !copied.points) ||

@@ -29,6 +29,7 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     const batten_affine map = {{{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}}, {0, 0, 0}};
     batten_object scaled = *object;
     batten_curve *curve = NULL;
+    batten_chain *chain = NULL;
     batten_surface *surface = NULL;
     batten_offsets *offsets = NULL;
     double *points = NULL;
@@ -36,6 +37,8 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     batten_status status = scale_points(object, factor, &points);
     if (status == BATTEN_OK && object->curve)
         status = batten_curve_transform(object->curve, &map, &curve);
+    if (status == BATTEN_OK && object->chain)
+        status = batten_chain_transform(object->chain, &map, &chain);
     if (status == BATTEN_OK && object->surface)
         status = batten_surface_transform(object->surface, &map, &surface);
     if (status == BATTEN_OK && object->offsets)
@@ -43,6 +46,7 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
             scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
     scaled.points = points;
     scaled.curve = curve;
+    scaled.chain = chain;
     scaled.surface = surface;
     scaled.offsets = offsets;
     if (status == BATTEN_OK)
@@ -50,6 +54,7 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
 
     bat_release(points);
     batten_curve_unref(curve);
+    batten_chain_unref(chain);
     batten_surface_unref(surface);
     batten_offsets_unref(offsets);
     return status;

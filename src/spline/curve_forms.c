@@ -2,6 +2,8 @@
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
+#include <string.h>
+
 /* ---- Bezier ---- */
 
 batten_status bat_breaks_check(int piece_count, const double *breaks)
@@ -220,4 +222,29 @@ batten_status batten_curve_to_power(const batten_curve *curve, double *coefficie
         }
     }
     return BATTEN_OK;
+}
+
+batten_status batten_curve_graph(const batten_curve *function, batten_curve **out)
+{
+    assert(function && out);
+    batten_curve *clamped = NULL, *graph = NULL;
+    if (function->dimension != 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a graph is of a function, not of %d dimensions",
+                        function->dimension);
+    if (function->weights)
+        return bat_fail(BATTEN_UNSUPPORTED, "the graph of a rational function");
+    batten_status status = batten_curve_clamp(function, &clamped);
+    if (status == BATTEN_OK)
+        status = bat_curve_make(2, clamped->degree, clamped->count, false, &graph);
+    if (status == BATTEN_OK) {
+        const size_t knots = (size_t)(clamped->count + clamped->degree + 1);
+        memcpy(graph->knots, clamped->knots, knots * sizeof *graph->knots);
+        for (int i = 0; i < graph->count; i++) {
+            graph->points[2 * i] = batten_curve_greville(clamped, i);
+            graph->points[2 * i + 1] = clamped->points[i];
+        }
+        status = bat_curve_finish(graph, out);
+    }
+    batten_curve_unref(clamped);
+    return status;
 }

@@ -1,0 +1,71 @@
+/*
+ * What every method "points to curve" shares as a feature: it takes rows of points out of the
+ * input, hands each row to the method, and puts what the method made into the model.
+ *
+ * A method says in what form it wants its points:
+ *     BAT_IN_SPACE     [count][3]
+ *     BAT_IN_PLANE     [count][2]: the plane of two axes in which the row lies, refused
+ * otherwise BAT_AS_FUNCTION  [count] values at increasing abscissae (in a plane of two axes) A
+ * method that can do two of them (BAT_IN_SPACE | BAT_AS_FUNCTION, say) has the parameter
+ * BAT_AS, with which the user chooses.
+ */
+#ifndef BAT_DESIGN_THROUGH_H
+#define BAT_DESIGN_THROUGH_H
+#include "design/rows.h"
+#include <batten/chain.h>
+
+#define BAT_IN_SPACE 1u
+#define BAT_IN_PLANE 2u
+#define BAT_AS_FUNCTION 4u
+
+/* Parameters that are the same for all such features. */
+#define BAT_EACH                                                                \
+    {                                                                           \
+        "each", BATTEN_VALUE_WORD, false, false, "station", "station line row", \
+            "of a table: one curve through each of these"                       \
+    }
+#define BAT_AS                                                                              \
+    {                                                                                       \
+        "as", BATTEN_VALUE_WORD, false, false, "curve", "curve function",                   \
+            "a curve, or a function of the abscissa: the points then rise along the first " \
+            "axis in "                                                                      \
+            "which they differ"                                                             \
+    }
+#define BAT_CLOSED                                                       \
+    {                                                                    \
+        "closed", BATTEN_VALUE_YES_NO, false, false, "no", NULL,         \
+            "the curve closes smoothly; the first point is not repeated" \
+    }
+
+/* One row, in the form the method wants. */
+typedef struct {
+    const char *name;
+    int dimension; /* 3, 2, or 1: a function */
+    int count;
+    const double *points;    /* [count][dimension] */
+    const double *abscissae; /* [count], increasing, of a function; else NULL */
+} bat_data;
+
+/* What a method makes of a row: a curve or a chain, of the dimension of the data. */
+typedef struct {
+    batten_curve *curve;
+    batten_chain *chain;
+    double *parameters; /* [count], zeros: fill in those of the points; or set has_parameters
+                           to false when the points have none */
+    bool has_parameters;
+    bool has_error; /* of an approximation */
+    double error_max, error_rms;
+} bat_made;
+
+typedef struct {
+    int least;     /* points that are needed; rows with fewer are left out with a note */
+    unsigned ways; /* BAT_IN_SPACE ... */
+    batten_status (*make)(bat_run *run, const bat_data *data, bat_made *made);
+} bat_method;
+
+/* Run the method on each row of the principal input. The parameters must include BAT_EACH, and
+ * BAT_AS when there are several ways. A chain is also converted to a curve, within a thousandth
+ * of the design's tolerance; messages get the name of the row. */
+batten_status bat_through(bat_run *run, const bat_method *method);
+
+#endif
