@@ -15,6 +15,7 @@
 #include <batten/interpolate.h>
 #include <batten/job.h>
 #include <batten/model.h>
+#include <batten/nonlinear.h>
 #include <batten/notes.h>
 #include <batten/number.h>
 #include <batten/offsets.h>

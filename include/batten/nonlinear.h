@@ -1,0 +1,77 @@
+#ifndef BATTEN_NONLINEAR_H
+#define BATTEN_NONLINEAR_H
+/**
+ * @file
+ * Nonlinear plane splines through points: curvature is continuous, and each span is a curve of
+ * a family that depends on nothing but its end tangents. So the result does not depend on how
+ * the points are turned, moved or scaled.
+ */
+#include <batten/chain.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_span_family {
+    BATTEN_FAMILY_LOCAL_CUBIC,   /**< a cubic function over each chord */
+    BATTEN_FAMILY_LOCAL_TENSION, /**< a function in tension over each chord */
+    BATTEN_FAMILY_GEOMETRIC,     /**< curvature linear in the abscissa along the chord */
+    BATTEN_FAMILY_EULER_SPIRAL,  /**< curvature linear in arc length: clothoids */
+    BATTEN_FAMILY_ARCS,          /**< one circular arc at each point */
+    BATTEN_FAMILY_ELASTICA,      /**< the thin beam held at the points: the mechanical spline */
+    BATTEN_FAMILY_HOBBY          /**< mock curvature and Hobby's velocities: cubics */
+} batten_span_family;
+
+/** What holds at one end. */
+typedef enum batten_nonlinear_end {
+    BATTEN_NONLINEAR_NATURAL,  /**< curvature 0 */
+    BATTEN_NONLINEAR_CIRCULAR, /**< the same curvature at both ends of the end span */
+    BATTEN_NONLINEAR_TANGENT,  /**< direction given, radians */
+    BATTEN_NONLINEAR_CURVATURE /**< curvature given, one by the unit of length */
+} batten_nonlinear_end;
+
+typedef struct batten_nonlinear_options {
+    size_t size;
+    batten_span_family family;       /**< BATTEN_FAMILY_EULER_SPIRAL */
+    batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
+    double start_value, end_value;   /**< of TANGENT and CURVATURE */
+    bool closed; /**< the curve closes smoothly; the first point is not repeated */
+    const double
+        *tensions; /**< LOCAL_TENSION: sigma l of each span [count - 1, closed: count];
+                        NULL: as much as it takes that no span has an excess inflection */
+    int max_steps; /**< of Newton; 50 */
+} batten_nonlinear_options;
+BATTEN_API batten_nonlinear_options batten_nonlinear_defaults(void);
+
+typedef struct batten_nonlinear_report {
+    int steps;             /**< of Newton */
+    double residual;       /**< largest jump of curvature at a point */
+    double curvature;      /**< the largest */
+    int inflections_added; /**< spans bent to both sides where the points ask for one */
+} batten_nonlinear_report;
+
+/**
+ * The spline of a family through points of the plane.
+ *
+ * @param points [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options NULL for the defaults
+ * @param[out] angles [count] directions at the points, radians; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; COINCIDENT; SINGULAR_HERE naming the point at which the polygon turns back
+ * on itself; TOLERANCE_NOT_MET naming the span that has no solution or bends more than the
+ * family allows, and what would work instead; SINGULAR_SYSTEM; INCOMPLETE when max_steps did
+ * not do
+ *
+ * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
+ * Cost: linear in count for each step. Source: [SL89] ch. VI.
+ */
+BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
+                                                const batten_nonlinear_options *options,
+                                                double *angles, double *parameters,
+                                                batten_nonlinear_report *report,
+                                                batten_chain **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,43 @@
+/*
+ * The common scheme of all nonlinear plane splines through points: a span family tells the
+ * curvatures at both ends of a span from the two angles between its chord and its tangents; one
+ * driver finds the tangents for which curvature is continuous (curves-nonlinear.md 0).
+ *
+ * Of a span with chord length l: alpha = theta_0 - phi, beta = theta_1 - phi, where phi is the
+ * direction of the chord and theta that of the tangents. A left turn is positive.
+ */
+#ifndef BAT_TWO_ANGLE_H
+#define BAT_TWO_ANGLE_H
+#include "base/base.h"
+#include <batten/chain.h>
+
+/* The curvatures at the ends, and how they change. */
+typedef struct {
+    double k0, k1;
+    double k0_alpha, k0_beta, k1_alpha, k1_beta; /* partial derivatives */
+} bat_end_curvatures;
+
+/* The most spans of a chain that stand for one span between points. */
+enum { BAT_FAMILY_SPANS = 2 };
+
+typedef struct bat_span_family bat_span_family;
+struct bat_span_family {
+    const char *name;
+    double limit;       /* the largest |alpha| and |beta| that the family allows, radians */
+    const char *remedy; /* what to use where it allows no more: "an Euler spiral" */
+    /* SINGULAR_SYSTEM when the span has no solution at these angles. `tension`: of this span;
+     * families without one ignore it. */
+    batten_status (*curvatures)(double alpha, double beta, double l, double tension,
+                                bat_end_curvatures *out);
+    /* The span itself, in its own frame: from (0, 0) to (l, 0), with directions alpha and beta.
+     * Fills 1..BAT_FAMILY_SPANS spans. */
+    batten_status (*spans)(double alpha, double beta, double l, double tension,
+                           batten_span *out, int *count);
+};
+
+/* The families, each in its file family_NAME.c. */
+extern const bat_span_family bat_family_local_cubic, bat_family_local_tension,
+    bat_family_geometric, bat_family_euler_spiral, bat_family_arcs, bat_family_elastica,
+    bat_family_hobby;
+
+#endif
