@@ -51,8 +51,10 @@ typedef struct batten_span {
  * @param spans     [count], each beginning where the one before ends, within `tolerance`
  * @param breaks    [count + 1], increasing; NULL: from 0, by the lengths of the spans
  * @param closed    the last span ends at the first; then any parameter is taken, by periods
- * @return BATTEN_OK, BAD_ARGUMENT (no span, kinds and dimension, lengths), NOT_FINITE,
- * NOT_INCREASING, NOT_COMPATIBLE (a gap, named with its size), TOO_LARGE, OUT_OF_MEMORY
+ * @param tolerance model units, 0 or more; infinity: gaps are not looked at
+ * @return BATTEN_OK, BAD_ARGUMENT (no span, kinds and dimension, lengths, tolerance),
+ * NOT_FINITE, NOT_INCREASING, NOT_COMPATIBLE (a gap, named with its size), OVERFLOW,
+ * TOO_LARGE, OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_chain_create(int dimension, int count, const batten_span *spans,
                                              const double *breaks, bool closed,
@@ -107,8 +109,9 @@ BATTEN_API batten_status batten_chain_transform(const batten_chain *chain,
  * chain than `tolerance`, at equal parameters.
  *
  * @param tolerance model units, > 0
- * @param[out] error the largest distance at equal parameters among 16 samples of each piece,
- *             and 1.2 times that; 0 when exact. May be NULL
+ * @param[out] error 1.2 times the largest distance at equal parameters among 16 samples of each
+ *             piece, and at least the largest gap between two spans that was let pass when the
+ *             chain was made; 0 when exact. May be NULL
  * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, TOO_LARGE (1 million pieces), OVERFLOW
  * Cost: linear in the number of pieces. Source: [dBHS87] for the order, 6.
  */

@@ -4,6 +4,7 @@
 #include "spline/curve.h"
 #include "spline/spline.h"
 
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -45,6 +46,9 @@ static batten_status check_breaks(int count, const double *breaks)
             return bat_fail(BATTEN_NOT_INCREASING, "break %d is %g, not above %g before it", i,
                             breaks[i], breaks[i - 1]);
     }
+    if (!isfinite(breaks[count] - breaks[0]))
+        return bat_fail(BATTEN_OVERFLOW, "the breaks, from %g to %g, are too far apart",
+                        breaks[0], breaks[count]);
     return BATTEN_OK;
 }
 
@@ -116,6 +120,8 @@ batten_status batten_chain_create(int dimension, int count, const batten_span *s
         return bat_fail(BATTEN_BAD_ARGUMENT, "a chain of %d spans", count);
     if (count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "%d spans; the limit is %d", count, BAT_MAX_POINTS);
+    if (!(tolerance >= 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or more", tolerance);
     batten_chain *chain = make(count);
     if (!chain)
         return BATTEN_OUT_OF_MEMORY;
@@ -292,7 +298,7 @@ batten_status batten_chain_evaluate_side(const batten_chain *chain, double u, ba
         return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d of a chain; there are %d", order,
                         BAT_CHAIN_ORDER);
     int i = 0;
-    double t = 0, values[(BAT_CHAIN_ORDER + 1) * 3];
+    double t = 0, values[(BAT_CHAIN_ORDER + 1) * 3], placed[(BAT_CHAIN_ORDER + 1) * 3];
     const batten_status status = bat_chain_locate(chain, u, side, &i, &t);
     if (status != BATTEN_OK)
         return status;
@@ -301,17 +307,18 @@ batten_status batten_chain_evaluate_side(const batten_chain *chain, double u, ba
     bat_span_type_of(span->kind)->evaluate(d, span, t, order, values);
     /* One step of the chain's parameter may be several of the span's. */
     const double pace = span->length / (chain->breaks[i + 1] - chain->breaks[i]);
-    for (int k = 1; k <= order; k++)
+    double power = pace;
+    for (int k = 1; k <= order; k++, power *= pace)
         for (int c = 0; c < d; c++)
-            values[k * d + c] *= pow(pace, k);
-    const size_t count = ((size_t)order + 1) * (size_t)d;
-    if (bat_first_not_finite(values, count) < count)
+            values[k * d + c] *= power;
+    if (chain->placed)
+        put_in_frame(chain, order, values, placed);
+    const size_t count = ((size_t)order + 1) * (size_t)batten_chain_dimension(chain);
+    const double *result = chain->placed ? placed : values;
+    if (bat_first_not_finite(result, count) < count)
         return bat_fail(BATTEN_OVERFLOW,
                         "the point or a derivative at %.17g is too large for a number", u);
-    if (chain->placed)
-        put_in_frame(chain, order, values, out);
-    else
-        memcpy(out, values, count * sizeof *out);
+    memcpy(out, result, count * sizeof *out);
     return BATTEN_OK;
 }
 
@@ -328,67 +335,55 @@ typedef struct {
     bool mirrors;
 } similarity;
 
-static batten_vec3 column(const batten_affine *map, int k)
-{
-    return (batten_vec3){map->m[0][k], map->m[1][k], map->m[2][k]};
-}
-
 static batten_status find_similarity(const batten_affine *map, int d, similarity *out)
 {
     batten_vec3 c[3];
-    for (int k = 0; k < 3; k++) {
-        c[k] = column(map, k);
-        if (d < 3)
-            c[k] = k < 2 ? (batten_vec3){c[k].x, c[k].y, 0} : (batten_vec3){0, 0, 1};
-    }
-    const double s = bat_vec3_norm(c[0]);
-    const double allowed = 16 * 0x1p-52 * s;
-    const double skew =
-        bat_max(fabs(bat_vec3_dot(c[0], c[1])),
-                bat_max(fabs(bat_vec3_dot(c[1], c[2])), fabs(bat_vec3_dot(c[2], c[0]))));
-    bool keeps = s > 0 && isfinite(s) && fabs(bat_vec3_norm(c[1]) - s) <= allowed;
-    if (d == 3)
-        keeps = keeps && fabs(bat_vec3_norm(c[2]) - s) <= allowed && skew <= allowed * s;
-    else
-        keeps = keeps && fabs(bat_vec3_dot(c[0], c[1])) <= allowed * s;
+    const double s = bat_norm(
+        d, (const double[3]){map->m[0][0], d > 1 ? map->m[1][0] : 0, d > 2 ? map->m[2][0] : 0});
+    bool keeps = s > 0 && isfinite(s);
+    for (int k = 0; k < 3 && keeps; k++)
+        /* In units of the scale, and in the first d coordinates alone. */
+        c[k] = k < d ? (batten_vec3){map->m[0][k] / s, d > 1 ? map->m[1][k] / s : 0,
+                                     d > 2 ? map->m[2][k] / s : 0}
+                     : (batten_vec3){k == 0, k == 1, k == 2};
+    /* A rotation composed of others is square within some roundings. */
+    for (int k = 0; k < 3 && keeps; k++)
+        keeps = fabs(bat_vec3_norm(c[k]) - 1) <= 16 * DBL_EPSILON &&
+                fabs(bat_vec3_dot(c[k], c[(k + 1) % 3])) <= 16 * DBL_EPSILON;
     if (!keeps)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the map changes shapes, which a chain cannot");
     *out = (similarity){s, bat_vec3_dot(bat_vec3_cross(c[0], c[1]), c[2]) < 0};
     return BATTEN_OK;
 }
 
-static void map_vector(const batten_affine *map, double *v, bool is_point)
+/* The first d coordinates; the others stay 0. */
+static void map_vector(const batten_affine *map, int d, double *v, bool is_point)
 {
-    const batten_vec3 from = {v[0], v[1], v[2]};
-    batten_affine linear = *map;
-    for (int k = 0; k < 3 && !is_point; k++)
-        linear.t[k] = 0;
-    const batten_vec3 to = batten_affine_apply(linear, from);
-    v[0] = to.x;
-    v[1] = to.y;
-    v[2] = to.z;
+    double to[3] = {0, 0, 0};
+    for (int i = 0; i < d; i++)
+        to[i] = bat_dot(d, map->m[i], v) + (is_point ? map->t[i] : 0);
+    memcpy(v, to, sizeof to);
 }
 
 /* A direction of the plane, radians, after the map. */
 static double map_angle(const batten_affine *map, double angle)
 {
     double v[3] = {cos(angle), sin(angle), 0};
-    map_vector(map, v, false);
+    map_vector(map, 2, v, false);
     return atan2(v[1], v[0]);
 }
 
 /* Lengths grow by the scale, curvatures shrink by it; in a mirror they change their sign. */
-static void map_span(const batten_affine *map, similarity by, batten_span *span)
+static void map_span(const batten_affine *map, int d, similarity by, batten_span *span)
 {
     double factor = (by.mirrors ? -1 : 1) / by.scale;
-    map_vector(map, span->start, true);
+    map_vector(map, d, span->start, true);
     if (!bat_span_type_of(span->kind)->plane) {
-        map_vector(map, span->end, true);
-        map_vector(map, span->bend[0], false);
-        map_vector(map, span->bend[1], false);
+        map_vector(map, d, span->end, true);
+        map_vector(map, d, span->bend[0], false);
+        map_vector(map, d, span->bend[1], false);
         return;
     }
-    span->start[2] = 0;
     span->angle = map_angle(map, span->angle);
     if (span->kind == BATTEN_SPAN_GEOMETRIC)
         span->chord = map_angle(map, span->chord);
@@ -404,16 +399,16 @@ static batten_status map_frame(const batten_affine *map, similarity by, batten_c
     double o[3] = {moved.origin.x, moved.origin.y, moved.origin.z};
     double x[3] = {moved.x.x, moved.x.y, moved.x.z},
            y[3] = {chain->y.x, chain->y.y, chain->y.z};
-    map_vector(map, o, true);
-    map_vector(map, x, false);
-    map_vector(map, y, false);
+    map_vector(map, 3, o, true);
+    map_vector(map, 3, x, false);
+    map_vector(map, 3, y, false);
     moved.origin = (batten_vec3){o[0], o[1], o[2]};
     moved.x = (batten_vec3){x[0], x[1], x[2]};
     /* Seen from its own side a mirrored plane is as before: z goes by x and y. */
     moved.z = bat_vec3_cross(moved.x, (batten_vec3){y[0], y[1], y[2]});
     const batten_affine scaling = batten_affine_scaling(by.scale, by.scale, by.scale);
     for (int i = 0; i < chain->count; i++)
-        map_span(&scaling, (similarity){by.scale, false}, &chain->spans[i]);
+        map_span(&scaling, 2, (similarity){by.scale, false}, &chain->spans[i]);
     return bat_frame_square(&moved, &chain->frame, &chain->y);
 }
 
@@ -429,7 +424,7 @@ static batten_status map_spans(const batten_affine *map, batten_chain *chain)
     if (chain->placed)
         status = map_frame(map, by, chain);
     for (int i = 0; i < chain->count && !chain->placed; i++)
-        map_span(map, by, &chain->spans[i]);
+        map_span(map, d, by, &chain->spans[i]);
     return status;
 }
 

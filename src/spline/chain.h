@@ -24,6 +24,13 @@ typedef struct {
 const bat_span_type *bat_span_type_of(batten_span_kind kind);
 
 void bat_span_arc(int d, const batten_span *span, double t, int order, double *out);
+void bat_span_tension(int d, const batten_span *span, double t, int order, double *out);
+batten_status bat_span_tension_check(const batten_span *span, int index);
+
+/* The shape of a span in tension z (by its length) that begins with the second derivative 0 and
+ * ends with 1, at x of its length, `rest` = 1 - x: (sinh(z x) / sinh z - x) / z^2 and its three
+ * derivatives by x; z = 0: (x^3 - x) / 6. */
+void bat_tension_shape(double z, double x, double rest, double out[4]);
 
 struct batten_chain {
     bat_references references;

@@ -3,6 +3,7 @@
 #include "spline/chain.h"
 #include "spline/curve.h"
 
+#include <float.h>
 #include <string.h>
 
 enum { MAX_PIECES = 1000000, DEPTH = 40, SAMPLES = 16 };
@@ -23,6 +24,7 @@ typedef struct {
     int dimension, degree, count, capacity;
     bool rational;
     double *points, *weights, *breaks;
+    double gap; /* the largest between two pieces, beyond the rounding of their ends */
 } pieces;
 
 static void pieces_end(pieces *p)
@@ -56,6 +58,13 @@ static batten_status reserve(pieces *p)
     return BATTEN_OK;
 }
 
+/* Pieces that meet within the rounding of an end, some ten operations, have no gap. */
+static double gap_between(int d, const double *end, const double *start)
+{
+    const double gap = bat_distance(d, end, start);
+    return gap <= 16 * DBL_EPSILON * bat_largest(d, start) ? 0 : gap;
+}
+
 /* One more piece, up to `b`: its first point is the last of the one before. */
 static batten_status add(pieces *p, const double *points, const double *weights, double b)
 {
@@ -64,6 +73,8 @@ static batten_status add(pieces *p, const double *points, const double *weights,
         return status;
     const size_t d = (size_t)p->dimension, rows = (size_t)p->degree + 1;
     const size_t at = (size_t)p->count * (size_t)p->degree, skip = p->count > 0;
+    if (skip)
+        p->gap = bat_max(p->gap, gap_between(p->dimension, p->points + at * d, points));
     memcpy(p->points + (at + skip) * d, points + skip * d, (rows - skip) * d * sizeof *points);
     for (size_t i = skip; i < rows; i++)
         p->weights[at + i] = weights ? weights[i] : 1;
@@ -204,6 +215,7 @@ static batten_status convert(const batten_chain *chain, double tolerance, pieces
     for (int i = 0; i < chain->count && status == BATTEN_OK; i++)
         status =
             p->rational ? add_arcs(chain, p, i) : add_hermite(chain, p, i, tolerance, error);
+    *error = bat_max(*error, p->gap);
     return status;
 }
 

@@ -3,6 +3,7 @@
 /* The one table of kinds, in the order of the enumeration. */
 static const bat_span_type types[] = {
     [BATTEN_SPAN_ARC] = {"arc", true, bat_span_arc, NULL},
+    [BATTEN_SPAN_TENSION] = {"tension", false, bat_span_tension, bat_span_tension_check},
 };
 
 const bat_span_type *bat_span_type_of(batten_span_kind kind)
@@ -13,7 +14,7 @@ const bat_span_type *bat_span_type_of(batten_span_kind kind)
 
 /* ---- arcs and lines ---- */
 
-/* sin x / x and (1 - cos x) / x, without loss near 0. */
+/* sin x / x, without loss near 0. */
 static double sine_quotient(double x)
 {
     return x == 0 ? 1 : sin(x) / x;
