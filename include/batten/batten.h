@@ -10,6 +10,7 @@
 #include <batten/exchange.h>
 #include <batten/fair.h>
 #include <batten/file.h>
+#include <batten/gcode.h>
 #include <batten/geometry.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>

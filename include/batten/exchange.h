@@ -17,7 +17,10 @@ typedef enum batten_format {
     BATTEN_FORMAT_POINTS,   /**< x y z in lines: .xyz; .csv, .tsv, .txt without offsets */
     BATTEN_FORMAT_AEROFOIL, /**< .dat, Selig or Lednicer order */
     BATTEN_FORMAT_IGES,     /**< .igs, .iges */
-    BATTEN_FORMAT_STEP      /**< .stp, .step; written */
+    BATTEN_FORMAT_STEP,     /**< .stp, .step; written */
+    BATTEN_FORMAT_DXF,      /**< .dxf, release 2000; written: points, curves, arcs as bulges */
+    BATTEN_FORMAT_SVG,  /**< .svg at true scale, for cutting; written: curves seen along z */
+    BATTEN_FORMAT_GCODE /**< .nc, .ngc, .gcode, .tap; written: see gcode.h */
 } batten_format;
 
 /** "iges", "step" ... */

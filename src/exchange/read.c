@@ -17,6 +17,9 @@ static const struct {
     {BATTEN_FORMAT_AEROFOIL, "aerofoil", {".dat"}, bat_read_aerofoil},
     {BATTEN_FORMAT_IGES, "iges", {".igs", ".iges"}, bat_read_iges},
     {BATTEN_FORMAT_STEP, "step", {".stp", ".step"}, NULL},
+    {BATTEN_FORMAT_DXF, "dxf", {".dxf"}, NULL},
+    {BATTEN_FORMAT_SVG, "svg", {".svg"}, NULL},
+    {BATTEN_FORMAT_GCODE, "g-code", {".nc", ".ngc", ".gcode", ".tap"}, NULL},
 };
 #define FORMATS (sizeof formats / sizeof formats[0])
 

@@ -1,6 +1,9 @@
 #include "exchange/csv/csv.h"
+#include "exchange/dxf/dxf.h"
+#include "exchange/gcode/gcode.h"
 #include "exchange/iges/iges.h"
 #include "exchange/step/step.h"
+#include "exchange/svg/svg.h"
 
 batten_write_options batten_write_defaults(void)
 {
@@ -44,6 +47,12 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
         return bat_write_iges(model, options, notes, text);
     case BATTEN_FORMAT_STEP:
         return bat_write_step(model, options, notes, text);
+    case BATTEN_FORMAT_DXF:
+        return bat_write_dxf(model, options, notes, text);
+    case BATTEN_FORMAT_SVG:
+        return bat_write_svg(model, options, notes, text);
+    case BATTEN_FORMAT_GCODE:
+        return bat_write_gcode(model, NULL, notes, text);
     case BATTEN_FORMAT_AUTO:
         break;
     }

@@ -3,7 +3,8 @@
 static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
     {"format", BATTEN_VALUE_WORD, false, false, "auto",
-     "auto offsets points aerofoil iges step", "by the ending of the file by default"},
+     "auto offsets points aerofoil iges step dxf svg g-code",
+     "by the ending of the file by default"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "the accuracy that the file states; the tolerance of the design by default"},
@@ -30,13 +31,17 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_write = {
-    .shown = {"write", "A file for other programs",
-              "The ending names the format: .step and .stp, .igs and .iges, .csv for tables "
-              "and points.\n"
-              "'hull.step: hull' is short for 'hull.step: {write: hull}'.",
-              "features:\n"
-              "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
-              "outputs:\n"
-              "  ducks.xyz: {write: ducks}\n",
-              "", "batten_write_memory", BAT_PARAMETERS(parameters), true},
+    .shown =
+        {"write", "A file for other programs",
+         "The ending names the format: .step and .stp, .igs and .iges, .csv for tables "
+         "and points,\n"
+         ".dxf with arcs as bulges, .svg at true scale for cutting, .nc for G-code with the "
+         "usual settings\n"
+         "('g-code' has the others).\n"
+         "'hull.step: hull' is short for 'hull.step: {write: hull}'.",
+         "features:\n"
+         "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
+         "outputs:\n"
+         "  ducks.xyz: {write: ducks}\n",
+         "", "batten_write_memory", BAT_PARAMETERS(parameters), true},
     .run = run};

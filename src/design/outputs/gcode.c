@@ -1,0 +1,59 @@
+#include "design/feature.h"
+
+#include <batten/gcode.h>
+
+typedef enum { CENTRES_RELATIVE, CENTRES_ABSOLUTE } centres;
+
+static const batten_parameter parameters[] = {
+    {"g-code", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "chains of arcs, and polylines; each is cut in the order in which it stands here"},
+    {"depth", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "height at which is cut; that of each path by default"},
+    {"clearance", BATTEN_VALUE_LENGTH, false, false, "5 mm", NULL,
+     "how far above the highest path the tool travels"},
+    {"feed", BATTEN_VALUE_LENGTH, false, false, "1000 mm", NULL, "along the path, a minute"},
+    {"plunge", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "downwards, a minute; a quarter of the feed by default"},
+    {"centres", BATTEN_VALUE_WORD, false, false, "relative", "relative absolute",
+     "I and J from the start of the arc (G91.1), or the centre itself (G90.1)"},
+    {"moves", BATTEN_VALUE_WORD, false, false, "absolute", "absolute relative",
+     "positions (G90), or steps from where the tool is (G91)"},
+    {"decimals", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
+     "4 for millimetres, 5 for inches by default"},
+};
+
+static batten_status run(bat_run *run)
+{
+    batten_gcode_options options = batten_gcode_defaults();
+    batten_model *model = NULL;
+    if (bat_has(run, "depth"))
+        options.depth = bat_number(run, "depth");
+    if (bat_has(run, "decimals"))
+        options.decimals = bat_count(run, "decimals");
+    options.clearance = bat_number(run, "clearance");
+    options.feed = bat_number(run, "feed");
+    options.plunge = bat_has(run, "plunge") ? bat_number(run, "plunge") : 0;
+    options.absolute_centres = bat_word(run, "centres") == CENTRES_ABSOLUTE;
+    options.relative_moves = bat_word(run, "moves") == 1;
+    batten_status status = bat_merge(run, "g-code", &model);
+    if (status == BATTEN_OK)
+        status = batten_write_gcode(model, &options, run->notes, &run->data, &run->size);
+    batten_model_unref(model);
+    return status;
+}
+
+const bat_feature bat_feature_gcode = {
+    .shown =
+        {"g-code", "A program for a machine that cuts",
+         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve "
+         "must be made of arcs\n"
+         "and lines first; 'arcs' does that within a tolerance. Inches when the design is in "
+         "inches, else\n"
+         "millimetres.",
+         "units: mm\n"
+         "features:\n"
+         "  frame: {polyline: [[0, 0], [80, 0], [80, 50], [0, 50], [0, 0]]}\n"
+         "outputs:\n"
+         "  frame.nc: {g-code: frame, depth: -2, feed: 600}\n",
+         "", "batten_write_gcode", BAT_PARAMETERS(parameters), true},
+    .run = run};

@@ -1,0 +1,47 @@
+/* Writing DXF, release 2000 (AC1015). */
+#ifndef BAT_DXF_H
+#define BAT_DXF_H
+#include "base/base.h"
+#include <batten/exchange.h>
+#include <batten/text.h>
+
+batten_status bat_write_dxf(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text);
+
+/* ---- groups (src/exchange/dxf/groups.c) ---- */
+
+/* The file as it grows. */
+typedef struct {
+    batten_text text;
+    int handle; /* the last one given */
+} bat_dxf;
+
+void bat_dxf_text(bat_dxf *dxf, int code, const char *value);
+void bat_dxf_integer(bat_dxf *dxf, int code, int value);
+void bat_dxf_real(bat_dxf *dxf, int code, double value);
+/* x, y and z under `code`, code + 10, code + 20. */
+void bat_dxf_point(bat_dxf *dxf, int code, const double point[3]);
+/* A new handle under code 5, and that of the owner under 330. */
+int bat_dxf_handle(bat_dxf *dxf, int owner);
+void bat_dxf_reference(bat_dxf *dxf, int code, int handle);
+
+/* A name as a layer may have: without < > / \ " : ; ? * | = ' and line ends, at most 255 bytes;
+ * letters beyond ASCII as \U+XXXX. */
+enum { BAT_DXF_NAME = 256 };
+void bat_dxf_layer(const char *name, char out[BAT_DXF_NAME]);
+
+/* ---- what must stand around the entities (src/exchange/dxf/frame.c) ---- */
+
+/* A layer and its colour index. */
+typedef struct {
+    char name[BAT_DXF_NAME];
+    int colour;
+} bat_dxf_layer_row;
+
+/* Header, classes, tables and blocks. *model_space is the owner of the entities. */
+void bat_dxf_begin(bat_dxf *dxf, double unit_metres, int layer_count,
+                   const bat_dxf_layer_row *layers, int handles, int *model_space);
+/* The objects, and the end of the file. */
+void bat_dxf_end(bat_dxf *dxf);
+
+#endif

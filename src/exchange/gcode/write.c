@@ -1,0 +1,268 @@
+#include "exchange/gcode/gcode.h"
+#include "exchange/path.h"
+#include "numeric/vector.h"
+
+#include <batten/units.h>
+#include <string.h>
+
+batten_gcode_options batten_gcode_defaults(void)
+{
+    return (batten_gcode_options){
+        .size = sizeof(batten_gcode_options), .depth = (double)NAN, .decimals = -1};
+}
+
+/* One program as it grows. Positions are what the machine knows: rounded, in its unit. */
+typedef struct {
+    batten_gcode_options options;
+    batten_text text;
+    double scale; /* from the model's unit to the machine's */
+    double top;   /* height at which the tool travels */
+    double at[3];
+    int paths;
+    double largest; /* number written */
+} program;
+
+static const double inch = 0.0254;
+
+/* ---- words ---- */
+
+static double rounded(const program *p, double value)
+{
+    const double ten = pow(10, p->options.decimals);
+    const double result = round(value * ten) / ten;
+    return result == 0 ? 0 : result;
+}
+
+static void put_word(program *p, char letter, double value)
+{
+    p->largest = bat_max(p->largest, isfinite(value) ? fabs(value) : HUGE_VAL);
+    batten_text_add(&p->text, " %c%.*f", letter, p->options.decimals, rounded(p, value));
+}
+
+/* An axis that moves; the tool is then there. */
+static void put_axis(program *p, char letter, int axis, double to)
+{
+    const double from = p->options.relative_moves ? p->at[axis] : 0;
+    put_word(p, letter, to - from);
+    p->at[axis] = to;
+}
+
+static void move_up(program *p)
+{
+    batten_text_add(&p->text, "G0");
+    put_axis(p, 'Z', 2, p->top);
+    batten_text_add(&p->text, "\n");
+}
+
+static void travel(program *p, double x, double y)
+{
+    batten_text_add(&p->text, "G0");
+    put_axis(p, 'X', 0, x);
+    put_axis(p, 'Y', 1, y);
+    batten_text_add(&p->text, "\n");
+}
+
+static void plunge(program *p, double z)
+{
+    batten_text_add(&p->text, "G1");
+    put_axis(p, 'Z', 2, z);
+    put_word(p, 'F', p->options.plunge);
+    batten_text_add(&p->text, "\n");
+}
+
+/* From where the tool is; the centre belongs to the rounded ends. */
+static void cut(program *p, double x, double y, double bulge, bool first)
+{
+    const bat_vertex from = {p->at[0], p->at[1], bulge};
+    if (x == from.x && y == from.y)
+        return;
+    batten_text_add(&p->text, bulge == 0 ? "G1" : bulge > 0 ? "G3" : "G2");
+    put_axis(p, 'X', 0, x);
+    put_axis(p, 'Y', 1, y);
+    if (bulge != 0) {
+        double cx, cy, radius;
+        bat_path_centre(&from, x, y, &cx, &cy, &radius);
+        put_word(p, 'I', p->options.absolute_centres ? cx : cx - from.x);
+        put_word(p, 'J', p->options.absolute_centres ? cy : cy - from.y);
+    }
+    if (first)
+        put_word(p, 'F', p->options.feed);
+    batten_text_add(&p->text, "\n");
+}
+
+/* ---- paths ---- */
+
+/* A vertex in the machine's coordinates. The frame may look from below: then left is right. */
+static bat_vertex vertex_of(const program *p, const bat_path *path, int i)
+{
+    const bat_vertex v = path->vertices[i % path->count];
+    const batten_frame *f = &path->frame;
+    const batten_vec3 y = bat_vec3_cross(f->z, f->x);
+    const double sign = f->z.z < 0 ? -1 : 1;
+    return (bat_vertex){rounded(p, p->scale * (f->origin.x + v.x * f->x.x + v.y * y.x)),
+                        rounded(p, p->scale * (f->origin.y + v.x * f->x.y + v.y * y.y)),
+                        sign * v.bulge};
+}
+
+/* In parentheses, which a comment itself must not have. */
+static void put_comment(program *p, const char *name)
+{
+    batten_text_add(&p->text, "(");
+    for (; *name; name++)
+        batten_text_add(&p->text, "%c",
+                        *name == '(' || *name == ')' || (unsigned char)*name < ' ' ? '_'
+                                                                                   : *name);
+    batten_text_add(&p->text, ")\n");
+}
+
+static void put_path(program *p, const batten_object *object, const bat_path *path)
+{
+    const double z = rounded(
+        p, p->scale * (isnan(p->options.depth) ? path->frame.origin.z : p->options.depth));
+    const bat_vertex start = vertex_of(p, path, 0);
+    const int moves = path->closed ? path->count : path->count - 1;
+    put_comment(p, object->name);
+    travel(p, start.x, start.y);
+    plunge(p, z);
+    double bulge = start.bulge;
+    for (int i = 1; i <= moves; i++) {
+        const bat_vertex to = vertex_of(p, path, i);
+        cut(p, to.x, to.y, bulge, i == 1);
+        bulge = to.bulge;
+    }
+    move_up(p);
+    p->paths++;
+}
+
+static bool is_level(const bat_path *path)
+{
+    return path->frame.x.z == 0 && path->frame.z.x == 0 && path->frame.z.y == 0;
+}
+
+/* A path that the machine can follow, or a note that says why not. */
+static batten_status path_of(const batten_object *object, batten_notes *notes, bool *use,
+                             bat_path *path)
+{
+    batten_status status = bat_path_of(object, use, path);
+    if (status != BATTEN_OK)
+        return status;
+    if (!*use) {
+        batten_notes_add(notes, "", 0, object->name,
+                         "left out: it is no chain of arcs and lines; the feature 'arcs' makes "
+                         "one of a curve");
+    } else if (!is_level(path)) {
+        batten_notes_add(notes, "", 0, object->name,
+                         "left out: it is in no plane z = constant");
+        bat_path_release(path);
+        *use = false;
+    }
+    return BATTEN_OK;
+}
+
+/* The highest path, so that travels clear them all. */
+static batten_status find_top(program *p, const batten_model *model)
+{
+    double highest = isnan(p->options.depth) ? -HUGE_VAL : p->options.depth;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        bool use = false;
+        bat_path path = {0};
+        const batten_status status = path_of(batten_model_object(model, i), NULL, &use, &path);
+        if (status != BATTEN_OK)
+            return status;
+        if (use)
+            highest = bat_max(highest, path.frame.origin.z);
+        bat_path_release(&path);
+    }
+    p->top = rounded(p, p->scale * highest + p->options.clearance);
+    return BATTEN_OK;
+}
+
+static batten_status put_paths(program *p, const batten_model *model, batten_notes *notes)
+{
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        bool use = false;
+        bat_path path = {0};
+        const batten_status status = path_of(object, notes, &use, &path);
+        if (status != BATTEN_OK)
+            return status;
+        if (use)
+            put_path(p, object, &path);
+        bat_path_release(&path);
+    }
+    if (p->paths == 0)
+        return bat_fail(BATTEN_UNSUPPORTED, "G-code holds chains of arcs and polylines in "
+                                            "planes z = constant, and there are none");
+    return BATTEN_OK;
+}
+
+/* ---- the whole ---- */
+
+static batten_status check_options(const batten_gcode_options *o)
+{
+    const bool lengths = o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 &&
+                         isfinite(o->feed) && isfinite(o->plunge) && isfinite(o->clearance) &&
+                         !isinf(o->depth);
+    if (!lengths)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
+                        o->plunge, o->clearance);
+    if (o->decimals < -1 || o->decimals > 9)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d decimals; there may be 0 to 9", o->decimals);
+    return BATTEN_OK;
+}
+
+/* Lengths of the options in the machine's unit, with the usual values for 0. */
+static void settle(program *p, double unit_metres)
+{
+    const bool inches = fabs(unit_metres - inch) < 1e-9 * inch;
+    const double millimetre = inches ? 1 / 25.4 : 1;
+    batten_gcode_options *o = &p->options;
+    p->scale = inches || unit_metres == 0 ? 1 : unit_metres * 1000;
+    o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * millimetre;
+    o->plunge = o->plunge > 0 ? o->plunge * p->scale : o->feed / 4;
+    o->clearance = o->clearance > 0 ? o->clearance * p->scale : 5 * millimetre;
+    if (o->decimals < 0)
+        o->decimals = inches ? 5 : 4;
+    batten_text_add(&p->text, "%%\n%s (%s)\nG17\n%s\n%s\n", inches ? "G20" : "G21",
+                    inches ? "inches" : "millimetres",
+                    o->absolute_centres ? "G90.1 (centres are absolute)"
+                                        : "G91.1 (centres count from the start of an arc)",
+                    o->relative_moves ? "G91 (moves count from where the tool is)" : "G90");
+}
+
+batten_status bat_write_gcode(const batten_model *model, const batten_gcode_options *options,
+                              batten_notes *notes, batten_text *text)
+{
+    program p = {.options = options ? *options : batten_gcode_defaults(), .text = BATTEN_TEXT};
+    batten_status status = check_options(&p.options);
+    if (status == BATTEN_OK) {
+        settle(&p, batten_model_unit_metres(model));
+        status = find_top(&p, model);
+    }
+    if (status == BATTEN_OK && isfinite(p.top))
+        move_up(&p);
+    if (status == BATTEN_OK)
+        status = put_paths(&p, model, notes);
+    if (status == BATTEN_OK && !(p.largest < 1e9))
+        status = bat_fail(BATTEN_OVERFLOW, "a coordinate of %g is more than controls take",
+                          p.largest);
+    batten_text_add(&p.text, "M2\n%%\n");
+    if (status == BATTEN_OK)
+        *text = p.text;
+    else
+        batten_text_free(&p.text);
+    return status;
+}
+
+batten_status batten_write_gcode(const batten_model *model, const batten_gcode_options *options,
+                                 batten_notes *notes, char **data, size_t *size)
+{
+    assert(model && data && size);
+    batten_text text = BATTEN_TEXT;
+    batten_status status = bat_write_gcode(model, options, notes, &text);
+    if (status == BATTEN_OK)
+        status = batten_text_take(&text, data, size);
+    batten_text_free(&text);
+    return status;
+}

@@ -1,0 +1,30 @@
+/* A path of lines and arcs in a plane: what machines cut, and what DXF calls a polyline with
+ * bulges. */
+#ifndef BAT_PATH_H
+#define BAT_PATH_H
+#include "base/base.h"
+#include <batten/model.h>
+
+/* One vertex, and how the path goes on from it: the bulge is tan(sweep / 4), positive to the
+ * left, 0 for a line. No arc sweeps more than a half circle. */
+typedef struct {
+    double x, y, bulge;
+} bat_vertex;
+
+typedef struct {
+    int count;
+    bool closed;          /* the last vertex goes on to the first */
+    bat_vertex *vertices; /* [count] */
+    batten_frame frame;   /* the plane: x and y are measured along its axes */
+} bat_path;
+
+/* The path of a curve that is one: a chain of arcs and lines, or a polyline in a plane
+ * z = constant. *is_path is false, and nothing is made, for other objects. */
+batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *out);
+void bat_path_release(bat_path *path);
+
+/* The arc from vertex `from` to the point (x, y): its centre and radius; the bulge is not 0. */
+void bat_path_centre(const bat_vertex *from, double x, double y, double *cx, double *cy,
+                     double *radius);
+
+#endif

@@ -1,0 +1,239 @@
+#include "exchange/path.h"
+#include "exchange/svg/svg.h"
+#include "numeric/vector.h"
+
+#include <string.h>
+
+/* SVG counts y downwards, and its numbers are millimetres here. */
+typedef struct {
+    batten_text *text;
+    double scale, left, top, tolerance;
+    int shapes;
+} writing;
+
+enum { DEPTH = 24 };
+
+static void put_point(writing *w, char command, double x, double y)
+{
+    batten_text_add(w->text, "%c", command);
+    batten_text_number(w->text, w->scale * (x - w->left));
+    batten_text_add(w->text, " ");
+    batten_text_number(w->text, w->scale * (w->top - y));
+}
+
+static void put_attribute(batten_text *text, const char *name, const char *value)
+{
+    batten_text_add(text, " %s=\"", name);
+    for (; *value; value++) {
+        const char *entity = *value == '&'   ? "&amp;"
+                             : *value == '<' ? "&lt;"
+                             : *value == '"' ? "&quot;"
+                                             : NULL;
+        if (entity)
+            batten_text_add(text, "%s", entity);
+        else
+            batten_text_bytes(text, (unsigned char)*value < ' ' ? "_" : value, 1);
+    }
+    batten_text_add(text, "\"");
+}
+
+static void begin_shape(writing *w, const batten_object *object)
+{
+    char colour[8] = "#000000";
+    static const char digits[] = "0123456789abcdef";
+    for (int k = 0; object->has_colour && k < 3; k++) {
+        const int part = (int)(object->colour[k] * 255 + 0.5);
+        colour[1 + 2 * k] = digits[part / 16];
+        colour[2 + 2 * k] = digits[part % 16];
+    }
+    batten_text_add(w->text, "<path fill=\"none\" stroke-width=\"0.1\" stroke=\"%s\"", colour);
+    put_attribute(w->text, "id", object->name);
+    if (object->layer[0])
+        put_attribute(w->text, "class", object->layer);
+    batten_text_add(w->text, " d=\"");
+    w->shapes++;
+}
+
+static void end_shape(writing *w)
+{
+    batten_text_add(w->text, "\"/>\n");
+}
+
+/* ---- paths of lines and arcs ---- */
+
+/* The plane of the path as it lies on the sheet; false when it stands upright on it. */
+static bool lies_flat(const bat_path *path)
+{
+    return path->frame.x.z == 0 && path->frame.z.x == 0 && path->frame.z.y == 0;
+}
+
+static bat_vertex on_sheet(const bat_path *path, int i)
+{
+    const bat_vertex v = path->vertices[i % path->count];
+    const batten_frame *f = &path->frame;
+    const batten_vec3 y = bat_vec3_cross(f->z, f->x);
+    return (bat_vertex){f->origin.x + v.x * f->x.x + v.y * y.x,
+                        f->origin.y + v.x * f->x.y + v.y * y.y,
+                        f->z.z < 0 ? -v.bulge : v.bulge};
+}
+
+static void put_path(writing *w, const bat_path *path)
+{
+    bat_vertex from = on_sheet(path, 0);
+    const int moves = path->closed ? path->count : path->count - 1;
+    put_point(w, 'M', from.x, from.y);
+    for (int i = 1; i <= moves; i++) {
+        const bat_vertex to = on_sheet(path, i);
+        if (from.bulge == 0) {
+            put_point(w, 'L', to.x, to.y);
+        } else {
+            double cx, cy, radius;
+            bat_path_centre(&from, to.x, to.y, &cx, &cy, &radius);
+            batten_text_add(w->text, "A");
+            batten_text_number(w->text, w->scale * radius);
+            batten_text_add(w->text, " ");
+            batten_text_number(w->text, w->scale * radius);
+            batten_text_add(w->text, " 0 0 %d", from.bulge < 0);
+            put_point(w, ' ', to.x, to.y);
+        }
+        from = to;
+    }
+    if (path->closed)
+        batten_text_add(w->text, "Z");
+}
+
+/* ---- other curves: cubics within the tolerance ---- */
+
+/* The cubic with the curve's points and tangents at a and b, on the sheet. */
+static batten_status cubic(const batten_curve *curve, double a, double b, double points[4][2])
+{
+    double at[2][2 * 3];
+    const int d = batten_curve_dimension(curve);
+    batten_status status = batten_curve_evaluate(curve, a, 1, at[0]);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate_side(curve, b, BATTEN_FROM_LEFT, 1, at[1]);
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
+        points[0][k] = at[0][k];
+        points[1][k] = at[0][k] + (b - a) / 3 * at[0][d + k];
+        points[2][k] = at[1][k] - (b - a) / 3 * at[1][d + k];
+        points[3][k] = at[1][k];
+    }
+    return status;
+}
+
+/* How far the cubic is from the curve at equal parameters, at three places between. */
+static batten_status distance(const batten_curve *curve, double a, double b,
+                              const double points[4][2], double *largest)
+{
+    *largest = 0;
+    for (int i = 1; i <= 3; i++) {
+        const double t = i / 4.0, s = 1 - t;
+        double at[3], near[2];
+        const batten_status status = batten_curve_evaluate(curve, a + t * (b - a), 0, at);
+        if (status != BATTEN_OK)
+            return status;
+        for (int k = 0; k < 2; k++)
+            near[k] = s * s * s * points[0][k] + 3 * s * s * t * points[1][k] +
+                      3 * s * t * t * points[2][k] + t * t * t * points[3][k];
+        *largest = bat_max(*largest, bat_distance(2, at, near));
+    }
+    return BATTEN_OK;
+}
+
+static batten_status put_span(writing *w, const batten_curve *curve, double a, double b)
+{
+    double ends[DEPTH + 2] = {b};
+    batten_status status = BATTEN_OK;
+    for (int waiting = 1; waiting > 0 && status == BATTEN_OK;) {
+        double points[4][2] = {{0}}, off = 0;
+        b = ends[waiting - 1];
+        status = cubic(curve, a, b, points);
+        if (status == BATTEN_OK)
+            status = distance(curve, a, b, (const double(*)[2])points, &off);
+        if (off > w->tolerance && waiting <= DEPTH) {
+            ends[waiting++] = a + (b - a) / 2;
+            continue;
+        }
+        for (int k = 1; k < 4; k++)
+            put_point(w, k == 1 ? 'C' : ' ', points[k][0], points[k][1]);
+        a = b;
+        waiting--;
+    }
+    return status;
+}
+
+static batten_status put_curve(writing *w, const batten_curve *curve)
+{
+    const int count = batten_curve_spans(curve, NULL);
+    double *breaks = bat_array((size_t)count, sizeof *breaks), start[3];
+    if (!breaks)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_curve_spans(curve, breaks);
+    batten_status status = batten_curve_evaluate(curve, breaks[0], 0, start);
+    if (status == BATTEN_OK)
+        put_point(w, 'M', start[0], start[1]);
+    for (int i = 0; i + 1 < count && status == BATTEN_OK; i++)
+        status = put_span(w, curve, breaks[i], breaks[i + 1]);
+    bat_release(breaks);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static batten_status put_object(writing *w, const batten_object *object, batten_notes *notes)
+{
+    bool is_path = false;
+    bat_path path = {0};
+    if (object->kind != BATTEN_OBJECT_CURVE || batten_curve_dimension(object->curve) < 2) {
+        batten_notes_add(notes, "", 0, object->name, "left out: SVG holds curves here");
+        return BATTEN_OK;
+    }
+    batten_status status = bat_path_of(object, &is_path, &path);
+    if (status != BATTEN_OK)
+        return status;
+    begin_shape(w, object);
+    if (is_path && lies_flat(&path) && path.count > 1)
+        put_path(w, &path);
+    else
+        status = put_curve(w, object->curve);
+    end_shape(w);
+    bat_path_release(&path);
+    return status;
+}
+
+static void begin_sheet(writing *w, const batten_model *model)
+{
+    static const double margin = 5; /* millimetres */
+    const double metres = batten_model_unit_metres(model);
+    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    batten_model_box(model, &box);
+    w->scale = metres > 0 ? 1000 * metres : 1;
+    w->left = box.low.x - margin / w->scale;
+    w->top = box.high.y + margin / w->scale;
+    const double width = w->scale * (box.high.x - box.low.x) + 2 * margin;
+    const double height = w->scale * (box.high.y - box.low.y) + 2 * margin;
+    batten_text_add(w->text, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
+    batten_text_number(w->text, width);
+    batten_text_add(w->text, "mm\" height=\"");
+    batten_text_number(w->text, height);
+    batten_text_add(w->text, "mm\" viewBox=\"0 0 ");
+    batten_text_number(w->text, width);
+    batten_text_add(w->text, " ");
+    batten_text_number(w->text, height);
+    batten_text_add(w->text, "\">\n");
+}
+
+batten_status bat_write_svg(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text)
+{
+    writing w = {.text = text};
+    begin_sheet(&w, model);
+    w.tolerance = options->tolerance > 0 ? options->tolerance : 1e-3 / w.scale;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
+        status = put_object(&w, batten_model_object(model, i), notes);
+    batten_text_add(text, "</svg>\n");
+    if (status == BATTEN_OK && w.shapes == 0 && batten_model_count(model) > 0)
+        status = bat_fail(BATTEN_UNSUPPORTED, "SVG files hold curves, and there are none");
+    return status;
+}

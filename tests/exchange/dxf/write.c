@@ -1,0 +1,172 @@
+#include "exchange/dxf/dxf.h"
+#include "exchange/paths.h"
+
+#include <stdlib.h>
+
+/* The next group of a DXF text: its code and value. */
+static const char *next_group(const char *at, int *code, char value[300])
+{
+    if (!at || !*at)
+        return NULL;
+    *code = atoi(at);
+    at = strchr(at, '\n');
+    CHECK(at != NULL);
+    const size_t length = strcspn(at + 1, "\n");
+    CHECK(length < 300);
+    memcpy(value, at + 1, length);
+    value[length] = '\0';
+    return at + 1 + length + 1;
+}
+
+/* Where the groups of the first entity of a kind begin. */
+static const char *entity(const char *text, const char *kind)
+{
+    char head[40];
+    snprintf(head, sizeof head, "  0\n%s\n", kind);
+    const char *found = strstr(strstr(text, "\nENTITIES\n"), head);
+    CHECK(found != NULL);
+    return found + strlen(head);
+}
+
+/* All numbers under `code` in the entity that begins at `at`. */
+static int numbers(const char *at, int wanted, double *out, int room)
+{
+    int code = -1, count = 0;
+    char value[300];
+    while ((at = next_group(at, &code, value)) && code != 0)
+        if (code == wanted && count < room)
+            out[count++] = strtod(value, NULL);
+    return count;
+}
+
+TEST(a_chain_of_arcs_is_a_polyline_with_bulges)
+{
+    batten_model *model = model_of("stadium", stadium());
+    const char *text = written(model, BATTEN_FORMAT_DXF), *at = entity(text, "LWPOLYLINE");
+    double x[8], y[8], bulge[8], flag;
+    CHECK_INT(numbers(at, 10, x, 8), 4);
+    CHECK_INT(numbers(at, 20, y, 8), 4);
+    CHECK_INT(numbers(at, 42, bulge, 8), 2);
+    CHECK_INT(numbers(at, 70, &flag, 1), 1);
+    CHECK_NEAR(flag, 1, 0);
+    CHECK_NEAR(bulge[0], 1, 1e-15);
+    CHECK_NEAR(x[1], 90, 1e-13);
+    CHECK_NEAR(y[2], 20, 1e-13);
+    batten_model_unref(model);
+}
+
+TEST(other_curves_are_splines_to_the_bit)
+{
+    batten_model *model = NULL;
+    batten_curve *curve = NULL;
+    double knots[32], weights[32];
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_curve_arc(1.25, 2, &curve));
+    const batten_object object = {
+        .name = "arc", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    CHECK_OK(batten_model_add(model, &object));
+    const char *at = entity(written(model, BATTEN_FORMAT_DXF), "SPLINE");
+    CHECK_INT(numbers(at, 40, knots, 32), batten_curve_knot_count(curve));
+    CHECK_INT(numbers(at, 41, weights, 32), batten_curve_point_count(curve));
+    for (int i = 0; i < batten_curve_knot_count(curve); i++)
+        CHECK_BITS(knots[i], batten_curve_knots(curve)[i]);
+    for (int i = 0; i < batten_curve_point_count(curve); i++)
+        CHECK_BITS(weights[i], batten_curve_weights(curve)[i]);
+    batten_curve_unref(curve);
+    batten_model_unref(model);
+}
+
+TEST(a_plane_that_looks_aside_has_its_normal_and_its_own_axes)
+{
+    batten_model *model = NULL;
+    batten_chain *plane = stadium(), *placed = NULL;
+    const batten_frame frame = {{1, 2, 3}, {0, 1, 0}, {1, 0, 0}}; /* the yz-plane at x = 1 */
+    double normal[3], z, x[4], y[4];
+    CHECK_OK(batten_chain_place(plane, &frame, &placed));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add_chain(model, "frame", "", placed);
+    const char *at = entity(written(model, BATTEN_FORMAT_DXF), "LWPOLYLINE");
+    for (int k = 0; k < 3; k++)
+        CHECK_INT(numbers(at, 210 + 10 * k, &normal[k], 1), 1);
+    CHECK_NEAR(normal[0], 1, 1e-15);
+    CHECK_INT(numbers(at, 38, &z, 1), 1);
+    CHECK_NEAR(z, 1, 1e-15);
+    /* By the format's rule the x-axis of this plane is the world's y, its y-axis the world's z.
+     */
+    numbers(at, 10, x, 4);
+    numbers(at, 20, y, 4);
+    CHECK_NEAR(x[0], 12, 1e-13);
+    CHECK_NEAR(y[0], 3, 1e-13);
+    batten_chain_unref(plane);
+    batten_model_unref(model);
+}
+
+TEST(handles_are_distinct_and_below_the_seed)
+{
+    batten_model *model = NULL;
+    const double points[9] = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+    CHECK_OK(batten_model_create(1, &model));
+    add_chain(model, "a", "", hook());
+    add_chain(model, "b", "cut", stadium());
+    const batten_object object = {.name = "p",
+                                  .layer = "cut",
+                                  .kind = BATTEN_OBJECT_POINTS,
+                                  .point_count = 3,
+                                  .points = points};
+    CHECK_OK(batten_model_add(model, &object));
+    const char *text = written(model, BATTEN_FORMAT_DXF);
+    bool used[256] = {false};
+    int code = -1, seen = 0;
+    char value[300];
+    long seed = 0;
+    for (const char *at = text; (at = next_group(at, &code, value));) {
+        if (code == 9 && strcmp(value, "$HANDSEED") == 0) {
+            at = next_group(at, &code, value);
+            seed = strtol(value, NULL, 16);
+        } else if (code == 5 || code == 105) {
+            const long handle = strtol(value, NULL, 16);
+            CHECK(handle > 0 && handle < seed && handle < 256 && !used[handle]);
+            used[handle] = true;
+            seen++;
+        }
+    }
+    CHECK(seen > 20);
+    batten_model_unref(model);
+}
+
+TEST(f4_layer_names_have_no_forbidden_letters)
+{
+    char out[BAT_DXF_NAME];
+    bat_dxf_layer("a/b:c*\n|d", out);
+    CHECK_TEXT(out, "a_b_c___d");
+    bat_dxf_layer("Spanten \xC3\xA4", out);
+    CHECK_TEXT(out, "Spanten \\U+00E4");
+    bat_dxf_layer("\xFF\xFE", out);
+    CHECK_TEXT(out, "__");
+    bat_dxf_layer("", out);
+    CHECK_TEXT(out, "0");
+    char longest[600];
+    memset(longest, 'x', sizeof longest - 1);
+    longest[sizeof longest - 1] = '\0';
+    bat_dxf_layer(longest, out);
+    CHECK(strlen(out) < BAT_DXF_NAME);
+}
+
+TEST(dxf_of_a_model_without_curves_is_refused)
+{
+    batten_model *model = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    batten_write_options options = batten_write_defaults();
+    batten_surface *sphere = NULL;
+    const batten_frame world = batten_frame_world();
+    CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
+    CHECK_OK(batten_model_create(1, &model));
+    const batten_object object = {
+        .name = "s", .kind = BATTEN_OBJECT_SURFACE, .surface = sphere};
+    CHECK_OK(batten_model_add(model, &object));
+    options.format = BATTEN_FORMAT_DXF;
+    CHECK_STATUS(batten_write_memory(model, &options, NULL, &data, &size), BATTEN_UNSUPPORTED);
+    batten_surface_unref(sphere);
+    batten_model_unref(model);
+}

@@ -1,0 +1,154 @@
+#include "exchange/paths.h"
+
+#include <batten/gcode.h>
+#include <stdlib.h>
+
+static const char *program(const batten_model *model, const batten_gcode_options *options)
+{
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_write_gcode(model, options, NULL, &data, &size));
+    char *text = test_array(size + 1, 1);
+    memcpy(text, data, size);
+    batten_release(data);
+    return text;
+}
+
+/* A machine that follows the words, and looks that arcs end on their circle. */
+typedef struct {
+    double at[3], length, worst;
+    int arcs, lines;
+} machine;
+
+static bool word(const char *line, char letter, double *value)
+{
+    const char *found = strchr(line, letter);
+    if (found)
+        *value = strtod(found + 1, NULL);
+    return found != NULL;
+}
+
+static void follow_arc(machine *m, const char *line, const double from[3], int g, bool absolute)
+{
+    double i = 0, j = 0;
+    CHECK(word(line, 'I', &i) && word(line, 'J', &j));
+    const double cx = absolute ? i : from[0] + i, cy = absolute ? j : from[1] + j;
+    const double r0 = hypot(from[0] - cx, from[1] - cy),
+                 r1 = hypot(m->at[0] - cx, m->at[1] - cy);
+    double turn = atan2(m->at[1] - cy, m->at[0] - cx) - atan2(from[1] - cy, from[0] - cx);
+    if (g == 3 && turn <= 0)
+        turn += 2 * acos(-1);
+    if (g == 2 && turn >= 0)
+        turn -= 2 * acos(-1);
+    m->worst = fmax(m->worst, fabs(r0 - r1));
+    m->length += r0 * fabs(turn);
+    m->arcs++;
+}
+
+static machine follow(const char *text)
+{
+    machine m = {{0}, 0, 0, 0, 0};
+    bool absolute = strstr(text, "G90.1") != NULL, relative = strstr(text, "G91 (") != NULL;
+    for (const char *line = text; line && *line; line = strchr(line, '\n')) {
+        char one[200] = "";
+        line += *line == '\n';
+        memcpy(one, line, strcspn(line, "\n") < 199 ? strcspn(line, "\n") : 199);
+        const int g = one[0] == 'G' ? atoi(one + 1) : -1;
+        const double from[3] = {m.at[0], m.at[1], m.at[2]};
+        double value = 0;
+        if (g < 0 || g > 3)
+            continue;
+        for (int k = 0; k < 3; k++)
+            if (word(one, "XYZ"[k], &value))
+                m.at[k] = value + (relative ? m.at[k] : 0);
+        if (g >= 2)
+            follow_arc(&m, one, from, g, absolute);
+        if (g == 1 && !strchr(one, 'Z')) {
+            m.length += hypot(m.at[0] - from[0], m.at[1] - from[1]);
+            m.lines++;
+        }
+    }
+    return m;
+}
+
+TEST(a_machine_that_follows_the_program_cuts_the_whole_path)
+{
+    batten_model *model = model_of("stadium", stadium());
+    for (int k = 0; k < 4; k++) {
+        batten_gcode_options options = batten_gcode_defaults();
+        options.absolute_centres = k & 1;
+        options.relative_moves = k & 2;
+        const machine m = follow(program(model, &options));
+        CHECK_INT(m.arcs, 2);
+        CHECK_INT(m.lines, 2);
+        CHECK_NEAR(m.length, 160 + 20 * acos(-1), 1e-3);
+        CHECK(m.worst <= 1.5e-4); /* each coordinate is rounded by half of 1e-4 */
+        CHECK_NEAR(m.at[0], 10, 1e-9);
+        CHECK_NEAR(m.at[1], 0, 1e-9);
+        CHECK_NEAR(m.at[2], 5, 1e-9);
+    }
+    batten_model_unref(model);
+}
+
+TEST(depth_feed_and_decimals_are_as_asked)
+{
+    batten_model *model = model_of("hook (left)", hook());
+    batten_gcode_options options = batten_gcode_defaults();
+    options.depth = -1.5;
+    options.feed = 300;
+    options.decimals = 2;
+    const char *text = program(model, &options);
+    CHECK_CONTAINS(text, "G21 (millimetres)");
+    CHECK_CONTAINS(text, "(hook _left_)");
+    CHECK_CONTAINS(text, "G1 Z-1.50 F75.00");
+    CHECK_CONTAINS(text, "G2 X");
+    CHECK_CONTAINS(text, " F300.00");
+    batten_model_unref(model);
+}
+
+TEST(inches_stay_inches_and_metres_become_millimetres)
+{
+    batten_model *model = model_of("hook", hook()), *other = NULL;
+    CHECK_OK(batten_model_to_unit(model, 0.0254, &other));
+    CHECK_CONTAINS(program(other, NULL), "G20 (inches)");
+    batten_model_unref(other);
+    CHECK_OK(batten_model_to_unit(model, 1, &other));
+    CHECK_NEAR(follow(program(other, NULL)).length, 7.5 * acos(-1) + 4, 1e-3);
+    batten_model_unref(other);
+    batten_model_unref(model);
+}
+
+TEST(curves_that_are_no_paths_are_refused)
+{
+    batten_model *model = NULL;
+    batten_curve *curve = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_curve_arc(1, 1, &curve));
+    const batten_object object = {.name = "a", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    CHECK_OK(batten_model_add(model, &object));
+    CHECK_STATUS(batten_write_gcode(model, NULL, NULL, &data, &size), BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("chains of arcs");
+    batten_curve_unref(curve);
+    batten_model_unref(model);
+}
+
+TEST(n1_n6_options_that_are_no_numbers_are_refused)
+{
+    batten_model *model = model_of("hook", hook());
+    char *data = NULL;
+    size_t size = 0;
+    for (int k = 0; k < 4; k++) {
+        batten_gcode_options options = batten_gcode_defaults();
+        *(k == 0   ? &options.feed
+          : k == 1 ? &options.plunge
+                   : &options.clearance) = k == 1 ? NAN : -1;
+        if (k == 3)
+            options = (batten_gcode_options){.size = sizeof options, .decimals = 10};
+        CHECK_STATUS(batten_write_gcode(model, &options, NULL, &data, &size),
+                     BATTEN_BAD_ARGUMENT);
+    }
+    CHECK(data == NULL);
+    batten_model_unref(model);
+}

@@ -1,0 +1,81 @@
+#include "exchange/path.h"
+#include "exchange/paths.h"
+
+/* The point of a path half way along vertex i's move, from its bulge. */
+static void middle(const bat_path *path, int i, double at[2])
+{
+    const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
+    at[0] = (a->x + b->x) / 2 + a->bulge / 2 * (b->y - a->y);
+    at[1] = (a->y + b->y) / 2 - a->bulge / 2 * (b->x - a->x);
+}
+
+static bat_path path_of(const batten_model *model)
+{
+    bool is_path = false;
+    bat_path path = {0};
+    CHECK_OK(bat_path_of(batten_model_object(model, 0), &is_path, &path));
+    CHECK(is_path);
+    return path;
+}
+
+TEST(a_closed_chain_is_a_closed_path_with_half_circles_as_bulges_of_one)
+{
+    batten_model *model = model_of("stadium", stadium());
+    bat_path path = path_of(model);
+    CHECK(path.closed);
+    CHECK_INT(path.count, 4);
+    const double bulges[4] = {0, 1, 0, 1};
+    for (int i = 0; i < 4; i++)
+        CHECK_NEAR(path.vertices[i].bulge, bulges[i], 1e-15);
+    double at[2];
+    middle(&path, 1, at);
+    CHECK_NEAR(at[0], 100, 1e-13);
+    CHECK_NEAR(at[1], 10, 1e-13);
+    bat_path_release(&path);
+    batten_model_unref(model);
+}
+
+TEST(arcs_beyond_a_half_circle_are_cut_and_stay_on_their_circle)
+{
+    batten_model *model = model_of("hook", hook());
+    bat_path path = path_of(model);
+    CHECK(!path.closed);
+    CHECK_INT(path.count, 4); /* two arcs, the begin of the line, its end */
+    for (int i = 0; i < 2; i++) {
+        double at[2], cx, cy, radius;
+        CHECK(path.vertices[i].bulge < 0);
+        middle(&path, i, at);
+        CHECK_NEAR(hypot(at[0] - 5, at[1]), 5, 1e-14);
+        bat_path_centre(&path.vertices[i], path.vertices[i + 1].x, path.vertices[i + 1].y, &cx,
+                        &cy, &radius);
+        CHECK_NEAR(cx, 5, 1e-14);
+        CHECK_NEAR(cy, 0, 1e-14);
+        CHECK_NEAR(radius, 5, 1e-14);
+    }
+    CHECK_NEAR(path.vertices[3].x, 1, 1e-14);
+    CHECK_NEAR(path.vertices[3].y, -5, 1e-14);
+    bat_path_release(&path);
+    batten_model_unref(model);
+}
+
+TEST(a_polyline_in_a_level_plane_is_a_path_and_other_curves_are_none)
+{
+    const double points[4][3] = {{0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 0, 2}};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_polyline(3, 4, &points[0][0], &curve));
+    batten_object object = {.name = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    bool is_path = false;
+    bat_path path = {0};
+    CHECK_OK(bat_path_of(&object, &is_path, &path));
+    CHECK(is_path && path.closed);
+    CHECK_INT(path.count, 3);
+    CHECK_NEAR(path.frame.origin.z, 2, 0);
+    bat_path_release(&path);
+    batten_curve_unref(curve);
+
+    CHECK_OK(batten_curve_arc(1, 1, &curve));
+    object.curve = curve;
+    CHECK_OK(bat_path_of(&object, &is_path, &path));
+    CHECK(!is_path);
+    batten_curve_unref(curve);
+}

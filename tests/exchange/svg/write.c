@@ -1,0 +1,61 @@
+#include "exchange/paths.h"
+
+TEST(svg_is_at_true_scale_with_arcs_as_arcs)
+{
+    batten_model *model = model_of("a<b", stadium());
+    const char *text = written(model, BATTEN_FORMAT_SVG);
+    CHECK_CONTAINS(text, "mm\" viewBox=\"0 0 ");
+    CHECK_CONTAINS(text, "id=\"a&lt;b\"");
+    CHECK_CONTAINS(text, "A10 10 0 0 0 "); /* counter-clockwise, though y counts downwards */
+    CHECK_CONTAINS(text, "Z\"/>");
+    batten_model_unref(model);
+}
+
+/* The numbers after the first M of a path. */
+static int coordinates(const char *text, double *out, int room)
+{
+    const char *at = strstr(text, " d=\"M");
+    int count = 0, used = 0;
+    CHECK(at != NULL);
+    for (at += 5; *at != '"' && count < room; at += used) {
+        if (*at == 'C' || *at == ' ' || *at == 'L') {
+            used = 1;
+            continue;
+        }
+        CHECK(sscanf(at, "%lf%n", &out[count], &used) == 1);
+        count++;
+    }
+    return count;
+}
+
+TEST(svg_of_a_curve_is_within_the_tolerance)
+{
+    batten_model *model = NULL;
+    batten_curve *curve = NULL;
+    batten_write_options options = batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_curve_circle(30, BATTEN_CIRCLE_SQUARE_9, &curve));
+    const batten_object object = {
+        .name = "circle", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    CHECK_OK(batten_model_add(model, &object));
+    options.format = BATTEN_FORMAT_SVG;
+    options.tolerance = 1e-3;
+    CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
+    double c[2000];
+    const int count = coordinates(data, c, 2000) / 2;
+    /* The sheet begins 5 mm left of the box of the control points, the square of side 60. */
+    for (int i = 0; i + 3 < count; i += 3)
+        for (int k = 0; k <= 20; k++) {
+            const double t = k / 20.0, s = 1 - t;
+            double at[2];
+            for (int a = 0; a < 2; a++)
+                at[a] = s * s * s * c[2 * i + a] + 3 * s * s * t * c[2 * i + 2 + a] +
+                        3 * s * t * t * c[2 * i + 4 + a] + t * t * t * c[2 * i + 6 + a];
+            CHECK_NEAR(hypot(at[0] - 35, at[1] - 35), 30, 1.1e-3);
+        }
+    batten_release(data);
+    batten_curve_unref(curve);
+    batten_model_unref(model);
+}
