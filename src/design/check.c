@@ -1,6 +1,7 @@
 #include "design/check.h"
 #include "design/rows.h"
 
+#include <batten/continuity.h>
 #include <string.h>
 
 /* Cells of the grid on which sections are sought, and the points by which one is judged. */
@@ -387,6 +388,26 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
     return BATTEN_OK;
 }
 
+/* How smooth the curve is at its own knots. */
+static batten_status add_knots(const bat_check *check, bat_checked *checked)
+{
+    batten_continuities joins;
+    batten_continuity_options options = batten_continuity_defaults();
+    options.gap = bat_tolerance(check->run);
+    const batten_status status =
+        batten_curve_continuity(checked->object->curve, &options, &joins);
+    if (status != BATTEN_OK)
+        return status;
+    checked->knot_count = joins.count;
+    checked->parametric = checked->geometric = 3;
+    for (int k = 0; k < joins.count; k++) {
+        checked->parametric = bat_min_int(checked->parametric, joins.at[k].parametric);
+        checked->geometric = bat_min_int(checked->geometric, joins.at[k].geometric);
+    }
+    batten_release(joins.at);
+    return BATTEN_OK;
+}
+
 static batten_status check_curve(bat_check *check, bat_checked *checked)
 {
     const batten_object *object = checked->object;
@@ -404,6 +425,8 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
         check->fair &= checked->fairness.excess_inflections == 0;
     bat_release(data);
     batten_curve_unref(curve);
+    if (status == BATTEN_OK)
+        status = add_knots(check, checked);
     return status == BATTEN_OK && object->point_count ? add_curve_distance(check, checked)
                                                       : status;
 }

@@ -36,7 +36,9 @@ typedef struct {
 typedef struct {
     const batten_object *object;
     bool has_fairness;
-    batten_fairness fairness; /* of a curve, in its plane */
+    batten_fairness fairness;              /* of a curve, in its plane */
+    int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
+                                              the lowest C and G of them */
     int distance_count, section_count, edge_count;
     bat_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;
@@ -53,6 +55,7 @@ typedef struct {
     double g2;   /* difference of the curvatures (of surfaces across the edge), over the larger
                     one */
     double g3;   /* difference of the rates of curvature of curves, 1 / length^2 */
+    int parametric, geometric; /* of curves: C and G of the join; -1 of surfaces */
 } bat_join;
 
 typedef struct {

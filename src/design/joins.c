@@ -1,5 +1,6 @@
 #include "design/check.h"
 
+#include <batten/continuity.h>
 #include <stdlib.h>
 
 /* Points of an edge at which two surfaces are compared. */
@@ -52,39 +53,7 @@ static double gap(batten_vec3 p, batten_vec3 q)
     return norm(plus(p, -1, q));
 }
 
-/* ---- curves ---- */
-
-/* Derivatives by arc length, away from the end of a curve. Tangent, curvature and its rate are
- * vectors across the curve, so that nothing depends on a normal, which a straight curve lacks.
- */
-typedef struct {
-    batten_vec3 tangent, curvature, rate;
-} leaving;
-
-static bool leave_curve(const batten_curve *curve, int side, leaving *out)
-{
-    const batten_interval domain = batten_curve_domain(curve);
-    const int d = batten_curve_dimension(curve);
-    double c[4 * 3];
-    if (batten_curve_evaluate_side(curve, side ? domain.b : domain.a,
-                                   side ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 3,
-                                   c) != BATTEN_OK)
-        return false;
-    const batten_vec3 c1 = of(d, c + d), c2 = of(d, c + 2 * d), c3 = of(d, c + 3 * d);
-    const double v = norm(c1);
-    if (!(v > 0))
-        return false;
-    /* With s the arc length: C' = v Cs, C'' = v' Cs + v^2 Css, C''' = .. Cs + 3 v v' Css + v^3
-     * Csss. */
-    const batten_vec3 t = scale(c1, 1 / v);
-    const double v1 = dot(t, c2);
-    const batten_vec3 k = scale(plus(c2, -v1, t), 1 / (v * v));
-    const batten_vec3 across = plus(c3, -dot(t, c3), t);
-    const batten_vec3 rate = scale(plus(across, -3 * v * v1, k), 1 / (v * v * v));
-    const double way = side ? -1 : 1; /* into the curve, away from its end */
-    *out = (leaving){scale(t, way), k, scale(rate, way)};
-    return true;
-}
+/* ---- what surfaces compare ---- */
 
 /* The angle by which a way out of one shape turns on its way into the other. */
 static double turn(batten_vec3 out_of, batten_vec3 into)
@@ -100,16 +69,23 @@ static double part(batten_vec3 a, batten_vec3 b, double straight)
     return gap(a, b) / bat_max(larger, straight);
 }
 
-static void compare_curves(const batten_curve *a, int side_a, const batten_curve *b, int side_b,
-                           double straight, bat_join *join)
+static batten_status compare_curves(const batten_curve *a, int side_a, const batten_curve *b,
+                                    int side_b, double tolerance, bat_join *join)
 {
-    leaving la, lb;
-    join->g1 = join->g2 = join->g3 = NAN;
-    if (!leave_curve(a, side_a, &la) || !leave_curve(b, side_b, &lb))
-        return;
-    join->g1 = turn(scale(la.tangent, -1), lb.tangent);
-    join->g2 = part(la.curvature, lb.curvature, straight);
-    join->g3 = norm(plus(la.rate, 1, lb.rate)); /* both lead away: their signs differ */
+    batten_continuity_options options = batten_continuity_defaults();
+    batten_continuity found;
+    options.gap = tolerance;
+    const batten_status status = batten_curves_continuity(
+        a, side_a ? BATTEN_CURVE_END : BATTEN_CURVE_START, b,
+        side_b ? BATTEN_CURVE_END : BATTEN_CURVE_START, &options, &found);
+    if (status != BATTEN_OK)
+        return status;
+    join->g1 = found.angle;
+    join->g2 = found.curvature_part;
+    join->g3 = found.rate_difference;
+    join->parametric = found.parametric;
+    join->geometric = found.geometric;
+    return BATTEN_OK;
 }
 
 /* ---- surfaces ---- */
@@ -257,11 +233,14 @@ static batten_status add_join(bat_check *check, const end *a, const end *b, doub
                         *y = check->objects[b->object].object;
     const bool curves = x->kind == BATTEN_OBJECT_CURVE;
     const double size = bat_max(size_of(x), size_of(y));
-    bat_join join = {
-        .object = {a->object, b->object}, .side = {a->side, b->side}, .g0 = ends_gap(a, b)};
+    bat_join join = {.object = {a->object, b->object},
+                     .side = {a->side, b->side},
+                     .g0 = ends_gap(a, b),
+                     .parametric = -1,
+                     .geometric = -1};
     batten_status status = BATTEN_OK;
     if (curves)
-        compare_curves(x->curve, a->side, y->curve, b->side, tolerance / (size * size), &join);
+        status = compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
     else
         status = compare_surfaces(x->surface, a->side, y->surface, b->side,
                                   tolerance / (size * size), &join);

@@ -149,6 +149,9 @@ static void json_object(batten_text *out, const bat_checked *c)
         batten_text_add(out, ", ");
         json_fairness(out, &c->fairness);
     }
+    if (c->knot_count)
+        batten_text_add(out, ", \"continuity\": {\"knots\": %d, \"c\": %d, \"g\": %d}",
+                        c->knot_count, c->parametric, c->geometric);
     if (c->object->kind == BATTEN_OBJECT_SURFACE)
         json_surface(out, c);
     else if (c->distance_count)
@@ -179,6 +182,8 @@ static void json_joins(batten_text *out, const bat_check *check)
             batten_text_add(out, ", ");
             json_number(out, keys[k], values[k]);
         }
+        if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
+            batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
         batten_text_add(out, "}");
     }
 }
@@ -359,6 +364,9 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
         text_fairness(out, &c->fairness);
         batten_text_add(out, "\n");
     }
+    if (c->knot_count)
+        batten_text_add(out, "    joins at %d knots, all at least C%d and G%d\n", c->knot_count,
+                        c->parametric, c->geometric);
     text_distances(out, check, c);
     text_family(out, c, "station");
     text_family(out, c, "waterline");
@@ -381,6 +389,8 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
         add_rounded(out, join->g2);
         batten_text_add(out, " of the larger");
     }
+    if (join->parametric >= 0)
+        batten_text_add(out, ": C%d, G%d", join->parametric, join->geometric);
     batten_text_add(out, "\n");
 }
 

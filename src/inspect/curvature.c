@@ -1,6 +1,6 @@
+#include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
-#include <batten/inspect.h>
 
 #include <float.h>
 
@@ -8,8 +8,7 @@
 
 enum { HIGHEST = BATTEN_MAX_DEGREE };
 
-/* The width of the span that holds u. */
-static double span_width(const batten_curve *curve, double u, batten_side side)
+double bat_span_width(const batten_curve *curve, double u, batten_side side)
 {
     if (bat_curve_place(curve, side, &u) != BATTEN_OK)
         return 1;
@@ -17,9 +16,7 @@ static double span_width(const batten_curve *curve, double u, batten_side side)
     return curve->knots[k + 1] - curve->knots[k];
 }
 
-/* What rounding alone may leave of the m-th derivative: m differences of p + 1 points, over
- * h^m. */
-static double derivative_roundoff(const batten_curve *curve, int m, double size, double h)
+double bat_derivative_roundoff(const batten_curve *curve, int m, double size, double h)
 {
     return 8 * DBL_EPSILON * size * pow(2 * curve->degree / h, m);
 }
@@ -37,7 +34,7 @@ static batten_status singular(const batten_curve *curve, double u, batten_side s
     *out = (batten_curve_local){.point = bat_vec3_of(d, values)};
     for (int m = 2; m <= order; m++) {
         const double length = bat_norm(d, values + m * d);
-        if (length <= derivative_roundoff(curve, m, size, h))
+        if (length <= bat_derivative_roundoff(curve, m, size, h))
             continue;
         const double sign = side == BATTEN_FROM_LEFT && m % 2 == 0 ? -1 : 1;
         out->tangent = bat_vec3_scale(bat_vec3_of(d, values + m * d), sign / length);
@@ -85,8 +82,8 @@ batten_status batten_curve_local_at(const batten_curve *curve, double u, batten_
     if (status != BATTEN_OK)
         return status;
     const double size = bat_largest(curve->count * d, curve->points);
-    const double h = span_width(curve, u, side), speed = bat_norm(d, values + d);
-    if (speed <= derivative_roundoff(curve, 1, size, h))
+    const double h = bat_span_width(curve, u, side), speed = bat_norm(d, values + d);
+    if (speed <= bat_derivative_roundoff(curve, 1, size, h))
         return singular(curve, u, side, size, h, out);
     batten_vec3 c[4];
     for (int m = 0; m <= 3; m++)

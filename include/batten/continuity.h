@@ -1,0 +1,114 @@
+#ifndef BATTEN_CONTINUITY_H
+#define BATTEN_CONTINUITY_H
+/**
+ * @file
+ * How smoothly curves go over into each other, and making them do so.
+ */
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_curve_end { BATTEN_CURVE_START, BATTEN_CURVE_END } batten_curve_end;
+
+/** What counts as equal. */
+typedef struct batten_continuity_options {
+    size_t size;
+    double gap;        /**< model units; 0: a millionth of the size of the curves */
+    double angle;      /**< between tangents, radians; 0.01 degrees */
+    double curvature;  /**< difference of curvatures, or of their rates, over the larger; 0.01.
+                            What bulges by less than `gap` over the size counts as straight */
+    double derivative; /**< difference of derivatives over the larger; 1e-6 */
+} batten_continuity_options;
+BATTEN_API batten_continuity_options batten_continuity_defaults(void);
+
+/**
+ * What is true at a join, run through from the left piece L to the right piece R.
+ *
+ * The beta form: R' = b1 L', R'' = b1^2 L'' + b2 L', R''' = b1^3 L''' + 3 b1 b2 L'' + b3 L'
+ * with b1 > 0 is the same as equal tangent, curvature and rate of curvature; b1 = 1, b2 = b3 =
+ * 0 as equal derivatives.
+ */
+typedef struct batten_continuity {
+    double u;       /**< the knot; of two curves, where the first one ends */
+    int parametric; /**< the highest k <= 3 with C^k; -1 for a gap */
+    int geometric;  /**< the highest k <= 3 with G^k; -1 for a gap; 0 where an end is singular
+                         or the tangent turns back, whatever `parametric` says */
+    double gap;     /**< model units */
+    double angle;   /**< between the tangents, radians, 0 .. pi; where the first derivative
+                         vanishes the tangent is that of the first that does not; NaN without */
+    double
+        curvature_difference; /**< of the curvature vectors, 1 / length; NaN where singular */
+    double curvature_part;    /**< the same over the larger curvature */
+    double rate_difference;   /**< of the derivatives by arc length of the curvature vectors, as
+                                   far as they lie across the tangent, 1 / length^2 */
+    double rate_part;         /**< the same over the larger rate */
+    double curvature[2];      /**< before and behind; NaN where singular. In the plane signed */
+    double rate[2];           /**< of curvature by arc length; in space never negative */
+    double beta[3];           /**< best fits of b1, b2, b3, each with those before it */
+    double residual[3];       /**< what these leave of R', R'', R''' */
+    bool singular[2];         /**< the first derivative vanishes before, behind */
+    bool reversed;            /**< the tangent turns back: a cusp */
+} batten_continuity;
+
+/**
+ * The join of an end of one curve with an end of another: L runs towards the end named of
+ * `first`, R away from that of `second`.
+ * @param options NULL for the defaults
+ * @return BATTEN_OK; NOT_COMPATIBLE when their dimensions differ
+ * Source: [BD89] for the beta form.
+ */
+BATTEN_API batten_status batten_curves_continuity(const batten_curve *first,
+                                                  batten_curve_end first_end,
+                                                  const batten_curve *second,
+                                                  batten_curve_end second_end,
+                                                  const batten_continuity_options *options,
+                                                  batten_continuity *out);
+
+/** All joins of one curve: at its inner knots, in order, then, when its ends lie within the gap
+ * allowed, at the seam. Release `at` with batten_release. */
+typedef struct batten_continuities {
+    int count;
+    batten_continuity *at;
+} batten_continuities;
+BATTEN_API batten_status batten_curve_continuity(const batten_curve *curve,
+                                                 const batten_continuity_options *options,
+                                                 batten_continuities *out);
+
+typedef enum batten_match_kind {
+    BATTEN_MATCH_GEOMETRIC, /**< G^k: tangent, curvature */
+    BATTEN_MATCH_PARAMETRIC /**< C^k: derivatives */
+} batten_match_kind;
+typedef enum batten_match_mover {
+    BATTEN_MATCH_MOVES_SECOND,
+    BATTEN_MATCH_MOVES_FIRST,
+    BATTEN_MATCH_MOVES_BOTH
+} batten_match_mover;
+
+/**
+ * Make the end of one curve and the start of another join smoothly, by moving the order + 1
+ * control points next to the join of one of them or of both.
+ *
+ * PARAMETRIC moves make the sum of squared movements least. GEOMETRIC moves go point by point:
+ * the end point, then the second one by the least way onto the tangent (both move: onto the
+ * bisector of the two), then the third one across the tangent as far as curvature asks for
+ * (both move: to the mean of the curvatures). Weights and knots stay; periodic curves become
+ * clamped.
+ *
+ * @param order  0..2 GEOMETRIC, 0..3 PARAMETRIC; the degrees must be `order` or more
+ * @param[out] moved the longest way of a control point; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT, BAD_DEGREE; NOT_COMPATIBLE; SINGULAR_HERE when an end has no
+ * tangent, or the tangents are opposite when both move; TOLERANCE_NOT_MET when the result,
+ * measured, does not join as asked
+ */
+BATTEN_API batten_status batten_curves_match(const batten_curve *first,
+                                             const batten_curve *second, batten_match_kind kind,
+                                             int order, batten_match_mover mover, double *moved,
+                                             batten_curve **first_out,
+                                             batten_curve **second_out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,103 @@
+#include "support/test.h"
+#include <batten/continuity.h>
+#include <batten/standard.h>
+
+static void random_curve(test_random *random, int dimension, bool rational, batten_curve **out)
+{
+    double points[24], weights[8];
+    const int degree = test_random_int(random, 3, 4), count = degree + 3;
+    const double knots[13] = {0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1};
+    const double more[13] = {0, 0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1, 1};
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < dimension; k++)
+            points[i * dimension + k] = (k == 0 ? i : 0) + test_random_in(random, -0.4, 0.4);
+        weights[i] = test_random_in(random, 0.5, 2);
+    }
+    CHECK_OK(batten_curve_create(dimension, degree, count, points, rational ? weights : NULL,
+                                 degree == 3 ? knots : more, out));
+}
+
+TEST(curves_join_as_asked_whichever_moves)
+{
+    test_random random = test_random_begin("match");
+    for (int n = test_cases(60); n > 0; n--) {
+        batten_curve *a = NULL, *b = NULL, *far = NULL;
+        const int dimension = test_random_int(&random, 2, 3);
+        random_curve(&random, dimension, n % 2 == 0, &a);
+        random_curve(&random, dimension, n % 3 == 0, &far);
+        const batten_affine map = batten_affine_translation(6, 0.1, 0);
+        CHECK_OK(batten_curve_transform(far, &map, &b));
+        const int kind = test_random_int(&random, 0, 1);
+        const int order = test_random_int(&random, 0, kind ? 3 : 2);
+        const int mover = test_random_int(&random, 0, 2);
+        batten_curve *made[2] = {NULL, NULL};
+        double moved = -1;
+        CHECK_OK(batten_curves_match(a, b, (batten_match_kind)kind, order,
+                                     (batten_match_mover)mover, &moved, &made[0], &made[1]));
+        batten_continuity c;
+        CHECK_OK(batten_curves_continuity(made[0], BATTEN_CURVE_END, made[1],
+                                          BATTEN_CURVE_START, NULL, &c));
+        CHECK((kind ? c.parametric : c.geometric) >= order);
+        CHECK(c.gap <= 1e-12);
+        CHECK(moved > 0);
+        /* what need not move has the same bits */
+        const batten_curve *given[2] = {a, b};
+        for (int k = 0; k < 2; k++) {
+            const int count = batten_curve_point_count(made[k]) * dimension;
+            const double *p = batten_curve_points(made[k]), *q = batten_curve_points(given[k]);
+            const int touched = mover == (k ? 1 : 0) ? 0 : (order + 1) * dimension;
+            for (int i = 0; i < count - touched; i++) {
+                const int at = k ? count - 1 - i : i;
+                CHECK_BITS(p[at], q[at]);
+            }
+            batten_curve_unref(made[k]);
+        }
+        batten_curve_unref(far);
+        batten_curve_unref(b);
+        batten_curve_unref(a);
+    }
+}
+
+TEST(least_moves_of_both_curves_meet_halfway)
+{
+    /* Two lines of length 1 with a gap of 1: C0 moves both ends by half of it. */
+    const double p[8] = {0, 0, 1, 0, 1, 1, 2, 1};
+    batten_curve *a = NULL, *b = NULL, *c = NULL, *d = NULL;
+    double moved;
+    CHECK_OK(batten_curve_line(2, p, p + 2, &a));
+    CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
+    CHECK_OK(batten_curves_match(a, b, BATTEN_MATCH_PARAMETRIC, 0, BATTEN_MATCH_MOVES_BOTH,
+                                 &moved, &c, &d));
+    CHECK_NEAR(moved, 0.5, 1e-15);
+    CHECK_NEAR(batten_curve_points(c)[3], 0.5, 1e-15);
+    CHECK_NEAR(batten_curve_points(d)[1], 0.5, 1e-15);
+    batten_curve_unref(d);
+    batten_curve_unref(c);
+    batten_curve_unref(b);
+    batten_curve_unref(a);
+}
+
+TEST(what_cannot_join_is_refused)
+{
+    const double p[9] = {0, 0, 0, 1, 0, 0, 0, 0, 0};
+    batten_curve *line = NULL, *plane = NULL, *point = NULL, *a = NULL, *b = NULL;
+    CHECK_OK(batten_curve_line(3, p, p + 3, &line));
+    CHECK_OK(batten_curve_line(2, p, p + 3, &plane));
+    CHECK_OK(batten_curve_line(3, p, p, &point));
+    CHECK_STATUS(batten_curves_match(line, plane, BATTEN_MATCH_GEOMETRIC, 0,
+                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curves_match(line, line, BATTEN_MATCH_GEOMETRIC, 2,
+                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curves_match(line, line, BATTEN_MATCH_GEOMETRIC, 3,
+                                     BATTEN_MATCH_MOVES_BOTH, NULL, &a, &b),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curves_match(line, point, BATTEN_MATCH_GEOMETRIC, 1,
+                                     BATTEN_MATCH_MOVES_SECOND, NULL, &a, &b),
+                 BATTEN_SINGULAR_HERE);
+    CHECK(a == NULL && b == NULL);
+    batten_curve_unref(point);
+    batten_curve_unref(plane);
+    batten_curve_unref(line);
+}
