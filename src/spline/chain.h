@@ -31,6 +31,37 @@ batten_status bat_span_tension_check(const batten_span *span, int index);
  * ends with 1, at x of its length, `rest` = 1 - x: (sinh(z x) / sinh z - x) / z^2 and its three
  * derivatives by x; z = 0: (x^3 - x) / 6. */
 void bat_tension_shape(double z, double x, double rest, double out[4]);
+void bat_span_elastica(int d, const batten_span *span, double t, int order, double *out);
+void bat_span_geometric(int d, const batten_span *span, double t, int order, double *out);
+batten_status bat_span_elastica_check(const batten_span *span, int index);
+batten_status bat_span_geometric_check(const batten_span *span, int index);
+
+/* ---- what the families of nonlinear splines know of their spans ---- */
+
+/* A free elastica at the end of its arc length s, which begins at (0, 0) along the x axis. */
+typedef struct {
+    double point[2], tangent[2]; /* of length 1 */
+    double turn;                 /* from the first tangent, -pi .. pi: it never turns farther */
+    double curvature, slope;     /* and its derivative by arc length */
+    double waves;                /* lambda s: how much of the period of 7.416 it has gone */
+    double energy;               /* the integral of the squared curvature */
+} bat_elastica;
+
+/* From the curvature at the start and its derivative by arc length. To rounding; no loops. */
+void bat_elastica_at(double curvature, double slope, double s, bat_elastica *out);
+
+/* Over the abscissa x from 0 to 1 with the sine u(x) = sine + a x + b x^2 / 2 of the angle
+ * from the chord: what curves with curvature a + b x integrate. */
+typedef struct {
+    double rise;       /* of u / w; w = sqrt(1 - u^2), the cosine */
+    double length;     /* of 1 / w: the arc length */
+    double moments[3]; /* of 1 / w^3, x / w^3, x^2 / w^3: how the rise changes with sine, a and
+                          2 b */
+    double energy;     /* of (a + b x)^2 / w: the squared curvature along the arc */
+} bat_geometric;
+
+/* |u| < 1 from 0 to 1. To 1e-14 of the integrals of the absolute values. */
+void bat_geometric_at(double sine, double a, double b, bat_geometric *out);
 
 struct batten_chain {
     bat_references references;
