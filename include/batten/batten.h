@@ -7,6 +7,7 @@
 #include <batten/base.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>
+#include <batten/cubic.h>
 #include <batten/curve.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>
