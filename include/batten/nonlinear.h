@@ -63,13 +63,29 @@ typedef struct batten_nonlinear_report {
  * not do
  *
  * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
- * Cost: linear in count for each step. Source: [SL89] ch. VI.
+ * Cost: linear in count for each step. Source: [SL] ch. VI.
  */
 BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
                                                 const batten_nonlinear_options *options,
                                                 double *angles, double *parameters,
                                                 batten_nonlinear_report *report,
                                                 batten_chain **out);
+
+/**
+ * The Euler spiral (clothoid, curvature linear in arc length) between two points with given
+ * directions, radians: the one that turns least.
+ *
+ * @param start, end [2], apart
+ * @param[out] steps of Newton; may be NULL
+ * @param[out] error distance at the end in point and, times the length, in direction, model
+ *             units; may be NULL
+ * @return BATTEN_OK, NOT_FINITE, COINCIDENT, OVERFLOW, or TOLERANCE_NOT_MET when both
+ * directions stand to the chord at more than 0.98 pi: there is then none that is near
+ * Source: [BF15].
+ */
+BATTEN_API batten_status batten_spiral_hermite(const double *start, double start_angle,
+                                               const double *end, double end_angle, int *steps,
+                                               double *error, batten_span *out);
 
 #ifdef __cplusplus
 }

@@ -24,6 +24,8 @@ typedef struct {
 const bat_span_type *bat_span_type_of(batten_span_kind kind);
 
 void bat_span_arc(int d, const batten_span *span, double t, int order, double *out);
+void bat_span_spiral(int d, const batten_span *span, double t, int order, double *out);
+batten_status bat_span_spiral_check(const batten_span *span, int index);
 void bat_span_tension(int d, const batten_span *span, double t, int order, double *out);
 batten_status bat_span_tension_check(const batten_span *span, int index);
 

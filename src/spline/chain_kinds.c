@@ -3,6 +3,7 @@
 /* The one table of kinds, in the order of the enumeration. */
 static const bat_span_type types[] = {
     [BATTEN_SPAN_ARC] = {"arc", true, bat_span_arc, NULL},
+    [BATTEN_SPAN_SPIRAL] = {"spiral", true, bat_span_spiral, bat_span_spiral_check},
     [BATTEN_SPAN_TENSION] = {"tension", false, bat_span_tension, bat_span_tension_check},
     [BATTEN_SPAN_ELASTICA] = {"elastica", true, bat_span_elastica, bat_span_elastica_check},
     [BATTEN_SPAN_GEOMETRIC] = {"geometric", true, bat_span_geometric, bat_span_geometric_check},

@@ -1,0 +1,354 @@
+/* Nonlinear splines: from points to the polygon's angles, and from tangents to a chain. */
+#include <batten/nonlinear.h>
+
+#include "numeric/vector.h"
+#include "shape/shape.h"
+#include "shape/two_angle.h"
+
+#include <float.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+batten_nonlinear_options batten_nonlinear_defaults(void)
+{
+    return (batten_nonlinear_options){.size = sizeof(batten_nonlinear_options),
+                                      .family = BATTEN_FAMILY_EULER_SPIRAL,
+                                      .max_steps = 50};
+}
+
+/* ---- the families ---- */
+
+static const bat_span_family *const families[] = {
+    [BATTEN_FAMILY_EULER_SPIRAL] = &bat_family_euler_spiral,
+};
+
+static const bat_span_family *family_of(batten_span_family family)
+{
+    const size_t i = (size_t)family;
+    return i < sizeof families / sizeof families[0] ? families[i] : NULL;
+}
+
+/* ---- what is asked ---- */
+
+static batten_status check_end(const char *name, batten_nonlinear_end kind, double value)
+{
+    if ((int)kind < 0 || kind > BATTEN_NONLINEAR_CURVATURE)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "end condition %d is none", (int)kind);
+    if (kind >= BATTEN_NONLINEAR_TANGENT && !isfinite(value))
+        return bat_fail(BATTEN_NOT_FINITE, "the value at the %s is %g", name, value);
+    return BATTEN_OK;
+}
+
+static batten_status check_tensions(const batten_nonlinear_options *options, int spans)
+{
+    for (int j = 0; options->tensions && j < spans; j++) {
+        if (!isfinite(options->tensions[j]))
+            return bat_fail(BATTEN_NOT_FINITE, "tension %d is %g", j, options->tensions[j]);
+        if (options->tensions[j] < 0)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "tension %d is %g, below 0", j,
+                            options->tensions[j]);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status check(int count, const double *points,
+                           const batten_nonlinear_options *options)
+{
+    if (!family_of(options->family))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span family %d is none", (int)options->family);
+    if (options->max_steps < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d steps; at least 1 is needed",
+                        options->max_steps);
+    batten_status status = bat_points_check(2, count, points, options->closed ? 3 : 2);
+    if (status == BATTEN_OK && !options->closed)
+        status = check_end("start", options->start, options->start_value);
+    if (status == BATTEN_OK && !options->closed)
+        status = check_end("end", options->end, options->end_value);
+    if (status == BATTEN_OK)
+        status = check_tensions(options, options->closed ? count : count - 1);
+    return status;
+}
+
+/* ---- the polygon ---- */
+
+/* The angles on which all else is built, and the chords [spans][2] in model units. Lengths of
+ * the task are in units of the longest. */
+typedef struct {
+    bat_two_angle task;
+    double *chord, *angles;
+    double unit; /* the longest chord */
+    double size; /* the largest coordinate */
+} polygon;
+
+static void polygon_free(polygon *p)
+{
+    bat_release(p->task.length);
+    bat_release(p->task.turn);
+    bat_release(p->task.tension);
+    bat_release(p->chord);
+    bat_release(p->angles);
+}
+
+static batten_status polygon_make(int count, const batten_nonlinear_options *options,
+                                  polygon *p)
+{
+    bat_two_angle *task = &p->task;
+    task->family = family_of(options->family);
+    task->closed = options->closed;
+    task->count = count;
+    task->spans = options->closed ? count : count - 1;
+    const size_t spans = (size_t)task->spans;
+    task->length = bat_array(spans, sizeof *task->length);
+    task->tension = bat_array(spans, sizeof *task->tension);
+    task->turn = bat_array((size_t)count, sizeof *task->turn);
+    p->chord = bat_array(2 * spans, sizeof *p->chord);
+    p->angles = bat_array((size_t)count, sizeof *p->angles);
+    if (!task->length || !task->tension || !task->turn || !p->chord || !p->angles)
+        return BATTEN_OUT_OF_MEMORY;
+    if (options->tensions)
+        memcpy(task->tension, options->tensions, spans * sizeof *task->tension);
+    return BATTEN_OK;
+}
+
+static batten_status find_chords(int count, const double *points, polygon *p)
+{
+    p->size = bat_largest(2 * count, points);
+    for (int j = 0; j < p->task.spans; j++) {
+        const int next = (j + 1) % count;
+        const double *a = points + 2 * (size_t)j, *b = points + 2 * (size_t)next;
+        double *q = p->chord + 2 * (size_t)j;
+        q[0] = b[0] - a[0];
+        q[1] = b[1] - a[1];
+        p->task.length[j] = bat_norm(2, q);
+        if (p->task.length[j] == 0)
+            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", j, next);
+        if (!isfinite(p->task.length[j]))
+            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", j, next);
+        p->unit = bat_max(p->unit, p->task.length[j]);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status find_turns(int count, polygon *p)
+{
+    const bat_two_angle *task = &p->task;
+    for (int i = !task->closed; i < count - !task->closed; i++) {
+        const int j = (i + task->spans - 1) % task->spans;
+        const double *q = p->chord + 2 * (size_t)j, *r = p->chord + 2 * (size_t)i;
+        const double l = task->length[j], m = task->length[i];
+        const double u[2] = {q[0] / l, q[1] / l}, v[2] = {r[0] / m, r[1] / m};
+        task->turn[i] = atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+        /* The coordinates and the directions made of them are right to a rounding or two. */
+        const double rounding = 4 * DBL_EPSILON * (1 + p->size / bat_min(l, m));
+        if (PI - fabs(task->turn[i]) <= rounding)
+            return bat_fail(BATTEN_SINGULAR_HERE,
+                            "the polygon turns back on itself at point %d: to which side the "
+                            "curve goes is not determined",
+                            i);
+    }
+    return BATTEN_OK;
+}
+
+/* The value at an end, as the task wants it; `from`: the direction of the end chord. */
+static double end_value(batten_nonlinear_end kind, double value, double from, double unit)
+{
+    if (kind == BATTEN_NONLINEAR_TANGENT)
+        return remainder(value - from, 2 * PI);
+    return value * unit;
+}
+
+static batten_status measure(int count, const double *points,
+                             const batten_nonlinear_options *options, polygon *p)
+{
+    bat_two_angle *task = &p->task;
+    batten_status status = find_chords(count, points, p);
+    if (status == BATTEN_OK)
+        status = find_turns(count, p);
+    if (status != BATTEN_OK)
+        return status;
+    for (int j = 0; j < task->spans; j++)
+        task->length[j] /= p->unit;
+    const double *first = p->chord, *last = p->chord + 2 * (size_t)task->spans - 2;
+    task->start = options->start;
+    task->end = options->end;
+    task->start_value =
+        end_value(options->start, options->start_value, atan2(first[1], first[0]), p->unit);
+    task->end_value =
+        end_value(options->end, options->end_value, atan2(last[1], last[0]), p->unit);
+    return BATTEN_OK;
+}
+
+/* ---- the chain ---- */
+
+/* Turn a span of its own frame into the direction of the chord and put it at `point`. */
+static void put_span(const double *chord, double l, const double *point, batten_span *span)
+{
+    const double c = chord[0] / l, s = chord[1] / l, turn = atan2(chord[1], chord[0]);
+    double *const vectors[] = {span->start, span->end, span->bend[0], span->bend[1]};
+    for (int k = 0; k < 4; k++) {
+        double *v = vectors[k];
+        const double x = v[0], y = v[1];
+        v[0] = c * x - s * y;
+        v[1] = s * x + c * y;
+    }
+    for (int k = 0; k < 2; k++) {
+        span->start[k] += point[k];
+        span->end[k] += point[k];
+    }
+    span->angle += turn;
+    span->chord += turn;
+    if (span->kind != BATTEN_SPAN_TENSION)
+        span->end[0] = span->end[1] = 0;
+    else
+        span->angle = span->chord = 0;
+    if (span->kind != BATTEN_SPAN_GEOMETRIC)
+        span->chord = 0;
+}
+
+/* The spans of the chain between points j and j + 1; the last one ends exactly there. */
+static batten_status make_spans(const polygon *p, int count, const double *points, int j,
+                                batten_span *out, int *made)
+{
+    double alpha, beta;
+    bat_two_angle_span(&p->task, p->angles, j, &alpha, &beta);
+    const double *chord = p->chord + 2 * (size_t)j, *from = points + 2 * (size_t)j;
+    const double *to = points + 2 * (size_t)((j + 1) % count);
+    const double l = bat_norm(2, chord);
+    memset(out, 0, BAT_FAMILY_SPANS * sizeof *out);
+    const batten_status status =
+        p->task.family->spans(alpha, beta, l, p->task.tension[j], out, made);
+    if (status != BATTEN_OK)
+        return status;
+    for (int k = 0; k < *made; k++)
+        put_span(chord, l, from, &out[k]);
+    if (out[*made - 1].kind == BATTEN_SPAN_TENSION)
+        memcpy(out[*made - 1].end, to, 2 * sizeof *to);
+    return BATTEN_OK;
+}
+
+static batten_status make_chain(const polygon *p, int count, const double *points,
+                                batten_span *spans, double *breaks, double *parameters,
+                                batten_chain **out)
+{
+    int total = 0;
+    for (int j = 0; j < p->task.spans; j++) {
+        int made = 0;
+        const batten_status status = make_spans(p, count, points, j, spans + total, &made);
+        if (status != BATTEN_OK)
+            return status;
+        parameters[j] = breaks[total];
+        for (int k = 0; k < made; k++, total++)
+            breaks[total + 1] = breaks[total] + spans[total].length;
+    }
+    if (!p->task.closed)
+        parameters[count - 1] = breaks[total];
+    /* Families are solved to about 1e-13 of the chord. */
+    const double tolerance = 1e-11 * p->unit + 16 * DBL_EPSILON * p->size;
+    return batten_chain_create(2, total, spans, breaks, p->task.closed, tolerance, out);
+}
+
+static batten_status emit(const polygon *p, int count, const double *points, double *parameters,
+                          batten_chain **out)
+{
+    const size_t most = (size_t)p->task.spans * BAT_FAMILY_SPANS;
+    batten_span *spans = bat_array(most, sizeof *spans);
+    double *breaks = bat_array(most + 1, sizeof *breaks);
+    double *at = bat_array((size_t)count, sizeof *at);
+    batten_status status = BATTEN_OUT_OF_MEMORY;
+    if (spans && breaks && at)
+        status = make_chain(p, count, points, spans, breaks, at, out);
+    if (status == BATTEN_OK && parameters)
+        memcpy(parameters, at, (size_t)count * sizeof *at);
+    bat_release(spans);
+    bat_release(breaks);
+    bat_release(at);
+    return status;
+}
+
+/* ---- the report ---- */
+
+/* Does the polygon turn to one side only at both ends of span j? An end counts as either. */
+static bool one_sided(const bat_two_angle *task, int j)
+{
+    const double a = task->turn[j], b = task->turn[(j + 1) % task->count];
+    return !(a * b < 0);
+}
+
+static int count_added(const polygon *p)
+{
+    int added = 0;
+    for (int j = 0; j < p->task.spans; j++) {
+        double alpha, beta;
+        bat_end_curvatures e;
+        bat_two_angle_span(&p->task, p->angles, j, &alpha, &beta);
+        const double l = p->task.length[j];
+        /* What is below the rounding of the largest angle is no bend. */
+        const double least = 1e-9 * bat_max(fabs(alpha), fabs(beta)) / l;
+        if (one_sided(&p->task, j) &&
+            p->task.family->curvatures(alpha, beta, l, p->task.tension[j], &e) == BATTEN_OK &&
+            bat_min(e.k0, e.k1) < -least && bat_max(e.k0, e.k1) > least)
+            added++;
+    }
+    return added;
+}
+
+/* Directions at the points, each within half a turn of the one before. */
+static void find_directions(const polygon *p, int count, double *angles)
+{
+    double before = 0, turned = 0;
+    for (int i = 0; i < count; i++) {
+        const double *q = p->chord + 2 * (size_t)bat_min_int(i, p->task.spans - 1);
+        const double phi = atan2(q[1], q[0]);
+        /* The chord as the polygon has turned into it. */
+        const double unwrapped = i == 0 ? phi : before + turned;
+        const double near = phi + 2 * PI * round((unwrapped - phi) / (2 * PI));
+        angles[i] = near + p->angles[i];
+        before = near;
+        turned = p->task.turn[(i + 1) % count];
+    }
+}
+
+/* ---- the whole ---- */
+
+static batten_status make(int count, const double *points,
+                          const batten_nonlinear_options *options, double *parameters,
+                          polygon *p, batten_nonlinear_report *report, batten_chain **out)
+{
+    batten_status status = polygon_make(count, options, p);
+    if (status == BATTEN_OK)
+        status = measure(count, points, options, p);
+    if (status == BATTEN_OK)
+        status = bat_two_angle_start(&p->task, p->angles);
+    if (status == BATTEN_OK)
+        status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
+    if (status == BATTEN_OK)
+        status = emit(p, count, points, parameters, out);
+    return status;
+}
+
+batten_status batten_chain_nonlinear(int count, const double *points,
+                                     const batten_nonlinear_options *options, double *angles,
+                                     double *parameters, batten_nonlinear_report *report,
+                                     batten_chain **out)
+{
+    assert(points && out);
+    const batten_nonlinear_options defaults = batten_nonlinear_defaults();
+    if (!options)
+        options = &defaults;
+    batten_nonlinear_report reached = {0};
+    polygon p = {0};
+    batten_status status = check(count, points, options);
+    if (status == BATTEN_OK)
+        status = make(count, points, options, parameters, &p, &reached, out);
+    if (status == BATTEN_OK && angles)
+        find_directions(&p, count, angles);
+    if (status == BATTEN_OK && report) {
+        reached.residual /= p.unit;
+        reached.curvature /= p.unit;
+        reached.inflections_added = count_added(&p);
+        *report = reached;
+    }
+    polygon_free(&p);
+    return status;
+}

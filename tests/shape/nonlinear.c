@@ -1,0 +1,321 @@
+#include <batten/nonlinear.h>
+
+#include "support/test.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* The family's name in failures, and what it can. */
+typedef struct {
+    batten_span_family family;
+    bool round; /* points of a circle give the circle */
+} kind;
+
+static const kind kinds[] = {
+    {BATTEN_FAMILY_EULER_SPIRAL, true},
+};
+
+static batten_chain *through(batten_span_family family, int count, const double *points,
+                             bool closed, double *angles)
+{
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = family;
+    options.closed = closed;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(count, points, &options, angles, NULL, NULL, &chain));
+    return chain;
+}
+
+/* The integral of curvature^2 by arc length, by Simpson's rule on each span. */
+static double energy_of(const batten_chain *chain)
+{
+    enum { STEPS = 400 };
+    const double *breaks = batten_chain_breaks(chain);
+    double sum = 0;
+    for (int j = 0; j < batten_chain_span_count(chain); j++)
+        for (int i = 0; i <= STEPS; i++) {
+            const double h = (breaks[j + 1] - breaks[j]) / STEPS;
+            double at[6];
+            CHECK_OK(batten_chain_evaluate_side(
+                chain, breaks[j] + i * h, i ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 2, at));
+            const double speed = hypot(at[2], at[3]);
+            const double k = (at[2] * at[5] - at[3] * at[4]) / (speed * speed * speed);
+            sum += (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2) * h / 3 * k * k * speed;
+        }
+    return sum;
+}
+
+/* ---- published numbers ---- */
+
+static const double arch[] = {0, 0, 1, 0.6, 2, 0.1};
+
+TEST(the_euler_spiral_through_three_points_has_the_angles_of_the_notes)
+{
+    const double expected[] = {0.7950925, 0.0271845, -0.7073638};
+    double angles[3];
+    batten_chain *chain = through(BATTEN_FAMILY_EULER_SPIRAL, 3, arch, false, angles);
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(angles[i], expected[i], 6e-8);
+    CHECK_NEAR(energy_of(chain), 1.2848596, 6e-8);
+    batten_chain_unref(chain);
+}
+
+/* ---- what holds for every family ---- */
+
+static void wave(int count, double *points)
+{
+    for (int i = 0; i < count; i++) {
+        const double t = (double)i + 0.2 * sin(3.0 * i);
+        points[2 * i] = t;
+        points[2 * i + 1] = 0.5 * sin(0.9 * t) + 0.02 * t * t;
+    }
+}
+
+TEST(nonlinear_splines_pass_the_points_and_curvature_is_continuous)
+{
+    double points[2 * 12];
+    wave(12, points);
+    for (int n = 0; n < COUNT(kinds); n++) {
+        batten_nonlinear_options options = batten_nonlinear_defaults();
+        options.family = kinds[n].family;
+        double angles[12], at[12];
+        batten_nonlinear_report report;
+        batten_chain *chain = NULL;
+        CHECK_OK(batten_chain_nonlinear(12, points, &options, angles, at, &report, &chain));
+        CHECK(report.residual <= 1e-12 * report.curvature && report.steps <= 8);
+        for (int i = 0; i < 12; i++) {
+            double left[6], right[6];
+            CHECK_OK(batten_chain_evaluate_side(chain, at[i], BATTEN_FROM_LEFT, 2, left));
+            CHECK_OK(batten_chain_evaluate_side(chain, at[i], BATTEN_FROM_RIGHT, 2, right));
+            for (int c = 0; c < 2; c++) {
+                CHECK_NEAR(left[c], points[2 * i + c], 1e-12);
+                CHECK_NEAR(right[c], points[2 * i + c], 1e-12);
+            }
+            const double l = hypot(left[2], left[3]), r = hypot(right[2], right[3]);
+            CHECK_NEAR(right[2] / r, cos(angles[i]), 1e-11);
+            CHECK_NEAR(left[3] / l, sin(angles[i]), 1e-11);
+            CHECK_NEAR((left[2] * left[5] - left[3] * left[4]) / (l * l * l),
+                       (right[2] * right[5] - right[3] * right[4]) / (r * r * r), 1e-10);
+        }
+        batten_chain_unref(chain);
+    }
+}
+
+/* The angles after the points were reversed, turned, mirrored, scaled. */
+TEST(g10_nonlinear_splines_follow_every_change_that_keeps_shapes)
+{
+    enum { N = 9 };
+    double points[2 * N], changed[2 * N], angles[N], other[N];
+    wave(N, points);
+    for (int n = 0; n < COUNT(kinds); n++) {
+        batten_chain_unref(through(kinds[n].family, N, points, false, angles));
+        for (int i = 0; i < N; i++) {
+            changed[2 * i] = points[2 * (N - 1 - i)];
+            changed[2 * i + 1] = points[2 * (N - 1 - i) + 1];
+        }
+        batten_chain_unref(through(kinds[n].family, N, changed, false, other));
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(remainder(other[i] - angles[N - 1 - i] - pi, 2 * pi), 0, 1e-11);
+        for (int i = 0; i < N; i++) {
+            const double x = points[2 * i], y = points[2 * i + 1];
+            changed[2 * i] = 1e3 * (cos(2.0) * x - sin(2.0) * y) + 50;
+            changed[2 * i + 1] = 1e3 * (sin(2.0) * x + cos(2.0) * y) - 70;
+        }
+        batten_chain_unref(through(kinds[n].family, N, changed, false, other));
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(remainder(other[i] - angles[i] - 2, 2 * pi), 0, 1e-11);
+        for (int i = 0; i < N; i++) {
+            changed[2 * i] = 1e-4 * points[2 * i];
+            changed[2 * i + 1] = -1e-4 * points[2 * i + 1];
+        }
+        batten_chain_unref(through(kinds[n].family, N, changed, false, other));
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(other[i], -angles[i], 1e-11);
+    }
+}
+
+TEST(g2_points_of_a_line_give_the_line)
+{
+    const double points[] = {1, 1, 2, 3, 2.5, 4, 6, 11}, pair[] = {0, 0, 3, -1};
+    for (int n = 0; n < COUNT(kinds); n++) {
+        double angles[4];
+        batten_chain *chain = through(kinds[n].family, 4, points, false, angles);
+        for (int i = 0; i < 4; i++)
+            CHECK_NEAR(angles[i], atan2(2, 1), 4e-16);
+        const batten_interval domain = batten_chain_domain(chain);
+        for (int i = 0; i <= 20; i++) {
+            double at[2];
+            CHECK_OK(
+                batten_chain_evaluate(chain, domain.a + (domain.b - domain.a) * i / 20, 0, at));
+            CHECK_NEAR(at[1], 2 * at[0] - 1, 1e-14);
+        }
+        batten_chain_unref(chain);
+        chain = through(kinds[n].family, 2, pair, false, angles);
+        CHECK_NEAR(angles[0], atan2(-1, 3), 2e-16);
+        CHECK_NEAR(angles[1], atan2(-1, 3), 2e-16);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(g2_points_of_a_circle_give_the_circle)
+{
+    const double at[] = {0, 0.3, 0.9, 1.1, 1.9, 2.4, 3.6, 5};
+    enum { N = COUNT(at) };
+    double points[2 * N], angles[N];
+    for (int i = 0; i < N; i++) {
+        points[2 * i] = 5 + 2 * cos(at[i]);
+        points[2 * i + 1] = 2 * sin(at[i]);
+    }
+    for (int n = 0; n < COUNT(kinds); n++) {
+        if (!kinds[n].round)
+            continue;
+        batten_chain *chain = through(kinds[n].family, N, points, true, angles);
+        const batten_interval domain = batten_chain_domain(chain);
+        CHECK(batten_chain_is_closed(chain));
+        CHECK_NEAR(domain.b - domain.a, 4 * pi, 1e-12);
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(angles[i], at[i] + pi / 2, 1e-12);
+        for (int i = 0; i <= 50; i++) {
+            double p[2];
+            CHECK_OK(
+                batten_chain_evaluate(chain, domain.a + (domain.b - domain.a) * i / 50, 0, p));
+            CHECK_NEAR(hypot(p[0] - 5, p[1]), 2, 1e-12);
+        }
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(an_euler_spiral_through_one_more_of_its_points_is_the_same)
+{
+    enum { N = 8 };
+    double points[2 * N], more[2 * N + 2], angles[N], others[N + 1], at[N];
+    wave(N, points);
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(N, points, NULL, angles, at, NULL, &chain));
+    for (int j = 0; j + 1 < N; j++) {
+        double between[4];
+        CHECK_OK(batten_chain_evaluate(chain, 0.6 * at[j] + 0.4 * at[j + 1], 1, between));
+        memcpy(more, points, sizeof(double) * 2 * (size_t)(j + 1));
+        memcpy(more + 2 * j + 2, between, sizeof(double) * 2);
+        memcpy(more + 2 * j + 4, points + 2 * j + 2, sizeof(double) * 2 * (size_t)(N - j - 1));
+        batten_chain_unref(through(BATTEN_FAMILY_EULER_SPIRAL, N + 1, more, false, others));
+        for (int i = 0; i <= N; i++)
+            CHECK_NEAR(others[i],
+                       i <= j       ? angles[i]
+                       : i == j + 1 ? atan2(between[3], between[2])
+                                    : angles[i - 1],
+                       1e-11);
+    }
+    batten_chain_unref(chain);
+}
+
+/* ---- ends ---- */
+
+TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
+{
+    double points[2 * 6];
+    wave(6, points);
+    for (int n = 0; n < COUNT(kinds); n++) {
+        batten_nonlinear_options options = batten_nonlinear_defaults();
+        options.family = kinds[n].family;
+        options.start = BATTEN_NONLINEAR_TANGENT;
+        options.start_value = 0.7 + 4 * pi;
+        options.end = BATTEN_NONLINEAR_CURVATURE;
+        options.end_value = -0.15;
+        batten_chain *chain = NULL;
+        double a[6], b[6];
+        CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, NULL, &chain));
+        const batten_interval domain = batten_chain_domain(chain);
+        CHECK_OK(batten_chain_evaluate(chain, domain.a, 2, a));
+        CHECK_OK(batten_chain_evaluate(chain, domain.b, 2, b));
+        CHECK_NEAR(atan2(a[3], a[2]), 0.7, 1e-14);
+        CHECK_NEAR((b[2] * b[5] - b[3] * b[4]) / pow(hypot(b[2], b[3]), 3), -0.15, 1e-12);
+        batten_chain_unref(chain);
+    }
+}
+
+/* ---- what cannot be ---- */
+
+TEST(g1_coincident_points_are_named_by_nonlinear_splines)
+{
+    const double points[] = {0, 0, 1, 1, 1, 1, 2, 0}, ring[] = {0, 0, 1, 0, 1, 1, 0, 0};
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain *chain = NULL;
+    CHECK_STATUS(batten_chain_nonlinear(4, points, NULL, NULL, NULL, NULL, &chain),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("points 1 and 2 coincide");
+    options.closed = true;
+    CHECK_STATUS(batten_chain_nonlinear(4, ring, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("points 3 and 0 coincide");
+}
+
+TEST(points_that_turn_back_are_named_by_nonlinear_splines)
+{
+    const double back[] = {0, 0, 2, 1, 1, 0.5, 4, 4};
+    batten_chain *chain = NULL;
+    CHECK_STATUS(batten_chain_nonlinear(4, back, NULL, NULL, NULL, NULL, &chain),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("turns back on itself at point 1");
+}
+
+TEST(n1_bad_input_of_nonlinear_splines_is_refused)
+{
+    const double points[] = {0, 0, 1, 1, 2, 0}, bad[] = {0, 0, 1, NAN, 2, 0};
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain *chain = NULL;
+    CHECK_STATUS(batten_chain_nonlinear(1, points, NULL, NULL, NULL, NULL, &chain),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_chain_nonlinear(3, bad, NULL, NULL, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
+    options.closed = true;
+    CHECK_STATUS(batten_chain_nonlinear(2, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_TOO_FEW_POINTS);
+    options.closed = false;
+    options.family = (batten_span_family)99;
+    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_BAD_ARGUMENT);
+    options = batten_nonlinear_defaults();
+    options.start = (batten_nonlinear_end)7;
+    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_BAD_ARGUMENT);
+    options.start = BATTEN_NONLINEAR_TANGENT;
+    options.start_value = INFINITY;
+    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
+    options = batten_nonlinear_defaults();
+    options.max_steps = 0;
+    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_BAD_ARGUMENT);
+    options.max_steps = 1;
+    CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_INCOMPLETE);
+    CHECK_MESSAGE("after 1 steps curvature still jumps");
+}
+
+TEST(g9_two_points_with_circular_ends_determine_no_circle)
+{
+    const double points[] = {0, 0, 1, 1};
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
+    batten_chain *chain = NULL;
+    CHECK_STATUS(batten_chain_nonlinear(2, points, &options, NULL, NULL, NULL, &chain),
+                 BATTEN_SINGULAR_SYSTEM);
+}
+
+TEST(n2_nonlinear_splines_have_any_size)
+{
+    const double sizes[] = {1e-100, 1e-9, 1e9, 1e100};
+    double points[2 * 5], angles[5], first[5];
+    wave(5, points);
+    for (int n = 0; n < COUNT(kinds); n++) {
+        batten_chain_unref(through(kinds[n].family, 5, points, false, first));
+        for (int k = 0; k < COUNT(sizes); k++) {
+            double scaled[2 * 5];
+            for (int i = 0; i < 10; i++)
+                scaled[i] = points[i] * sizes[k];
+            batten_chain_unref(through(kinds[n].family, 5, scaled, false, angles));
+            for (int i = 0; i < 5; i++)
+                CHECK_NEAR(angles[i], first[i], 1e-12);
+        }
+    }
+}
