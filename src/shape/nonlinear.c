@@ -67,6 +67,12 @@ static batten_status check(int count, const double *points,
         status = check_end("end", options->end, options->end_value);
     if (status == BATTEN_OK)
         status = check_tensions(options, options->closed ? count : count - 1);
+    if (status == BATTEN_OK && count == 2 && options->start == BATTEN_NONLINEAR_CIRCULAR &&
+        options->end == BATTEN_NONLINEAR_CIRCULAR)
+        status =
+            bat_fail(BATTEN_SINGULAR_SYSTEM,
+                     "two points with circular ends determine no circle: give a tangent or "
+                     "a curvature at one end");
     return status;
 }
 
