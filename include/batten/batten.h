@@ -4,6 +4,7 @@
  * @file
  * Everything of libbatten. Pictures and designs have headers and libraries of their own.
  */
+#include <batten/approximate.h>
 #include <batten/base.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>

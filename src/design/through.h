@@ -24,12 +24,11 @@
         "each", BATTEN_VALUE_WORD, false, false, "station", "station line row", \
             "of a table: one curve through each of these"                       \
     }
-#define BAT_AS                                                                              \
-    {                                                                                       \
-        "as", BATTEN_VALUE_WORD, false, false, "curve", "curve function",                   \
-            "a curve, or a function of the abscissa: the points then rise along the first " \
-            "axis in "                                                                      \
-            "which they differ"                                                             \
+#define BAT_AS                                                                            \
+    {                                                                                     \
+        "as", BATTEN_VALUE_WORD, false, false, "curve", "curve function",                 \
+            "a curve, or a function: the points rise along the first axis in which they " \
+            "differ"                                                                      \
     }
 #define BAT_CLOSED                                                       \
     {                                                                    \

@@ -1,0 +1,83 @@
+#ifndef BATTEN_APPROXIMATE_H
+#define BATTEN_APPROXIMATE_H
+/**
+ * @file
+ * Curves near points: least squares, smoothing, fits within a bound.
+ *
+ * Points are [count][dimension], dimension 1 to 3; dimension 1 is a function of its parameter.
+ * Weights are finite and never negative; 0 leaves a point out. Points may coincide and
+ * parameters may repeat: nothing is interpolated.
+ */
+#include <batten/interpolate.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a fit reached. Distances are those of the data from the curve at their parameters, in
+ * model units; data of weight 0 do not count. */
+typedef struct batten_fit_report {
+    double max, rms;  /**< largest distance, root of the mean square */
+    int worst;        /**< index of the farthest datum */
+    double lambda;    /**< the weight of the penalty; 0 without one */
+    double freedom;   /**< how many of the data the curve follows: the trace of the matrix that
+                           turns data into values of the curve */
+    int rounds;       /**< of parameter correction, or of reweighting */
+    bool regularised; /**< the data do not determine the curve, and a penalty did */
+    double sum;       /**< of squares of the distances, times weights */
+} batten_fit_report;
+
+/** Where the knots of a fit stand. */
+typedef enum batten_knot_choice {
+    BATTEN_KNOTS_BY_DATA,      /**< as many data between any two */
+    BATTEN_KNOTS_BY_CURVATURE, /**< close where a first fit bends: equal integrals of the
+                                    (p + 1)th root of the derivative of order p + 1 */
+    BATTEN_KNOTS_GIVEN
+} batten_knot_choice;
+
+typedef struct batten_least_squares_options {
+    size_t size;
+    int degree;                        /**< 3 */
+    int point_count;                   /**< control points; periodic: of one period. 0: one for
+                                            every four data */
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count], never decreasing; periodic [count + 1] */
+    const double *weights;             /**< [count], or NULL */
+    batten_knot_choice knots;
+    const double *given_knots; /**< [point_count + degree + 1]; periodic [point_count + 1] */
+    bool periodic; /**< the curve closes smoothly; the first point is not repeated */
+    bool hold_start, hold_end; /**< the curve begins, ends, in its first, last point */
+    int corrections; /**< parameters are moved to the feet of the data and the curve fitted
+                          anew at most so often, while rms falls by a thousandth; 0; not for
+                          functions */
+    bool regularise; /**< where data do not determine the curve, second differences of the
+                          control points decide, weighing 1e-10 of the data; else that is an
+                          error */
+} batten_least_squares_options;
+
+/** Cubic, by chords, knots by data. */
+BATTEN_API batten_least_squares_options batten_least_squares_defaults(void);
+
+/**
+ * The spline curve with the least sum of squared distances from points.
+ *
+ * @param points  [count][dimension]
+ * @param options NULL for the defaults
+ * @param[out] parameters [count], those of the points at last; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; TOO_FEW_POINTS when there are fewer data than control points;
+ * SINGULAR_SYSTEM naming the first control point that has no datum of its own (the condition of
+ * Schoenberg and Whitney); BAD_WEIGHT, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN with the
+ * index; BAD_KNOTS, BAD_DEGREE, BAD_ARGUMENT
+ *
+ * Solved by Givens' rotations row by row, so as well as the basis allows. Cost: linear in count
+ * and point_count. Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for correction.
+ */
+BATTEN_API batten_status batten_curve_least_squares(
+    int dimension, int count, const double *points, const batten_least_squares_options *options,
+    double *parameters, batten_fit_report *report, batten_curve **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

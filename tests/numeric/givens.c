@@ -1,0 +1,119 @@
+#include "numeric/givens.h"
+#include "numeric/dense.h"
+
+#include "support/test.h"
+
+enum { MOST = 40, ROWS = 120, WIDTH = 5 };
+
+/* Random rows of a band or a ring, beginning at every unknown, and the same as a full matrix.
+ */
+typedef struct {
+    int count, width, rows;
+    bool ring;
+    int first[ROWS];
+    double values[ROWS][WIDTH], right[ROWS], full[ROWS * MOST], x[MOST], expected[ROWS];
+} problem;
+
+static problem *make_problem(test_random *random, int count, int width, bool ring)
+{
+    problem *p = test_array(1, sizeof *p);
+    p->count = count, p->width = width, p->ring = ring, p->rows = 3 * count;
+    for (int i = 0; i < p->rows; i++) {
+        p->first[i] = ring ? i / 3 : i / 3 < count - width ? i / 3 : count - width;
+        p->right[i] = test_random_in(random, -1, 1);
+        p->expected[i] = p->right[i];
+        for (int k = 0; k < width; k++) {
+            p->values[i][k] = test_random_in(random, -1, 1);
+            p->full[i * count + (p->first[i] + k) % count] += p->values[i][k];
+        }
+    }
+    return p;
+}
+
+static void factor(const problem *p, bat_givens *qr)
+{
+    CHECK_OK(bat_givens_begin(p->count, p->width, p->ring, 1, qr));
+    for (int place = 0; place < p->count; place++)
+        for (int i = 0; i < p->rows; i++)
+            if (bat_givens_place(qr, p->first[i]) == place)
+                bat_givens_add(qr, p->first[i], p->width, p->values[i], 1, &p->right[i]);
+    int unknown;
+    CHECK_OK(bat_givens_check(qr, &unknown));
+}
+
+TEST(bands_and_rings_are_solved_as_full_matrices_are)
+{
+    test_random random = test_random_begin("givens");
+    for (int c = 0; c < test_cases(200); c++) {
+        const int width = test_random_int(&random, 1, WIDTH),
+                  count = test_random_int(&random, width, MOST);
+        problem *p = make_problem(&random, count, width, c % 2);
+        bat_givens qr;
+        factor(p, &qr);
+        bat_givens_solve(&qr, p->x);
+        CHECK_OK(bat_dense_least_squares(p->rows, count, p->full, 1, p->expected));
+        for (int i = 0; i < count; i++)
+            CHECK_NEAR(p->x[i], p->expected[i], 1e-9 * (1 + fabs(p->x[i])));
+        bat_givens_end(&qr);
+    }
+}
+
+/* v^T (R^T R)^-1 v = |R^-T v|^2, and R^-1 undoes R. */
+TEST(the_band_of_the_inverse_is_that_of_the_inverse)
+{
+    test_random random = test_random_begin("inverse band");
+    for (int c = 0; c < test_cases(100); c++) {
+        const int width = test_random_int(&random, 1, WIDTH),
+                  count = test_random_int(&random, width, MOST);
+        problem *p = make_problem(&random, count, width, c % 2);
+        bat_givens qr;
+        bat_inverse_band inverse;
+        factor(p, &qr);
+        CHECK_OK(bat_inverse_band_make(&qr, &inverse));
+        for (int i = 0; i < p->rows; i++) {
+            double v[MOST] = {0}, square = 0;
+            for (int k = 0; k < width; k++)
+                v[(p->first[i] + k) % count] += p->values[i][k];
+            bat_givens_solve_lower(&qr, 1, v);
+            for (int k = 0; k < count; k++)
+                square += v[k] * v[k];
+            CHECK_NEAR(bat_inverse_band_form(&inverse, p->first[i], width, p->values[i]),
+                       square, 1e-8 * (1 + square));
+        }
+        bat_inverse_band_free(&inverse);
+        bat_givens_end(&qr);
+    }
+}
+
+TEST(G9_an_unknown_that_no_row_touches_is_named)
+{
+    bat_givens qr;
+    int unknown = -1;
+    const double one[2] = {1, 1}, right = 1;
+    CHECK_OK(bat_givens_begin(5, 2, false, 1, &qr));
+    bat_givens_add(&qr, 0, 1, one, 1, &right);
+    bat_givens_add(&qr, 0, 2, one, 1, &right);
+    bat_givens_add(&qr, 3, 2, one, 1, &right);
+    bat_givens_add(&qr, 3, 1, one, 1, &right);
+    CHECK_STATUS(bat_givens_check(&qr, &unknown), BATTEN_SINGULAR_SYSTEM);
+    CHECK_INT(unknown, 2);
+    bat_givens_end(&qr);
+}
+
+TEST(rows_of_any_size_are_turned_without_overflow)
+{
+    const double sizes[] = {1e-300, 1e-160, 1, 1e160, 1e300};
+    for (int s = 0; s < COUNT(sizes); s++) {
+        bat_givens qr;
+        double x[2];
+        const double a[2] = {1, 2}, b[2] = {3, -1}, c[2] = {5, 2};
+        CHECK_OK(bat_givens_begin(2, 2, false, 1, &qr));
+        bat_givens_add(&qr, 0, 2, a, sizes[s], a);
+        bat_givens_add(&qr, 0, 2, b, sizes[s], b);
+        bat_givens_add(&qr, 0, 2, c, sizes[s], c);
+        bat_givens_solve(&qr, x);
+        CHECK_NEAR(x[0], 1, 1e-14);
+        CHECK_NEAR(x[1], 0, 1e-14);
+        bat_givens_end(&qr);
+    }
+}
