@@ -18,6 +18,7 @@
 #include <batten/inspect.h>
 #include <batten/interpolate.h>
 #include <batten/job.h>
+#include <batten/local.h>
 #include <batten/model.h>
 #include <batten/nonlinear.h>
 #include <batten/notes.h>
