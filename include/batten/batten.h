@@ -6,6 +6,7 @@
  */
 #include <batten/approximate.h>
 #include <batten/base.h>
+#include <batten/biarc.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>

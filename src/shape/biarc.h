@@ -1,0 +1,46 @@
+/*
+ * Biarcs by the angles between their chord and their directions: what batten_biarc_between, the
+ * arc spline and the approximation by arcs share.
+ */
+#ifndef BAT_BIARC_H
+#define BAT_BIARC_H
+#include "base/base.h"
+#include <batten/biarc.h>
+#include <float.h>
+
+#define BAT_PI 3.14159265358979323846
+
+/* One arc with its first point, by its chord: `half` is half of its turn, |half| < pi. */
+void bat_arc_span(const double start[2], double chord, double direction, double half,
+                  batten_span *out);
+/* Where it ends. */
+void bat_arc_end(const batten_span *arc, double end[2]);
+
+/* The angle from one direction of the plane to another, (-pi, pi]. */
+double bat_turn(const double from[2], const double to[2]);
+
+/* The place of the joint for a choice other than GIVEN. */
+double bat_biarc_place(double alpha, double beta, batten_biarc_joint joint);
+
+/* The biarc from `start`, whose chord has length l and direction phi. SINGULAR_HERE, OVERFLOW.
+ */
+batten_status bat_biarc_make(const double start[2], double phi, double l, double alpha,
+                             double beta, double place, batten_biarc *out);
+
+/* Two points that are apart and two directions that are not zero. */
+batten_status bat_biarc_check_ends(int dimension, const double *start,
+                                   const double *start_direction, const double *end,
+                                   const double *end_direction);
+/* Points, directions and joints as batten_biarcs_options has them. */
+batten_status bat_biarcs_check(int dimension, int count, const double *points,
+                               const batten_biarcs_options *options);
+
+/* A direction of length 1. */
+void bat_direction(int dimension, const double *from, double *to);
+
+/* Directions of the circles through three neighbours, [count][d] of length 1. SINGULAR_HERE
+ * naming the point where the polygon turns back on itself. */
+batten_status bat_circle_directions(int dimension, int count, const double *points, bool closed,
+                                    double *directions);
+
+#endif

@@ -1,0 +1,61 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <string.h>
+
+/* A feature `a` evaluated after `before`. */
+static batten_status evaluate(const char *before, const char *feature, batten_design **out)
+{
+    char text[2000];
+    snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", before, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+static const char ducks[] =
+    "  p: {points: [[0, 0, 2], [1, 0.5, 2], [2, 0.3, 2], [3, 1, 2], [4, 0, 2]]}\n"
+    "  q: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2]]}\n";
+
+TEST(features_of_arcs_leave_chains_of_arcs_through_their_points)
+{
+    static const char *const features[] = {
+        "{biarcs: p}", "{biarcs: p, joint: given, place: 0.3}", "{biarcs: p, closed: yes}"};
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(ducks, features[i], &design));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        CHECK_INT(batten_model_count(model), 1);
+        const batten_object *object = batten_model_object(model, 0);
+        CHECK(object->chain && batten_chain_is_arcs(object->chain));
+        CHECK_INT(object->point_count, 5);
+        for (int k = 0; k < 5; k++) {
+            double at[3], on_curve[3];
+            CHECK_OK(batten_chain_evaluate(object->chain, object->parameters[k], 0, at));
+            CHECK_OK(batten_curve_evaluate(object->curve, object->parameters[k], 0, on_curve));
+            for (int c = 0; c < 3; c++) {
+                CHECK_NEAR(at[c], object->points[3 * k + c], 1e-12);
+                CHECK_NEAR(on_curve[c], at[c], 1e-12);
+            }
+        }
+        batten_design_free(design);
+    }
+}
+
+TEST(biarcs_in_space_go_where_those_in_the_plane_cannot)
+{
+    batten_design *design = NULL;
+    CHECK_STATUS(evaluate(ducks, "{biarcs: q}", &design), BATTEN_NOT_COMPATIBLE);
+    CHECK_OK(evaluate(ducks, "{biarcs: q, in: space}", &design));
+    const batten_object *object =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
+    CHECK(!object->chain);
+    CHECK(batten_curve_is_rational(object->curve));
+    batten_design_free(design);
+}
