@@ -63,7 +63,8 @@ typedef struct batten_nonlinear_report {
  * not do
  *
  * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
- * Cost: linear in count for each step. Source: [SL] ch. VI.
+ * Cost: linear in count for each step. Source: [SL] ch. VI; Euler spirals [BF15], HOBBY
+ * [Hobby86].
  */
 BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
                                                 const batten_nonlinear_options *options,

@@ -20,7 +20,10 @@ batten_nonlinear_options batten_nonlinear_defaults(void)
 /* ---- the families ---- */
 
 static const bat_span_family *const families[] = {
+    [BATTEN_FAMILY_LOCAL_CUBIC] = &bat_family_local_cubic,
+    [BATTEN_FAMILY_LOCAL_TENSION] = &bat_family_local_tension,
     [BATTEN_FAMILY_EULER_SPIRAL] = &bat_family_euler_spiral,
+    [BATTEN_FAMILY_HOBBY] = &bat_family_hobby,
 };
 
 static const bat_span_family *family_of(batten_span_family family)
@@ -272,31 +275,67 @@ static batten_status emit(const polygon *p, int count, const double *points, dou
     return status;
 }
 
-/* ---- the report ---- */
+/* ---- inflections ---- */
 
-/* Does the polygon turn to one side only at both ends of span j? An end counts as either. */
-static bool one_sided(const bat_two_angle *task, int j)
+/* Does span j bend to both sides where the points ask for one? Inside, the polygon turns to the
+ * same side at both of its points; at an end the tangents stand to both sides of the chord. */
+static bool bends_twice(const polygon *p, int j)
 {
+    const bat_two_angle *task = &p->task;
     const double a = task->turn[j], b = task->turn[(j + 1) % task->count];
-    return !(a * b < 0);
+    const double l = task->length[j];
+    const bool end = !task->closed && (j == 0 || j == task->spans - 1);
+    double alpha, beta;
+    bat_end_curvatures e;
+    bat_two_angle_span(task, p->angles, j, &alpha, &beta);
+    /* Less than a billionth of the angles is rounding: so at ends of curvature 0. */
+    const double least = 1e-9 * bat_max(fabs(alpha), fabs(beta)) / l;
+    return (end ? alpha * beta < 0 : a * b > 0) &&
+           task->family->curvatures(alpha, beta, l, task->tension[j], &e) == BATTEN_OK &&
+           bat_min(e.k0, e.k1) < -least && bat_max(e.k0, e.k1) > least;
 }
 
 static int count_added(const polygon *p)
 {
     int added = 0;
+    for (int j = 0; j < p->task.spans; j++)
+        added += bends_twice(p, j);
+    return added;
+}
+
+/* More tension where a span bends twice; false where none does, or none can take more. */
+static bool tighten(polygon *p)
+{
+    bool changed = false;
     for (int j = 0; j < p->task.spans; j++) {
         double alpha, beta;
-        bat_end_curvatures e;
+        double *z = &p->task.tension[j];
+        if (*z == BAT_MOST_TENSION || !bends_twice(p, j))
+            continue;
         bat_two_angle_span(&p->task, p->angles, j, &alpha, &beta);
-        const double l = p->task.length[j];
-        /* What is below the rounding of the largest angle is no bend. */
-        const double least = 1e-9 * bat_max(fabs(alpha), fabs(beta)) / l;
-        if (one_sided(&p->task, j) &&
-            p->task.family->curvatures(alpha, beta, l, p->task.tension[j], &e) == BATTEN_OK &&
-            bat_min(e.k0, e.k1) < -least && bat_max(e.k0, e.k1) > least)
-            added++;
+        /* Tangents turn as tension grows, so somewhat more than they need now. */
+        const double more = bat_max(1, 1.5 * *z);
+        *z = bat_min(BAT_MOST_TENSION, alpha * beta < 0
+                                           ? bat_max(more, bat_local_tension_for(alpha, beta))
+                                           : more);
+        changed = true;
     }
-    return added;
+    return changed;
+}
+
+static batten_status solve(polygon *p, const batten_nonlinear_options *options,
+                           batten_nonlinear_report *report)
+{
+    enum { ROUNDS = 100 };
+    const bool chosen = options->family == BATTEN_FAMILY_LOCAL_TENSION && !options->tensions;
+    batten_status status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
+    for (int round = 0; chosen && status == BATTEN_OK && round < ROUNDS && tighten(p);
+         round++) {
+        const int before = report->steps;
+        status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
+        report->steps += before;
+    }
+    return status;
 }
 
 /* Directions at the points, each within half a turn of the one before. */
@@ -327,7 +366,7 @@ static batten_status make(int count, const double *points,
     if (status == BATTEN_OK)
         status = bat_two_angle_start(&p->task, p->angles);
     if (status == BATTEN_OK)
-        status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
+        status = solve(p, options, report);
     if (status == BATTEN_OK)
         status = emit(p, count, points, parameters, out);
     return status;

@@ -41,6 +41,12 @@ extern const bat_span_family bat_family_local_cubic, bat_family_local_tension,
     bat_family_geometric, bat_family_euler_spiral, bat_family_arcs, bat_family_elastica,
     bat_family_hobby;
 
+/* The most sigma l that is chosen for a span: the curve is then all but the chord. */
+#define BAT_MOST_TENSION 1e3
+/* The least sigma l for which a local spline in tension bends to one side only; alpha and beta
+ * of opposite signs. BAT_MOST_TENSION where that is not enough. */
+double bat_local_tension_for(double alpha, double beta);
+
 /* The polygon of the points and what is asked of the tangents. Lengths in any unit. */
 typedef struct {
     const bat_span_family *family;

@@ -4,14 +4,18 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* The family's name in failures, and what it can. */
+/* What a family can. */
 typedef struct {
     batten_span_family family;
     bool round; /* points of a circle give the circle */
+    bool mock;  /* curvature is continuous only as long as angles are small */
 } kind;
 
 static const kind kinds[] = {
-    {BATTEN_FAMILY_EULER_SPIRAL, true},
+    {BATTEN_FAMILY_LOCAL_CUBIC, false, false},
+    {BATTEN_FAMILY_LOCAL_TENSION, false, false},
+    {BATTEN_FAMILY_EULER_SPIRAL, true, false},
+    {BATTEN_FAMILY_HOBBY, false, true},
 };
 
 static batten_chain *through(batten_span_family family, int count, const double *points,
@@ -81,7 +85,8 @@ TEST(nonlinear_splines_pass_the_points_and_curvature_is_continuous)
         batten_nonlinear_report report;
         batten_chain *chain = NULL;
         CHECK_OK(batten_chain_nonlinear(12, points, &options, angles, at, &report, &chain));
-        CHECK(report.residual <= 1e-12 * report.curvature && report.steps <= 8);
+        CHECK(report.residual <= 1e-12 * report.curvature);
+        CHECK(report.steps <= (kinds[n].family == BATTEN_FAMILY_LOCAL_TENSION ? 20 : 6));
         for (int i = 0; i < 12; i++) {
             double left[6], right[6];
             CHECK_OK(batten_chain_evaluate_side(chain, at[i], BATTEN_FROM_LEFT, 2, left));
@@ -94,7 +99,8 @@ TEST(nonlinear_splines_pass_the_points_and_curvature_is_continuous)
             CHECK_NEAR(right[2] / r, cos(angles[i]), 1e-11);
             CHECK_NEAR(left[3] / l, sin(angles[i]), 1e-11);
             CHECK_NEAR((left[2] * left[5] - left[3] * left[4]) / (l * l * l),
-                       (right[2] * right[5] - right[3] * right[4]) / (r * r * r), 1e-10);
+                       (right[2] * right[5] - right[3] * right[4]) / (r * r * r),
+                       kinds[n].mock ? 0.1 : 1e-10);
         }
         batten_chain_unref(chain);
     }
@@ -208,6 +214,181 @@ TEST(an_euler_spiral_through_one_more_of_its_points_is_the_same)
     batten_chain_unref(chain);
 }
 
+/* ---- local cubics, with and without tension ---- */
+
+/* `count` points at equal steps on the upper half of the unit circle, with circular ends. */
+static batten_chain *half_circle(batten_span_family family, int count, double *angles)
+{
+    double points[2 * 33];
+    for (int i = 0; i < count; i++) {
+        points[2 * i] = cos(pi * i / (count - 1));
+        points[2 * i + 1] = sin(pi * i / (count - 1));
+    }
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = family;
+    options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(count, points, &options, angles, NULL, NULL, &chain));
+    return chain;
+}
+
+TEST(local_cubics_through_a_circle_have_its_tangents_and_a_known_curvature)
+{
+    for (int n = 4; n <= 32; n *= 2) {
+        double angles[33], at[6];
+        batten_chain *chain = half_circle(BATTEN_FAMILY_LOCAL_CUBIC, n + 1, angles);
+        for (int i = 0; i <= n; i++)
+            CHECK_NEAR(angles[i], pi / 2 + pi * i / n, 4e-15);
+        CHECK_OK(batten_chain_evaluate(chain, batten_chain_domain(chain).a, 2, at));
+        const double k = (at[2] * at[5] - at[3] * at[4]) / pow(hypot(at[2], at[3]), 3);
+        CHECK_NEAR(k, cos(pi / (2 * n)) * cos(pi / (2 * n)), 1e-13);
+        if (n == 8)
+            CHECK_NEAR(k, 0.9619398, 5e-8);
+        if (n == 32)
+            CHECK_NEAR(k, 0.9975924, 5e-8);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(the_local_cubic_of_small_deflections_is_the_natural_cubic_spline)
+{
+    /* Slopes of the natural cubic spline through y at 0, 1, 2, 3. */
+    const double y[] = {0, 1, 0.4, 0}, slopes[] = {1.44, 0.12, -0.72, -0.24};
+    CHECK_NEAR(2 * slopes[0] + slopes[1], 3 * (y[1] - y[0]), 1e-15);
+    CHECK_NEAR(slopes[0] + 4 * slopes[1] + slopes[2], 3 * (y[2] - y[0]), 1e-15);
+    CHECK_NEAR(slopes[1] + 4 * slopes[2] + slopes[3], 3 * (y[3] - y[1]), 1e-15);
+    CHECK_NEAR(slopes[2] + 2 * slopes[3], 3 * (y[3] - y[2]), 1e-15);
+    double before = 0;
+    for (double h = 1e-2; h > 1e-4; h /= 10) {
+        double points[8], angles[4], worst = 0;
+        for (int i = 0; i < 4; i++) {
+            points[2 * i] = i;
+            points[2 * i + 1] = h * y[i];
+        }
+        batten_chain_unref(through(BATTEN_FAMILY_LOCAL_CUBIC, 4, points, false, angles));
+        for (int i = 0; i < 4; i++)
+            worst = fmax(worst, fabs(tan(angles[i]) / h - slopes[i]));
+        CHECK(worst < 20 * h * h);
+        before = worst;
+    }
+    CHECK(before < 1e-5);
+}
+
+TEST(local_splines_without_tension_are_local_cubics)
+{
+    enum { N = 7 };
+    const double none[N] = {0};
+    double points[2 * N], cubic[N], tension[N];
+    wave(N, points);
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = BATTEN_FAMILY_LOCAL_TENSION;
+    options.tensions = none;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(N, points, &options, tension, NULL, NULL, &chain));
+    batten_chain_unref(chain);
+    batten_chain_unref(through(BATTEN_FAMILY_LOCAL_CUBIC, N, points, false, cubic));
+    for (int i = 0; i < N; i++)
+        CHECK_BITS(tension[i], cubic[i]);
+}
+
+TEST(local_splines_in_much_tension_are_the_polygon)
+{
+    enum { N = 6 };
+    double points[2 * N], tensions[N], length = 0;
+    wave(N, points);
+    for (int i = 0; i < N; i++) {
+        tensions[i] = 1e4;
+        if (i > 0)
+            length +=
+                hypot(points[2 * i] - points[2 * i - 2], points[2 * i + 1] - points[2 * i - 1]);
+    }
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = BATTEN_FAMILY_LOCAL_TENSION;
+    options.tensions = tensions;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(N, points, &options, NULL, NULL, NULL, &chain));
+    const double *breaks = batten_chain_breaks(chain);
+    for (int j = 0; j + 1 < N; j++)
+        for (int i = 0; i <= 10; i++) {
+            double at[2];
+            CHECK_OK(batten_chain_evaluate(
+                chain, breaks[j] + (breaks[j + 1] - breaks[j]) * i / 10, 0, at));
+            for (int c = 0; c < 2; c++)
+                CHECK_NEAR(at[c],
+                           points[2 * j + c] +
+                               (points[2 * j + 2 + c] - points[2 * j + c]) * i / 10,
+                           1e-4);
+        }
+    CHECK_NEAR(breaks[N - 1] - breaks[0], length, 1e-12);
+    batten_chain_unref(chain);
+}
+
+TEST(tension_that_is_chosen_leaves_no_excess_inflection)
+{
+    /* All turns are to the left; a cubic wiggles where the steep part begins. */
+    const double points[] = {0, 0, 1, 0.001, 2, 0.004, 3, 0.3, 4, 1.5, 4.5, 3};
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_nonlinear_report report;
+    batten_chain *chain = NULL;
+    options.family = BATTEN_FAMILY_LOCAL_CUBIC;
+    CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, &report, &chain));
+    batten_chain_unref(chain);
+    CHECK(report.inflections_added > 0);
+    options.family = BATTEN_FAMILY_LOCAL_TENSION;
+    CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, &report, &chain));
+    CHECK_INT(report.inflections_added, 0);
+    for (int i = 0; i <= 500; i++) {
+        double at[6];
+        CHECK_OK(batten_chain_evaluate(chain, batten_chain_domain(chain).b * i / 500, 2, at));
+        CHECK(at[2] * at[5] - at[3] * at[4] >= -1e-9);
+    }
+    batten_chain_unref(chain);
+}
+
+/* ---- Hobby ---- */
+
+TEST(hobbys_curve_through_a_square_is_nearly_a_circle)
+{
+    const double square[] = {1, 0, 0, 1, -1, 0, 0, -1};
+    double angles[4];
+    batten_chain *chain = through(BATTEN_FAMILY_HOBBY, 4, square, true, angles);
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_chain_to_curve(chain, 1e-3, NULL, &curve));
+    CHECK_INT(batten_curve_degree(curve), 3);
+    /* The control point of the best known cubic arc: 4/3 tan(pi / 8). */
+    const double *P = batten_curve_points(curve);
+    CHECK_NEAR(P[2], 1, 1e-14);
+    CHECK_NEAR(P[3], 4.0 / 3 * tan(pi / 8), 1e-14);
+    for (int i = 0; i < 4; i++)
+        CHECK_NEAR(angles[i], pi / 2 * (i + 1), 1e-14);
+    batten_curve_unref(curve);
+    batten_chain_unref(chain);
+}
+
+TEST(hobbys_angles_solve_the_equations_of_mock_curvature)
+{
+    enum { N = 10 };
+    double points[2 * N], angles[N];
+    wave(N, points);
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = BATTEN_FAMILY_HOBBY;
+    batten_nonlinear_report report;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_nonlinear(N, points, &options, angles, NULL, &report, &chain));
+    batten_chain_unref(chain);
+    CHECK_INT(report.steps, 1);
+    double phi[N], l[N];
+    for (int j = 0; j + 1 < N; j++) {
+        const double x = points[2 * j + 2] - points[2 * j],
+                     y = points[2 * j + 3] - points[2 * j + 1];
+        phi[j] = atan2(y, x);
+        l[j] = hypot(x, y);
+    }
+    for (int i = 1; i + 1 < N; i++)
+        CHECK_NEAR((2 * (angles[i - 1] - phi[i - 1]) + 4 * (angles[i] - phi[i - 1])) / l[i - 1],
+                   -(4 * (angles[i] - phi[i]) + 2 * (angles[i + 1] - phi[i])) / l[i], 1e-12);
+}
+
 /* ---- ends ---- */
 
 TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
@@ -228,7 +409,8 @@ TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
         CHECK_OK(batten_chain_evaluate(chain, domain.a, 2, a));
         CHECK_OK(batten_chain_evaluate(chain, domain.b, 2, b));
         CHECK_NEAR(atan2(a[3], a[2]), 0.7, 1e-14);
-        CHECK_NEAR((b[2] * b[5] - b[3] * b[4]) / pow(hypot(b[2], b[3]), 3), -0.15, 1e-12);
+        CHECK_NEAR((b[2] * b[5] - b[3] * b[4]) / pow(hypot(b[2], b[3]), 3), -0.15,
+                   kinds[n].mock ? 0.02 : 1e-12);
         batten_chain_unref(chain);
     }
 }
