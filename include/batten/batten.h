@@ -14,6 +14,7 @@
 #include <batten/exchange.h>
 #include <batten/fair.h>
 #include <batten/file.h>
+#include <batten/fold.h>
 #include <batten/gcode.h>
 #include <batten/geometry.h>
 #include <batten/inspect.h>

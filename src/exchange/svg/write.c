@@ -47,7 +47,8 @@ static void begin_shape(writing *w, const batten_object *object)
         colour[2 + 2 * k] = digits[part % 16];
     }
     batten_text_add(w->text, "<path fill=\"none\" stroke-width=\"0.1\" stroke=\"%s\"", colour);
-    put_attribute(w->text, "id", object->name);
+    if (object->name[0])
+        put_attribute(w->text, "id", object->name);
     if (object->layer[0])
         put_attribute(w->text, "class", object->layer);
     batten_text_add(w->text, " d=\"");
