@@ -1,0 +1,148 @@
+#include "numeric/quadratic_program.h"
+
+#include "support/test.h"
+
+enum { N = 8, M = 10 };
+
+static double dot(int n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* H = the sum of squares of `rank` random rows. */
+static void fill(test_random *random, int count, double *a)
+{
+    for (int i = 0; i < count; i++)
+        a[i] = test_random_in(random, -1, 1);
+}
+
+static void fill_form(test_random *random, int n, int rank, double *h)
+{
+    double rows[N * N];
+    fill(random, rank * n, rows);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            h[i * n + j] = 0;
+            for (int k = 0; k < rank; k++)
+                h[i * n + j] += rows[k * n + i] * rows[k * n + j];
+        }
+}
+
+TEST(the_minimum_of_a_quadratic_program_meets_the_conditions_of_kuhn_and_tucker)
+{
+    test_random random = test_random_begin("quadratic program");
+    for (int c = 0; c < test_cases(300); c++) {
+        const int n = 3 + c % 6, equal = c % 3, least = c % (M + 1);
+        double h[N * N], g[N], a[2 * N], b[2], e[M * N], f[M], inside[N], x[N], forces[M];
+        fill_form(&random, n, n, h);
+        fill(&random, n, g);
+        fill(&random, equal * n, a);
+        fill(&random, least * n, e);
+        fill(&random, n, inside);
+        /* All conditions hold at one point. */
+        for (int i = 0; i < equal; i++)
+            b[i] = dot(n, a + i * n, inside);
+        for (int i = 0; i < least; i++)
+            f[i] = dot(n, e + i * n, inside) - (i % 2 ? 0.1 : 0);
+        bat_quadratic_report report;
+        const bat_quadratic_program program = {n, h, g, equal, a, b, least, e, f};
+        CHECK_OK(bat_quadratic_program_solve(&program, x, forces, &report));
+        CHECK_INT(report.redundant, -1);
+        for (int i = 0; i < equal; i++)
+            CHECK_NEAR(dot(n, a + i * n, x), b[i], 1e-12);
+        /* Forces do not pull, and press only where the inequality just holds. */
+        double size = 1;
+        for (int i = 0; i < n; i++)
+            size = fmax(size, fabs(x[i]));
+        for (int i = 0; i < least; i++) {
+            const double room = dot(n, e + i * n, x) - f[i];
+            CHECK(room > -1e-9 * size);
+            CHECK(forces[i] >= -1e-12);
+            CHECK_NEAR(forces[i] * room, 0, 1e-8 * (1 + forces[i]) * size);
+        }
+        /* No direction along the equations is downhill against the forces. */
+        double gradient[N];
+        for (int i = 0; i < n; i++) {
+            gradient[i] = dot(n, h + i * n, x) - g[i];
+            for (int j = 0; j < least; j++)
+                gradient[i] -= forces[j] * e[j * n + i];
+        }
+        if (equal == 1) {
+            const double part = dot(n, gradient, a) / dot(n, a, a);
+            for (int i = 0; i < n; i++)
+                gradient[i] -= part * a[i];
+        }
+        for (int i = 0; i < n && equal < 2; i++)
+            CHECK_NEAR(gradient[i], 0, 1e-8 * (1 + size));
+    }
+}
+
+TEST(a_form_that_vanishes_somewhere_is_enough_where_conditions_fix_the_rest)
+{
+    /* (x - y)^2 alone, with x + y = 2, and with y >= 3. */
+    const double h[4] = {2, -2, -2, 2}, a[2] = {1, 1}, b[1] = {2}, e[2] = {0, 1}, f[1] = {3};
+    double x[2], force[1];
+    bat_quadratic_program program = {2, h, NULL, 1, a, b, 0, NULL, NULL};
+    CHECK_OK(bat_quadratic_program_solve(&program, x, NULL, NULL));
+    CHECK_NEAR(x[0], 1, 1e-14);
+    CHECK_NEAR(x[1], 1, 1e-14);
+    program.least_count = 1;
+    program.least_rows = e;
+    program.least_values = f;
+    CHECK_OK(bat_quadratic_program_solve(&program, x, force, NULL));
+    CHECK_NEAR(x[0], -1, 1e-14);
+    CHECK_NEAR(x[1], 3, 1e-14);
+    CHECK_NEAR(force[0], 16, 1e-12);
+    program.equal_count = program.least_count = 0;
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL), BATTEN_SINGULAR_SYSTEM);
+    CHECK_MESSAGE("leave 2 of 2 unknowns free");
+}
+
+TEST(g9_conditions_that_repeat_or_contradict_are_named)
+{
+    const double h[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double a[9] = {1, 1, 0, 0, 1, 1, 1, 2, 1};
+    double b[3] = {1, 2, 3}, x[3];
+    bat_quadratic_report report;
+    const bat_quadratic_program program = {3, h, NULL, 3, a, b, 0, NULL, NULL};
+    CHECK_OK(bat_quadratic_program_solve(&program, x, NULL, &report));
+    CHECK_INT(report.redundant, 2);
+    CHECK_INT(report.redundant_count, 1);
+    CHECK_NEAR(x[0] + x[1], 1, 1e-14);
+    b[2] = 4;
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("condition 2 contradicts those before it: they make it 3, not 4");
+}
+
+TEST(g9_inequalities_that_cannot_hold_are_named)
+{
+    /* x >= 1, y >= 1, x + y <= 1. */
+    const double h[4] = {1, 0, 0, 1}, e[6] = {1, 0, 0, 1, -1, -1}, f[3] = {1, 1, -1};
+    double x[2] = {7, 7};
+    const bat_quadratic_program program = {2, h, NULL, 0, NULL, NULL, 3, e, f};
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("cannot hold together");
+    CHECK_NEAR(x[0], 7, 0);
+    /* An impossible one without any unknown: 0 >= 1. */
+    const double zero[2] = {0, 0}, one[1] = {1};
+    const bat_quadratic_program never = {2, h, NULL, 0, NULL, NULL, 1, zero, one};
+    CHECK_STATUS(bat_quadratic_program_solve(&never, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("inequality 0");
+}
+
+TEST(as_many_conditions_as_unknowns_leave_no_choice)
+{
+    const double h[4] = {0, 0, 0, 0}, a[4] = {2, 1, 1, -1}, b[2] = {5, 1};
+    const double e[2] = {1, 0}, f[1] = {3};
+    double x[2];
+    bat_quadratic_program program = {2, h, NULL, 2, a, b, 0, e, f};
+    CHECK_OK(bat_quadratic_program_solve(&program, x, NULL, NULL));
+    CHECK_NEAR(x[0], 2, 1e-14);
+    CHECK_NEAR(x[1], 1, 1e-14);
+    program.least_count = 1;
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
+}
