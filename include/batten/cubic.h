@@ -48,6 +48,7 @@ BATTEN_API const char *batten_cubic_class_text(batten_cubic_class kind);
 typedef struct batten_cubic {
     batten_cubic_class whole;   /**< of the whole cubic, t from -infinity to infinity */
     batten_cubic_class segment; /**< of its open segment 0 < t < 1 */
+    double from, to;            /**< the segment: 0 and 1, or the span of the curve */
     double margin;       /**< of the segment: by how much a part of the terms that decide must
                               change before the class does; 0 on a boundary, at most 1 */
     double whole_margin; /**< the same of the whole cubic */

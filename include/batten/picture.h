@@ -111,6 +111,33 @@ BATTEN_API batten_status batten_draw_shaded(const batten_model *model,
                                             const batten_picture_options *options,
                                             const batten_job *job, char **data, size_t *size);
 
+typedef struct batten_cubic_plane_options {
+    size_t size;
+    double low, high; /**< what is shown of both axes; -2 and 3.6 */
+    double tolerance; /**< relative, for batten_curve_classify; 1e-9 */
+    bool glyphs;      /**< small curves that show what lies in each region; true */
+} batten_cubic_plane_options;
+BATTEN_API batten_cubic_plane_options batten_cubic_plane_defaults(void);
+
+/**
+ * Draw the plane of (lambda, mu), the lengths of the end tangents of a cubic in units of the
+ * way to the point T where they meet: its regions, shaded and named, and their boundaries; and
+ * a mark, with its number, for each span of the curves of a model.
+ *
+ * Spans without such a point (straight, twisted, with parallel end tangents) and those outside
+ * the picture are counted in the legend.
+ *
+ * @param model NULL for the plane alone; curves must be polynomial of degree 3 at most
+ * @param plane NULL for the defaults
+ * @return BATTEN_OK, BAD_ARGUMENT (low >= high, sizes), UNSUPPORTED (other curves), NOT_FINITE
+ * ...
+ * Source: [SL] III.3, [Liu81].
+ */
+BATTEN_API batten_status batten_draw_cubic_plane(const batten_model *model,
+                                                 const batten_cubic_plane_options *plane,
+                                                 const batten_picture_options *options,
+                                                 char **data, size_t *size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -138,7 +138,8 @@ static void measure(const bat_cubic *c, batten_cubic *out)
 
 static batten_cubic blank(void)
 {
-    return (batten_cubic){.invariant = NAN,
+    return (batten_cubic){.to = 1,
+                          .invariant = NAN,
                           .inflections = {NAN, NAN},
                           .cusp = NAN,
                           .crossing = {NAN, NAN},
@@ -316,6 +317,8 @@ static void shift_parameters(batten_cubic *cubic, double a, double b)
         cubic->crossing[k] = a + (b - a) * cubic->crossing[k];
     }
     cubic->cusp = a + (b - a) * cubic->cusp;
+    cubic->from = a;
+    cubic->to = b;
 }
 
 static batten_status classify_spans(const batten_curve *bezier, double tolerance, int count,
