@@ -29,6 +29,7 @@
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
+#include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/units.h>
 #endif

@@ -13,87 +13,6 @@ batten_interpolate_options batten_interpolate_defaults(void)
                                         .knots_at_data = true};
 }
 
-/* ---- what holds at the ends ---- */
-
-/* One end, seen from there: its first points, the first step, and how the curve runs. */
-typedef struct {
-    int dimension, count;
-    const double *a, *b, *c;
-    double step;
-    double sign; /* 1 at the start; -1 at the end, where the curve runs from b to a */
-    const char *name;
-} end_view;
-
-/* The derivative along `direction` that is 1 for each unit of the chord. */
-static batten_status directed(const end_view *e, const double *direction, double *value)
-{
-    const double zero[3] = {0, 0, 0};
-    const double size = bat_distance(e->dimension, zero, direction);
-    if (!(size > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the direction at the %s has no length", e->name);
-    const double speed = bat_distance(e->dimension, e->a, e->b) / e->step;
-    for (int k = 0; k < e->dimension; k++)
-        value[k] = direction[k] / size * speed;
-    return BATTEN_OK;
-}
-
-/* The tangent at a of the circle through a, b, c, as long as the arc to b is for the step;
- * false when there is no circle. */
-static bool circle(const end_view *e, double *value)
-{
-    const int d = e->dimension;
-    double tangent[3] = {0, 0, 0}, chord[3] = {0, 0, 0}, zero[3] = {0, 0, 0};
-    if (e->count == 2)
-        return false;
-    const double ab = bat_distance(d, e->a, e->b), ca = bat_distance(d, e->c, e->a);
-    if (!(ab > 0 && ca > 0))
-        return false;
-    for (int k = 0; k < d; k++) {
-        chord[k] = (e->b[k] - e->a[k]) / ab;
-        tangent[k] = chord[k] + (e->a[k] - e->c[k]) / ca * (ab / ca);
-    }
-    const double size = bat_distance(d, zero, tangent);
-    if (!(size > 0))
-        return false;
-    double sum[3] = {0, 0, 0}, difference[3] = {0, 0, 0};
-    for (int k = 0; k < d; k++) {
-        sum[k] = tangent[k] / size + chord[k];
-        difference[k] = tangent[k] / size - chord[k];
-    }
-    const double angle =
-        2 * atan2(bat_distance(d, zero, difference), bat_distance(d, zero, sum));
-    const double arc = angle > 0 ? ab * angle / sin(angle) : ab;
-    for (int k = 0; k < d; k++)
-        value[k] = e->sign * tangent[k] / size * arc / e->step;
-    return isfinite(arc);
-}
-
-static batten_status resolve_end(const end_view *e, const batten_end *end,
-                                 batten_end_kind *kind, double *value)
-{
-    *kind = end->kind;
-    if (end->kind == BATTEN_END_CIRCLE)
-        *kind = circle(e, value) ? BATTEN_END_CLAMPED : BATTEN_END_BESSEL;
-    const bool has_vector = end->kind == BATTEN_END_CLAMPED ||
-                            end->kind == BATTEN_END_DIRECTION ||
-                            end->kind == BATTEN_END_SECOND || end->kind == BATTEN_END_CURVATURE;
-    if (!has_vector)
-        return BATTEN_OK;
-    if (bat_first_not_finite(end->vector, (size_t)e->dimension) < (size_t)e->dimension)
-        return bat_fail(BATTEN_NOT_FINITE, "the vector at the %s is not finite", e->name);
-    if (e->dimension == 1 && end->kind == BATTEN_END_CURVATURE)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a curvature at the %s needs a plane or space",
-                        e->name);
-    memcpy(value, end->vector, (size_t)e->dimension * sizeof *value);
-    if (end->kind == BATTEN_END_DIRECTION) {
-        *kind = BATTEN_END_CLAMPED;
-        return directed(e, end->vector, value);
-    }
-    if (end->kind == BATTEN_END_CURVATURE)
-        *kind = BATTEN_END_SECOND;
-    return BATTEN_OK;
-}
-
 /* ---- one interpolation on its way ---- */
 
 typedef struct {
@@ -111,29 +30,21 @@ typedef struct {
 static batten_status find_parameters(task *t)
 {
     const batten_interpolate_options *o = t->options;
-    const int wanted = t->count + o->periodic;
-    t->parameters = bat_resize(NULL, (size_t)wanted, sizeof *t->parameters);
-    if (!t->parameters)
-        return BATTEN_OUT_OF_MEMORY;
-    if (o->parameters != BATTEN_GIVEN)
-        return bat_parametrize(t->dimension, t->count, t->points, o->parameters, o->periodic,
-                               t->parameters);
-    if (!o->given)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters shall be given, and are not");
-    memcpy(t->parameters, o->given, (size_t)wanted * sizeof *t->parameters);
-    return bat_parameters_check(wanted, t->parameters);
+    return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
+                             o->periodic, &t->parameters);
 }
 
 static batten_status find_ends(task *t)
 {
-    const int d = t->dimension, n = t->count;
-    const double *P = t->points, *Q = P + (size_t)(n - 1) * (size_t)d, *u = t->parameters;
-    const int third = n > 2 ? 2 * d : d;
-    const end_view start = {d, n, P, P + d, P + third, u[1] - u[0], 1, "start"};
-    const end_view end = {d, n, Q, Q - d, Q - third, u[n - 1] - u[n - 2], -1, "end"};
-    batten_status status = resolve_end(&start, &t->options->start, &t->request.start, t->start);
-    if (status == BATTEN_OK)
-        status = resolve_end(&end, &t->options->end, &t->request.end, t->end);
+    const batten_end ends[2] = {t->options->start, t->options->end};
+    batten_end_kind kinds[2];
+    double values[2][3] = {{0}};
+    const batten_status status =
+        bat_ends_resolve(t->dimension, t->count, t->points, t->parameters, ends, kinds, values);
+    t->request.start = kinds[0];
+    t->request.end = kinds[1];
+    memcpy(t->start, values[0], sizeof t->start);
+    memcpy(t->end, values[1], sizeof t->end);
     return status;
 }
 

@@ -294,3 +294,19 @@ batten_status bat_parameters_check(int count, const double *parameters)
     }
     return BATTEN_OK;
 }
+
+batten_status bat_parameters_of(int dimension, int count, const double *points,
+                                batten_parametrization kind, const double *given, bool closed,
+                                double **out)
+{
+    const int wanted = count + closed;
+    *out = bat_resize(NULL, (size_t)wanted, sizeof **out);
+    if (!*out)
+        return BATTEN_OUT_OF_MEMORY;
+    if (kind != BATTEN_GIVEN)
+        return bat_parametrize(dimension, count, points, kind, closed, *out);
+    if (!given)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the parameters shall be given, and are not");
+    memcpy(*out, given, (size_t)wanted * sizeof **out);
+    return bat_parameters_check(wanted, *out);
+}

@@ -20,6 +20,24 @@ batten_status bat_parametrize(int dimension, int count, const double *points,
 /* Finite, increasing. */
 batten_status bat_parameters_check(int count, const double *parameters);
 
+/* The parameters of points by a kind or as given, in *out [count], closed [count + 1]; release
+ * them, after a failure too. */
+batten_status bat_parameters_of(int dimension, int count, const double *points,
+                                batten_parametrization kind, const double *given, bool closed,
+                                double **out);
+
+/* What holds at start and end of a curve through at least two points, with the derivatives it
+ * asks for: directions and circles become CLAMPED (or BESSEL, where there is no circle),
+ * curvatures SECOND, still to be found. */
+batten_status bat_ends_resolve(int dimension, int count, const double *points,
+                               const double *parameters, const batten_end ends[2],
+                               batten_end_kind kinds[2], double values[2][3]);
+/* The same as one of CLAMPED, SECOND and PARABOLIC alone; others are refused in the name of
+ * `what`: "splines in tension". */
+batten_status bat_ends_plain(int dimension, int count, const double *points,
+                             const double *parameters, const batten_end ends[2],
+                             const char *what, batten_end_kind kinds[2], double values[2][3]);
+
 /* A family of lines of points that shall have the same parameters: the rows of a grid. */
 typedef struct {
     const char *name;             /* of what crosses them, for messages: "u grid lines" */

@@ -1,0 +1,41 @@
+/* A spline in tension on its way: the system of its second derivatives, and the rules that ask
+ * for more tension. */
+#ifndef BAT_TENSION_H
+#define BAT_TENSION_H
+#include "numeric/vector.h"
+#include "shape/shape.h"
+#include <batten/tension.h>
+
+typedef struct {
+    int dimension, count, spans;
+    bool closed;
+    const double *points; /* [count][dimension] */
+    double *u;            /* [spans + 1] */
+    double *sigma;        /* [spans] */
+    double *slopes;       /* [spans][dimension] of the chords */
+    double *a, *b;        /* [spans] how far a second derivative turns the slope, at its own end
+                             and at the other */
+    double *matrix;       /* [count][3] */
+    double *moments;      /* [count][dimension] second derivatives */
+    batten_end_kind kinds[2]; /* CLAMPED, SECOND, PARABOLIC */
+    double values[2][3];
+} bat_tension;
+
+/* The second derivatives for the tensions as they are. */
+batten_status bat_tension_solve(bat_tension *t);
+/* The point at the end of a span. */
+static inline int bat_tension_next(const bat_tension *t, int span)
+{
+    return span + 1 == t->count ? 0 : span + 1;
+}
+/* The slope at the start (end = 0) or end of a span. */
+void bat_tension_slope(const bat_tension *t, int span, int end, double *slope);
+
+/* Raise tensions until the rule is satisfied. */
+batten_status bat_tension_convex(bat_tension *t, double slack);
+batten_status bat_tension_monotone(bat_tension *t, double slack);
+/* One span more: from 1 by its length, by halves. */
+void bat_tension_raise(bat_tension *t, int span);
+enum { BAT_TENSION_ROUNDS = 100 };
+
+#endif
