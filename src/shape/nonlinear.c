@@ -22,7 +22,9 @@ batten_nonlinear_options batten_nonlinear_defaults(void)
 static const bat_span_family *const families[] = {
     [BATTEN_FAMILY_LOCAL_CUBIC] = &bat_family_local_cubic,
     [BATTEN_FAMILY_LOCAL_TENSION] = &bat_family_local_tension,
+    [BATTEN_FAMILY_GEOMETRIC] = &bat_family_geometric,
     [BATTEN_FAMILY_EULER_SPIRAL] = &bat_family_euler_spiral,
+    [BATTEN_FAMILY_ELASTICA] = &bat_family_elastica,
     [BATTEN_FAMILY_HOBBY] = &bat_family_hobby,
 };
 
