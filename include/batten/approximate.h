@@ -22,6 +22,7 @@ typedef struct batten_fit_report {
     double lambda;    /**< the weight of the penalty; 0 without one */
     double freedom;   /**< how many of the data the curve follows: the trace of the matrix that
                            turns data into values of the curve */
+    double p;         /**< 1 / (1 + lambda): p of the squares and 1 - p of the penalty */
     int rounds;       /**< of parameter correction, or of reweighting */
     bool regularised; /**< the data do not determine the curve, and a penalty did */
     double sum;       /**< of squares of the distances, times weights */
@@ -76,6 +77,64 @@ BATTEN_API batten_least_squares_options batten_least_squares_defaults(void);
 BATTEN_API batten_status batten_curve_least_squares(
     int dimension, int count, const double *points, const batten_least_squares_options *options,
     double *parameters, batten_fit_report *report, batten_curve **out);
+
+/** What decides how smooth a curve becomes. */
+typedef enum batten_smooth_by {
+    BATTEN_SMOOTH_BY_VALIDATION, /**< generalised cross validation: each datum is foretold by
+                                    the others as well as can be; assumes independent errors */
+    BATTEN_SMOOTH_BY_LAMBDA,     /**< the penalty weighs `amount` >= 0, infinity allowed */
+    BATTEN_SMOOTH_BY_RMS         /**< the smoothest curve whose rms distance (weights counted)
+                                      is at most `amount`, model units */
+} batten_smooth_by;
+
+typedef struct batten_smooth_options {
+    size_t size;
+    batten_smooth_by by; /**< BATTEN_SMOOTH_BY_VALIDATION */
+    double amount;
+    int order;  /**< m, 1..4: of the derivative, of the differences, that is penalised; 2 */
+    int spans;  /**< of a P-spline; 40 */
+    int degree; /**< of a P-spline; 3 */
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count], never decreasing; periodic [count + 1] */
+    const double *weights;             /**< [count], or NULL */
+    bool periodic;
+} batten_smooth_options;
+
+BATTEN_API batten_smooth_options batten_smooth_defaults(void);
+
+/**
+ * The smoothing spline: least sum of w |s(t) - q|^2 plus lambda times the integral of
+ * |s^(m)|^2.
+ *
+ * Of all curves the best is a natural spline of degree 2 m - 1 with a knot at every parameter;
+ * m = 2 is the batten pulled towards its ducks by springs. lambda = 0 gives the interpolating
+ * natural spline (through the means of data with one parameter), infinity the polynomial of
+ * degree m - 1 by least squares (a point when periodic). `spans` and `degree` are not used.
+ *
+ * @param[out] parameters [count]; may be NULL
+ * @param[out] report lambda, p, freedom and what the fit reached; may be NULL
+ * @return as batten_curve_least_squares
+ * Cost: linear in count for each lambda that is tried; a given one is one, others some 30.
+ * Source: [Reinsch67] for the target, [CW79] for validation, [HdH85] for its trace.
+ */
+BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const double *points,
+                                             const batten_smooth_options *options,
+                                             double *parameters, batten_fit_report *report,
+                                             batten_curve **out);
+
+/**
+ * The P-spline: on `spans` equal spans, least sum of w |s(t) - q|^2 plus lambda times the
+ * squares of the differences of order m of the control points.
+ *
+ * Nearly the smoothing spline for a fraction of its knots, whatever the number of data; lambda
+ * = infinity gives the polynomial of degree m - 1. lambda = 0 needs data in all spans. The
+ * result is clamped, or periodic. Parameters and errors as for batten_curve_smooth. Source:
+ * [EM96].
+ */
+BATTEN_API batten_status batten_curve_p_spline(int dimension, int count, const double *points,
+                                               const batten_smooth_options *options,
+                                               double *parameters, batten_fit_report *report,
+                                               batten_curve **out);
 
 #ifdef __cplusplus
 }

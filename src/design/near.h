@@ -38,4 +38,21 @@ static inline batten_status bat_check_closed(const bat_run *run, const bat_data 
                : BATTEN_OK;
 }
 
+/* What is common to smoothing: 'rms' or 'lambda' or neither; parameters, 'closed'. */
+static inline batten_status bat_smooth_options(const bat_run *run, const bat_data *data,
+                                               batten_smooth_options *options)
+{
+    if (bat_has(run, "rms") && bat_has(run, "lambda"))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "give either 'rms' or 'lambda', not both");
+    options->by = bat_has(run, "rms")      ? BATTEN_SMOOTH_BY_RMS
+                  : bat_has(run, "lambda") ? BATTEN_SMOOTH_BY_LAMBDA
+                                           : BATTEN_SMOOTH_BY_VALIDATION;
+    if (options->by != BATTEN_SMOOTH_BY_VALIDATION)
+        options->amount = bat_number(run, bat_has(run, "rms") ? "rms" : "lambda");
+    options->parameters = bat_parametrization_of(run, data);
+    options->given = data->abscissae;
+    options->periodic = bat_yes(run, "closed");
+    return bat_check_closed(run, data);
+}
+
 #endif

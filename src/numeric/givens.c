@@ -262,8 +262,7 @@ static void inverse_row(const bat_givens *qr, const bat_inverse_band *v, int i)
     const double *r = qr->band + (size_t)i * stride_of(qr);
     double *out = v->band + (size_t)i * (size_t)(w + v->border);
     for (int j = qr->count - 1; j >= i; j--) {
-        if (j < n && j > last)
-            continue;
+        j = j < n ? bat_min_int(j, last) : j;
         double sum = j == i ? 1 / r[0] : 0;
         for (int k = i + 1; k <= last; k++)
             sum -= r[k - i] * element(v, k, j);
