@@ -35,11 +35,11 @@ typedef struct batten_nonlinear_options {
     batten_span_family family;       /**< BATTEN_FAMILY_EULER_SPIRAL */
     batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
     double start_value, end_value;   /**< of TANGENT and CURVATURE */
-    bool closed; /**< the curve closes smoothly; the first point is not repeated */
-    const double
-        *tensions; /**< LOCAL_TENSION: sigma l of each span [count - 1, closed: count];
-                        NULL: as much as it takes that no span has an excess inflection */
-    int max_steps; /**< of Newton; 50 */
+    bool closed;            /**< the curve closes smoothly; the first point is not repeated */
+    const double *tensions; /**< LOCAL_TENSION: sigma l of each span [count - 1, closed: count];
+                                 NULL: as much as it takes that no span has an excess
+                               inflection, or as much as there can be: see inflections_added */
+    int max_steps;          /**< of Newton; 50 */
 } batten_nonlinear_options;
 BATTEN_API batten_nonlinear_options batten_nonlinear_defaults(void);
 
@@ -48,6 +48,8 @@ typedef struct batten_nonlinear_report {
     double residual;       /**< largest jump of curvature at a point */
     double curvature;      /**< the largest */
     int inflections_added; /**< spans bent to both sides where the points ask for one */
+    double turn;           /**< the largest that the polygon makes at a point, radians */
+    int turn_at; /**< there; beyond 120 degrees curves bulge, and some families fail */
 } batten_nonlinear_report;
 
 /**

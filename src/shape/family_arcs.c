@@ -38,7 +38,7 @@ static batten_status spans(double alpha, double beta, double l, double tension,
 
 /* Up to here no arc turns by more than 300 degrees, which is far beyond any batten. */
 const bat_span_family bat_family_arcs = {
-    .name = "circular arc",
+    .name = "a circular arc",
     .limit = 5 * BAT_PI / 6,
     .remedy = "an Euler spiral",
     .curvatures = curvatures,

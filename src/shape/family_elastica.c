@@ -245,5 +245,5 @@ static batten_status spans(double alpha, double beta, double l, double tension,
 
 /* No beam leaves its chord at more than 124 degrees, which it does where it reaches the end
  * along the chord; at other angles it slips into loops earlier. */
-const bat_span_family bat_family_elastica = {"elastica", 2.17, "an Euler spiral", curvatures,
+const bat_span_family bat_family_elastica = {"an elastica", 2.17, "an Euler spiral", curvatures,
                                              spans};

@@ -109,5 +109,5 @@ static batten_status spans(double alpha, double beta, double l, double tension,
 }
 
 /* A function of the abscissa stays below a right angle; at 89 degrees it is still bent well. */
-const bat_span_family bat_family_geometric = {"geometric", 1.5533430342749532,
+const bat_span_family bat_family_geometric = {"a geometric spline", 1.5533430342749532,
                                               "an Euler spiral", curvatures, spans};

@@ -24,6 +24,7 @@ static const bat_span_family *const families[] = {
     [BATTEN_FAMILY_LOCAL_TENSION] = &bat_family_local_tension,
     [BATTEN_FAMILY_GEOMETRIC] = &bat_family_geometric,
     [BATTEN_FAMILY_EULER_SPIRAL] = &bat_family_euler_spiral,
+    [BATTEN_FAMILY_ARCS] = &bat_family_arcs,
     [BATTEN_FAMILY_ELASTICA] = &bat_family_elastica,
     [BATTEN_FAMILY_HOBBY] = &bat_family_hobby,
 };
@@ -325,19 +326,51 @@ static bool tighten(polygon *p)
     return changed;
 }
 
+/* Rounds of more tension, each from the tangents of the one before. Where the spans cannot be
+ * joined in so much tension, the last round that could be stands. */
+static batten_status choose_tension(polygon *p, int max_steps, double *kept,
+                                    batten_nonlinear_report *report)
+{
+    enum { ROUNDS = 100 };
+    const size_t bytes = (size_t)p->task.spans * sizeof *kept;
+    for (int round = 0; round < ROUNDS; round++) {
+        batten_nonlinear_report next = {0};
+        memcpy(kept, p->task.tension, bytes);
+        if (!tighten(p))
+            break;
+        const batten_status status = bat_two_angle_solve(&p->task, max_steps, p->angles, &next);
+        if (status != BATTEN_OK) {
+            memcpy(p->task.tension, kept, bytes);
+            return status == BATTEN_OUT_OF_MEMORY ? status : BATTEN_OK;
+        }
+        next.steps += report->steps;
+        *report = next;
+    }
+    return BATTEN_OK;
+}
+
 static batten_status solve(polygon *p, const batten_nonlinear_options *options,
                            batten_nonlinear_report *report)
 {
-    enum { ROUNDS = 100 };
-    const bool chosen = options->family == BATTEN_FAMILY_LOCAL_TENSION && !options->tensions;
     batten_status status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
-    for (int round = 0; chosen && status == BATTEN_OK && round < ROUNDS && tighten(p);
-         round++) {
-        const int before = report->steps;
-        status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
-        report->steps += before;
-    }
+    if (status != BATTEN_OK || options->tensions ||
+        options->family != BATTEN_FAMILY_LOCAL_TENSION)
+        return status;
+    double *kept = bat_array((size_t)p->task.spans, sizeof *kept);
+    if (!kept)
+        return BATTEN_OUT_OF_MEMORY;
+    status = choose_tension(p, options->max_steps, kept, report);
+    bat_release(kept);
     return status;
+}
+
+static void find_sharpest(const polygon *p, batten_nonlinear_report *report)
+{
+    for (int i = 0; i < p->task.count; i++)
+        if (fabs(p->task.turn[i]) > report->turn) {
+            report->turn = fabs(p->task.turn[i]);
+            report->turn_at = i;
+        }
 }
 
 /* Directions at the points, each within half a turn of the one before. */
@@ -394,6 +427,7 @@ batten_status batten_chain_nonlinear(int count, const double *points,
         reached.residual /= p.unit;
         reached.curvature /= p.unit;
         reached.inflections_added = count_added(&p);
+        find_sharpest(&p, &reached);
         *report = reached;
     }
     polygon_free(&p);

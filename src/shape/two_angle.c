@@ -46,6 +46,18 @@ static double circle_tangent(const bat_two_angle *task, int i)
     return atan2(-sin(turn) * after, cos(turn) * after + before);
 }
 
+/* The angle at an end from the one at the other side of its span, as if both were small: then
+ * the curvature is -(4 near + 2 far) / l at the start and the negative of that at the end. */
+static double end_angle(batten_nonlinear_end kind, double value, double l, double far,
+                        double sign)
+{
+    if (kind == BATTEN_NONLINEAR_TANGENT)
+        return value;
+    if (kind == BATTEN_NONLINEAR_CIRCULAR)
+        return -far;
+    return -far / 2 - (kind == BATTEN_NONLINEAR_CURVATURE ? sign * value * l / 4 : 0);
+}
+
 batten_status bat_two_angle_start(const bat_two_angle *task, double *angles)
 {
     const int n = task->count;
@@ -63,13 +75,10 @@ batten_status bat_two_angle_start(const bat_two_angle *task, double *angles)
     }
     if (!open)
         return BATTEN_OK;
-    /* The circles go on to the ends. */
-    angles[0] = n > 2 ? -(angles[1] + task->turn[1]) : 0;
-    angles[n - 1] = n > 2 ? -angles[n - 2] : 0;
-    if (task->start == BATTEN_NONLINEAR_TANGENT)
-        angles[0] = task->start_value;
-    if (task->end == BATTEN_NONLINEAR_TANGENT)
-        angles[n - 1] = task->end_value;
+    const double first = n > 2 ? angles[1] + task->turn[1] : 0;
+    const double last = n > 2 ? angles[n - 2] : 0;
+    angles[0] = end_angle(task->start, task->start_value, task->length[0], first, 1);
+    angles[n - 1] = end_angle(task->end, task->end_value, task->length[n - 2], last, -1);
     for (int j = 0; j < task->spans; j += bat_max_int(1, task->spans - 1)) {
         double alpha, beta;
         bat_two_angle_span(task, angles, j, &alpha, &beta);
@@ -240,7 +249,7 @@ static bool settled(const iterate *it)
 static batten_status advance(const bat_two_angle *task, const double *step, iterate *now,
                              iterate *next, bool *better)
 {
-    enum { HALVINGS = 30 };
+    enum { HALVINGS = 20 };
     double part = longest(task, now->angles, step);
     *better = false;
     for (int k = 0; k < HALVINGS; k++, part /= 2) {
@@ -251,7 +260,8 @@ static batten_status advance(const bat_two_angle *task, const double *step, iter
             return status;
         if (status == BATTEN_OK &&
             (settled(next) || next->norm <= (1 - 1e-4 * part) * now->norm)) {
-            *better = true;
+            /* So small a part is a crawl towards a limit that the family does not cross. */
+            *better = settled(next) || part > 1e-6;
             swap(now, next);
             return BATTEN_OK;
         }
@@ -259,9 +269,9 @@ static batten_status advance(const bat_two_angle *task, const double *step, iter
     return BATTEN_OK;
 }
 
-/* No step helps: say where, and what would. */
+/* No step helps, or too many do: say where, and what would. */
 static batten_status fail_here(const bat_two_angle *task, const iterate *it,
-                               const iterate *tried)
+                               const iterate *tried, int steps)
 {
     int widest = 0, worst = 0;
     double most = 0;
@@ -278,12 +288,16 @@ static batten_status fail_here(const bat_two_angle *task, const iterate *it,
             worst = i;
     if (most > 0.9 * task->family->limit)
         return fail_span(task, it->angles, widest);
+    if (steps > 0)
+        return bat_fail(BATTEN_INCOMPLETE,
+                        "after %d steps curvature still jumps by %g of the largest at point %d",
+                        steps, it->worst / it->curvature, worst);
     if (tried->failed >= 0)
         return fail_span(task, tried->angles, tried->failed);
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                    "curvature jumps by %g at point %d, between spans that %s cannot join: use "
-                    "%s, or put a point between",
-                    it->jumps[worst], worst, task->family->name, task->family->remedy);
+                    "curvature jumps by %g of the largest at point %d, between spans that %s "
+                    "cannot join: use %s, or put a point between",
+                    it->worst / it->curvature, worst, task->family->name, task->family->remedy);
 }
 
 static batten_status iterate_to_end(const bat_two_angle *task, int max_steps, double *matrix,
@@ -296,9 +310,7 @@ static batten_status iterate_to_end(const bat_two_angle *task, int max_steps, do
     bool better = true;
     for (*steps = 0; status == BATTEN_OK && better && !settled(now); ++*steps) {
         if (*steps == max_steps)
-            return bat_fail(BATTEN_INCOMPLETE,
-                            "after %d steps curvature still jumps by %g, %g of the largest",
-                            max_steps, now->worst, now->worst / now->curvature);
+            return fail_here(task, now, next, max_steps);
         status = find_step(task, now, matrix, step);
         if (status == BATTEN_SINGULAR_SYSTEM)
             return bat_fail(status, "the tangents are not determined (%s)", batten_message());
@@ -306,7 +318,7 @@ static batten_status iterate_to_end(const bat_two_angle *task, int max_steps, do
             status = advance(task, step, now, next, &better);
     }
     if (status == BATTEN_OK && !better)
-        status = fail_here(task, now, next);
+        status = fail_here(task, now, next, 0);
     return status;
 }
 

@@ -14,7 +14,8 @@ typedef struct {
 static const kind kinds[] = {
     {BATTEN_FAMILY_LOCAL_CUBIC, false, false}, {BATTEN_FAMILY_LOCAL_TENSION, false, false},
     {BATTEN_FAMILY_GEOMETRIC, true, false},    {BATTEN_FAMILY_EULER_SPIRAL, true, false},
-    {BATTEN_FAMILY_ELASTICA, false, false},    {BATTEN_FAMILY_HOBBY, false, true},
+    {BATTEN_FAMILY_ARCS, true, false},         {BATTEN_FAMILY_ELASTICA, false, false},
+    {BATTEN_FAMILY_HOBBY, false, true},
 };
 
 static batten_chain *through(batten_span_family family, int count, const double *points,

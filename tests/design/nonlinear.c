@@ -1,0 +1,96 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <batten/notes.h>
+#include <string.h>
+
+/* A feature `a` evaluated after `before`. */
+static batten_status evaluate(const char *before, const char *feature, batten_design **out,
+                              batten_notes *notes)
+{
+    char text[2000];
+    snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", before, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, notes);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+static const char ducks[] =
+    "  p: {points: [[0, 0, 2], [1, 0.5, 2], [2, 0.6, 2], [3, 0.3, 2], [4, 0, 2]]}\n"
+    "  ring: {points: [[2, 2, 0], [2, 1.4, 1.5], [2, 0, 2.1], [2, -1.4, 1.4], [2, -1, -1]]}\n"
+    "  q: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2]]}\n";
+
+TEST(features_of_nonlinear_splines_leave_chains_through_their_points)
+{
+    static const char *const operations[] = {
+        "euler-spiral",  "elastica", "geometric-spline", "local-cubic",
+        "local-tension", "hobby",    "arc-spline",
+    };
+    static const char *const rest[] = {
+        "p", "ring, closed: yes",
+        "p, start: tangent, start-angle: 40 deg, end: curvature, end-curvature: -0.1"};
+    for (int i = 0; i < COUNT(operations) * COUNT(rest); i++) {
+        char feature[200];
+        batten_design *design = NULL;
+        snprintf(feature, sizeof feature, "{%s: %s}", operations[i / COUNT(rest)],
+                 rest[i % COUNT(rest)]);
+        CHECK_OK(evaluate(ducks, feature, &design, NULL));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        const batten_object *object = batten_model_object(model, 0);
+        CHECK(object->chain != NULL);
+        CHECK_INT(object->point_count, 5);
+        for (int k = 0; k < 5; k++) {
+            double at[3], on_curve[3];
+            CHECK_OK(batten_chain_evaluate(object->chain, object->parameters[k], 0, at));
+            CHECK_OK(batten_curve_evaluate(object->curve, object->parameters[k], 0, on_curve));
+            for (int c = 0; c < 3; c++) {
+                CHECK_NEAR(at[c], object->points[3 * k + c], 1e-11);
+                CHECK_NEAR(on_curve[c], at[c], 1e-11);
+            }
+        }
+        batten_design_free(design);
+    }
+}
+
+TEST(a_given_tension_pulls_every_span_to_its_chord)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate(ducks, "{local-tension: p, tension: 1000}", &design, NULL));
+    const batten_object *object =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
+    const batten_span *span = batten_chain_span(object->chain, 1);
+    CHECK_NEAR(span->tension * span->length, 1000, 1e-9);
+    batten_design_free(design);
+}
+
+TEST(nonlinear_splines_stay_in_a_plane_and_name_what_they_cannot)
+{
+    batten_design *design = NULL;
+    CHECK_STATUS(evaluate(ducks, "{euler-spiral: q}", &design, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("must lie in a plane");
+    const char *back = "  p: {points: [[0, 0], [2, 0], [1, 0], [1, 3]]}\n";
+    CHECK_STATUS(evaluate(back, "{euler-spiral: p}", &design, NULL), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("turns back on itself at point 1");
+    const char *sharp = "  p: {points: [[0, 0], [2, 0], [0.5, 0.5], [2, 3]]}\n";
+    CHECK_STATUS(evaluate(sharp, "{local-cubic: p}", &design, NULL), BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("use an Euler spiral");
+}
+
+TEST(sharp_turns_are_noted)
+{
+    const char *sharp = "  p: {points: [[0, 0], [2, 0], [0.5, 0.5], [2, 3]]}\n";
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(4, &notes));
+    batten_design *design = NULL;
+    CHECK_OK(evaluate(sharp, "{euler-spiral: p}", &design, notes));
+    batten_design_free(design);
+    CHECK(batten_notes_count(notes) > 0);
+    CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "turns by 162 degrees at point 1");
+    batten_notes_free(notes);
+}
