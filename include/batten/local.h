@@ -110,6 +110,68 @@ BATTEN_API batten_status batten_second_derivatives(int dimension, int count,
                                                    const double *tangents, bool closed,
                                                    double *second);
 
+/* ---- slopes of functions ---- */
+
+/** From which neighbours a slope comes. d: slopes of the chords. */
+typedef enum batten_slope_rule {
+    BATTEN_SLOPE_BESSEL, /**< of the parabola through a point and its two neighbours; at an end
+                              of the first three. Exact for parabolas */
+    BATTEN_SLOPE_AKIMA, /**< d before and after, weighted by how little the slopes change beyond
+                             them; two more d's at each end in equal differences. Straight runs
+                             of three points stay straight */
+    BATTEN_SLOPE_FRITSCH_CARLSON, /**< Bessel's, shortened where the cubic would not be monotone
+                                       between two points; 0 at extrema of the data */
+    BATTEN_SLOPE_FRITSCH_BUTLAND, /**< weighted harmonic mean of d before and after; 0 at
+                                     extrema of the data: monotone, and less round */
+    BATTEN_SLOPE_STEFFEN          /**< Bessel's, no steeper than twice the flatter chord: no
+                                       extrema but at points */
+} batten_slope_rule;
+
+/**
+ * Slopes for a function through (x, y); with batten_curve_from_tangents they make its cubic.
+ *
+ * The ends of FRITSCH_CARLSON and FRITSCH_BUTLAND have the slope of the parabola through three
+ * points, 0 where that has the wrong sign, and no steeper than 3 d where the data turn.
+ * FRITSCH_CARLSON shortens both slopes of a span by one factor, and a point takes the smaller
+ * one of its two spans: the authors go from left to right, and the result of that depends on
+ * the direction.
+ *
+ * @param x [count] increasing, 2 or more
+ * @param[out] slopes [count]
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW
+ * Cost: linear in count. Source: [Akima70], [FC80], [FB84], [Steffen90].
+ */
+BATTEN_API batten_status batten_slopes(int count, const double *x, const double *y,
+                                       batten_slope_rule rule, double *slopes);
+
+/**
+ * The quadratic spline function through points with at most one more knot in each span:
+ * monotone where the data are, and convex or concave where they are. C1.
+ *
+ * Slopes are means of those of the chords, weighted with their lengths; 0 at extrema of the
+ * data, and that of the line where three points are in line. Where a straight run ends in an
+ * extremum of the data, or in another straight run, no smooth function is both convex and
+ * monotone: then a span beside it bends twice.
+ *
+ * @param[out] slopes [count], may be NULL @param[out] out dimension 1, parameter x
+ * @return as batten_slopes. Cost: linear in count. Source: [Schumaker83].
+ */
+BATTEN_API batten_status batten_curve_schumaker(int count, const double *x, const double *y,
+                                                double *slopes, batten_curve **out);
+
+/**
+ * The rational quadratic function of Gregory and Delbourgo through points: monotone where the
+ * data are, for any slopes of the same sign as the chords, and smoother than a monotone cubic.
+ *
+ * @param slopes [count]; NULL: those of BATTEN_SLOPE_FRITSCH_BUTLAND
+ * @param[out] out its exact graph, dimension 2, a rational cubic whose parameter is x
+ * @return as batten_slopes; BAD_ARGUMENT naming the span whose slopes have not the sign of its
+ * chord. Cost: linear in count. Source: [GD82].
+ */
+BATTEN_API batten_status batten_curve_rational_monotone(int count, const double *x,
+                                                        const double *y, const double *slopes,
+                                                        batten_curve **out);
+
 /* ---- tangents and curvatures both given ---- */
 
 typedef struct batten_curvature_report {

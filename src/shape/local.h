@@ -21,4 +21,20 @@ batten_status bat_local_check(int dimension, int count, const double *points,
 batten_status bat_local_check_rows(int dimension, int count, const double *rows,
                                    const char *what);
 
+/* ---- functions ---- */
+
+/* The chords of a function: their widths and slopes, [count - 1] each; release both. On failure
+ * nothing is kept. */
+typedef struct {
+    int count; /* points */
+    const double *x, *y;
+    double *h, *d;
+} bat_chords;
+batten_status bat_chords_make(int count, const double *x, const double *y, bat_chords *out);
+void bat_chords_free(bat_chords *chords);
+/* What rounding of the data makes of the slope of chord i. */
+double bat_chord_rounding(const bat_chords *chords, int i);
+/* Slopes [count] by a rule. */
+void bat_slopes(const bat_chords *chords, batten_slope_rule rule, double *slopes);
+
 #endif
