@@ -22,8 +22,8 @@ typedef struct command {
     int (*run)(const arguments *given);
 } command;
 
-extern const command command_build, command_check, command_convert, command_draw, command_eval,
-    command_fair, command_fit, command_help, command_info;
+extern const command command_build, command_check, command_compare, command_convert,
+    command_draw, command_eval, command_fair, command_fit, command_help, command_info;
 
 int command_count(void);
 const command *command_at(int index);

@@ -66,6 +66,27 @@ BATTEN_API batten_status batten_draw(const batten_model *model,
                                      const batten_picture_options *options, char **data,
                                      size_t *size);
 
+/** One of several drawings side by side. */
+typedef struct batten_panel {
+    const char *title;         /**< above it */
+    const batten_model *model; /**< what it shows */
+    int line_count;
+    const char *const *lines; /**< [line_count] texts below it */
+} batten_panel;
+
+/**
+ * Draw models side by side, all from the same side, at the same scale and with the same scale
+ * of their combs: so that curves through the same points can be compared. The range is that of
+ * the first panel's data points and what all models show around them, up to half their extent
+ * farther; what lies beyond is cut off.
+ *
+ * @param count panels, 1..64; rows and columns follow the shape of the sheet
+ * @return as batten_draw
+ */
+BATTEN_API batten_status batten_draw_panels(int count, const batten_panel *panels,
+                                            const batten_picture_options *options, char **data,
+                                            size_t *size);
+
 typedef struct batten_lines_plan_options {
     size_t size;
     double stations;          /**< spacing; 0: eleven over the length */

@@ -1,33 +1,7 @@
-#include "picture/sheet.h"
-#include "picture/stroke.h"
-#include "picture/view.h"
-#include <batten/inspect.h>
+#include "picture/drawing.h"
 
 #include <stdio.h>
 #include <string.h>
-
-/* One object of the model, made ready. */
-typedef struct {
-    const batten_object *object;
-    bat_colour colour;
-    bat_strokes lines; /* of a surface: the lines at fixed u, then those at fixed v */
-    int tooth_count;
-    batten_tooth *teeth; /* at scale 1 */
-    double sharpest;     /* largest |curvature| */
-} shape;
-
-typedef struct {
-    const batten_model *model;
-    const batten_picture_options *options;
-    int shape_count;
-    shape *shapes;
-    batten_view kind;
-    bat_view view;
-    double comb_scale;
-    double low[2], high[2]; /* what the picture shows, in its plane */
-    bat_plot plot;
-    double *xy; /* room for the longest line */
-} drawing;
 
 /* So many objects are told apart by colour; more are named where they end. */
 enum { COLOURED = 8 };
@@ -38,11 +12,11 @@ static const bat_colour palette[COLOURED] = {
 
 /* ---- gathering ---- */
 
-static batten_status gather_comb(shape *s)
+static batten_status gather_comb(bat_shape *s)
 {
     const batten_curve *curve = s->object->curve;
     const int spans = batten_curve_spans(curve, NULL) - 1;
-    const int per_span = bat_max_int(4, bat_min_int(40, 160 / bat_max_int(spans, 1)));
+    const int per_span = bat_max_int(4, 160 / bat_max_int(spans, 1));
     const int count = spans * per_span + 1;
     batten_tooth *teeth = bat_array((size_t)count, sizeof *teeth);
     if (!teeth)
@@ -60,7 +34,7 @@ static batten_status gather_comb(shape *s)
     return BATTEN_OK;
 }
 
-static batten_status gather_curve(const drawing *d, shape *s)
+static batten_status gather_curve(const bat_drawing *d, bat_shape *s)
 {
     bat_stroke stroke = {0, NULL};
     batten_status status = bat_stroke_curve(s->object->curve, &stroke);
@@ -71,7 +45,8 @@ static batten_status gather_curve(const drawing *d, shape *s)
     return status;
 }
 
-static batten_status gather_isolines(const drawing *d, shape *s, batten_direction direction)
+static batten_status gather_isolines(const bat_drawing *d, bat_shape *s,
+                                     batten_direction direction)
 {
     const batten_interval domain = batten_surface_domain(s->object->surface, direction);
     const int count = d->options->isolines;
@@ -86,7 +61,7 @@ static batten_status gather_isolines(const drawing *d, shape *s, batten_directio
     return status;
 }
 
-static batten_status gather_stations(shape *s)
+static batten_status gather_stations(bat_shape *s)
 {
     const batten_offsets *table = s->object->offsets;
     batten_status status = BATTEN_OK;
@@ -105,7 +80,7 @@ static batten_status gather_stations(shape *s)
     return status;
 }
 
-static batten_status gather_shape(const drawing *d, shape *s)
+static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
 {
     switch (s->object->kind) {
     case BATTEN_OBJECT_CURVE:
@@ -129,7 +104,7 @@ static bat_colour colour_of(const batten_object *object, int index, int count)
     return palette[count <= COLOURED ? index : 0];
 }
 
-static batten_status gather(drawing *d)
+static batten_status gather(bat_drawing *d)
 {
     d->shape_count = batten_model_count(d->model);
     if (d->shape_count == 0)
@@ -152,13 +127,13 @@ static batten_status gather(drawing *d)
 
 typedef void visit_point(void *user, const double point[3]);
 
-static bool shows_polygon(const drawing *d, const batten_object *object)
+static bool shows_polygon(const bat_drawing *d, const batten_object *object)
 {
     return object->kind == BATTEN_OBJECT_CURVE && d->options->control_polygon &&
            batten_curve_dimension(object->curve) > 1;
 }
 
-static bool shows_points(const drawing *d, const batten_object *object)
+static bool shows_points(const bat_drawing *d, const batten_object *object)
 {
     return object->point_count > 0 &&
            (object->kind == BATTEN_OBJECT_POINTS || d->options->data_points);
@@ -178,7 +153,8 @@ static void comb_tip(const batten_tooth *tooth, double scale, double tip[3])
     tip[2] = tooth->foot.z + scale * (tooth->tip.z - tooth->foot.z);
 }
 
-static void visit_shape(const drawing *d, const shape *s, visit_point *visit, void *user)
+static void visit_shape(const bat_drawing *d, const bat_shape *s, visit_point *visit,
+                        void *user)
 {
     double point[3];
     for (size_t i = 0; i < s->lines.count; i++)
@@ -198,7 +174,7 @@ static void visit_shape(const drawing *d, const shape *s, visit_point *visit, vo
     }
 }
 
-static void visit_all(const drawing *d, visit_point *visit, void *user)
+static void visit_all(const bat_drawing *d, visit_point *visit, void *user)
 {
     for (int i = 0; i < d->shape_count; i++)
         visit_shape(d, &d->shapes[i], visit, user);
@@ -252,7 +228,7 @@ static batten_view detect_view(const extent *e)
     return range[0] <= flat ? BATTEN_VIEW_FRONT : BATTEN_VIEW_AXONOMETRIC;
 }
 
-static double largest_range(const drawing *d)
+static double largest_range(const bat_drawing *d)
 {
     seen s = {&d->view, nothing};
     visit_all(d, extend_seen, &s);
@@ -260,7 +236,7 @@ static double largest_range(const drawing *d)
 }
 
 /* The longest tooth of all combs becomes a tenth of the picture. */
-static double choose_comb_scale(const drawing *d)
+static double choose_comb_scale(const bat_drawing *d)
 {
     double sharpest = 0;
     for (int i = 0; i < d->shape_count; i++)
@@ -273,7 +249,7 @@ static double choose_comb_scale(const drawing *d)
     return sharpest * range > 1e-9 ? 0.1 * range / sharpest : 0;
 }
 
-static batten_status choose_view(drawing *d)
+static batten_status choose_view(bat_drawing *d)
 {
     extent e = nothing;
     visit_all(d, extend, &e);
@@ -284,7 +260,11 @@ static batten_status choose_view(drawing *d)
     d->kind = d->options->view == BATTEN_VIEW_AUTO ? detect_view(&e) : d->options->view;
     d->view = bat_view_make(d->kind, d->options->azimuth, d->options->elevation);
     d->comb_scale = choose_comb_scale(d);
+    return bat_drawing_find_range(d);
+}
 
+batten_status bat_drawing_find_range(bat_drawing *d)
+{
     seen s = {&d->view, nothing};
     visit_all(d, extend_seen, &s);
     const double margin = 0.03 * largest_range(d);
@@ -298,11 +278,11 @@ static batten_status choose_view(drawing *d)
     return BATTEN_OK;
 }
 
-static batten_status make_room(drawing *d)
+static batten_status make_room(bat_drawing *d)
 {
     size_t longest = 2;
     for (int i = 0; i < d->shape_count; i++) {
-        const shape *s = &d->shapes[i];
+        const bat_shape *s = &d->shapes[i];
         for (size_t k = 0; k < s->lines.count; k++)
             if (s->lines.strokes[k].count > longest)
                 longest = s->lines.strokes[k].count;
@@ -318,7 +298,7 @@ static batten_status make_room(drawing *d)
 
 /* ---- drawing ---- */
 
-static void to_sheet(const drawing *d, const double point[3], double xy[2])
+static void to_sheet(const bat_drawing *d, const double point[3], double xy[2])
 {
     double projected[3];
     bat_view_project(&d->view, point, projected);
@@ -326,7 +306,7 @@ static void to_sheet(const drawing *d, const double point[3], double xy[2])
     xy[1] = bat_plot_y(&d->plot, projected[1]);
 }
 
-static void draw_stroke(bat_canvas *canvas, const drawing *d, bat_pen pen,
+static void draw_stroke(bat_canvas *canvas, const bat_drawing *d, bat_pen pen,
                         const bat_stroke *stroke)
 {
     for (size_t i = 0; i < stroke->count; i++)
@@ -341,7 +321,7 @@ static bat_colour lighter(bat_colour colour, double by)
                         colour.blue + by * (1 - colour.blue)};
 }
 
-static void draw_comb(bat_canvas *canvas, const drawing *d, const shape *s)
+static void draw_comb(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
     if (d->comb_scale <= 0 || s->tooth_count == 0)
         return;
@@ -358,7 +338,7 @@ static void draw_comb(bat_canvas *canvas, const drawing *d, const shape *s)
                     (size_t)s->tooth_count, d->xy);
 }
 
-static void draw_polygon(bat_canvas *canvas, const drawing *d, const shape *s)
+static void draw_polygon(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
     const int count = batten_curve_point_count(s->object->curve);
     for (int i = 0; i < count; i++) {
@@ -371,13 +351,13 @@ static void draw_polygon(bat_canvas *canvas, const drawing *d, const shape *s)
         bat_canvas_disc(canvas, bat_grey, d->xy[2 * i], d->xy[2 * i + 1], 0.2 * canvas->em);
 }
 
-static bat_pen point_pen(const shape *s)
+static bat_pen point_pen(const bat_shape *s)
 {
     return (bat_pen){s->object->kind == BATTEN_OBJECT_POINTS ? s->colour : bat_ink, 1,
                      BAT_SOLID};
 }
 
-static void draw_points(bat_canvas *canvas, const drawing *d, const shape *s)
+static void draw_points(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
     for (int i = 0; i < s->object->point_count; i++) {
         double xy[2];
@@ -387,7 +367,7 @@ static void draw_points(bat_canvas *canvas, const drawing *d, const shape *s)
 }
 
 /* The edges of a surface are drawn stronger than the lines inside. */
-static double line_width(const drawing *d, const shape *s, size_t line)
+static double line_width(const bat_drawing *d, const bat_shape *s, size_t line)
 {
     if (s->object->kind != BATTEN_OBJECT_SURFACE)
         return s->object->kind == BATTEN_OBJECT_CURVE ? 1.8 : 1;
@@ -395,14 +375,14 @@ static double line_width(const drawing *d, const shape *s, size_t line)
     return in_row == 0 || in_row == (size_t)d->options->isolines ? 1.4 : 0.6;
 }
 
-static void draw_lines(bat_canvas *canvas, const drawing *d, const shape *s)
+static void draw_lines(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
     for (size_t i = 0; i < s->lines.count; i++)
         draw_stroke(canvas, d, (bat_pen){s->colour, line_width(d, s, i), BAT_SOLID},
                     &s->lines.strokes[i]);
 }
 
-static void draw_name(bat_canvas *canvas, const drawing *d, const shape *s)
+static void draw_name(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
     if (s->lines.count == 0)
         return;
@@ -413,7 +393,7 @@ static void draw_name(bat_canvas *canvas, const drawing *d, const shape *s)
                      end[1], s->object->name);
 }
 
-static void draw_shapes(bat_canvas *canvas, const drawing *d)
+void bat_drawing_draw(bat_canvas *canvas, const bat_drawing *d)
 {
     for (int i = 0; i < d->shape_count; i++)
         draw_comb(canvas, d, &d->shapes[i]);
@@ -431,13 +411,13 @@ static void draw_shapes(bat_canvas *canvas, const drawing *d)
 
 /* ---- what stands around ---- */
 
-static const char *unit_of(const drawing *d)
+static const char *unit_of(const bat_drawing *d)
 {
     const char *unit = batten_unit_name(batten_model_unit_metres(d->model));
     return unit ? unit : "units";
 }
 
-static void add_name(const drawing *d, const shape *s, bat_legend *legend)
+static void add_name(const bat_drawing *d, const bat_shape *s, bat_legend *legend)
 {
     const bool is_points = s->object->kind == BATTEN_OBJECT_POINTS;
     const bat_sample sample = is_points ? BAT_SAMPLE_CROSS : BAT_SAMPLE_LINE;
@@ -451,11 +431,11 @@ static void add_name(const drawing *d, const shape *s, bat_legend *legend)
         bat_legend_add(legend, sample, pen, "%.64s", s->object->name);
 }
 
-static void fill_legend(const drawing *d, bat_legend *legend)
+static void fill_legend(const bat_drawing *d, bat_legend *legend)
 {
     bool polygon = false, data = false, comb = false;
     for (int i = 0; i < d->shape_count; i++) {
-        const shape *s = &d->shapes[i];
+        const bat_shape *s = &d->shapes[i];
         polygon |= shows_polygon(d, s->object);
         data |= shows_points(d, s->object) && s->object->kind == BATTEN_OBJECT_CURVE;
         comb |= s->tooth_count > 0 && d->comb_scale > 0;
@@ -477,7 +457,7 @@ static void fill_legend(const drawing *d, bat_legend *legend)
 }
 
 /* The three axes, as seen, in the lower left corner. */
-static void draw_triad(bat_canvas *canvas, const drawing *d)
+static void draw_triad(bat_canvas *canvas, const bat_drawing *d)
 {
     static const char *const names[] = {"x", "y", "z"};
     const bat_rectangle f = d->plot.frame;
@@ -492,7 +472,7 @@ static void draw_triad(bat_canvas *canvas, const drawing *d)
     }
 }
 
-static void draw_axes(bat_canvas *canvas, const drawing *d)
+static void draw_axes(bat_canvas *canvas, const bat_drawing *d)
 {
     static const char *const axes[][2] = {[BATTEN_VIEW_TOP] = {"x", "y"},
                                           [BATTEN_VIEW_FRONT] = {"y", "z"},
@@ -508,7 +488,7 @@ static void draw_axes(bat_canvas *canvas, const drawing *d)
 }
 
 /* The plot takes what title, legend and numbers leave. */
-static void place_plot(bat_canvas *canvas, drawing *d, double legend)
+static void place_plot(bat_canvas *canvas, bat_drawing *d, double legend)
 {
     const double em = canvas->em, top = *d->options->title ? 3 * em : em;
     double left = em, bottom = legend + em;
@@ -525,7 +505,7 @@ static void place_plot(bat_canvas *canvas, drawing *d, double legend)
     }
 }
 
-static batten_status draw_picture(drawing *d, char **data, size_t *size)
+static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
 {
     const batten_picture_options *o = d->options;
     bat_canvas canvas;
@@ -544,7 +524,7 @@ static batten_status draw_picture(drawing *d, char **data, size_t *size)
                     o->title);
     draw_axes(&canvas, d);
     bat_canvas_clip(&canvas, d->plot.frame);
-    draw_shapes(&canvas, d);
+    bat_drawing_draw(&canvas, d);
     bat_canvas_unclip(&canvas);
     bat_legend_draw(&canvas, &legend, 2 * em, canvas.height - height - 0.5 * em, width);
     return bat_canvas_finish(&canvas, data, size);
@@ -562,7 +542,19 @@ static batten_status check_options(const batten_picture_options *o)
     return BATTEN_OK;
 }
 
-static void drawing_free(drawing *d)
+batten_status bat_drawing_prepare(bat_drawing *d)
+{
+    batten_status status = check_options(d->options);
+    if (status == BATTEN_OK)
+        status = gather(d);
+    if (status == BATTEN_OK)
+        status = choose_view(d);
+    if (status == BATTEN_OK)
+        status = make_room(d);
+    return status;
+}
+
+void bat_drawing_free(bat_drawing *d)
 {
     for (int i = 0; d->shapes && i < d->shape_count; i++) {
         bat_strokes_free(&d->shapes[i].lines);
@@ -575,16 +567,10 @@ static void drawing_free(drawing *d)
 batten_status batten_draw(const batten_model *model, const batten_picture_options *options,
                           char **data, size_t *size)
 {
-    drawing d = {.model = model, .options = options};
-    batten_status status = check_options(options);
-    if (status == BATTEN_OK)
-        status = gather(&d);
-    if (status == BATTEN_OK)
-        status = choose_view(&d);
-    if (status == BATTEN_OK)
-        status = make_room(&d);
+    bat_drawing d = {.model = model, .options = options};
+    batten_status status = bat_drawing_prepare(&d);
     if (status == BATTEN_OK)
         status = draw_picture(&d, data, size);
-    drawing_free(&d);
+    bat_drawing_free(&d);
     return status;
 }

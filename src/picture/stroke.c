@@ -4,10 +4,10 @@ int bat_stroke_steps(const batten_curve *curve)
 {
     if (batten_curve_degree(curve) == 1 && !batten_curve_is_rational(curve))
         return 1;
-    /* 48 steps on a quarter circle leave the polyline within 1/7,000 of the radius; long
-     * splines have short spans and need fewer. */
+    /* 48 steps on a quarter circle leave the polyline within 1/7,000 of the radius, and a span
+     * may turn much more; long splines have short spans and need fewer. */
     const int spans = batten_curve_spans(curve, NULL) - 1;
-    return bat_min_int(48, bat_max_int(6, 1024 / bat_max_int(spans, 1)));
+    return bat_min_int(256, bat_max_int(6, 1024 / bat_max_int(spans, 1)));
 }
 
 batten_status bat_divide_spans(int knot_count, const double *knots, int steps, size_t *count,

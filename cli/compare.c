@@ -1,0 +1,306 @@
+#include "command.h"
+
+#include <batten/picture.h>
+#include <string.h>
+
+enum { MAX_METHODS = 64, NAME_SIZE = 96 };
+
+/* One panel: an operation, with settings as one would write them in a design. */
+typedef struct {
+    char name[NAME_SIZE];      /* "tension amount=2": as the user wrote it */
+    char operation[NAME_SIZE]; /* "tension" */
+    char settings[NAME_SIZE];  /* ", amount: 2" */
+    bool works;
+} method;
+
+typedef struct {
+    const arguments *given;
+    const batten_model *model;
+    batten_notes *notes;
+    int count;
+    method methods[MAX_METHODS];
+} comparison;
+
+static const option options[] = {
+    {"output", 'o', OPTION_VALUE, "PICTURE", "the picture to write: .png, .svg or .pdf"},
+    {"methods", 'm', OPTION_VALUE, "LIST",
+     "names with commas between them, each with settings: tension:amount=5,akima; or all"},
+    {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
+    {"json", 0, OPTION_FLAG, NULL, "print the table as JSON"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no table"},
+};
+
+/* What most designers want to see beside each other. */
+static const char usual[] = "interpolate,tension,biarcs";
+
+/* ---- the list of methods ---- */
+
+/* "tension:amount=5:ends=natural" */
+static bool read_method(const char *word, size_t length, method *out)
+{
+    char copy[NAME_SIZE];
+    *out = (method){.works = true};
+    if (length == 0 || length >= sizeof copy)
+        return false;
+    memcpy(copy, word, length);
+    copy[length] = '\0';
+    char *settings = strchr(copy, ':');
+    if (settings)
+        *settings++ = '\0';
+    memcpy(out->operation, copy, strlen(copy) + 1);
+    batten_text name = BATTEN_TEXT, values = BATTEN_TEXT;
+    batten_text_add(&name, "%s", copy);
+    for (char *at = settings; at; at = settings) {
+        char *equals = strchr(at, '=');
+        settings = strchr(at, ':');
+        if (settings)
+            *settings++ = '\0';
+        if (!equals || (settings && equals > settings))
+            equals = at + strlen(at);
+        batten_text_add(&name, " %s", at);
+        batten_text_add(&values, ", %.*s: %s", (int)(equals - at), at,
+                        *equals ? equals + 1 : "yes");
+    }
+    const bool fits =
+        !name.failed && !values.failed && name.length < NAME_SIZE && values.length < NAME_SIZE;
+    if (fits) {
+        memcpy(out->name, name.bytes, name.length + 1);
+        if (values.bytes)
+            memcpy(out->settings, values.bytes, values.length + 1);
+    }
+    batten_text_free(&name);
+    batten_text_free(&values);
+    return fits;
+}
+
+static bool add_list(comparison *c, const char *list)
+{
+    for (const char *at = list; *at;) {
+        const size_t length = strcspn(at, ",");
+        method *m = &c->methods[c->count];
+        if (c->count == MAX_METHODS || !read_method(at, length, m)) {
+            complain("batten compare: '%.60s' is no method", at);
+            return false;
+        }
+        if (!batten_feature_find(m->operation)) {
+            const char *near = batten_feature_nearest(m->operation);
+            complain(
+                "batten compare: there is no method '%s'%s%s%s; see 'batten help features'",
+                m->operation, near ? "; did you mean '" : "", near ? near : "",
+                near ? "'" : "");
+            return false;
+        }
+        c->count++;
+        at += length;
+        at += *at == ',';
+    }
+    return c->count > 0;
+}
+
+/* Does the feature need nothing but its points? */
+static bool needs_points_alone(const batten_feature *f)
+{
+    for (int k = 1; k < f->parameter_count; k++)
+        if (f->parameters[k].required)
+            return false;
+    return true;
+}
+
+static void add_all(comparison *c)
+{
+    for (int i = 0; i < batten_feature_count() && c->count < MAX_METHODS; i++) {
+        const batten_feature *f = batten_feature_at(i);
+        if (strcmp(batten_feature_group(i), "Curves through points") == 0 &&
+            needs_points_alone(f))
+            read_method(f->name, strlen(f->name), &c->methods[c->count++]);
+    }
+}
+
+/* ---- the design ---- */
+
+static void put_feature(const method *m, batten_text *text)
+{
+    batten_text_add(text, "  ");
+    batten_text_json(text, m->name);
+    batten_text_add(text, ": {%s: input%s}\n", m->operation, m->settings);
+}
+
+static void put_output(const comparison *c, const char *name, bool is_picture,
+                       batten_text *text)
+{
+    const batten_feature *feature = batten_feature_find("compare");
+    const char *separator = "";
+    batten_text_add(text, "  ");
+    batten_text_json(text, name);
+    batten_text_add(text, ": {compare: [");
+    for (int i = 0; i < c->count; i++)
+        if (c->methods[i].works) {
+            batten_text_add(text, "%s", separator);
+            batten_text_json(text, c->methods[i].name);
+            separator = ", ";
+        }
+    batten_text_add(text, "]");
+    for (int k = 1; is_picture && k < feature->parameter_count; k++) {
+        const char *value = arguments_get(c->given, feature->parameters[k].name);
+        if (value) {
+            batten_text_add(text, ", %s: ", feature->parameters[k].name);
+            batten_text_json(text, value);
+        }
+    }
+    batten_text_add(text, "}\n");
+}
+
+static batten_status compose(const comparison *c, bool with_outputs, batten_text *text)
+{
+    const char *unit = arguments_get(c->given, "unit");
+    if (!unit)
+        unit = batten_unit_name(batten_model_unit_metres(c->model));
+    batten_text_add(text,
+                    "batten: 1\nunits: %s\nfeatures:\n  input: {read: ", unit ? unit : "m");
+    batten_text_json(text, c->given->files[0]);
+    batten_text_add(text, "}\n");
+    for (int i = 0; i < c->count; i++)
+        if (c->methods[i].works)
+            put_feature(&c->methods[i], text);
+    if (with_outputs) {
+        const char *picture = arguments_get(c->given, "output");
+        batten_text_add(text, "outputs:\n");
+        put_output(c, strcmp(picture, "-") == 0 ? "picture.svg" : picture, true, text);
+        put_output(c, arguments_has(c->given, "json") ? "table.json" : "table.txt", false,
+                   text);
+    }
+    return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design")
+                        : BATTEN_OK;
+}
+
+static batten_status open_design(const comparison *c, bool with_outputs, batten_notes *notes,
+                                 batten_design **design)
+{
+    batten_text text = BATTEN_TEXT;
+    batten_design_options o = batten_design_defaults();
+    o.file_name = "compare";
+    o.allow_outside = true;
+    o.provided_file = c->given->files[0];
+    o.provided = c->model;
+    batten_status status = compose(c, with_outputs, &text);
+    if (status == BATTEN_OK)
+        status = batten_design_parse(text.bytes, text.length, &o, notes, design);
+    batten_text_free(&text);
+    return status;
+}
+
+/* ---- the work ---- */
+
+/* Try each method alone; what fails has no panel, and a line that says why. */
+static batten_status find_working(comparison *c)
+{
+    batten_design *design = NULL;
+    batten_status status = open_design(c, false, NULL, &design);
+    if (status != BATTEN_OK)
+        return status;
+    int working = 0;
+    for (int i = 0; i < c->count && status == BATTEN_OK; i++) {
+        method *m = &c->methods[i];
+        const batten_status one = batten_design_evaluate(design, m->name, job_get(), NULL);
+        m->works = one == BATTEN_OK || one == BATTEN_PARTLY_READ;
+        working += m->works;
+        if (!m->works)
+            complain("left out: %s", batten_message());
+        if (one == BATTEN_CANCELLED || one == BATTEN_OUT_OF_MEMORY)
+            status = one;
+    }
+    if (status == BATTEN_OK && working == 0)
+        status = batten_fail(BATTEN_BAD_ARGUMENT, "no method makes a curve of these points");
+    batten_design_free(design);
+    return status;
+}
+
+/* Make an output and save it; the table goes to standard output. */
+static int make_output(batten_design *design, int index, const char *path, batten_notes *notes)
+{
+    char *data = NULL;
+    size_t size = 0;
+    const batten_status status =
+        batten_design_output(design, index, job_get(), notes, &data, &size);
+    const int exit =
+        status == BATTEN_OK ? output_save(path, data, size) : output_failed("compare", status);
+    batten_release(data);
+    return exit;
+}
+
+static int compare(comparison *c)
+{
+    const char *output = arguments_get(c->given, "output");
+    batten_design *design = NULL;
+    batten_status status = find_working(c);
+    if (status == BATTEN_OK)
+        status = open_design(c, true, c->notes, &design);
+    if (status != BATTEN_OK)
+        return output_failed("compare", status);
+    int exit = make_output(design, 0, output, c->notes);
+    if (exit == EXIT_DONE && !arguments_has(c->given, "quiet") && strcmp(output, "-") != 0)
+        exit = make_output(design, 1, "-", c->notes);
+    batten_design_free(design);
+    return exit;
+}
+
+static int run_on(comparison *c)
+{
+    batten_model *model = NULL;
+    int exit = input_read(c->given->files[0], c->notes, &model);
+    if (exit != EXIT_FAILED) {
+        c->model = model;
+        const int compared = compare(c);
+        exit = compared == EXIT_DONE ? exit : compared;
+    }
+    notes_show(c->notes);
+    batten_model_unref(model);
+    return exit;
+}
+
+static int run(const arguments *given)
+{
+    const char *output = arguments_get(given, "output");
+    const char *list = arguments_get(given, "methods");
+    batten_picture_format format;
+    comparison c = {.given = given};
+    if (!output ||
+        (strcmp(output, "-") != 0 && !batten_picture_format_of_name(output, &format))) {
+        complain("batten compare: -o PICTURE is needed, which ends in .png, .svg or .pdf; see "
+                 "'batten help compare'");
+        return EXIT_USAGE;
+    }
+    if (list && strcmp(list, "all") == 0)
+        add_all(&c);
+    else if (!add_list(&c, list ? list : usual))
+        return EXIT_USAGE;
+    if (batten_notes_create(1000, &c.notes) != BATTEN_OK)
+        return output_failed("compare", BATTEN_OUT_OF_MEMORY);
+    const int exit = run_on(&c);
+    batten_notes_free(c.notes);
+    return exit;
+}
+
+const command command_compare = {
+    .name = "compare",
+    .usage = "POINTS -o PICTURE [--methods LIST]",
+    .summary = "curves of several methods through the same points, side by side",
+    .manual =
+        "Draws each method in a panel of its own with its curvature comb, all at one scale, "
+        "and prints a\n"
+        "table: bending energy, variation of curvature, inflections, extrema of curvature, "
+        "the largest\n"
+        "curvature, length and time. A method is the name of a feature, with settings behind "
+        "colons:\n"
+        "--methods interpolate:parameters=chord,tension:amount=8,elastica. 'batten help "
+        "features' lists\n"
+        "them; --methods all takes every one that needs nothing but points. A method that "
+        "fails is left\n"
+        "out, and says why.",
+    .least_files = 1,
+    .most_files = 1,
+    .option_count = sizeof options / sizeof options[0],
+    .options = options,
+    .feature = "compare",
+    .run = run,
+};

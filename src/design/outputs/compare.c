@@ -1,0 +1,228 @@
+#include "design/document.h"
+#include "design/rows.h"
+
+#include <batten/inspect.h>
+#include <batten/number.h>
+#include <batten/text.h>
+#include <stdio.h>
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"compare", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "features that make curves; each has a panel"},
+    {"comb", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
+     "show the curvature of the curves"},
+    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "above the picture"},
+    {"width", BATTEN_VALUE_COUNT, false, false, "1600", NULL, "pixels, or points of 1/72 inch"},
+    {"height", BATTEN_VALUE_COUNT, false, false, "1100", NULL,
+     "pixels, or points of 1/72 inch"},
+};
+
+/* What the curves of one feature add up to. */
+typedef struct {
+    const batten_feature_result *feature;
+    int curves, inflections, extrema;
+    bool in_space; /* inflections and extrema have no meaning for one of them */
+    double length, energy, variation, sharpest;
+    char lines[3][120];
+    const char *shown[3];
+} column;
+
+/* ---- measuring ---- */
+
+static batten_status add_curve(const batten_object *object, column *c)
+{
+    batten_curve *plane = NULL;
+    batten_fairness fairness;
+    double length = 0;
+    const int n = batten_curve_point_count(object->curve);
+    const bool flat = batten_curve_dimension(object->curve) < 3;
+    const int axis = flat ? -1 : bat_flat_axis(n, batten_curve_points(object->curve));
+    batten_status status = bat_curve_in_plane(object->curve, flat ? 2 : axis, &plane);
+    if (status == BATTEN_OK)
+        status = batten_curve_fairness(plane, 0, NULL, &fairness);
+    if (status == BATTEN_OK)
+        status =
+            batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), &length, NULL);
+    if (status == BATTEN_OK) {
+        c->curves++;
+        c->inflections += fairness.inflections;
+        c->extrema += fairness.curvature_extrema;
+        c->in_space = c->in_space || (axis < 0 && !flat);
+        c->length += length;
+        c->energy += fairness.energy;
+        c->variation += fairness.variation;
+        c->sharpest =
+            c->sharpest > fairness.max_curvature ? c->sharpest : fairness.max_curvature;
+    }
+    batten_curve_unref(plane);
+    return status;
+}
+
+/* A count, or a dash where it has no meaning. */
+static void count_text(const column *c, int count, char *text, size_t size)
+{
+    if (c->in_space)
+        snprintf(text, size, "-");
+    else
+        snprintf(text, size, "%d", count);
+}
+
+static void describe(column *c, const char *unit)
+{
+    char inflections[16], extrema[16];
+    count_text(c, c->inflections, inflections, sizeof inflections);
+    count_text(c, c->extrema, extrema, sizeof extrema);
+    snprintf(c->lines[0], sizeof c->lines[0], "energy %.5g 1/%s   variation %.4g 1/%s\xC2\xB3",
+             c->energy, unit, c->variation, unit);
+    snprintf(c->lines[1], sizeof c->lines[1],
+             "inflections %s   extrema of curvature %s   max \xCE\xBA %.3g 1/%s", inflections,
+             extrema, c->sharpest, unit);
+    snprintf(c->lines[2], sizeof c->lines[2], "length %.6g %s", c->length, unit);
+    for (int k = 0; k < 3; k++)
+        c->shown[k] = c->lines[k];
+}
+
+static batten_status measure(const bat_run *run, column *columns)
+{
+    const bat_argument *inputs = bat_argument_of(run, "compare");
+    const char *unit = batten_unit_name(bat_unit_metres(run));
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < inputs->count && status == BATTEN_OK; i++) {
+        const bat_result *result = &run->results[inputs->items[i].count];
+        columns[i].feature = &result->shown;
+        for (int k = 0; k < batten_model_count(result->value) && status == BATTEN_OK; k++)
+            if (batten_model_object(result->value, k)->kind == BATTEN_OBJECT_CURVE)
+                status = add_curve(batten_model_object(result->value, k), &columns[i]);
+        if (status == BATTEN_OK && columns[i].curves == 0)
+            status = bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has no curves to compare",
+                              inputs->items[i].text);
+        describe(&columns[i], unit ? unit : "unit");
+    }
+    return status;
+}
+
+/* ---- as a table, as JSON, as a picture ---- */
+
+static void put_table(const bat_run *run, int count, const column *columns, batten_text *text)
+{
+    const char *unit = batten_unit_name(bat_unit_metres(run));
+    batten_text_add(text, "%-18s %-18s %12s %12s %11s %8s %10s %12s %9s\n", "feature",
+                    "operation", "energy", "variation", "inflections", "extrema", "max curv",
+                    "length", "ms");
+    for (int i = 0; i < count; i++) {
+        const column *c = &columns[i];
+        char inflections[16], extrema[16];
+        count_text(c, c->inflections, inflections, sizeof inflections);
+        count_text(c, c->extrema, extrema, sizeof extrema);
+        batten_text_add(text, "%-18s %-18s %12.6g %12.6g %11s %8s %10.4g %12.8g %9.3f\n",
+                        c->feature->name, c->feature->operation, c->energy, c->variation,
+                        inflections, extrema, c->sharpest, c->length,
+                        1e3 * c->feature->seconds);
+    }
+    batten_text_add(
+        text, "\nenergy: integral of curvature^2; variation: of (d curvature / ds)^2; in %s\n",
+        unit ? unit : "the unit of the design");
+}
+
+static void put_number(batten_text *text, const char *key, double value)
+{
+    batten_text_add(text, ", \"%s\": ", key);
+    batten_text_number(text, value);
+}
+
+static void put_json(int count, const column *columns, batten_text *text)
+{
+    batten_text_add(text, "{\"curves\": [");
+    for (int i = 0; i < count; i++) {
+        const column *c = &columns[i];
+        batten_text_add(text, "%s\n  {\"name\": ", i ? "," : "");
+        batten_text_json(text, c->feature->name);
+        batten_text_add(text, ", \"operation\": ");
+        batten_text_json(text, c->feature->operation);
+        put_number(text, "energy", c->energy);
+        put_number(text, "variation", c->variation);
+        if (!c->in_space)
+            batten_text_add(text, ", \"inflections\": %d, \"curvature_extrema\": %d",
+                            c->inflections, c->extrema);
+        put_number(text, "max_curvature", c->sharpest);
+        put_number(text, "length", c->length);
+        put_number(text, "seconds", c->feature->seconds);
+        batten_text_add(text, "}");
+    }
+    batten_text_add(text, "\n]}\n");
+}
+
+static batten_status draw(bat_run *run, batten_picture_format format, int count,
+                          const column *columns)
+{
+    batten_picture_options options = batten_picture_defaults();
+    batten_panel *panels = batten_array((size_t)count, sizeof *panels);
+    if (!panels)
+        return BATTEN_OUT_OF_MEMORY;
+    options.format = format;
+    options.width = bat_count(run, "width");
+    options.height = bat_count(run, "height");
+    options.comb = bat_yes(run, "comb");
+    options.data_points = true;
+    if (bat_has(run, "title"))
+        options.title = bat_text(run, "title");
+    for (int i = 0; i < count; i++)
+        panels[i] = (batten_panel){columns[i].feature->name, columns[i].feature->value, 3,
+                                   columns[i].shown};
+    const batten_status status =
+        batten_draw_panels(count, panels, &options, &run->data, &run->size);
+    batten_release(panels);
+    return status;
+}
+
+static batten_status write(bat_run *run, int count, const column *columns)
+{
+    batten_picture_format format;
+    batten_text text = BATTEN_TEXT;
+    const char *dot = strrchr(run->name, '.');
+    if (batten_picture_format_of_name(run->name, &format))
+        return draw(run, format, count, columns);
+    if (dot && strcmp(dot, ".json") == 0)
+        put_json(count, columns, &text);
+    else
+        put_table(run, count, columns, &text);
+    const batten_status status = batten_text_take(&text, &run->data, &run->size);
+    batten_text_free(&text);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    const int count = bat_argument_of(run, "compare")->count;
+    column *columns = batten_array((size_t)count, sizeof *columns);
+    if (!columns)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = measure(run, columns);
+    if (status == BATTEN_OK)
+        status = write(run, count, columns);
+    batten_release(columns);
+    return status;
+}
+
+const bat_feature bat_feature_compare = {
+    .shown =
+        {"compare", "Curves through the same points, side by side",
+         "A picture (.png, .svg, .pdf) with a panel for each feature, all at one scale and "
+         "with one scale\n"
+         "of their combs; or the same numbers as a table (any other ending) or as JSON "
+         "(.json): bending\n"
+         "energy, the variation of curvature, inflections and extrema of curvature, the "
+         "largest curvature,\n"
+         "the length, and how long it took to make the curves. 'batten compare POINTS -o "
+         "PICTURE' does it\n"
+         "for a file of points and the methods one names.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
+         "  chord: {interpolate: ducks, parameters: chord}\n"
+         "  natural: {interpolate: ducks, ends: natural}\n"
+         "outputs:\n"
+         "  curves.svg: {compare: [chord, natural]}\n"
+         "  curves.txt: {compare: [chord, natural]}\n",
+         "[SL89]", "batten_draw_panels", BAT_PARAMETERS(parameters), true},
+    .run = run};

@@ -1,0 +1,71 @@
+#include "support/process.h"
+
+static const char *write_points(void)
+{
+    const char *path = test_scratch("ducks.xyz");
+    test_write(path, "0 0\n1 .6\n2 .1\n3 .9\n3.2 2\n2 2.5\n");
+    return path;
+}
+
+TEST(compare_draws_a_picture_and_prints_a_table)
+{
+    const char *points = write_points(), *picture = test_scratch("curves.svg");
+    const test_process run =
+        RUN("batten", "compare", points, "-o", picture, "--methods", "interpolate,biarcs");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "energy");
+    CHECK_CONTAINS(run.out, "\nbiarcs ");
+    CHECK_CONTAINS(test_content(picture), "<svg");
+}
+
+TEST(compare_takes_settings_behind_colons)
+{
+    const char *points = write_points(), *picture = test_scratch("curves.png");
+    const test_process run =
+        RUN("batten", "compare", points, "-o", picture, "-m",
+            "interpolate:parameters=chord:ends=natural,tension:amount=5", "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\"name\": \"interpolate parameters=chord ends=natural\"");
+    CHECK_CONTAINS(run.out, "\"energy\": ");
+}
+
+TEST(compare_leaves_out_what_fails_and_says_why)
+{
+    const char *points = test_scratch("two.xyz"), *picture = test_scratch("curves.svg");
+    test_write(points, "0 0\n1 1\n0 2\n0.5 1\n");
+    const test_process run = RUN("batten", "compare", points, "-o", picture, "-m",
+                                 "interpolate,tension:as=function");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.errors, "left out: ");
+    CHECK_CONTAINS(run.errors, "rising abscissae");
+    CHECK(strstr(run.out, "tension") == NULL);
+}
+
+TEST(compare_without_a_method_that_works_fails)
+{
+    const char *points = test_scratch("two.xyz"), *picture = test_scratch("none.svg");
+    test_write(points, "0 0\n1 1\n0 2\n");
+    const test_process run =
+        RUN("batten", "compare", points, "-o", picture, "-m", "tension:as=function");
+    CHECK_INT(run.exit, 1);
+    CHECK(test_content(picture) == NULL);
+}
+
+TEST(U1_compare_names_what_is_wrong)
+{
+    const char *points = write_points();
+    CHECK_INT(RUN("batten", "compare", points).exit, 2);
+    CHECK_INT(RUN("batten", "compare", points, "-o", "x.step").exit, 2);
+    const test_process run = RUN("batten", "compare", points, "-o", "x.svg", "-m", "biarc");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, "did you mean 'biarcs'");
+}
+
+TEST(compare_all_takes_every_method_that_needs_points_alone)
+{
+    const char *points = write_points(), *picture = test_scratch("all.svg");
+    const test_process run = RUN("batten", "compare", points, "-o", picture, "-m", "all");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\ninterpolate ");
+    CHECK_CONTAINS(run.out, "\ntension ");
+}
