@@ -6,6 +6,7 @@
  */
 #include <batten/approximate.h>
 #include <batten/base.h>
+#include <batten/beta.h>
 #include <batten/biarc.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>
@@ -32,4 +33,5 @@
 #include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/units.h>
+#include <batten/weighted.h>
 #endif

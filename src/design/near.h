@@ -4,14 +4,6 @@
 #include "design/through.h"
 #include <batten/approximate.h>
 
-#define BAT_PARAMETRIZATION                                     \
-    {                                                           \
-        "parameters", BATTEN_VALUE_WORD, false, false, "chord", \
-            "centripetal chord uniform foley foley-chord",      \
-            "how points get parameters; of a "                  \
-            "function they are the abscissae"                   \
-    }
-
 /* The curve, its error and the parameters of the points were made; hands the status on. */
 static inline batten_status bat_made_near(const batten_fit_report *report, batten_status status,
                                           bat_made *made)
@@ -20,22 +12,6 @@ static inline batten_status bat_made_near(const batten_fit_report *report, batte
     made->error_max = report->max;
     made->error_rms = report->rms;
     return status;
-}
-
-/* The abscissae of a function are its parameters. */
-static inline batten_parametrization bat_parametrization_of(const bat_run *run,
-                                                            const bat_data *data)
-{
-    return data->dimension == 1 ? BATTEN_GIVEN
-                                : (batten_parametrization)bat_word(run, "parameters");
-}
-
-/* A function has no place where it closes. */
-static inline batten_status bat_check_closed(const bat_run *run, const bat_data *data)
-{
-    return data->dimension == 1 && bat_yes(run, "closed")
-               ? bat_fail(BATTEN_BAD_ARGUMENT, "a function cannot be closed")
-               : BATTEN_OK;
 }
 
 /* What is common to smoothing: 'rms' or 'lambda' or neither; parameters, 'closed'. */

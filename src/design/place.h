@@ -29,6 +29,31 @@ batten_status bat_check_direction(const char *parameter, batten_vec3 v);
 #define BAT_END_WORDS \
     "not-a-knot natural clamped direction second parabolic bessel circle curvature fair"
 
+/* The parameters "ends", "start", "end" and their vectors of splines that solve for slopes or
+ * bends alone, and so know no further ends than these. */
+#define BAT_PLAIN_ENDS                                                                          \
+    {"ends",                                                                                    \
+     BATTEN_VALUE_WORD,                                                                         \
+     false,                                                                                     \
+     false,                                                                                     \
+     "natural",                                                                                 \
+     BAT_END_WORDS,                                                                             \
+     "what holds at both ends; not not-a-knot, curvature or fair"},                             \
+        {"start",       BATTEN_VALUE_WORD,        false, false, NULL,                           \
+         BAT_END_WORDS, "what holds at the start"},                                             \
+        {"start-vector",                                                                        \
+         BATTEN_VALUE_POINT,                                                                    \
+         false,                                                                                 \
+         false,                                                                                 \
+         "origin",                                                                              \
+         NULL,                                                                                  \
+         "the derivative or direction at the start; of a function its first number"},           \
+        {"end", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS, "what holds at the end"}, \
+    {                                                                                           \
+        "end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,                         \
+            "the derivative or direction at the end; of a function its first number"            \
+    }
+
 /* What holds at an end: the word of its own parameter, else that of "ends", with the vector. */
 batten_end bat_end(const bat_run *run, const char *own, const char *vector);
 

@@ -253,3 +253,21 @@ batten_status bat_through(bat_run *run, const bat_method *method)
     bat_objects_release(&objects);
     return status;
 }
+
+/* ---- what methods read ---- */
+
+batten_status bat_numbers_each(const bat_run *run, const char *parameter, int count,
+                               const char *things, double **out)
+{
+    const bat_argument *given = bat_argument_of(run, parameter);
+    if (given->count != 1 && given->count != count)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d numbers for %d %s", parameter,
+                        given->count, count, things);
+    double *numbers = bat_array((size_t)count, sizeof *numbers);
+    if (!numbers)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        numbers[i] = given->items[given->count == 1 ? 0 : i].number[0];
+    *out = numbers;
+    return BATTEN_OK;
+}

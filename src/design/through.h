@@ -13,6 +13,7 @@
 #define BAT_DESIGN_THROUGH_H
 #include "design/rows.h"
 #include <batten/chain.h>
+#include <batten/interpolate.h>
 
 #define BAT_IN_SPACE 1u
 #define BAT_IN_PLANE 2u
@@ -29,6 +30,13 @@
         "as", BATTEN_VALUE_WORD, false, false, "curve", "curve function",                 \
             "a curve, or a function: the points rise along the first axis in which they " \
             "differ"                                                                      \
+    }
+#define BAT_PARAMETRIZATION                                     \
+    {                                                           \
+        "parameters", BATTEN_VALUE_WORD, false, false, "chord", \
+            "centripetal chord uniform foley foley-chord",      \
+            "how points get parameters; of a "                  \
+            "function they are the abscissae"                   \
     }
 #define BAT_CLOSED                                                       \
     {                                                                    \
@@ -61,6 +69,27 @@ typedef struct {
     unsigned ways; /* BAT_IN_SPACE ... */
     batten_status (*make)(bat_run *run, const bat_data *data, bat_made *made);
 } bat_method;
+
+/* The abscissae of a function are its parameters. */
+static inline batten_parametrization bat_parametrization_of(const bat_run *run,
+                                                            const bat_data *data)
+{
+    return data->dimension == 1 ? BATTEN_GIVEN
+                                : (batten_parametrization)bat_word(run, "parameters");
+}
+
+/* A function has no place where it closes. */
+static inline batten_status bat_check_closed(const bat_run *run, const bat_data *data)
+{
+    return data->dimension == 1 && bat_yes(run, "closed")
+               ? bat_fail(BATTEN_BAD_ARGUMENT, "a function cannot be closed")
+               : BATTEN_OK;
+}
+
+/* The numbers of a list, one for each of `count` things ("spans"), or one for all; release
+ * them. */
+batten_status bat_numbers_each(const bat_run *run, const char *parameter, int count,
+                               const char *things, double **out);
 
 /* Run the method on each row of the principal input. The parameters must include BAT_EACH, and
  * BAT_AS when there are several ways. A chain is also converted to a curve, within a thousandth

@@ -51,6 +51,13 @@ TEST(splines_as_operations_pass_their_points)
         "{tension: q, as: function, start: clamped, start-vector: [2, 0], end: parabolic}",
         "{tension: s, closed: yes, parameters: centripetal}",
         "{tension: two}",
+        "{nu-spline: p, nu: 3}",
+        "{nu-spline: s, nu: [0, 1, 50, 1, 0], closed: yes}",
+        "{nu-spline: q, as: function, ends: parabolic}",
+        "{weighted-spline: p, as: function}",
+        "{weighted-spline: s, weights: [1, 2, 5, 0.1]}",
+        "{beta-spline: s, use: through, beta1: 1.2, beta2: 1}",
+        "{beta-spline: p, use: through, closed: yes}",
     };
     for (int i = 0; i < COUNT(features); i++) {
         batten_design *design = NULL;
@@ -77,17 +84,34 @@ TEST(a_slope_of_a_function_in_tension_is_its_first_number)
     batten_design_free(design);
 }
 
+TEST(a_beta_spline_near_points_has_no_parameters_of_them)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("{beta-spline: p, beta2: 3}", &design));
+    const batten_object *made =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
+    CHECK(made->curve && !made->parameters);
+    CHECK_INT(made->point_count, 5);
+    batten_design_free(design);
+}
+
 TEST(splines_as_operations_say_what_they_cannot_do)
 {
     static const struct {
         const char *feature, *says;
     } rows[] = {
-        {"{tension: p, amount: [1, 2]}", "there are 2 amounts of tension for 4 spans"},
+        {"{tension: p, amount: [1, 2]}", "'amount' has 2 numbers for 4 spans"},
         {"{tension: p, amount: -1}", "the tension of span 0 is -1"},
         {"{tension: p, ends: fair}", "the start asks for one"},
-        {"{tension: p, as: function, closed: yes}", "a function does not close"},
+        {"{tension: p, as: function, closed: yes}", "a function cannot be closed"},
         {"{tension: s, as: function}", "must lie in a plane"},
         {"{tension: one}", "no row has 2 points"},
+        {"{nu-spline: p, nu: [1, 2]}", "'nu' has 2 numbers for 5 points"},
+        {"{nu-spline: p, nu: -100}", "negative nu"},
+        {"{weighted-spline: p, weights: 0}", "the weight of span 0 is 0"},
+        {"{weighted-spline: p, as: function, closed: yes}", "a function cannot be closed"},
+        {"{beta-spline: p, beta1: 0}", "beta1 is 0"},
+        {"{beta-spline: two, closed: yes}", "at least 3"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;

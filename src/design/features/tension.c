@@ -14,52 +14,25 @@ static const batten_parameter parameters[] = {
      "what tension is added for, where the amount is too little"},
     {"slack", BATTEN_VALUE_NUMBER, false, false, "0.01", NULL,
      "how much a rule lets pass beside points in line and level spans"},
-    {"parameters", BATTEN_VALUE_WORD, false, false, "chord",
-     "centripetal chord uniform foley foley-chord",
-     "how parameters are given to the points of a curve"},
-    {"ends", BATTEN_VALUE_WORD, false, false, "natural", BAT_END_WORDS,
-     "what holds at both ends; not not-a-knot, curvature or fair"},
-    {"start", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS, "what holds at the start"},
-    {"start-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
-     "the derivative or direction at the start; of a function its first number"},
-    {"end", BATTEN_VALUE_WORD, false, false, NULL, BAT_END_WORDS, "what holds at the end"},
-    {"end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
-     "the derivative or direction at the end; of a function its first number"},
+    BAT_PARAMETRIZATION,
+    BAT_PLAIN_ENDS,
 };
-
-/* One number serves all spans, else there is one for each. */
-static batten_status read_tensions(const bat_run *run, int spans, double *tensions)
-{
-    const bat_argument *amount = bat_argument_of(run, "amount");
-    if (amount->count != 1 && amount->count != spans)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d amounts of tension for %d spans",
-                        amount->count, spans);
-    for (int i = 0; i < spans; i++)
-        tensions[i] = amount->items[amount->count == 1 ? 0 : i].number[0];
-    return BATTEN_OK;
-}
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_tension_options o = batten_tension_defaults();
+    double *tensions = NULL;
     o.closed = bat_yes(run, "closed");
     o.rule = (batten_tension_rule)bat_word(run, "rule");
     o.slack = bat_number(run, "slack");
-    o.parameters = (batten_parametrization)bat_word(run, "parameters");
+    o.given = data->abscissae;
     o.start = bat_end(run, "start", "start-vector");
     o.end = bat_end(run, "end", "end-vector");
-    if (data->abscissae) {
-        if (o.closed)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "a function does not close");
-        o.parameters = BATTEN_GIVEN;
-        o.given = data->abscissae;
-    }
-    const int spans = data->count - !o.closed;
-    double *tensions = bat_array((size_t)spans, sizeof *tensions);
-    if (!tensions)
-        return BATTEN_OUT_OF_MEMORY;
+    o.parameters = bat_parametrization_of(run, data);
+    batten_status status = bat_check_closed(run, data);
+    if (status == BATTEN_OK)
+        status = bat_numbers_each(run, "amount", data->count - !o.closed, "spans", &tensions);
     o.tensions = tensions;
-    batten_status status = read_tensions(run, spans, tensions);
     if (status == BATTEN_OK)
         status = batten_chain_tension(data->dimension, data->count, data->points, &o,
                                       made->parameters, &made->chain);
