@@ -12,6 +12,7 @@
 #include <batten/continuity.h>
 #include <batten/cubic.h>
 #include <batten/curve.h>
+#include <batten/curve_offset.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>
 #include <batten/file.h>

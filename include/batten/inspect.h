@@ -63,6 +63,12 @@ BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curv
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
                                                 double value, batten_parameters *out);
 
+/** Where a plane curve crosses itself: parameters in pairs u < v, so `at` is [count / 2][2].
+ * Places where it touches itself, or runs along itself, may be left out; the point in which a
+ * closed curve ends is none. */
+BATTEN_API batten_status batten_curve_self_crossings(const batten_curve *curve,
+                                                     batten_parameters *out);
+
 /** One tooth of a curvature comb. */
 typedef struct batten_tooth {
     double u;

@@ -42,17 +42,16 @@ static void by_arc_length(side *s)
 }
 
 /* @param way -1 when the curve is run backwards */
-static batten_status side_at(const batten_curve *curve, double u, batten_side from, double way,
-                             side *out)
+static batten_status side_at(const batten_curve *curve, double size, double u, batten_side from,
+                             double way, side *out)
 {
     const int d = curve->dimension;
-    const double size = bat_largest(curve->count * d, curve->points);
     const double h = bat_span_width(curve, u, from);
     batten_curve_local local;
     double values[(ORDER + 1) * 3], sign = 1;
     batten_status status = batten_curve_evaluate_side(curve, u, from, ORDER, values);
     if (status == BATTEN_OK)
-        status = batten_curve_local_at(curve, u, from, &local);
+        status = bat_curve_local_at(curve, size, u, from, &local);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
     *out = (side){.singular = status == BATTEN_SINGULAR_HERE};
@@ -211,9 +210,10 @@ batten_status batten_curves_continuity(const batten_curve *first, batten_curve_e
     const batten_interval a = batten_curve_domain(first), b = batten_curve_domain(second);
     const double u = ends ? a.b : a.a;
     side l, r;
-    status = side_at(first, u, ends ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, ends ? 1 : -1, &l);
+    status = side_at(first, bat_curve_size(first), u,
+                     ends ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, ends ? 1 : -1, &l);
     if (status == BATTEN_OK)
-        status = side_at(second, starts ? b.a : b.b,
+        status = side_at(second, bat_curve_size(second), starts ? b.a : b.b,
                          starts ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, starts ? 1 : -1, &r);
     if (status != BATTEN_OK)
         return status;
@@ -223,17 +223,17 @@ batten_status batten_curves_continuity(const batten_curve *first, batten_curve_e
 }
 
 static batten_status join_at(const batten_curve *curve, double before, double behind,
-                             double size, const batten_continuity_options *o,
+                             double extent, double size, const batten_continuity_options *o,
                              batten_continuity *out)
 {
     side l, r;
-    batten_status status = side_at(curve, before, BATTEN_FROM_LEFT, 1, &l);
+    batten_status status = side_at(curve, size, before, BATTEN_FROM_LEFT, 1, &l);
     if (status == BATTEN_OK)
-        status = side_at(curve, behind, BATTEN_FROM_RIGHT, 1, &r);
+        status = side_at(curve, size, behind, BATTEN_FROM_RIGHT, 1, &r);
     if (status != BATTEN_OK)
         return status;
     *out = (batten_continuity){.u = before};
-    compare(curve->dimension, &l, &r, size, o, out);
+    compare(curve->dimension, &l, &r, extent, o, out);
     return BATTEN_OK;
 }
 
@@ -246,8 +246,8 @@ batten_status batten_curve_continuity(const batten_curve *curve,
     if (status != BATTEN_OK)
         return status;
     const int breaks = batten_curve_spans(curve, NULL);
-    const double size = size_of(curve);
-    const bool closed = batten_curve_is_closed(curve, o.gap > 0 ? o.gap : 1e-6 * size);
+    const double extent = size_of(curve), size = bat_curve_size(curve);
+    const bool closed = batten_curve_is_closed(curve, o.gap > 0 ? o.gap : 1e-6 * extent);
     double *knots = bat_array((size_t)breaks, sizeof *knots);
     batten_continuity *at = bat_array((size_t)breaks, sizeof *at);
     status = knots && at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -255,9 +255,9 @@ batten_status batten_curve_continuity(const batten_curve *curve,
     if (status == BATTEN_OK)
         batten_curve_spans(curve, knots);
     for (int k = 1; status == BATTEN_OK && k + 1 < breaks; k++)
-        status = join_at(curve, knots[k], knots[k], size, &o, &at[count++]);
+        status = join_at(curve, knots[k], knots[k], extent, size, &o, &at[count++]);
     if (status == BATTEN_OK && closed)
-        status = join_at(curve, knots[breaks - 1], knots[0], size, &o, &at[count++]);
+        status = join_at(curve, knots[breaks - 1], knots[0], extent, size, &o, &at[count++]);
     if (status == BATTEN_OK)
         *out = (batten_continuities){count, at};
     else

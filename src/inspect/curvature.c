@@ -8,6 +8,11 @@
 
 enum { HIGHEST = BATTEN_MAX_DEGREE };
 
+double bat_curve_size(const batten_curve *curve)
+{
+    return bat_largest(curve->count * curve->dimension, curve->points);
+}
+
 double bat_span_width(const batten_curve *curve, double u, batten_side side)
 {
     if (bat_curve_place(curve, side, &u) != BATTEN_OK)
@@ -73,15 +78,14 @@ static void local_in_space(const batten_vec3 c[4], batten_side side, batten_curv
     out->normal = bat_vec3_cross(out->binormal, out->tangent);
 }
 
-batten_status batten_curve_local_at(const batten_curve *curve, double u, batten_side side,
-                                    batten_curve_local *out)
+batten_status bat_curve_local_at(const batten_curve *curve, double size, double u,
+                                 batten_side side, batten_curve_local *out)
 {
     const int d = curve->dimension;
     double values[4 * 3];
     batten_status status = batten_curve_evaluate_side(curve, u, side, 3, values);
     if (status != BATTEN_OK)
         return status;
-    const double size = bat_largest(curve->count * d, curve->points);
     const double h = bat_span_width(curve, u, side), speed = bat_norm(d, values + d);
     if (speed <= bat_derivative_roundoff(curve, 1, size, h))
         return singular(curve, u, side, size, h, out);
@@ -97,12 +101,19 @@ batten_status batten_curve_local_at(const batten_curve *curve, double u, batten_
     return BATTEN_OK;
 }
 
+batten_status batten_curve_local_at(const batten_curve *curve, double u, batten_side side,
+                                    batten_curve_local *out)
+{
+    return bat_curve_local_at(curve, bat_curve_size(curve), u, side, out);
+}
+
 /* ---- combs ---- */
 
-static batten_status tooth(const batten_curve *curve, double u, double scale, batten_tooth *out)
+static batten_status tooth(const batten_curve *curve, double size, double u, double scale,
+                           batten_tooth *out)
 {
     batten_curve_local at;
-    const batten_status status = batten_curve_local_at(curve, u, BATTEN_FROM_RIGHT, &at);
+    const batten_status status = bat_curve_local_at(curve, size, u, BATTEN_FROM_RIGHT, &at);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
     *out = (batten_tooth){.u = u,
@@ -122,6 +133,7 @@ batten_status batten_curve_comb(const batten_curve *curve, int per_span, double 
         return bat_fail(BATTEN_NOT_FINITE, "the scale of the comb is %g", scale);
     const int spans = batten_curve_spans(curve, NULL) - 1;
     const size_t count = (size_t)spans * (size_t)per_span + 1;
+    const double size = bat_curve_size(curve);
     double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
     batten_tooth *made = bat_array(count, sizeof *made);
     batten_status status = breaks && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -131,7 +143,7 @@ batten_status batten_curve_comb(const batten_curve *curve, int per_span, double 
         const size_t span = k / (size_t)per_span, part = k % (size_t)per_span;
         const double next = part == 0 ? breaks[span] : breaks[span + 1];
         const double u = breaks[span] + (next - breaks[span]) * ((double)part / per_span);
-        status = tooth(curve, u, scale, &made[k]);
+        status = tooth(curve, size, u, scale, &made[k]);
     }
     for (size_t k = 0; status == BATTEN_OK && k < count; k++)
         teeth[k] = made[k];

@@ -3,6 +3,11 @@
 #define BAT_SINGULAR_H
 #include <batten/inspect.h>
 
+/* The largest coordinate of the control points. */
+double bat_curve_size(const batten_curve *curve);
+/* batten_curve_local_at, for many places of a curve of which `size` is known. */
+batten_status bat_curve_local_at(const batten_curve *curve, double size, double u,
+                                 batten_side side, batten_curve_local *out);
 /* The width of the span that holds u. */
 double bat_span_width(const batten_curve *curve, double u, batten_side side);
 /* What rounding alone may leave of the m-th derivative of a curve with coordinates up to `size`
