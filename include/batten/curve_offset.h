@@ -11,12 +11,12 @@ extern "C" {
 #endif
 
 /** What goes around the outside of a corner. */
-typedef enum batten_corner {
-    BATTEN_CORNER_ROUND, /**< an arc about the corner: the true offset */
-    BATTEN_CORNER_MITRE, /**< both sides go on straight until they meet */
-    BATTEN_CORNER_SQUARE /**< both sides go on straight as far as the tangent of the arc in its
+typedef enum batten_offset_corner {
+    BATTEN_OFFSET_ROUND, /**< an arc about the corner: the true offset */
+    BATTEN_OFFSET_MITRE, /**< both sides go on straight until they meet */
+    BATTEN_OFFSET_SQUARE /**< both sides go on straight as far as the tangent of the arc in its
                               middle */
-} batten_corner;
+} batten_offset_corner;
 
 typedef enum batten_loops {
     BATTEN_LOOPS_REMOVE, /**< only what is as far from the whole curve as asked stays */
@@ -26,7 +26,7 @@ typedef enum batten_loops {
 typedef struct batten_offset_options {
     size_t size;
     double tolerance; /**< model units, > 0: how far from the true offset; 1e-4 */
-    batten_corner corners;
+    batten_offset_corner corners;
     double mitre_limit; /**< a mitre longer than this times the distance becomes SQUARE; 4 */
     batten_loops loops;
     batten_vec3 normal; /**< of a curve in space: the offset goes across this direction and the

@@ -9,7 +9,7 @@ batten_offset_options batten_offset_defaults(void)
 {
     return (batten_offset_options){.size = sizeof(batten_offset_options),
                                    .tolerance = 1e-4,
-                                   .corners = BATTEN_CORNER_ROUND,
+                                   .corners = BATTEN_OFFSET_ROUND,
                                    .mitre_limit = 4,
                                    .loops = BATTEN_LOOPS_REMOVE,
                                    .normal = {0, 0, 1}};

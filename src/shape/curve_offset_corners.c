@@ -53,8 +53,8 @@ batten_status bat_offset_corner(bat_offset *o, const double *p, const double *t,
 {
     const double radius = fabs(o->distance), half = fabs(turn) / 2;
     const bool mitre =
-        o->options.corners == BATTEN_CORNER_MITRE && cos(half) * o->options.mitre_limit >= 1;
-    if (o->options.corners == BATTEN_CORNER_ROUND)
+        o->options.corners == BATTEN_OFFSET_MITRE && cos(half) * o->options.mitre_limit >= 1;
+    if (o->options.corners == BATTEN_OFFSET_ROUND)
         return add_arc(o, p, turn, q);
     return add_straight(o, t, turn, radius * (mitre ? tan(half) : tan(half / 2)), mitre, q, r);
 }

@@ -6,7 +6,7 @@
 #define PI 3.14159265358979323846
 
 static batten_offset_options options_of(double tolerance, batten_loops loops,
-                                        batten_corner corners)
+                                        batten_offset_corner corners)
 {
     batten_offset_options options = batten_offset_defaults();
     options.tolerance = tolerance;
@@ -76,7 +76,7 @@ TEST(a_circle_offset_beyond_its_centre_leaves_nothing)
         batten_curves_release(&made);
     }
     /* All of it, in one piece: the reversed circle of radius 2. */
-    const batten_offset_options keep = options_of(1e-6, BATTEN_LOOPS_KEEP, BATTEN_CORNER_ROUND);
+    const batten_offset_options keep = options_of(1e-6, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
     batten_curves made = {0, NULL};
     double p[2];
     CHECK_OK(batten_curve_offset(circle, 7, &keep, NULL, &made));
@@ -99,7 +99,7 @@ TEST(the_offset_of_a_parabola_has_its_cusps_and_its_corner)
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
     batten_offset_report report;
-    const batten_offset_options keep = options_of(1e-7, BATTEN_LOOPS_KEEP, BATTEN_CORNER_ROUND);
+    const batten_offset_options keep = options_of(1e-7, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
     parabola(&curve);
     CHECK_OK(batten_curve_offset(curve, 1, &keep, &report, &made));
     CHECK_INT(report.cusps, 2);
@@ -123,7 +123,7 @@ TEST(the_offset_of_a_parabola_has_its_cusps_and_its_corner)
     batten_curves_release(&made);
 
     const batten_offset_options trim =
-        options_of(1e-7, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+        options_of(1e-7, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_OK(batten_curve_offset(curve, 1, &trim, &report, &made));
     CHECK_INT(made.count, 1);
     CHECK_INT(report.crossings, 1);
@@ -145,7 +145,7 @@ TEST(the_offset_of_an_ellipse_is_shorter_by_two_pi_d)
     const double distances[] = {0.5, 1.2, -1, -7};
     for (int i = 0; i < COUNT(distances); i++) {
         const batten_offset_options o =
-            options_of(1e-9, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+            options_of(1e-9, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         batten_curves made = {0, NULL};
         CHECK_OK(batten_curve_offset(ellipse, distances[i], &o, NULL, &made));
         CHECK_INT(made.count, 1);
@@ -170,7 +170,7 @@ TEST(offset_there_and_back_is_the_curve)
         const double knots[10] = {0, 0, 0, 0, 0.4, 0.5, 1, 1, 1, 1};
         const double tolerance = n % 2 ? 1e-4 : 1e-7;
         const batten_offset_options o =
-            options_of(tolerance, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+            options_of(tolerance, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         batten_curve *curve = NULL;
         batten_curves there = {0, NULL}, back = {0, NULL};
         CHECK_OK(batten_curve_create(2, 3, 6, points, NULL, knots, &curve));
@@ -197,15 +197,15 @@ static void square(batten_curve **out)
 TEST(the_corners_of_a_square_are_round_mitred_or_square)
 {
     static const struct {
-        batten_corner corners;
+        batten_offset_corner corners;
         double distance, length;
     } cases[] = {
-        {BATTEN_CORNER_ROUND, -1, 16 + 2 * 3.14159265358979323846},
-        {BATTEN_CORNER_MITRE, -1, 24},
+        {BATTEN_OFFSET_ROUND, -1, 16 + 2 * 3.14159265358979323846},
+        {BATTEN_OFFSET_MITRE, -1, 24},
         /* each corner: two ends of tan(pi/8), and a chamfer twice as long */
-        {BATTEN_CORNER_SQUARE, -1, 16 + 4 * 4 * 0.41421356237309504880},
-        {BATTEN_CORNER_ROUND, 1, 8},
-        {BATTEN_CORNER_MITRE, 1.5, 4},
+        {BATTEN_OFFSET_SQUARE, -1, 16 + 4 * 4 * 0.41421356237309504880},
+        {BATTEN_OFFSET_ROUND, 1, 8},
+        {BATTEN_OFFSET_MITRE, 1.5, 4},
     };
     batten_curve *curve = NULL;
     square(&curve);
@@ -232,7 +232,7 @@ TEST(a_sharp_mitre_beyond_its_limit_becomes_square)
     const double limits[] = {4, 6};
     const double expected[] = {1, 1 / sin(a / 2)};
     for (int i = 0; i < 2; i++) {
-        batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_MITRE);
+        batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
         o.mitre_limit = limits[i];
         batten_curves made = {0, NULL};
         CHECK_OK(batten_curve_offset(curve, 1, &o, NULL, &made));
@@ -259,12 +259,12 @@ TEST(an_offset_falls_apart_where_the_curve_is_narrow)
     batten_curves made = {0, NULL};
     double length;
     CHECK_OK(batten_curve_polyline(2, 13, p, &curve));
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_MITRE);
+    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
     CHECK_OK(batten_curve_offset(curve, 0.4, &o, NULL, &made));
     CHECK_INT(made.count, 1);
     batten_curves_release(&made);
     const batten_offset_options round =
-        options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+        options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_OK(batten_curve_offset(curve, 0.75, &round, NULL, &made));
     CHECK_INT(made.count, 2);
     for (int i = 0; i < 2; i++) {
@@ -288,7 +288,7 @@ TEST(an_offset_keeps_its_distance_from_the_end_of_the_curve_and_from_its_other_s
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
     CHECK_OK(batten_curve_polyline(2, 4, p, &curve));
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     for (int side = -1; side <= 1; side += 2) {
         CHECK_OK(batten_curve_offset(curve, 0.8 * side, &o, NULL, &made));
         CHECK(made.count > 0);
@@ -350,7 +350,7 @@ TEST(a_spline_with_loops_in_its_offset_keeps_its_distance)
         }
         CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
         const batten_offset_options o =
-            options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+            options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         const double distances[] = {0.3, 0.7, 1, -0.5, -1.5};
         for (int i = 0; i < COUNT(distances); i++) {
             batten_curves made = {0, NULL};
@@ -375,11 +375,11 @@ TEST(N6_distances_and_tolerances_that_mean_nothing_are_refused)
     bezier(2, 2, zeros, &point);
     CHECK_STATUS(batten_curve_offset(curve, NAN, NULL, NULL, &made), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_offset(curve, HUGE_VAL, NULL, NULL, &made), BATTEN_NOT_FINITE);
-    batten_offset_options o = options_of(0, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+    batten_offset_options o = options_of(0, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
-    o = options_of(NAN, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+    o = options_of(NAN, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
-    o = options_of(1e-3, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_MITRE);
+    o = options_of(1e-3, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
     o.mitre_limit = 0.5;
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_offset(function, 1, NULL, NULL, &made), BATTEN_UNSUPPORTED);
@@ -396,7 +396,7 @@ TEST(G3_an_end_where_the_curve_stands_still_has_its_offset)
     const double points[8] = {0, 0, 0, 0, 1, 1, 3, 0};
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_CORNER_ROUND);
+    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     bezier(2, 3, points, &curve);
     CHECK_OK(batten_curve_offset(curve, 0.5, &o, NULL, &made));
     CHECK_INT(made.count, 1);

@@ -27,7 +27,7 @@ static batten_offset_options options_of(const bat_run *run)
     batten_offset_options options = batten_offset_defaults();
     options.tolerance =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10;
-    options.corners = (batten_corner)bat_word(run, "corners");
+    options.corners = (batten_offset_corner)bat_word(run, "corners");
     options.mitre_limit = bat_number(run, "mitre-limit");
     options.loops = (batten_loops)bat_word(run, "loops");
     options.normal = bat_point(run, "normal");
