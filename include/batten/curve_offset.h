@@ -57,7 +57,7 @@ BATTEN_API void batten_curves_release(batten_curves *curves);
  * is cut where it crosses itself and wherever it comes too near to the curve, and what is left
  * is joined: none, one or several curves. Pieces keep the parameters of the curve where nothing
  * was cut. An end of an open curve keeps distance too, as if it had a round cap.
- * Loops that come nearer by less than four tolerances may stay.
+ * Loops that come nearer by less than three tolerances may stay.
  *
  * @param curve    of 2 or 3 dimensions; periodic curves give clamped closed ones
  * @param distance model units; negative: to the right

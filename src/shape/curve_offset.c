@@ -65,7 +65,7 @@ static batten_status keep_all(const bat_offset *o, batten_curves *out)
     for (int i = 0; status == BATTEN_OK && i < o->count; i++)
         runs[i] = o->runs[i].curve;
     if (status == BATTEN_OK && o->count)
-        status = bat_curves_chain(o->count, runs, o->options.tolerance + 1e-9 * o->size,
+        status = bat_curves_chain(o->count, runs, 4 * o->options.tolerance + 1e-9 * o->size,
                                   &made.at[0]);
     made.count = status == BATTEN_OK && o->count;
     if (status == BATTEN_OK)
@@ -106,6 +106,7 @@ static batten_status offset_upright(const batten_curve *curve, double distance,
         status = batten_curve_to_dimension(full, 2, &plan);
     bat_offset o = {.full = full, .plan = plan, .distance = distance, .options = *options};
     if (status == BATTEN_OK) {
+        o.options.tolerance /= 4; /* so that small loops are seen */
         o.size = bat_curve_size(plan);
         o.closed = batten_curve_is_closed(full, 16 * DBL_EPSILON * o.size);
         status = bat_offset_runs(&o);

@@ -37,12 +37,6 @@ typedef struct {
 
 /* ---- cutting ---- */
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static batten_status add_part(trim *t, int run, double a, double b)
 {
     const batten_curve *plan = t->o->runs[run].plan;
@@ -94,123 +88,190 @@ static batten_status find_change(const trim *t, int run, double a, double b, boo
     return BATTEN_OK;
 }
 
-/* Points inside a part at which it is judged: between the ends of the pieces of the run. */
-static int points_inside(double a, double b, const double *breaks, int break_count, double *u)
+/* Between the cuts a and b of a run at u. */
+typedef struct {
+    int run;
+    double a, b, u;
+} sample;
+
+/* All of them, along the way, and how far they lie from the curve. */
+typedef struct {
+    int count, room;
+    sample *at;
+    double *far;
+} samples;
+
+static batten_status add_sample(samples *s, int run, double a, double b, double u)
 {
-    int count = 0;
+    if (s->count == s->room) {
+        const int room = bat_max_int(64, 2 * s->room);
+        sample *grown = bat_resize(s->at, (size_t)room, sizeof *grown);
+        if (!grown)
+            return BATTEN_OUT_OF_MEMORY;
+        s->at = grown;
+        s->room = room;
+    }
+    s->at[s->count++] = (sample){run, a, b, u};
+    return BATTEN_OK;
+}
+
+/* Between two cuts of a run, POINTS on each of its pieces. */
+static batten_status add_samples(samples *s, int run, double a, double b, int break_count,
+                                 const double *breaks)
+{
+    batten_status status = BATTEN_OK;
     double from = a;
-    for (int i = 0; i < break_count; i++) {
-        if (breaks[i] <= a)
+    for (int i = 0; i < break_count && status == BATTEN_OK && from < b; i++) {
+        if (breaks[i] <= from)
             continue;
         const double to = bat_min(b, breaks[i]);
-        for (int k = 0; k < POINTS; k++)
-            u[count++] = from + (to - from) * ((k + 0.5) / POINTS);
-        from = to;
-        if (to == b)
-            break;
-    }
-    return count;
-}
-
-/* Stretches that are too near by a few tolerances only stay: what they belong to is a loop too
- * small to see, of which the ends of what is far enough need not meet. */
-static void forgive(const trim *t, int count, double *far)
-{
-    for (int i = 0, from = 0; i < count; i++) {
-        if (far[i] >= t->least) {
-            from = i + 1;
-            continue;
-        }
-        if (i + 1 < count && far[i + 1] < t->least)
-            continue;
-        double nearest = far[from];
-        for (int k = from; k <= i; k++)
-            nearest = bat_min(nearest, far[k]);
-        for (int k = from; nearest >= t->least - 3 * t->o->options.tolerance && k <= i; k++)
-            far[k] = t->least;
-    }
-}
-
-/* The good parts of one run between two cuts. */
-static batten_status judge(trim *t, int run, int count, const double *u, double *points,
-                           double *far, double a, double b)
-{
-    const batten_curve *plan = t->o->runs[run].plan;
-    batten_status status = batten_curve_evaluate_many(plan, (size_t)count, u, 0, NULL, points);
-    if (status == BATTEN_OK)
-        status = distances(t, count, points, far);
-    if (status == BATTEN_OK)
-        forgive(t, count, far);
-    double from = a;
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const bool good = far[i] >= t->least;
-        const bool ends = i + 1 == count || (far[i + 1] >= t->least) != good;
-        if (!ends)
-            continue;
-        double to = b;
-        if (i + 1 < count)
-            status = find_change(t, run, u[i], u[i + 1], good, &to);
-        if (status == BATTEN_OK && good)
-            status = add_part(t, run, from, to);
-        t->removed += !good;
+        for (int k = 0; k < POINTS && status == BATTEN_OK; k++)
+            status = add_sample(s, run, a, b, from + (to - from) * ((k + 0.5) / POINTS));
         from = to;
     }
     return status;
 }
 
-/* Where a run is cut, its ends included; rising. */
-typedef struct {
-    int count;
-    double *at;
-} cuts;
-
-static batten_status judge_run(trim *t, int run, const cuts *c)
+/* Cuts of a run, its ends included, rise. */
+static batten_status sample_run(const trim *t, int run, int count, const double *cuts,
+                                samples *s)
 {
     const batten_curve *plan = t->o->runs[run].plan;
     const int breaks = batten_curve_spans(plan, NULL);
-    const size_t room = (size_t)POINTS * ((size_t)breaks + 1);
     double *at = bat_array((size_t)breaks, sizeof *at);
-    double *u = bat_array(room, sizeof *u), *points = bat_array(room, 2 * sizeof *points);
-    double *far = bat_array(room, sizeof *far);
-    batten_status status = at && u && points && far ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    batten_status status = at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         batten_curve_spans(plan, at);
-    for (int i = 0; status == BATTEN_OK && i + 1 < c->count; i++) {
-        const double a = c->at[i], b = c->at[i + 1];
+    for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)
         /* What rounding leaves between two cuts at one place is no part. */
-        if (b - a <= 1e-12 * (at[breaks - 1] - at[0]))
-            continue;
-        const int count = points_inside(a, b, at, breaks, u);
-        status = judge(t, run, count, u, points, far, a, b);
-    }
-    bat_release(far);
-    bat_release(points);
-    bat_release(u);
+        if (cuts[i + 1] - cuts[i] > 1e-12 * (at[breaks - 1] - at[0]))
+            status = add_samples(s, run, cuts[i], cuts[i + 1], breaks, at);
     bat_release(at);
     return status;
 }
 
-/* The ends of a run and its crossings, rising. */
+/* A passage of a run through a crossing. */
+typedef struct {
+    int run;
+    double u;
+} passage;
+
+static int by_run(const void *a, const void *b)
+{
+    const passage *x = a, *y = b;
+    return x->run != y->run ? (x->run > y->run) - (x->run < y->run)
+                            : (x->u > y->u) - (x->u < y->u);
+}
+
+/* Passages in order of runs, the ends of the runs among them: the cuts of all. */
+static batten_status sample_all(const trim *t, const bat_crossings *crossings, samples *s)
+{
+    const int runs = t->o->count, n = 2 * crossings->count + 2 * runs;
+    passage *passages = bat_array((size_t)n, sizeof *passages);
+    double *cuts = bat_array((size_t)n, sizeof *cuts);
+    batten_status status = passages && cuts ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < n; i++) {
+        const int end = i - 2 * crossings->count;
+        const bat_crossing *c = &crossings->at[i / 2];
+        if (end < 0) {
+            passages[i] = (passage){c->curve[i % 2], c->u[i % 2]};
+            continue;
+        }
+        const batten_interval domain = batten_curve_domain(t->o->runs[end / 2].plan);
+        passages[i] = (passage){end / 2, end % 2 ? domain.b : domain.a};
+    }
+    if (status == BATTEN_OK && n)
+        qsort(passages, (size_t)n, sizeof *passages, by_run);
+    for (int i = 0, from = 0; status == BATTEN_OK && i < n; i++) {
+        cuts[i] = passages[i].u;
+        if (i + 1 < n && passages[i + 1].run == passages[i].run)
+            continue;
+        status = sample_run(t, passages[i].run, i + 1 - from, cuts + from, s);
+        from = i + 1;
+    }
+    bat_release(cuts);
+    bat_release(passages);
+    return status;
+}
+
+static batten_status measure(const trim *t, samples *s)
+{
+    const size_t n = (size_t)s->count;
+    double *points = bat_array(n, 2 * sizeof *points);
+    s->far = bat_array(n, sizeof *s->far);
+    batten_status status = points && s->far ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; status == BATTEN_OK && i < n; i++)
+        status =
+            batten_curve_evaluate(t->o->runs[s->at[i].run].plan, s->at[i].u, 0, points + 2 * i);
+    if (status == BATTEN_OK && n)
+        status = distances(t, s->count, points, s->far);
+    bat_release(points);
+    return status;
+}
+
+/* Stretches that are too near by ten tolerances at most stay: the pieces, which are right to
+ * one, need not show where the loop that they belong to crosses itself. A closed way begins
+ * behind something good. */
+static void forgive(const trim *t, samples *s)
+{
+    const int n = s->count;
+    const double least = t->least, excuse = least - 10 * t->o->options.tolerance;
+    int begin = 0;
+    while (t->o->closed && begin < n && s->far[begin] < least)
+        begin++;
+    for (int i = 0, from = 0; i < n; i++) {
+        if (s->far[(begin + i) % n] >= least) {
+            from = i + 1;
+            continue;
+        }
+        if (i + 1 < n && s->far[(begin + i + 1) % n] < least)
+            continue;
+        double nearest = least;
+        for (int k = from; k <= i; k++)
+            nearest = bat_min(nearest, s->far[(begin + k) % n]);
+        for (int k = from; nearest >= excuse && k <= i; k++)
+            s->far[(begin + k) % n] = least;
+    }
+}
+
+/* The good parts. */
+static batten_status keep_good(trim *t, const samples *s)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < s->count;) {
+        const sample *first = &s->at[i];
+        double from = first->a;
+        bool same = true;
+        for (; status == BATTEN_OK && same; i++) {
+            const bool good = s->far[i] >= t->least;
+            double to = first->b;
+            same = i + 1 < s->count && s->at[i + 1].run == first->run &&
+                   s->at[i + 1].a == first->a;
+            if (same && (s->far[i + 1] >= t->least) == good)
+                continue;
+            if (same)
+                status = find_change(t, first->run, s->at[i].u, s->at[i + 1].u, good, &to);
+            if (status == BATTEN_OK && good)
+                status = add_part(t, first->run, from, to);
+            t->removed += !good;
+            from = to;
+        }
+    }
+    return status;
+}
+
 static batten_status judge_all(trim *t, const bat_crossings *crossings)
 {
-    const bat_offset *o = t->o;
-    cuts c = {0};
-    double *all = bat_array(2 * (size_t)crossings->count + 2, sizeof *all);
-    batten_status status = all ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    c.at = all;
-    for (int run = 0; status == BATTEN_OK && run < o->count; run++) {
-        const batten_interval domain = batten_curve_domain(o->runs[run].plan);
-        c.count = 0;
-        c.at[c.count++] = domain.a;
-        for (int i = 0; i < crossings->count; i++)
-            for (int k = 0; k < 2; k++)
-                if (crossings->at[i].curve[k] == run)
-                    c.at[c.count++] = crossings->at[i].u[k];
-        c.at[c.count++] = domain.b;
-        qsort(c.at, (size_t)c.count, sizeof *c.at, by_value);
-        status = judge_run(t, run, &c);
+    samples s = {0};
+    batten_status status = sample_all(t, crossings, &s);
+    if (status == BATTEN_OK)
+        status = measure(t, &s);
+    if (status == BATTEN_OK) {
+        forgive(t, &s);
+        status = keep_good(t, &s);
     }
-    bat_release(all);
+    bat_release(s.far);
+    bat_release(s.at);
     return status;
 }
 
@@ -220,6 +281,16 @@ static void follow(trim *t, int i, int j)
 {
     t->parts[i].next = j;
     t->parts[j].followed = true;
+}
+
+/* Parts without a next one go on where another begins that follows none. */
+static void meet(trim *t)
+{
+    for (int i = 0; i < t->count; i++)
+        for (int j = 0; t->parts[i].next < 0 && j < t->count; j++)
+            if (!t->parts[j].followed &&
+                bat_distance(2, t->parts[i].end, t->parts[j].start) <= t->near)
+                follow(t, i, j);
 }
 
 /* First along the way they came, then to whatever begins where a part ends. */
@@ -236,11 +307,7 @@ static void link_parts(trim *t)
             bat_distance(2, p->end, q->start) <= t->near)
             follow(t, i, j);
     }
-    for (int i = 0; i < n; i++)
-        for (int j = 0; t->parts[i].next < 0 && j < n; j++)
-            if (!t->parts[j].followed &&
-                bat_distance(2, t->parts[i].end, t->parts[j].start) <= t->near)
-                follow(t, i, j);
+    meet(t);
 }
 
 batten_status bat_curves_chain(int count, batten_curve *const *curves, double tolerance,
@@ -325,7 +392,7 @@ batten_status bat_offset_trim(bat_offset *o, batten_curves *out)
 {
     const batten_curve **plans = bat_array((size_t)o->count, sizeof *plans);
     bat_crossings crossings = {0};
-    const double tolerance = o->options.tolerance;
+    const double tolerance = 4 * o->options.tolerance;
     trim t = {.o = o,
               .least = fabs(o->distance) - o->report.error - 1e-10 * o->size,
               .near = tolerance + 1e-12 * o->size};
