@@ -28,6 +28,7 @@
 #include <batten/notes.h>
 #include <batten/number.h>
 #include <batten/offsets.h>
+#include <batten/polygon.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
