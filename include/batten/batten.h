@@ -13,6 +13,7 @@
 #include <batten/cubic.h>
 #include <batten/curve.h>
 #include <batten/curve_offset.h>
+#include <batten/divide.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>
 #include <batten/file.h>

@@ -1,0 +1,35 @@
+#ifndef BATTEN_DIVIDE_H
+#define BATTEN_DIVIDE_H
+/**
+ * @file
+ * Where to cut a curve: equal lengths, chords that stay near.
+ */
+#include <batten/inspect.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Parameters that cut a curve into parts of equal length, both ends included.
+ * @param count parts, 1 or more
+ * @param tolerance of the lengths from the start, model units, > 0
+ * @param[out] u [count + 1]
+ * @return as batten_curve_at_length; BAD_ARGUMENT (count)
+ */
+BATTEN_API batten_status batten_curve_divide(const batten_curve *curve, int count,
+                                             double tolerance, double *u);
+/**
+ * Parameters of a polyline on a curve no farther from it than `height`, both ends and all
+ * distinct knots included. Pieces are halved until their control polygons, which enclose them,
+ * lie that near to their chords: a bound, not an estimate.
+ * @param height model units, > 0
+ * @return BATTEN_OK; BAD_ARGUMENT; TOO_LARGE beyond a million parts. Release `out->at`.
+ */
+BATTEN_API batten_status batten_curve_divide_chord(const batten_curve *curve, double height,
+                                                   batten_parameters *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,82 @@
+#include "design/feature.h"
+
+#include <batten/divide.h>
+
+static const batten_parameter parameters[] = {
+    {"divide", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves"},
+    {"count", BATTEN_VALUE_COUNT, false, false, NULL, NULL, "parts of equal length"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "instead: as many parts as it takes that no chord is farther from the curve"},
+};
+
+/* The points at the parameters, in space, under the name of the curve. */
+static batten_status put_points(bat_run *run, const batten_object *object,
+                                const batten_parameters *at)
+{
+    const int d = batten_curve_dimension(object->curve);
+    double *points = bat_array((size_t)at->count, 3 * sizeof *points);
+    batten_status status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < at->count && status == BATTEN_OK; i++) {
+        double p[3] = {0};
+        status = batten_curve_evaluate(object->curve, at->at[i], 0, p);
+        for (int k = 0; k < d && status == BATTEN_OK; k++)
+            points[3 * i + k] = p[k];
+    }
+    const batten_object made = {.name = object->name,
+                                .layer = object->layer,
+                                .kind = BATTEN_OBJECT_POINTS,
+                                .point_count = at->count,
+                                .points = points};
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &made);
+    bat_release(points);
+    return status;
+}
+
+static batten_status divide_object(bat_run *run, const batten_object *object)
+{
+    batten_parameters at = {0, NULL};
+    batten_status status = BATTEN_OK;
+    if (bat_has(run, "within")) {
+        status = batten_curve_divide_chord(object->curve, bat_number(run, "within"), &at);
+    } else {
+        const int count = bat_count(run, "count");
+        at.count = count + 1;
+        at.at = bat_array((size_t)(count < 1 ? 1 : count + 1), sizeof *at.at);
+        status =
+            at.at ? batten_curve_divide(object->curve, count, bat_tolerance(run) / 1000, at.at)
+                  : BATTEN_OUT_OF_MEMORY;
+    }
+    if (status == BATTEN_OK)
+        status = put_points(run, object, &at);
+    bat_release(at.at);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects objects;
+    if (bat_has(run, "count") == bat_has(run, "within"))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "either 'count' or 'within' must be given");
+    batten_status status = bat_gather(run, "divide", BAT_CURVES, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = divide_object(run, objects.at[i]);
+    bat_objects_release(&objects);
+    return status;
+}
+
+const bat_feature bat_feature_divide = {
+    .shown =
+        {"divide", "Points on curves at equal lengths, or as near as chords must be",
+         "With 'count' the points cut each curve into parts of equal length; both ends are "
+         "points.\n"
+         "With 'within' the polyline through them stays that near to the curve, by a "
+         "bound; it has\n"
+         "a point at each knot, and at most a few times as many as are needed.",
+         "features:\n"
+         "  rim: {circle: 1 m}\n"
+         "  bolts: {divide: rim, count: 12}\n",
+         "[PT97]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
+    .run = run};
