@@ -30,6 +30,7 @@
 #include <batten/number.h>
 #include <batten/offsets.h>
 #include <batten/polygon.h>
+#include <batten/quadratic.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/surface.h>

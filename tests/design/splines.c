@@ -58,6 +58,9 @@ TEST(splines_as_operations_pass_their_points)
         "{weighted-spline: s, weights: [1, 2, 5, 0.1]}",
         "{beta-spline: s, use: through, beta1: 1.2, beta2: 1}",
         "{beta-spline: p, use: through, closed: yes}",
+        "{quadratic-spline: s}",
+        "{quadratic-spline: s, knots: midpoints}",
+        "{quadratic-spline: q, knots: sequential, slope: end, vector: [0, 1, 0], as: function}",
     };
     for (int i = 0; i < COUNT(features); i++) {
         batten_design *design = NULL;
@@ -111,6 +114,7 @@ TEST(splines_as_operations_say_what_they_cannot_do)
         {"{weighted-spline: p, weights: 0}", "the weight of span 0 is 0"},
         {"{weighted-spline: p, as: function, closed: yes}", "a function cannot be closed"},
         {"{beta-spline: p, beta1: 0}", "beta1 is 0"},
+        {"{quadratic-spline: p, knots: midpoints, as: function}", "are no mid-points"},
         {"{beta-spline: two, closed: yes}", "at least 3"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
