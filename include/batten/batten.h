@@ -5,6 +5,7 @@
  * Everything of libbatten. Pictures and designs have headers and libraries of their own.
  */
 #include <batten/approximate.h>
+#include <batten/arcs.h>
 #include <batten/base.h>
 #include <batten/beta.h>
 #include <batten/biarc.h>

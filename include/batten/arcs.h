@@ -1,0 +1,110 @@
+#ifndef BATTEN_ARCS_H
+#define BATTEN_ARCS_H
+/**
+ * @file
+ * Curves and rows of points as chains of few arcs and lines, within a tolerance: what machines
+ * that know nothing else can follow.
+ */
+#include <batten/chain.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_arcs_join {
+    BATTEN_ARCS_SMOOTH, /**< biarcs: the tangent turns only at corners of the curve */
+    BATTEN_ARCS_PLAIN   /**< single arcs: fewer, with small corners where they meet */
+} batten_arcs_join;
+
+/** On which side of the curve, seen along it, the arcs may lie. */
+typedef enum batten_arcs_side {
+    BATTEN_ARCS_EITHER,
+    BATTEN_ARCS_LEFT,
+    BATTEN_ARCS_RIGHT,
+    BATTEN_ARCS_INSIDE, /**< of a closed curve, as it turns */
+    BATTEN_ARCS_OUTSIDE
+} batten_arcs_side;
+
+typedef struct batten_arcs_options {
+    size_t size;
+    double tolerance;        /**< model units, > 0; must be set */
+    batten_arcs_join joined; /**< BATTEN_ARCS_SMOOTH */
+    batten_arcs_side side;   /**< BATTEN_ARCS_EITHER */
+    double least_radius;     /**< of any arc, model units; 0 for none */
+    int most;                /**< arcs and lines; 0: as many as it takes */
+    double corner; /**< radians: where the direction of the curve jumps by more, it has
+                        a corner; 1e-6 */
+    bool spread;   /**< with the same number of arcs, make the largest deviation as
+                        small as can be, within 2 per cent; true */
+    bool closed;   /**< of points: the first is also the last; it is not repeated */
+} batten_arcs_options;
+BATTEN_API batten_arcs_options batten_arcs_defaults(void);
+
+typedef struct batten_arcs_report {
+    int arcs, lines;
+    double deviation;    /**< the largest distance between curve and arcs: at all places where
+                              the distance has an extreme, or of points the largest */
+    double left, right;  /**< the largest to either side of the curve, >= 0 */
+    double at;           /**< parameter of the curve, or index of the point, of the largest */
+    double sampled;      /**< the same by dense sampling alone, 64 and more on each arc */
+    double least_radius; /**< infinity when all are lines */
+    double largest_turn; /**< of the tangent between neighbours, radians; corners included */
+} batten_arcs_report;
+
+/**
+ * The fewest arcs for a plane curve.
+ *
+ * From corner to corner each biarc (arc) is made as long as the tolerance allows; its ends lie
+ * on the curve, with one side allowed half the tolerance beside it, and a biarc has the
+ * directions of the curve. So the number is that of the best of such chains, within a
+ * thousandth or one more. A circle, or an arc of it, is one arc (two when it is closed), a line
+ * one line. As the tolerance shrinks, the number for a curve with the curvature k is, along the
+ * arc length s, the integral of |dk/ds|^(1/3) ds times 2 / (324 tolerance)^(1/3) (smooth),
+ * times 1 / (72 sqrt 3 tolerance)^(1/3) (plain); with one side allowed the tolerance counts by
+ * half. Corners and ends of the curve are kept exactly.
+ *
+ * @param curve   dimension 2
+ * @param options with the tolerance
+ * @param[out] report may be NULL
+ * @param[out] out a chain of arcs and lines, by arc length
+ * @return BATTEN_OK; BAD_ARGUMENT (dimension, tolerance, radius, side of a curve that is not
+ * closed); TOLERANCE_NOT_MET naming the parameter where no arc of `least_radius` stays within
+ * the tolerance, or the number that is needed when that is more than `most`; SINGULAR_HERE for
+ * a curve that is a point; OVERFLOW; OUT_OF_MEMORY
+ *
+ * Cost: about 15 trials for each biarc or arc, each of some 30 evaluations; with `spread` and
+ * few arcs up to ten times that.
+ * Source: [MW95], [Bolton75]; the measure of the error is our own.
+ */
+BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
+                                              const batten_arcs_options *options,
+                                              batten_arcs_report *report, batten_chain **out);
+
+/** The same for a plane chain that is not placed: it is converted within a hundredth of the
+ * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain. */
+BATTEN_API batten_status batten_arcs_of_chain(const batten_chain *chain,
+                                              const batten_arcs_options *options,
+                                              batten_arcs_report *report, batten_chain **out);
+
+/**
+ * Few arcs that pass all points of a row within a tolerance; ends of arcs are points of the row
+ * (or half the tolerance beside them when one side is allowed). Biarcs have the directions of
+ * the circles through three neighbours, so rough points are better served with `plain` arcs.
+ * The distance is that of the points: between them the arcs go as they like. `spread`, `corner`
+ * and `most` are as for curves, but there are no corners.
+ *
+ * @param points [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param[out] parameters [count], of the places on the chain nearest to the points; may be NULL
+ * @return also TOO_FEW_POINTS, NOT_FINITE, COINCIDENT, SINGULAR_HERE where the points turn back
+ * Cost: about count log(count) distances.
+ * Source: [MW92] for biarcs within a band.
+ */
+BATTEN_API batten_status batten_arcs_of_points(int count, const double *points,
+                                               const batten_arcs_options *options,
+                                               double *parameters, batten_arcs_report *report,
+                                               batten_chain **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

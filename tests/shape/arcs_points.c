@@ -1,0 +1,147 @@
+#include <batten/arcs.h>
+
+#include "support/test.h"
+
+static batten_arcs_options within(double tolerance, batten_arcs_join joined)
+{
+    batten_arcs_options options = batten_arcs_defaults();
+    options.tolerance = tolerance;
+    options.joined = joined;
+    return options;
+}
+
+/* Every point lies as near to the chain as the report says, at its parameter. */
+static void check_points(int count, const double *points, const double *parameters,
+                         const batten_chain *chain, const batten_arcs_report *report,
+                         double tolerance)
+{
+    CHECK(report->deviation <= tolerance * (1 + 1e-9) + 1e-13);
+    double largest = 0;
+    for (int i = 0; i < count; i++) {
+        double at[2];
+        CHECK_OK(batten_chain_evaluate(chain, parameters[i], 0, at));
+        largest = fmax(largest, hypot(at[0] - points[2 * i], at[1] - points[2 * i + 1]));
+        CHECK(i == 0 || parameters[i] > parameters[i - 1]);
+    }
+    CHECK_NEAR(largest, report->deviation, 1e-6 * tolerance + 1e-12);
+}
+
+TEST(arcs_pass_points_of_a_wave_within_the_tolerance)
+{
+    enum { N = 400 };
+    double *points = test_array(N, 2 * sizeof *points), *at = test_array(N, sizeof *at);
+    for (int i = 0; i < N; i++) {
+        points[2 * i] = 10.0 * i / (N - 1);
+        points[2 * i + 1] = sin(points[2 * i]);
+    }
+    for (int joined = 0; joined < 2; joined++)
+        for (int side = 0; side <= BATTEN_ARCS_RIGHT; side++) {
+            int before = 0;
+            for (int e = 1; e <= 4; e++) {
+                batten_arcs_options options = within(pow(10, -e), (batten_arcs_join)joined);
+                batten_arcs_report report;
+                batten_chain *chain = NULL;
+                options.side = (batten_arcs_side)side;
+                CHECK_OK(batten_arcs_of_points(N, points, &options, at, &report, &chain));
+                check_points(N, points, at, chain, &report, options.tolerance);
+                CHECK(report.arcs + report.lines > before);
+                CHECK(side != BATTEN_ARCS_LEFT || report.right < 1e-13);
+                CHECK(side != BATTEN_ARCS_RIGHT || report.left < 1e-13);
+                before = report.arcs + report.lines;
+                batten_chain_unref(chain);
+            }
+            CHECK(before < 120);
+        }
+}
+
+TEST(g2_points_on_a_circle_or_line_are_one_arc_or_line)
+{
+    double circle[2 * 9], line[2 * 9];
+    for (int i = 0; i < 9; i++) {
+        const double angle = 0.3 * i + 0.01 * i * i;
+        circle[2 * i] = 4 * cos(angle);
+        circle[2 * i + 1] = 4 * sin(angle);
+        line[2 * i] = 3 * angle;
+        line[2 * i + 1] = 4 * angle;
+    }
+    for (int joined = 0; joined < 2; joined++) {
+        const batten_arcs_options options = within(1e-6, (batten_arcs_join)joined);
+        batten_arcs_report report;
+        batten_chain *chain = NULL;
+        CHECK_OK(batten_arcs_of_points(9, circle, &options, NULL, &report, &chain));
+        CHECK_INT(report.arcs, 1);
+        CHECK_NEAR(report.least_radius, 4, 1e-11);
+        batten_chain_unref(chain);
+        CHECK_OK(batten_arcs_of_points(9, line, &options, NULL, &report, &chain));
+        CHECK_INT(report.arcs, 0);
+        CHECK_INT(report.lines, 1);
+        batten_chain_unref(chain);
+        CHECK_OK(batten_arcs_of_points(2, line, &options, NULL, &report, &chain));
+        CHECK_INT(report.lines, 1);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(closed_rows_of_points_have_an_inside)
+{
+    enum { N = 100 };
+    double points[2 * N], at[N];
+    for (int i = 0; i < N; i++) {
+        const double t = 2 * acos(-1) * i / N;
+        points[2 * i] = 2 * cos(t);
+        points[2 * i + 1] = -sin(t); /* clockwise */
+    }
+    for (int joined = 0; joined < 2; joined++) {
+        batten_arcs_options options = within(1e-2, (batten_arcs_join)joined);
+        batten_arcs_report report;
+        batten_chain *chain = NULL;
+        options.closed = true;
+        options.side = BATTEN_ARCS_INSIDE;
+        CHECK_OK(batten_arcs_of_points(N, points, &options, at, &report, &chain));
+        CHECK(batten_chain_is_closed(chain));
+        CHECK(report.left < 1e-13 && report.right > 1e-3);
+        check_points(N, points, at, chain, &report, 1e-2);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(rough_points_are_passed_by_few_plain_arcs)
+{
+    enum { N = 300 };
+    double *points = test_array(N, 2 * sizeof *points), *at = test_array(N, sizeof *at);
+    test_random random = test_random_begin("rough points");
+    for (int i = 0; i < N; i++) {
+        const double angle = 2.5 * i / (N - 1), r = 5 + test_random_in(&random, -1e-3, 1e-3);
+        points[2 * i] = r * cos(angle);
+        points[2 * i + 1] = r * sin(angle);
+    }
+    const batten_arcs_options options = within(2.5e-3, BATTEN_ARCS_PLAIN);
+    batten_arcs_report report;
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_arcs_of_points(N, points, &options, at, &report, &chain));
+    CHECK_INT(report.arcs, 1);
+    CHECK(report.deviation <= 2.5e-3);
+    batten_chain_unref(chain);
+}
+
+TEST(g1_coincident_points_are_named_by_arcs)
+{
+    const double same[] = {0, 0, 1, 1, 1, 1, 2, 0}, back[] = {0, 0, 1, 0, 0, 0};
+    const double bad[] = {0, 0, INFINITY, 1};
+    const batten_arcs_options options = within(0.1, BATTEN_ARCS_PLAIN);
+    batten_chain *chain = NULL;
+    CHECK_STATUS(batten_arcs_of_points(4, same, &options, NULL, NULL, &chain),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("points 1 and 2");
+    CHECK_STATUS(batten_arcs_of_points(3, back, &options, NULL, NULL, &chain),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_arcs_of_points(2, bad, &options, NULL, NULL, &chain),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_arcs_of_points(1, same, &options, NULL, NULL, &chain),
+                 BATTEN_TOO_FEW_POINTS);
+    batten_arcs_options inside = options;
+    inside.side = BATTEN_ARCS_INSIDE;
+    CHECK_STATUS(batten_arcs_of_points(2, same, &inside, NULL, NULL, &chain),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(!chain);
+}
