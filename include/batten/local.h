@@ -23,7 +23,8 @@ typedef enum batten_tangent_rule {
     BATTEN_TANGENT_RENNER,   /**< Akima's weights with areas instead of slopes, so that axes do
                                   not matter; three points in line give that line */
     BATTEN_TANGENT_PARABOLA, /**< of the parabola nearest to five points, chord parameters */
-    BATTEN_TANGENT_BISECTOR  /**< halves the angle between the two chords */
+    BATTEN_TANGENT_BISECTOR, /**< halves the angle between the two chords */
+    BATTEN_TANGENT_GIVEN     /**< `given` in the options */
 } batten_tangent_rule;
 
 /** How long tangents are, and with them the steps of the parameters. */
@@ -32,7 +33,7 @@ typedef enum batten_tangent_length {
     BATTEN_LENGTH_MIDDLE, /**< tangents of length 1, and steps such that each span has speed 1
                                in its middle too: so its length is its step by Simpson's rule */
     BATTEN_LENGTH_RULE    /**< steps = chords, and the derivative that the rule gives (BESSEL,
-                               AKIMA, PARABOLA; else as CHORD) */
+                               AKIMA, PARABOLA, GIVEN; else as CHORD) */
 } batten_tangent_length;
 
 /** What becomes of a point between two straight runs (RENNER). */
@@ -47,6 +48,7 @@ typedef struct batten_tangent_options {
     batten_tangent_length length; /**< BATTEN_LENGTH_CHORD */
     batten_corner corners;        /**< BATTEN_CORNER_ROUND */
     bool closed;                  /**< the first point is not repeated */
+    const double *given;          /**< [count][dimension], with BATTEN_TANGENT_GIVEN */
 } batten_tangent_options;
 BATTEN_API batten_tangent_options batten_tangent_defaults(void);
 

@@ -84,11 +84,9 @@ static batten_status prepare(task *t)
         return BATTEN_OUT_OF_MEMORY;
     if (function)
         status = split_function(t);
-    t->data = (bat_data){t->row->name,
-                         function   ? 1
-                         : in_plane ? 2
-                                    : 3,
-                         n, t->coordinates, t->abscissae};
+    t->data = (bat_data){
+        t->row->name, function ? 1 : in_plane ? 2 : 3, n, t->coordinates, t->abscissae,
+        t->plane.axis};
     t->made.has_parameters = true;
     return status;
 }
@@ -149,7 +147,7 @@ static batten_status place_curve(const task *t, batten_curve **curve)
     batten_status status = BATTEN_OK;
     if (t->data.dimension == 3)
         return BATTEN_OK;
-    if (t->data.dimension == 1)
+    if (batten_curve_dimension(*curve) == 1)
         status = batten_curve_graph(*curve, &graph);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(graph ? graph : *curve, 3, &lifted);

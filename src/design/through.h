@@ -51,9 +51,11 @@ typedef struct {
     int count;
     const double *points;    /* [count][dimension] */
     const double *abscissae; /* [count], increasing, of a function; else NULL */
+    int axis;                /* the coordinate that the plane leaves out; -1: in space */
 } bat_data;
 
-/* What a method makes of a row: a curve or a chain, of the dimension of the data. */
+/* What a method makes of a row: a curve or a chain, of the dimension of the data; of a function
+ * also its graph, a curve of dimension 2. */
 typedef struct {
     batten_curve *curve;
     batten_chain *chain;

@@ -238,7 +238,7 @@ static bool keeps_length(const batten_tangent_options *o)
 {
     return o->length == BATTEN_LENGTH_RULE &&
            (o->rule == BATTEN_TANGENT_BESSEL || o->rule == BATTEN_TANGENT_AKIMA ||
-            o->rule == BATTEN_TANGENT_PARABOLA);
+            o->rule == BATTEN_TANGENT_PARABOLA || o->rule == BATTEN_TANGENT_GIVEN);
 }
 
 static void make_unit(const task *t, double *T)
@@ -282,6 +282,21 @@ static void one_tangent(task *t, int i)
         chord(t, i, 0, T);
         t->report.corners++;
     }
+}
+
+static batten_status take_given(task *t)
+{
+    const size_t n = (size_t)t->count * (size_t)t->d;
+    const bool keeps = keeps_length(t->options);
+    memcpy(t->leaving, t->options->given, n * sizeof *t->leaving);
+    for (int i = 0; i < t->count && !keeps; i++) {
+        double *T = t->leaving + (size_t)i * (size_t)t->d;
+        if (!(bat_norm(t->d, T) > 0))
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the tangent at point %d has no length", i);
+        make_unit(t, T);
+    }
+    memcpy(t->arriving, t->leaving, n * sizeof *t->leaving);
+    return BATTEN_OK;
 }
 
 /* Inner points first: the ends look at them. */
@@ -343,24 +358,31 @@ static batten_status find(task *t)
         return status;
     bat_steps(t->d, t->count, t->points, BATTEN_CHORD, closed(t), t->l);
     t->report.first_turned_back = -1;
-    find_tangents(t);
-    if (t->options->length == BATTEN_LENGTH_MIDDLE)
+    if (t->options->rule == BATTEN_TANGENT_GIVEN)
+        status = take_given(t);
+    else
+        find_tangents(t);
+    if (status == BATTEN_OK && t->options->length == BATTEN_LENGTH_MIDDLE)
         status = find_steps(t);
     return status;
 }
 
-static batten_status check_options(const batten_tangent_options *o, int dimension)
+static batten_status check_options(const batten_tangent_options *o, int dimension, int count)
 {
     if (dimension < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "tangents need a plane or space; a function of one "
                         "variable has slopes");
-    if ((int)o->rule < 0 || o->rule > BATTEN_TANGENT_BISECTOR)
+    if ((int)o->rule < 0 || o->rule > BATTEN_TANGENT_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for tangents", (int)o->rule);
     if ((int)o->length < 0 || o->length > BATTEN_LENGTH_RULE)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for the length of tangents",
                         (int)o->length);
-    return BATTEN_OK;
+    if (o->rule != BATTEN_TANGENT_GIVEN)
+        return BATTEN_OK;
+    if (!o->given)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tangents shall be given, and are not");
+    return bat_local_check_rows(dimension, count, o->given, "tangent");
 }
 
 static void hand_over(const task *t, double *parameters, double *leaving, double *arriving,
@@ -387,7 +409,7 @@ batten_status batten_tangents(int dimension, int count, const double *points,
               .options = options ? options : &defaults};
     batten_status status = bat_points_check(dimension, count, points, closed(&t) ? 3 : 2);
     if (status == BATTEN_OK)
-        status = check_options(t.options, dimension);
+        status = check_options(t.options, dimension, count);
     if (status != BATTEN_OK)
         return status;
     t.t = bat_array((size_t)count + 1, sizeof *t.t);

@@ -348,3 +348,29 @@ TEST(tangents_are_local)
                     CHECK_BITS(after.leaving[2 * i + k], before.leaving[2 * i + k]);
     }
 }
+
+TEST(given_tangents_are_taken_with_the_length_that_is_asked)
+{
+    const double points[] = {0, 0, 2, 0, 2, 3}, given[] = {3, 0, 0, 5, 0, 2}, zero[6] = {1, 1};
+    const double bad[] = {1, 0, NAN, 1, 1, 1};
+    batten_tangent_options options = rule(BATTEN_TANGENT_GIVEN, BATTEN_LENGTH_RULE);
+    double t[3], T[6];
+    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    options.given = given;
+    tangents made = tangents_of(2, 3, points, &options);
+    for (int k = 0; k < 6; k++)
+        CHECK_NEAR(made.leaving[k], given[k], 0);
+    options.length = BATTEN_LENGTH_MIDDLE;
+    made = tangents_of(2, 3, points, &options);
+    CHECK_NEAR(made.leaving[0], 1, 1e-15);
+    CHECK_NEAR(made.leaving[3], 1, 1e-15);
+    /* The second span is straight: its step is its chord. */
+    CHECK_NEAR(made.t[2] - made.t[1], 3, 1e-14);
+    options.given = zero;
+    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("tangent at point 1");
+    options.given = bad;
+    CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL), BATTEN_NOT_FINITE);
+}

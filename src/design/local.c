@@ -1,0 +1,73 @@
+#include "design/local.h"
+
+#include <string.h>
+
+void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_report *report)
+{
+    if (report->turned_back > 0)
+        bat_note(
+            run,
+            "'%s' turns back on itself at %d points, the first is point %d: its tangent is "
+            "at right angles there",
+            data->name, report->turned_back, report->first_turned_back);
+}
+
+batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
+                                   const batten_tangent_options *options, bat_made *made)
+{
+    const size_t n = (size_t)data->count, d = (size_t)data->dimension;
+    batten_tangent_report report;
+    double *t = bat_array(n + 1, sizeof *t);
+    double *leaving = bat_array3(n, d, sizeof *leaving);
+    double *arriving = bat_array3(n, d, sizeof *arriving);
+    batten_status status = BATTEN_OUT_OF_MEMORY;
+    if (t && leaving && arriving)
+        status = batten_tangents(data->dimension, data->count, data->points, options, t,
+                                 leaving, arriving, &report);
+    if (status == BATTEN_OK)
+        status = batten_curve_from_tangents(data->dimension, data->count, data->points, t,
+                                            leaving, arriving, options->closed, &made->curve);
+    if (status == BATTEN_OK) {
+        memcpy(made->parameters, t, n * sizeof *t);
+        bat_note_turns(run, data, &report);
+    }
+    bat_release(t);
+    bat_release(leaving);
+    bat_release(arriving);
+    return status;
+}
+
+batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, bat_made *made)
+{
+    double *slopes = bat_array((size_t)data->count, sizeof *slopes);
+    batten_status status = BATTEN_OUT_OF_MEMORY;
+    if (slopes)
+        status = batten_slopes(data->count, data->abscissae, data->points, rule, slopes);
+    if (status == BATTEN_OK)
+        status = batten_curve_from_tangents(1, data->count, data->points, data->abscissae,
+                                            slopes, NULL, false, &made->curve);
+    if (status == BATTEN_OK)
+        memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *slopes);
+    bat_release(slopes);
+    return status;
+}
+
+batten_status bat_vectors(const bat_run *run, const bat_data *data, const char *parameter,
+                          double **out)
+{
+    const bat_argument *list = bat_argument_of(run, parameter);
+    *out = NULL;
+    if (list->count == 0)
+        return BATTEN_OK;
+    if (list->count != data->count)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vectors for %d points", parameter,
+                        list->count, data->count);
+    double *rows = bat_array3((size_t)list->count, 3, sizeof *rows);
+    if (!rows)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < list->count; i++)
+        memcpy(rows + 3 * i, list->items[i].number, 3 * sizeof *rows);
+    *out = bat_points_in_plane(data->axis, list->count, rows);
+    bat_release(rows);
+    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}

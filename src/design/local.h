@@ -1,0 +1,22 @@
+/* What the features of local interpolation share. */
+#ifndef BAT_DESIGN_LOCAL_H
+#define BAT_DESIGN_LOCAL_H
+#include "design/through.h"
+#include <batten/local.h>
+
+/* The words of batten_tangent_rule, in its order, without GIVEN. */
+#define BAT_TANGENT_WORDS "circle bessel akima renner parabola bisector"
+
+/* The cubic with tangents by a rule and a length; `closed` says whether the row closes. */
+batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
+                                   const batten_tangent_options *options, bat_made *made);
+/* The cubic function with slopes by a rule. */
+batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, bat_made *made);
+/* Say where the polygon turned back. */
+void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_report *report);
+
+/* The vectors of a list that has one for each point, [count][dimension] in the plane of the
+ * data or in space; NULL when the list was not given. Release them. */
+batten_status bat_vectors(const bat_run *run, const bat_data *data, const char *parameter,
+                          double **out);
+#endif

@@ -1,0 +1,114 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <batten/notes.h>
+#include <string.h>
+
+#define ALONG "[[1, 0], [1, 0], [1, 0], [1, 0], [1, 0]]"
+
+/* A feature `a` of the common rows. */
+static batten_status evaluate(const char *feature, batten_design **out, batten_notes *notes)
+{
+    static const char rows[] =
+        "  p: {points: [[0, 0, 2], [1, 0.5, 2], [2, 0.6, 2], [3, 0.3, 2], [4, 0, 2]]}\n"
+        "  step: {points: [[0, 1, 0], [1, 1, 0], [2, 1, 0.1], [3, 1, 2], [4, 1, 2]]}\n"
+        "  ring: {points: [[2, 2, 0], [2, 1.4, 1.5], [2, 0, 2.1], [2, -1.4, 1.4], [2, -1, "
+        "-1]]}\n"
+        "  q: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2], [4, 0, 0]]}\n"
+        "  back: {points: [[0, 0], [2, 0], [1, 0], [1, 1], [2, 2]]}\n";
+    char text[2000];
+    snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, notes);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+TEST(features_of_local_methods_leave_curves_through_their_points)
+{
+    static const char *const features[] = {
+        "{circle-tangents: q, lengths: middle}",
+        "{circle-tangents: ring, closed: yes}",
+        "{mcconalogue: q}",
+        "{bessel: q}",
+        "{bessel: step, as: function}",
+        "{akima: ring, closed: yes}",
+        "{akima: step, as: function}",
+        "{renner: step, corners: keep}",
+        "{hermite: q, estimate: parabola, lengths: rule, degree: quintic}",
+        "{hermite: p, tangents: [[0, 1], [1, 0], [1, 0], [1, 0], [0, -1]], lengths: middle}",
+        "{hermite: p, tangents: " ALONG ", second: " ALONG ", degree: quintic}",
+        "{fritsch-carlson: step}",
+        "{fritsch-butland: step}",
+        "{steffen: step}",
+        "{schumaker: step}",
+        "{rational-monotone: step}",
+        "{tangents-and-curvatures: ring, closed: yes}",
+        "{tangents-and-curvatures: p, tangents: " ALONG ", curvatures: -0.1}",
+    };
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(features[i], &design, NULL));
+        const batten_object *object =
+            batten_model_object(batten_design_result(design, "a")->value, 0);
+        CHECK_INT(object->point_count, 5);
+        for (int k = 0; k < 5; k++) {
+            double at[3];
+            CHECK_OK(batten_curve_evaluate(object->curve, object->parameters[k], 0, at));
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(at[c], object->points[3 * k + c], 1e-13);
+        }
+        batten_design_free(design);
+    }
+}
+
+TEST(local_methods_say_what_they_cannot_do)
+{
+    static const struct {
+        const char *feature, *says;
+    } rows[] = {
+        {"{bessel: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{akima: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{fritsch-carlson: ring}", "rising abscissae"},
+        {"{schumaker: q}", "must lie in a plane"},
+        {"{tangents-and-curvatures: q}", "must lie in a plane"},
+        {"{tangents-and-curvatures: p, curvatures: [1, 2]}", "2 numbers for 5 points"},
+        {"{hermite: p, tangents: [[1, 0], [0, 1]]}", "2 vectors for 5 points"},
+        {"{hermite: p, tangents: [[1, 0], [1, 0], [0, 0], [1, 0], [1, 0]]}",
+         "tangent at point 2 has no length"},
+        {"{hermite: ring, closed: yes, degree: quintic}", "a closed curve is cubic here"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        batten_status status = evaluate(rows[i].feature, &design, NULL);
+        if (test_memory_failed(status, BATTEN_BAD_ARGUMENT))
+            status = evaluate(rows[i].feature, &design, NULL);
+        CHECK(status != BATTEN_OK);
+        CHECK_MESSAGE(rows[i].says);
+    }
+}
+
+TEST(g3_points_that_turn_back_and_spans_that_fall_back_are_noted)
+{
+    static const char *const features[] = {"{circle-tangents: back}",
+                                           "{tangents-and-curvatures: p, tangents: " ALONG
+                                           ", curvatures: [9, -9, 9, -9, 9]}"};
+    static const char *const says[] = {"the first is point 1", "keep the tangents alone"};
+    for (int i = 0; i < 2; i++) {
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(4, &notes));
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(features[i], &design, notes));
+        batten_design_free(design);
+        bool said = false;
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            said = said || strstr(batten_notes_at(notes, k)->text, says[i]);
+        CHECK(said);
+        batten_notes_free(notes);
+    }
+}
