@@ -4,6 +4,7 @@
  * @file
  * How fair a curve is, and how to make it fairer without moving any point farther than allowed.
  */
+#include <batten/chain.h>
 #include <batten/curve.h>
 #include <batten/offsets.h>
 
@@ -34,6 +35,20 @@ typedef struct batten_fairness {
  * knots. NULL: none are required
  */
 BATTEN_API batten_status batten_curve_fairness(const batten_curve *curve, int count,
+                                               const double *points, batten_fairness *out);
+
+/**
+ * Judge a chain. A plane one, placed in space or not, is judged in its plane.
+ *
+ * Energy and variation are exact but for rounding where curvature is a polynomial of arc
+ * length, else right to 1e-12. Curvature may step where spans meet: a step over 0 is an
+ * inflection, and steps take part in the extrema. What is below 1e-9 of the largest curvature
+ * is neither. In elastica and spans in tension extrema are searched between 64 samples.
+ *
+ * @param points its data [count][dimension of the chain], as for batten_curve_fairness; those
+ * of a function stand at the breaks
+ */
+BATTEN_API batten_status batten_chain_fairness(const batten_chain *chain, int count,
                                                const double *points, batten_fairness *out);
 
 typedef enum batten_fair_order {

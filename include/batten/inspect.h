@@ -4,6 +4,7 @@
  * @file
  * What is true of a shape: curvature, lengths, extremes, distances from data.
  */
+#include <batten/chain.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus
@@ -41,6 +42,15 @@ BATTEN_API batten_status batten_curve_length_between(const batten_curve *curve, 
  * @param[out] u [count] */
 BATTEN_API batten_status batten_curve_at_length(const batten_curve *curve, int count,
                                                 const double *s, double tolerance, double *u);
+
+/** The same of a chain, as batten_curve_local_at; u as the chain goes. */
+BATTEN_API batten_status batten_chain_local_at(const batten_chain *chain, double u,
+                                               batten_side side, batten_curve_local *out);
+/** The length of a chain: exact where its spans go by arc length, else to 1e-12 of it. Of a
+ * function (dimension 1) the length it rises and falls.
+ * @param[out] error a bound; may be NULL */
+BATTEN_API batten_status batten_chain_length(const batten_chain *chain, double *length,
+                                             double *error);
 
 /** Found parameters, increasing; release `at` with batten_release. */
 typedef struct batten_parameters {

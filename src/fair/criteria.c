@@ -73,14 +73,8 @@ static batten_status note_curvature(const batten_curve *curve, double u, batten_
  * function the third derivative. With v = |C'| and the part across C' marked by x:
  * (C'''x - 3 (C' . C'') / v^2 C''x) / v^3.
  */
-static batten_status third_at(const batten_curve *curve, double u, batten_side side,
-                              double out[3])
+static void third_across(int d, const double *c, double out[3])
 {
-    const int d = batten_curve_dimension(curve);
-    double c[4 * 3];
-    batten_status status = batten_curve_evaluate_side(curve, u, side, 3, c);
-    if (status != BATTEN_OK)
-        return status;
     const double v2 = bat_dot(d, c + d, c + d), a = bat_dot(d, c + d, c + 2 * d);
     const double b = bat_dot(d, c + d, c + 3 * d), cube = v2 * sqrt(v2);
     for (int k = 0; k < d; k++) {
@@ -88,19 +82,29 @@ static batten_status third_at(const batten_curve *curve, double u, batten_side s
         const double third = v2 > 0 ? c[3 * d + k] - b / v2 * c[d + k] : 0;
         out[k] = d == 1 ? c[3] : v2 > 0 ? (third - 3 * a / v2 * second) / cube : 0;
     }
-    return BATTEN_OK;
+}
+
+double bat_third_jump(int d, const double *before, const double *after)
+{
+    double a[3], b[3], sum = 0;
+    third_across(d, before, a);
+    third_across(d, after, b);
+    for (int k = 0; k < d; k++)
+        sum += (b[k] - a[k]) * (b[k] - a[k]);
+    return sum;
 }
 
 /* `left` and `right` are the parameters that stand for the two sides: the same, but for the
  * seam of a closed curve. */
 static batten_status add_jump(const batten_curve *curve, double left, double right, double *sum)
 {
-    double before[3], after[3];
-    batten_status status = third_at(curve, left, BATTEN_FROM_LEFT, before);
+    const int d = batten_curve_dimension(curve);
+    double before[4 * 3], after[4 * 3];
+    batten_status status = batten_curve_evaluate_side(curve, left, BATTEN_FROM_LEFT, 3, before);
     if (status == BATTEN_OK)
-        status = third_at(curve, right, BATTEN_FROM_RIGHT, after);
-    for (int k = 0; status == BATTEN_OK && k < batten_curve_dimension(curve); k++)
-        *sum += (after[k] - before[k]) * (after[k] - before[k]);
+        status = batten_curve_evaluate_side(curve, right, BATTEN_FROM_RIGHT, 3, after);
+    if (status == BATTEN_OK)
+        *sum += bat_third_jump(d, before, after);
     return status;
 }
 

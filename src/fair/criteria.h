@@ -17,6 +17,11 @@ batten_status bat_required_inflections(int width, int count, const double *t,
 batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
                                  batten_fairness *out);
 
+/* The square of the jump of the derivative of the curvature vector by arc length, across the
+ * tangent; of a function of the third derivative. From the point and three derivatives [4][d]
+ * on both sides. */
+double bat_third_jump(int d, const double *before, const double *after);
+
 /* Of a batten through z; required is what the points within their bounds require. */
 batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
                                   const double *within, const double *z, batten_fairness *out);

@@ -1,3 +1,4 @@
+#include "inspect/local.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -78,6 +79,20 @@ static void local_in_space(const batten_vec3 c[4], batten_side side, batten_curv
     out->normal = bat_vec3_cross(out->binormal, out->tangent);
 }
 
+void bat_local_of(int d, const double *values, batten_side side, batten_curve_local *out)
+{
+    const double speed = bat_norm(d, values + d);
+    batten_vec3 c[4];
+    for (int m = 0; m <= 3; m++)
+        c[m] = bat_vec3_of(d, values + m * d);
+    *out = (batten_curve_local){
+        .point = c[0], .speed = speed, .tangent = bat_vec3_scale(c[1], 1 / speed)};
+    if (d < 3)
+        local_in_plane(c, out);
+    else
+        local_in_space(c, side, out);
+}
+
 batten_status bat_curve_local_at(const batten_curve *curve, double size, double u,
                                  batten_side side, batten_curve_local *out)
 {
@@ -89,15 +104,7 @@ batten_status bat_curve_local_at(const batten_curve *curve, double size, double 
     const double h = bat_span_width(curve, u, side), speed = bat_norm(d, values + d);
     if (speed <= bat_derivative_roundoff(curve, 1, size, h))
         return singular(curve, u, side, size, h, out);
-    batten_vec3 c[4];
-    for (int m = 0; m <= 3; m++)
-        c[m] = bat_vec3_of(d, values + m * d);
-    *out = (batten_curve_local){
-        .point = c[0], .speed = speed, .tangent = bat_vec3_scale(c[1], 1 / speed)};
-    if (d < 3)
-        local_in_plane(c, out);
-    else
-        local_in_space(c, side, out);
+    bat_local_of(d, values, side, out);
     return BATTEN_OK;
 }
 
