@@ -30,11 +30,42 @@ typedef struct {
 
 /* ---- measuring ---- */
 
+static void add(const batten_fairness *fairness, double length, bool in_space, column *c)
+{
+    c->curves++;
+    c->inflections += fairness->inflections;
+    c->extrema += fairness->curvature_extrema;
+    c->in_space = c->in_space || in_space;
+    c->length += length;
+    c->energy += fairness->energy;
+    c->variation += fairness->variation;
+    c->sharpest = c->sharpest > fairness->max_curvature ? c->sharpest : fairness->max_curvature;
+}
+
+/* What is no NURBS is measured as what it is. */
+static batten_status add_chain(const batten_object *object, column *c)
+{
+    batten_frame frame;
+    batten_fairness fairness;
+    double length = 0;
+    const batten_chain *chain = object->chain;
+    const bool in_space =
+        batten_chain_dimension(chain) == 3 && !batten_chain_frame(chain, &frame);
+    batten_status status = batten_chain_fairness(chain, 0, NULL, &fairness);
+    if (status == BATTEN_OK)
+        status = batten_chain_length(chain, &length, NULL);
+    if (status == BATTEN_OK)
+        add(&fairness, length, in_space, c);
+    return status;
+}
+
 static batten_status add_curve(const batten_object *object, column *c)
 {
     batten_curve *plane = NULL;
     batten_fairness fairness;
     double length = 0;
+    if (object->chain)
+        return add_chain(object, c);
     const int n = batten_curve_point_count(object->curve);
     const bool flat = batten_curve_dimension(object->curve) < 3;
     const int axis = flat ? -1 : bat_flat_axis(n, batten_curve_points(object->curve));
@@ -44,17 +75,8 @@ static batten_status add_curve(const batten_object *object, column *c)
     if (status == BATTEN_OK)
         status =
             batten_curve_length(plane, 1e-9 * batten_curve_point_count(plane), &length, NULL);
-    if (status == BATTEN_OK) {
-        c->curves++;
-        c->inflections += fairness.inflections;
-        c->extrema += fairness.curvature_extrema;
-        c->in_space = c->in_space || (axis < 0 && !flat);
-        c->length += length;
-        c->energy += fairness.energy;
-        c->variation += fairness.variation;
-        c->sharpest =
-            c->sharpest > fairness.max_curvature ? c->sharpest : fairness.max_curvature;
-    }
+    if (status == BATTEN_OK)
+        add(&fairness, length, axis < 0 && !flat, c);
     batten_curve_unref(plane);
     return status;
 }

@@ -1,0 +1,91 @@
+#include <batten/fair.h>
+#include <batten/inspect.h>
+#include <batten/nonlinear.h>
+
+#include "support/test.h"
+
+static const double test_points[3][2] = {{0, 0}, {1, 0.6}, {2, 0.1}};
+
+static batten_chain *spline_of(batten_span_family family)
+{
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain *chain = NULL;
+    options.family = family;
+    CHECK_OK(batten_chain_nonlinear(3, &test_points[0][0], &options, NULL, NULL, NULL, &chain));
+    return chain;
+}
+
+TEST(the_energies_of_the_nonlinear_splines_are_the_published_ones)
+{
+    static const struct {
+        batten_span_family family;
+        double energy, digits;
+    } cases[] = {{BATTEN_FAMILY_ELASTICA, 1.28447309, 5e-9},
+                 {BATTEN_FAMILY_GEOMETRIC, 1.2848377, 5e-8},
+                 {BATTEN_FAMILY_EULER_SPIRAL, 1.2848596, 5e-8}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_chain *chain = spline_of(cases[i].family);
+        batten_fairness fairness;
+        CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+        CHECK_NEAR(fairness.energy, cases[i].energy, cases[i].digits);
+        CHECK_INT(fairness.inflections, 0);
+        batten_chain_unref(chain);
+    }
+}
+
+/* k = k0 + c s: energy k0^2 s + k0 c s^2 + c^2 s^3 / 3, variation c^2 s. */
+TEST(a_clothoid_has_the_energy_of_its_integral_and_one_inflection_at_zero)
+{
+    const batten_span span = {
+        .kind = BATTEN_SPAN_SPIRAL, .length = 3, .curvature = {-0.5, 0.4}};
+    batten_chain *chain = NULL;
+    batten_fairness fairness;
+    CHECK_OK(batten_chain_create(2, 1, &span, NULL, false, 0, &chain));
+    CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+    CHECK_NEAR(fairness.energy, 0.25 * 3 - 0.2 * 9 + 0.16 * 27 / 3, 1e-14);
+    CHECK_NEAR(fairness.variation, 0.16 * 3, 1e-14);
+    CHECK_NEAR(fairness.max_curvature, 0.7, 1e-15);
+    CHECK_INT(fairness.inflections, 1);
+    CHECK_INT(fairness.curvature_extrema, 0);
+    batten_chain_unref(chain);
+}
+
+TEST(steps_of_curvature_over_zero_are_inflections)
+{
+    const double pi = 3.14159265358979323846;
+    const batten_span spans[2] = {{.kind = BATTEN_SPAN_ARC, .length = pi, .curvature = {1}},
+                                  {.kind = BATTEN_SPAN_ARC,
+                                   .length = pi,
+                                   .start = {0, 2},
+                                   .angle = pi,
+                                   .curvature = {-1}}};
+    batten_chain *chain = NULL;
+    batten_fairness fairness;
+    CHECK_OK(batten_chain_create(2, 2, spans, NULL, false, 1e-12, &chain));
+    CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
+    CHECK_INT(fairness.inflections, 1);
+    CHECK_NEAR(fairness.energy, 2 * pi, 1e-14);
+    batten_chain_unref(chain);
+}
+
+/* The curve of a chain, a quintic within 1e-10, has nearly the same numbers by another way. */
+TEST(a_chain_and_its_curve_are_judged_alike)
+{
+    for (int family = BATTEN_FAMILY_LOCAL_CUBIC; family <= BATTEN_FAMILY_HOBBY; family++) {
+        batten_chain *chain = spline_of((batten_span_family)family);
+        batten_curve *curve = NULL;
+        batten_fairness one, other;
+        CHECK_OK(batten_chain_to_curve(chain, 1e-10, NULL, &curve));
+        CHECK_OK(batten_chain_fairness(chain, 0, NULL, &one));
+        CHECK_OK(batten_curve_fairness(curve, 0, NULL, &other));
+        CHECK_NEAR(one.energy, other.energy, 1e-7 * other.energy);
+        CHECK_INT(one.inflections, other.inflections);
+        CHECK_NEAR(one.max_curvature, other.max_curvature, 0.01 * other.max_curvature);
+        double exact, length;
+        CHECK_OK(batten_chain_length(chain, &exact, NULL));
+        CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+        CHECK_NEAR(exact, length, 1e-8);
+        batten_curve_unref(curve);
+        batten_chain_unref(chain);
+    }
+}
