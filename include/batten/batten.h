@@ -12,6 +12,7 @@
 #include <batten/chain.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>
+#include <batten/cubic_spline.h>
 #include <batten/curve.h>
 #include <batten/curve_offset.h>
 #include <batten/divide.h>

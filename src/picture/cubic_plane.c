@@ -425,8 +425,7 @@ static void draw_plane(const drawing *d)
     draw_boundaries(d);
     draw_names(d);
     bat_canvas_unclip(d->canvas);
-    bat_plot_grid(d->canvas, &d->plot, "\u03bb = |P0 P1| / |P0 T|",
-                  "\u03bc = |P2 P3| / |T P3|");
+    bat_canvas_frame(d->canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID}, d->plot.frame);
 }
 
 static batten_status check_plane(const batten_cubic_plane_options *plane)

@@ -43,3 +43,54 @@ TEST(a_report_of_cubics_in_json_has_all_keys)
     CHECK_CONTAINS(text, "\"invariant\": null");
     CHECK_CONTAINS(text, "\"inflections\": []");
 }
+
+/* Does a note of the design, or the message of its failure, contain these words? A note may be
+ * lost where memory fails. */
+static void check_said(const char *text, batten_status expected, const char *words)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    char *all = test_array(2000, 1);
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, notes, &design));
+    CHECK_STATUS(batten_design_evaluate(design, NULL, NULL, notes), expected);
+    if (expected != BATTEN_OK)
+        CHECK_MESSAGE(words);
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        strncat(all, batten_notes_at(notes, i)->text, 200);
+    if (expected == BATTEN_OK && batten_notes_dropped(notes) == 0)
+        CHECK_CONTAINS(all, words);
+    batten_design_free(design);
+    batten_notes_free(notes);
+}
+
+#define UNEVEN                                                                               \
+    "batten: 1\nfeatures:\n"                                                                 \
+    "  p: {points: [[0, 0], [3, 0.4], [3.3, 1], [3.4, 2], [2.2, 3], [2, 3.02], [0.3, 2]]}\n" \
+    "  c: {interpolate: p, parameters: uniform, ends: natural}\n"
+
+TEST(a_correction_says_what_it_did)
+{
+    check_said(UNEVEN "  d: {corrected: c}\n", BATTEN_OK, "of 6 spans corrected");
+    const char *text = output_of(UNEVEN "  d: {corrected: c, joins: curvature}\n"
+                                        "outputs:\n  a.txt: {classify: d}\n");
+    CHECK(strstr(text, ": a loop") == NULL);
+    CHECK_CONTAINS(text, "d: 6 spans");
+}
+
+TEST(directions_against_the_points_are_noted)
+{
+    check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 0]]}\n"
+               "  d: {directed-spline: p, at: [1], directions: [[-1, 0.1]]}\n",
+               BATTEN_OK, "lead against the points, the first at point 1");
+    check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 0]]}\n"
+               "  d: {directed-spline: p, at: [1, 2], directions: [[-1, 0.1]]}\n",
+               BATTEN_NOT_COMPATIBLE, "names 2 points");
+}
+
+TEST(n4_corners_that_are_no_points_are_refused)
+{
+    check_said("batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 0], [2, 1]]}\n"
+               "  d: {cornered-spline: p, corners: [5]}\n",
+               BATTEN_BAD_ARGUMENT, "corner 0 is point 5");
+}
