@@ -33,6 +33,7 @@
 #include <batten/offsets.h>
 #include <batten/polygon.h>
 #include <batten/quadratic.h>
+#include <batten/primitives.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
