@@ -16,6 +16,7 @@
 #include <batten/curve.h>
 #include <batten/curve_offset.h>
 #include <batten/divide.h>
+#include <batten/energy.h>
 #include <batten/exchange.h>
 #include <batten/fair.h>
 #include <batten/file.h>

@@ -1,0 +1,148 @@
+/*
+ * The densities of energies as sums of monomials in the products of the derivatives P', P'' and
+ * P''', and their first and second derivatives.
+ *
+ * With v2 = P'.P', b = P''.P'', c = P'.P'', e = P'''.P''', g = P''.P''', h = P'.P''' bending is
+ * (b - c^2 / v2) / v^3. The curvature vector changes across the tangent by the part W of P''' -
+ * 3 (c / v2) P'' that is square to P', divided by v^3: variation is W.W / v^5.
+ */
+#include "numeric/vector.h"
+#include "shape/energy.h"
+
+#include <string.h>
+
+enum { PRODUCTS = 6 };
+
+/* Which derivatives are multiplied: v2, b, c, e, g, h. */
+static const int pairs[PRODUCTS][2] = {{0, 0}, {1, 1}, {0, 1}, {2, 2}, {1, 2}, {0, 2}};
+
+typedef struct {
+    double factor;
+    int speed;               /* the power of v */
+    int power[PRODUCTS - 1]; /* of b, c, e, g, h */
+} monomial;
+
+static const monomial bending[] = {{1, -3, {1}}, {-1, -5, {0, 2}}};
+static const monomial variation[] = {{1, -5, {0, 0, 1}},       {-6, -7, {0, 1, 0, 1}},
+                                     {9, -9, {1, 2}},          {-1, -7, {0, 0, 0, 0, 2}},
+                                     {6, -9, {0, 2, 0, 0, 1}}, {-9, -11, {0, 4}}};
+
+/* The value and the derivatives by the products. */
+typedef struct {
+    double value, size, gradient[PRODUCTS], hessian[PRODUCTS][PRODUCTS];
+} polynomial;
+
+static double power_of(double x, int n)
+{
+    double product = 1;
+    for (int i = 0; i < n; i++)
+        product *= x;
+    return product;
+}
+
+/* One factor of a monomial and its first two derivatives. */
+static void factor_at(double x, int n, double out[3])
+{
+    out[0] = power_of(x, n);
+    out[1] = n >= 1 ? n * power_of(x, n - 1) : 0;
+    out[2] = n >= 2 ? n * (n - 1) * power_of(x, n - 2) : 0;
+}
+
+/* The same of v^n as a function of v2, n < 0 or 1. */
+static void speed_at(double v2, int n, double out[3])
+{
+    const double v = sqrt(v2);
+    out[0] = n < 0 ? 1 / power_of(v, -n) : power_of(v, n);
+    out[1] = n / 2.0 * out[0] / v2;
+    out[2] = (n / 2.0 - 1) * out[1] / v2;
+}
+
+/* The product of all factors, of which i and j stand as their derivatives. */
+static double derivative_of(double factors[PRODUCTS][3], int i, int j)
+{
+    double product = 1;
+    for (int k = 0; k < PRODUCTS; k++)
+        product *= factors[k][(k == i) + (k == j)];
+    return product;
+}
+
+static void add_monomial(const monomial *m, const double *products, double weight, bool all,
+                         polynomial *sum)
+{
+    double factors[PRODUCTS][3];
+    speed_at(products[0], m->speed, factors[0]);
+    for (int i = 1; i < PRODUCTS; i++)
+        factor_at(products[i], m->power[i - 1], factors[i]);
+    const double value = m->factor * derivative_of(factors, -1, -1);
+    sum->value += value;
+    sum->size += fabs(value);
+    for (int i = 0; i < PRODUCTS && all; i++) {
+        if (i > 0 && m->power[i - 1] == 0)
+            continue;
+        sum->gradient[i] += weight * m->factor * derivative_of(factors, i, -1);
+        for (int j = 0; j <= i; j++)
+            sum->hessian[i][j] += weight * m->factor * derivative_of(factors, i, j);
+    }
+}
+
+/* ---- from products to derivatives ---- */
+
+/* The change of product i with the 3 d numbers. */
+static void change_of(int d, const double *P, int i, double *out)
+{
+    const int a = pairs[i][0], b = pairs[i][1];
+    memset(out, 0, sizeof(double) * (size_t)(3 * d));
+    for (int c = 0; c < d; c++) {
+        out[a * d + c] += P[b * d + c];
+        out[b * d + c] += P[a * d + c];
+    }
+}
+
+static void chain_rule(int d, const double *P, const polynomial *p, bat_energy_density *out)
+{
+    const int n = 3 * d;
+    double changes[PRODUCTS][9];
+    memset(out->gradient, 0, sizeof out->gradient);
+    memset(out->hessian, 0, sizeof out->hessian);
+    for (int i = 0; i < PRODUCTS; i++)
+        change_of(d, P, i, changes[i]);
+    for (int i = 0; i < PRODUCTS; i++) {
+        double mixed[9] = {0};
+        for (int j = 0; j < PRODUCTS; j++)
+            for (int k = 0; k < n; k++)
+                mixed[k] += p->hessian[bat_max_int(i, j)][bat_min_int(i, j)] * changes[j][k];
+        for (int k = 0; k < n; k++) {
+            out->gradient[k] += p->gradient[i] * changes[i][k];
+            for (int l = 0; l < n; l++)
+                out->hessian[k * n + l] += changes[i][k] * mixed[l];
+        }
+        const int a = pairs[i][0] * d, b = pairs[i][1] * d;
+        for (int c = 0; c < d; c++) {
+            out->hessian[(a + c) * n + b + c] += p->gradient[i];
+            out->hessian[(b + c) * n + a + c] += p->gradient[i];
+        }
+    }
+}
+
+void bat_energy_density_at(const bat_energy_weights *weights, int d, const double *P, bool all,
+                           bat_energy_density *out)
+{
+    static const monomial length = {1, 1, {0}};
+    const bool is_bending = weights->kind == BATTEN_ENERGY_BENDING;
+    const monomial *terms = is_bending ? bending : variation;
+    const int count = is_bending ? 2 : 6;
+    polynomial p = {0};
+    double products[PRODUCTS];
+    for (int i = 0; i < PRODUCTS; i++)
+        products[i] = bat_dot(d, P + pairs[i][0] * d, P + pairs[i][1] * d);
+    for (int i = 0; i < count; i++)
+        add_monomial(&terms[i], products, weights->energy, all, &p);
+    out->energy = p.value;
+    out->size = p.size;
+    out->length = sqrt(products[0]);
+    if (!all)
+        return;
+    if (weights->length != 0)
+        add_monomial(&length, products, weights->length, all, &p);
+    chain_rule(d, P, &p, out);
+}
