@@ -31,7 +31,8 @@ static const option options[] = {
 };
 
 /* What most designers want to see beside each other. */
-static const char usual[] = "interpolate,tension,biarcs";
+static const char usual[] = "interpolate,akima,bessel,tension,nu-spline,local-cubic,hobby,"
+                            "euler-spiral,elastica,minimum-variation,biarcs,arc-spline";
 
 /* ---- the list of methods ---- */
 

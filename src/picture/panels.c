@@ -110,6 +110,13 @@ static void choose_columns(sheet *s, double width, double height, double below)
     }
 }
 
+/* The size at which a text is no wider than its panel. */
+static double fitting(bat_canvas *canvas, double size, double width, const char *text)
+{
+    const double wide = bat_canvas_text_width(canvas, size, text);
+    return wide > width ? size * width / wide : size;
+}
+
 static void draw_panel(bat_canvas *canvas, sheet *s, int i, bat_rectangle at)
 {
     static const bat_pen border = {{0.8, 0.8, 0.8}, 0.7, BAT_SOLID};
@@ -118,14 +125,16 @@ static void draw_panel(bat_canvas *canvas, sheet *s, int i, bat_rectangle at)
     const bat_rectangle frame = {at.x + 0.5 * em, at.y + 1.8 * em, bat_max(at.width - em, em),
                                  bat_max(at.height - (2.2 + 1.3 * s->lines) * em, em)};
     s->drawings[i].plot = bat_plot_fit(frame, s->low, s->high);
-    bat_canvas_bold(canvas, bat_ink, em, BAT_LEFT, frame.x, at.y + em, panel->title);
+    bat_canvas_bold(canvas, bat_ink, fitting(canvas, em, 0.9 * frame.width, panel->title),
+                    BAT_LEFT, frame.x, at.y + em, panel->title);
     bat_canvas_clip(canvas, frame);
     bat_drawing_draw(canvas, &s->drawings[i]);
     bat_canvas_unclip(canvas);
     bat_canvas_frame(canvas, border, frame);
     for (int k = 0; k < panel->line_count; k++)
-        bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_LEFT, frame.x,
-                        frame.y + frame.height + (0.9 + 1.2 * k) * em, panel->lines[k]);
+        bat_canvas_text(
+            canvas, bat_grey, fitting(canvas, 0.85 * em, frame.width, panel->lines[k]),
+            BAT_LEFT, frame.x, frame.y + frame.height + (0.9 + 1.2 * k) * em, panel->lines[k]);
 }
 
 static batten_status draw(sheet *s, char **data, size_t *size)

@@ -105,7 +105,7 @@ TEST(g3_points_that_turn_back_and_spans_that_fall_back_are_noted)
         batten_design *design = NULL;
         CHECK_OK(evaluate(features[i], &design, notes));
         batten_design_free(design);
-        bool said = false;
+        bool said = batten_notes_dropped(notes) > 0; /* where memory failed */
         for (int k = 0; k < batten_notes_count(notes); k++)
             said = said || strstr(batten_notes_at(notes, k)->text, says[i]);
         CHECK(said);

@@ -90,7 +90,11 @@ TEST(sharp_turns_are_noted)
     batten_design *design = NULL;
     CHECK_OK(evaluate(sharp, "{euler-spiral: p}", &design, notes));
     batten_design_free(design);
-    CHECK(batten_notes_count(notes) > 0);
-    CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "turns by 162 degrees at point 1");
+    /* Where memory failed other notes may stand before it, or it was dropped and counted. */
+    bool noted = batten_notes_dropped(notes) > 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        noted |=
+            strstr(batten_notes_at(notes, i)->text, "turns by 162 degrees at point 1") != NULL;
+    CHECK(noted);
     batten_notes_free(notes);
 }

@@ -52,8 +52,7 @@ const bat_feature bat_feature_least_squares = {
          "Knots\n"
          "by 'curvature' gather where a first fit bends, for data with steep fronts. It bounds "
          "no\n"
-         "single distance ('fit-within' does), and outliers pull at it ('robust' resists "
-         "them).\n"
+         "single distance, and outliers pull at it.\n"
          "It fails, naming the control point, when a part of the curve has no data.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], "

@@ -43,7 +43,7 @@ const bat_feature bat_feature_smooth = {
          "others\n"
          "as well as can be, which needs some thirty points whose errors have nothing to do\n"
          "with each other. Use 'order: 3' where curvature shall vary gently. Corners are\n"
-         "rounded; single bad points show as bumps ('robust' resists them).",
+         "rounded; single bad points show as bumps.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], "
          "[5 m, 33 cm], [6 m, 22 cm]]}\n"

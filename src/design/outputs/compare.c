@@ -42,20 +42,17 @@ static void add(const batten_fairness *fairness, double length, bool in_space, c
     c->sharpest = c->sharpest > fairness->max_curvature ? c->sharpest : fairness->max_curvature;
 }
 
-/* What is no NURBS is measured as what it is. */
+/* What is no NURBS but lies in a plane is measured as what it is. */
 static batten_status add_chain(const batten_object *object, column *c)
 {
-    batten_frame frame;
     batten_fairness fairness;
     double length = 0;
     const batten_chain *chain = object->chain;
-    const bool in_space =
-        batten_chain_dimension(chain) == 3 && !batten_chain_frame(chain, &frame);
     batten_status status = batten_chain_fairness(chain, 0, NULL, &fairness);
     if (status == BATTEN_OK)
         status = batten_chain_length(chain, &length, NULL);
     if (status == BATTEN_OK)
-        add(&fairness, length, in_space, c);
+        add(&fairness, length, false, c);
     return status;
 }
 
@@ -64,7 +61,9 @@ static batten_status add_curve(const batten_object *object, column *c)
     batten_curve *plane = NULL;
     batten_fairness fairness;
     double length = 0;
-    if (object->chain)
+    batten_frame frame;
+    if (object->chain && (batten_chain_dimension(object->chain) < 3 ||
+                          batten_chain_frame(object->chain, &frame)))
         return add_chain(object, c);
     const int n = batten_curve_point_count(object->curve);
     const bool flat = batten_curve_dimension(object->curve) < 3;
