@@ -97,6 +97,7 @@ BATTEN_API batten_status batten_ellipse_fit(int count, const double *points,
  * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
  * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT; TOLERANCE_NOT_MET when the first
  * guess is too far off for rounds to converge
+ * Source: the distances at right angles as in [ARW01].
  */
 BATTEN_API batten_status batten_clothoid_fit(int count, const double *points, batten_span *span,
                                              double *lengths, batten_primitive_report *report);

@@ -200,6 +200,14 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
 
 /* Beyond, the far end has no influence on the data. */
 #define MOST_AXIS 1e8
+/* A needle so much longer than the data, and than it is wide, is what Newton makes of a
+ * parabola or a hyperbola before it gives up: near the data the three cannot be told apart. */
+#define NEEDLE 64
+
+static bool is_open(const ellipse *e)
+{
+    return !(e->a < MOST_AXIS) || (e->a > NEEDLE && e->a > NEEDLE * e->b);
+}
 
 static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, int *rounds)
 {
@@ -212,12 +220,11 @@ static batten_status refine(const bat_cloud *c, ellipse *e, double *distances, i
     *e = (ellipse){x[0], x[1], x[2], x[3], x[4]};
     if (e->a < e->b)
         *e = (ellipse){x[0], x[1], x[3], x[2], x[4] + acos(0)};
-    return e->a < MOST_AXIS
-               ? BATTEN_OK
-               : bat_fail(BATTEN_SINGULAR_SYSTEM,
-                          "the nearest ellipse has the half axis %g: the points lie on a "
-                          "parabola or a hyperbola",
-                          e->a * c->size);
+    return is_open(e) ? bat_fail(BATTEN_SINGULAR_SYSTEM,
+                                 "the nearest ellipse has the half axes %g and %g: the points "
+                                 "bend as a parabola or a hyperbola does",
+                                 e->a * c->size, e->b * c->size)
+                      : BATTEN_OK;
 }
 
 /* Directed along the way from the first datum to the last. */
