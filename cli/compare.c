@@ -151,8 +151,9 @@ static void put_output(const comparison *c, const char *name, bool is_picture,
     batten_text_add(text, "}\n");
 }
 
-static batten_status compose(const comparison *c, bool with_outputs, batten_text *text)
+static batten_status compose(const comparison *c, batten_text *text)
 {
+    const char *picture = arguments_get(c->given, "output");
     const char *unit = arguments_get(c->given, "unit");
     if (!unit)
         unit = batten_unit_name(batten_model_unit_metres(c->model));
@@ -163,19 +164,14 @@ static batten_status compose(const comparison *c, bool with_outputs, batten_text
     for (int i = 0; i < c->count; i++)
         if (c->methods[i].works)
             put_feature(&c->methods[i], text);
-    if (with_outputs) {
-        const char *picture = arguments_get(c->given, "output");
-        batten_text_add(text, "outputs:\n");
-        put_output(c, strcmp(picture, "-") == 0 ? "picture.svg" : picture, true, text);
-        put_output(c, arguments_has(c->given, "json") ? "table.json" : "table.txt", false,
-                   text);
-    }
+    batten_text_add(text, "outputs:\n");
+    put_output(c, strcmp(picture, "-") == 0 ? "picture.svg" : picture, true, text);
+    put_output(c, arguments_has(c->given, "json") ? "table.json" : "table.txt", false, text);
     return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design")
                         : BATTEN_OK;
 }
 
-static batten_status open_design(const comparison *c, bool with_outputs, batten_notes *notes,
-                                 batten_design **design)
+static batten_status open_design(const comparison *c, batten_design **design)
 {
     batten_text text = BATTEN_TEXT;
     batten_design_options o = batten_design_defaults();
@@ -183,9 +179,9 @@ static batten_status open_design(const comparison *c, bool with_outputs, batten_
     o.allow_outside = true;
     o.provided_file = c->given->files[0];
     o.provided = c->model;
-    batten_status status = compose(c, with_outputs, &text);
+    batten_status status = compose(c, &text);
     if (status == BATTEN_OK)
-        status = batten_design_parse(text.bytes, text.length, &o, notes, design);
+        status = batten_design_parse(text.bytes, text.length, &o, c->notes, design);
     batten_text_free(&text);
     return status;
 }
@@ -193,27 +189,36 @@ static batten_status open_design(const comparison *c, bool with_outputs, batten_
 /* ---- the work ---- */
 
 /* Try each method alone; what fails has no panel, and a line that says why. */
-static batten_status find_working(comparison *c)
+static batten_status find_working(comparison *c, batten_design *design, int *working)
 {
-    batten_design *design = NULL;
-    batten_status status = open_design(c, false, NULL, &design);
-    if (status != BATTEN_OK)
-        return status;
-    int working = 0;
-    for (int i = 0; i < c->count && status == BATTEN_OK; i++) {
+    *working = 0;
+    for (int i = 0; i < c->count; i++) {
         method *m = &c->methods[i];
         const batten_status one = batten_design_evaluate(design, m->name, job_get(), NULL);
+        if (one == BATTEN_CANCELLED || one == BATTEN_OUT_OF_MEMORY)
+            return one;
         m->works = one == BATTEN_OK || one == BATTEN_PARTLY_READ;
-        working += m->works;
+        *working += m->works;
         if (!m->works)
             complain("left out: %s", batten_message());
-        if (one == BATTEN_CANCELLED || one == BATTEN_OUT_OF_MEMORY)
-            status = one;
     }
-    if (status == BATTEN_OK && working == 0)
-        status = batten_fail(BATTEN_BAD_ARGUMENT, "no method makes a curve of these points");
-    batten_design_free(design);
-    return status;
+    return *working > 0
+               ? BATTEN_OK
+               : batten_fail(BATTEN_BAD_ARGUMENT, "no method makes a curve of these points");
+}
+
+/* The design of the methods that work; it keeps the curves that were made on trial. */
+static batten_status open_working(comparison *c, batten_design **design)
+{
+    int working;
+    batten_status status = open_design(c, design);
+    if (status == BATTEN_OK)
+        status = find_working(c, *design, &working);
+    if (status != BATTEN_OK || working == c->count)
+        return status;
+    batten_design_free(*design);
+    *design = NULL;
+    return open_design(c, design);
 }
 
 /* Make an output and save it; the table goes to standard output. */
@@ -233,11 +238,11 @@ static int compare(comparison *c)
 {
     const char *output = arguments_get(c->given, "output");
     batten_design *design = NULL;
-    batten_status status = find_working(c);
-    if (status == BATTEN_OK)
-        status = open_design(c, true, c->notes, &design);
-    if (status != BATTEN_OK)
+    const batten_status status = open_working(c, &design);
+    if (status != BATTEN_OK) {
+        batten_design_free(design);
         return output_failed("compare", status);
+    }
     int exit = make_output(design, 0, output, c->notes);
     if (exit == EXIT_DONE && !arguments_has(c->given, "quiet") && strcmp(output, "-") != 0)
         exit = make_output(design, 1, "-", c->notes);

@@ -114,10 +114,12 @@ const command command_convert = {
     .name = "convert",
     .usage = "IN OUT [--unit UNIT]",
     .summary = "write what is in one file into another format",
-    .manual = "OUT ends in .step or .igs, or for points and tables in .csv, .xyz or .dat. What "
-              "had to be\n"
-              "approximated or left out is reported; exit status 3 when only a part of IN "
-              "could be read.",
+    .manual = "OUT ends in .step or .igs; for curves also in .dxf or .svg (true scale) or .nc "
+              "(G-code), for points\n"
+              "and tables in .csv, .xyz or .dat. What had to be approximated or left out is "
+              "reported; "
+              "exit status 3\n"
+              "when only a part of IN could be read.",
     .least_files = 2,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

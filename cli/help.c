@@ -179,8 +179,10 @@ static const char files_manual[] =
     "and lower side.\n"
     "IGES (.igs): its B-spline curves and surfaces and those that are exactly such.\n"
     "\n"
-    "Written are STEP AP214 (.step), IGES (.igs), tables (.csv), reports (.txt, .json), "
-    "pictures (.svg, .pdf, .png).\n"
+    "Written are STEP AP214 (.step), IGES (.igs), DXF R2000 (.dxf), G-code (.nc, .ngc), "
+    "tables (.csv),\n"
+    "reports (.txt, .json), pictures (.svg, .pdf, .png), and drawings at true "
+    "scale (.svg).\n"
     "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads "
     "it.\n";
 

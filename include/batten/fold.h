@@ -34,7 +34,8 @@ typedef struct batten_fold_options {
     const double *torsions; /**< [torsion_count] with FLAT; NULL: 0, the crease stays plane */
     bool other_side;        /**< CURVATURE: the angles are negative */
     double left, right;     /**< widths of the sheets, at right angles to the crease */
-    double tolerance;       /**< of the surfaces; model units, > 0 */
+    double tolerance;       /**< of the surfaces and of the lengths of edges in space and flat;
+                                 model units, > 0 */
 } batten_fold_options;
 /** One angle of 30 degrees must still be put in its place: `values` is NULL. */
 BATTEN_API batten_fold_options batten_fold_defaults(void);
@@ -76,8 +77,9 @@ typedef struct batten_fold {
  * curvature is not below that of the crease, or a sheet would be wider than its edge of
  * regression allows, with the place and the width that would do; TOLERANCE_NOT_MET
  *
- * Cost: linear in the number of samples, which is doubled from 65 until the surfaces are within
- * the tolerance. Source: [Huffman76], [DuncanDuncan82], [FuchsTabachnikov99].
+ * Cost: linear in the number of samples, which is doubled from 65 until the surfaces and
+ * the lengths of their edges are within the tolerance. Source: [Huffman76], [DuncanDuncan82],
+ * [FuchsTabachnikov99].
  */
 BATTEN_API batten_status batten_fold_create(const batten_curve *crease,
                                             const batten_fold_options *options,

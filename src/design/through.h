@@ -2,12 +2,10 @@
  * What every method "points to curve" shares as a feature: it takes rows of points out of the
  * input, hands each row to the method, and puts what the method made into the model.
  *
- * A method says in what form it wants its points:
- *     BAT_IN_SPACE     [count][3]
- *     BAT_IN_PLANE     [count][2]: the plane of two axes in which the row lies, refused
- * otherwise BAT_AS_FUNCTION  [count] values at increasing abscissae (in a plane of two axes) A
- * method that can do two of them (BAT_IN_SPACE | BAT_AS_FUNCTION, say) has the parameter
- * BAT_AS, with which the user chooses.
+ * A method says in what form it wants its points: in space, [count][3]; in a plane, [count][2],
+ * that of two axes in which the row lies (a row that lies in none is refused); as a function,
+ * [count] values over increasing abscissae. One that can do two of them (BAT_IN_SPACE |
+ * BAT_AS_FUNCTION, say) has the parameter BAT_AS, with which the user chooses.
  */
 #ifndef BAT_DESIGN_THROUGH_H
 #define BAT_DESIGN_THROUGH_H

@@ -39,14 +39,39 @@ static batten_status evaluate(const char *feature, batten_design **out)
     return status;
 }
 
+/* What an operation should make; nothing: it should refuse. */
+typedef struct {
+    const char *feature;
+    int count;
+    const char *name; /* of the last */
+    batten_object_kind kind;
+} promise;
+
+static void check_promise(const promise *row)
+{
+    batten_design *design = NULL;
+    batten_status status = evaluate(row->feature, &design);
+    if (test_memory_failed(status, BATTEN_OK))
+        status = evaluate(row->feature, &design);
+    if (row->count == 0) {
+        CHECK(status != BATTEN_OK && *batten_message());
+        return;
+    }
+    if (status != BATTEN_OK)
+        printf("%s: %s\n", row->feature, batten_message());
+    CHECK_INT(status, BATTEN_OK);
+    const batten_model *model = batten_design_result(design, "a")->value;
+    CHECK_INT(batten_model_count(model), row->count);
+    const batten_object *last = batten_model_object(model, row->count - 1);
+    CHECK_INT(last->kind, row->kind);
+    if (row->name)
+        CHECK_TEXT(last->name, row->name);
+    batten_design_free(design);
+}
+
 TEST(operations_make_the_objects_they_promise)
 {
-    static const struct {
-        const char *feature;
-        int count;
-        const char *name; /* of the last */
-        batten_object_kind kind;
-    } rows[] = {
+    static const promise rows[] = {
         {"{split: c, parameter: 1}", 2, "c 2", BATTEN_OBJECT_CURVE},
         {"{split: s, parameter: 0.5, direction: v}", 2, "s 2", BATTEN_OBJECT_SURFACE},
         {"{part: s, from: 0.2, to: 0.5}", 1, "a", BATTEN_OBJECT_SURFACE},
@@ -82,26 +107,8 @@ TEST(operations_make_the_objects_they_promise)
         {"{read: offsets.csv, x: [0.5, 3.5], y: [0, 4], z: [0, 3], trim-centre: yes}", 1, NULL,
          BATTEN_OBJECT_OFFSETS},
     };
-    for (int i = 0; i < COUNT(rows); i++) {
-        batten_design *design = NULL;
-        batten_status status = evaluate(rows[i].feature, &design);
-        if (test_memory_failed(status, BATTEN_OK))
-            status = evaluate(rows[i].feature, &design);
-        if (rows[i].count == 0) {
-            CHECK(status != BATTEN_OK && *batten_message());
-            continue;
-        }
-        if (status != BATTEN_OK)
-            printf("%s: %s\n", rows[i].feature, batten_message());
-        CHECK_INT(status, BATTEN_OK);
-        const batten_model *model = batten_design_result(design, "a")->value;
-        CHECK_INT(batten_model_count(model), rows[i].count);
-        const batten_object *last = batten_model_object(model, rows[i].count - 1);
-        CHECK_INT(last->kind, rows[i].kind);
-        if (rows[i].name)
-            CHECK_TEXT(last->name, rows[i].name);
-        batten_design_free(design);
-    }
+    for (int i = 0; i < COUNT(rows); i++)
+        check_promise(&rows[i]);
 }
 
 TEST(operations_say_what_they_cannot_do)
