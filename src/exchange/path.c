@@ -1,5 +1,6 @@
 #include "exchange/path.h"
 #include "numeric/vector.h"
+#include "spline/chain.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -30,11 +31,9 @@ static void add_span(const batten_span *span, bat_path *path)
     const int parts = parts_of(span);
     const double k = span->curvature[0], step = span->length / parts;
     for (int i = 0; i < parts; i++) {
-        const double turn = k * (i * step), half = turn / 2;
-        const double chord = i * step * (half == 0 ? 1 : sin(half) / half);
-        path->vertices[path->count++] =
-            (bat_vertex){span->start[0] + chord * cos(span->angle + half),
-                         span->start[1] + chord * sin(span->angle + half), tan(k * step / 4)};
+        double at[2];
+        bat_arc_at(span, i * step, at);
+        path->vertices[path->count++] = (bat_vertex){at[0], at[1], tan(k * step / 4)};
     }
 }
 
@@ -53,12 +52,10 @@ static batten_status path_of_chain(const batten_chain *chain, bat_path *out)
         add_span(batten_chain_span(chain, i), &path);
     /* The end of an open chain, in the plane: seen from a chain that was not placed. */
     const batten_span *last = batten_chain_span(chain, batten_chain_span_count(chain) - 1);
-    const double half = last->curvature[0] * last->length / 2;
-    const double chord = last->length * (half == 0 ? 1 : sin(half) / half);
+    double end[2];
+    bat_arc_at(last, last->length, end);
     if (!path.closed)
-        path.vertices[path.count++] =
-            (bat_vertex){last->start[0] + chord * cos(last->angle + half),
-                         last->start[1] + chord * sin(last->angle + half), 0};
+        path.vertices[path.count++] = (bat_vertex){end[0], end[1], 0};
     *out = path;
     return BATTEN_OK;
 }

@@ -48,7 +48,7 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     case BATTEN_FORMAT_STEP:
         return bat_write_step(model, options, notes, text);
     case BATTEN_FORMAT_DXF:
-        return bat_write_dxf(model, options, notes, text);
+        return bat_write_dxf(model, notes, text);
     case BATTEN_FORMAT_SVG:
         return bat_write_svg(model, options, notes, text);
     case BATTEN_FORMAT_GCODE:

@@ -1,6 +1,7 @@
 /* How far arcs are from a curve, single arcs fitted to it, and the chain that they make. */
 #include "shape/arcs.h"
 #include "numeric/vector.h"
+#include "spline/chain.h"
 
 #include <string.h>
 
@@ -325,7 +326,7 @@ static void straighten(batten_span *arc, double rounding)
     const double k = arc->curvature[0], l = arc->length;
     if (k != 0 && fabs(k) * l * l / 8 <= rounding) {
         double end[2];
-        bat_arc_end(arc, end);
+        bat_arc_at(arc, arc->length, end);
         bat_arc_span(arc->start, bat_distance(2, arc->start, end),
                      atan2(end[1] - arc->start[1], end[0] - arc->start[0]), 0, arc);
     }

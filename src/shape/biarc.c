@@ -1,5 +1,6 @@
 #include "shape/biarc.h"
 #include "numeric/vector.h"
+#include "spline/chain.h"
 
 /* An arc of nearly a full turn is lost in rounding: its radius is c / (2 sin half), and with it
  * its ends are uncertain by eps c / (pi - |half|). This keeps that below 1e-12 c. */
@@ -16,14 +17,6 @@ void bat_arc_span(const double start[2], double chord, double direction, double 
                          .start = {start[0], start[1]},
                          .angle = direction - half,
                          .curvature = {2 * sine / chord}};
-}
-
-void bat_arc_end(const batten_span *arc, double end[2])
-{
-    const double half = arc->curvature[0] * arc->length / 2;
-    const double chord = half == 0 ? arc->length : arc->length * (sin(half) / half);
-    end[0] = arc->start[0] + chord * cos(arc->angle + half);
-    end[1] = arc->start[1] + chord * sin(arc->angle + half);
 }
 
 double bat_turn(const double from[2], const double to[2])
@@ -141,7 +134,7 @@ static void make_single(const double start[2], double phi, double l, double half
     const double share = half == 0 ? 1 - place : sin(half * (1 - place)) / sin(half);
     bat_arc_span(start, l * (half == 0 ? place : sin(half * place) / sin(half)),
                  phi - half * (1 - place), half * place, &first);
-    bat_arc_end(&first, made->joint);
+    bat_arc_at(&first, first.length, made->joint);
     made->legs[0] = leg(l * (half == 0 ? place : sin(half * place) / sin(half)), half * place);
     made->legs[1] = leg(l * share, half * (1 - place));
 }

@@ -13,8 +13,6 @@
 /* One arc with its first point, by its chord: `half` is half of its turn, |half| < pi. */
 void bat_arc_span(const double start[2], double chord, double direction, double half,
                   batten_span *out);
-/* Where it ends. */
-void bat_arc_end(const batten_span *arc, double end[2]);
 
 /* The angle from one direction of the plane to another, (-pi, pi]. */
 double bat_turn(const double from[2], const double to[2]);

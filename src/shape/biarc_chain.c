@@ -2,6 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/biarc.h"
 #include "shape/shape.h"
+#include "spline/chain.h"
 
 #include <string.h>
 
@@ -152,7 +153,7 @@ static batten_status add_span(work *w, int i, double *length)
     if (status != BATTEN_OK)
         return bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
     double end[2];
-    bat_arc_end(&made.arcs[made.count - 1], end);
+    bat_arc_at(&made.arcs[made.count - 1], made.arcs[made.count - 1].length, end);
     w->report.residual = bat_max(w->report.residual, bat_distance(2, end, b));
     note_biarc(w, &made);
     for (int k = 0; k < made.count; k++)
@@ -250,7 +251,7 @@ static bool merge(batten_span *a, const batten_span *b, double tolerance)
     double end[2], middle[2], new_end[2];
     if (a->curvature[0] * b->curvature[0] < 0 || !(fabs(turn) < 2 * BAT_PI * (1 - 0x1p-20)))
         return false;
-    bat_arc_end(b, end);
+    bat_arc_at(b, b->length, end);
     const double chord[2] = {end[0] - a->start[0], end[1] - a->start[1]};
     const double c = bat_norm(2, chord), length = a->length + b->length;
     if (!(c > 0))
@@ -259,8 +260,8 @@ static bool merge(batten_span *a, const batten_span *b, double tolerance)
     bat_arc_span(a->start, c, atan2(chord[1], chord[0]), turn / 2, &one);
     batten_span part = one;
     part.length = a->length / length * one.length;
-    bat_arc_end(&part, middle);
-    bat_arc_end(&one, new_end);
+    bat_arc_at(&part, part.length, middle);
+    bat_arc_at(&one, one.length, new_end);
     if (!(fabs(sin((one.angle - a->angle) / 2)) * length <= tolerance &&
           bat_distance(2, middle, b->start) <= tolerance &&
           bat_distance(2, new_end, end) <= tolerance))

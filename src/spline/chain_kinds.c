@@ -17,22 +17,21 @@ const bat_span_type *bat_span_type_of(batten_span_kind kind)
 
 /* ---- arcs and lines ---- */
 
-/* sin x / x, without loss near 0. */
-static double sine_quotient(double x)
+void bat_arc_at(const batten_span *arc, double t, double out[2])
 {
-    return x == 0 ? 1 : sin(x) / x;
+    /* The chord of the part up to t: its length, and half the turn from the tangent. */
+    const double half = arc->curvature[0] * t / 2;
+    const double chord = half == 0 ? t : t * (sin(half) / half);
+    out[0] = arc->start[0] + chord * cos(arc->angle + half);
+    out[1] = arc->start[1] + chord * sin(arc->angle + half);
 }
 
 void bat_span_arc(int d, const batten_span *span, double t, int order, double *out)
 {
-    const double k = span->curvature[0], turn = k * t;
-    /* The chord of the part up to t: its length, and half the turn from the tangent. */
-    const double chord = t * sine_quotient(turn / 2);
-    const double angle = span->angle + turn;
+    const double k = span->curvature[0], angle = span->angle + k * t;
     const double T[2] = {cos(angle), sin(angle)}, N[2] = {-T[1], T[0]};
     assert(d == 2);
-    out[0] = span->start[0] + chord * cos(span->angle + turn / 2);
-    out[1] = span->start[1] + chord * sin(span->angle + turn / 2);
+    bat_arc_at(span, t, out);
     for (int i = 0; i < d; i++) {
         if (order >= 1)
             out[2 + i] = T[i];

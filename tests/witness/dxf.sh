@@ -10,5 +10,5 @@ python=$(for p in /usr/bin/python3 python3; do "$p" -c 'import ezdxf' 2> /dev/nu
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 "$batten" build "$here/dxf.yaml" -o "$folder" -q || exit 1
-# A circle of radius 10, a triangle of sides 3, 4, 5 times ten.
-"$python" "$here/dxf.py" "$folder/shapes.dxf" 182.83185307179586
+# A circle of radius 10, a triangle of sides 3, 4, 5 times ten, a third of a circle of radius 20, an ellipse of 20 and 10.
+"$python" "$here/dxf.py" "$folder/shapes.dxf" 321.60423732513607

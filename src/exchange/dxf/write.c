@@ -218,11 +218,9 @@ static batten_status write_all(writing *w)
     return status;
 }
 
-batten_status bat_write_dxf(const batten_model *model, const batten_write_options *options,
-                            batten_notes *notes, batten_text *text)
+batten_status bat_write_dxf(const batten_model *model, batten_notes *notes, batten_text *text)
 {
     writing w = {.dxf = {.text = BATTEN_TEXT}, .model = model, .notes = notes};
-    (void)options;
     const batten_status status = write_all(&w);
     bat_release(w.layers);
     bat_release(w.layer_of);

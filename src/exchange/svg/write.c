@@ -2,13 +2,16 @@
 #include "exchange/svg/svg.h"
 #include "numeric/vector.h"
 
+#include <float.h>
 #include <string.h>
 
 /* SVG counts y downwards, and its numbers are millimetres here. */
 typedef struct {
     batten_text *text;
     double scale, left, top, tolerance;
+    double rounding; /* of coordinates: halving makes nothing nearer than that */
     int shapes;
+    double off; /* of the object: how far the pieces are that halving does not mend */
 } writing;
 
 enum { DEPTH = 24 };
@@ -151,10 +154,12 @@ static batten_status put_span(writing *w, const batten_curve *curve, double a, d
         status = cubic(curve, a, b, points);
         if (status == BATTEN_OK)
             status = distance(curve, a, b, (const double(*)[2])points, &off);
-        if (off > w->tolerance && waiting <= DEPTH) {
+        if (off > bat_max(w->tolerance, w->rounding) && waiting <= DEPTH) {
             ends[waiting++] = a + (b - a) / 2;
             continue;
         }
+        if (off > w->tolerance)
+            w->off = bat_max(w->off, off);
         for (int k = 1; k < 4; k++)
             put_point(w, k == 1 ? 'C' : ' ', points[k][0], points[k][1]);
         a = b;
@@ -193,11 +198,16 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
     if (status != BATTEN_OK)
         return status;
     begin_shape(w, object);
+    w->off = 0;
     if (is_path && lies_flat(&path) && path.count > 1)
         put_path(w, &path);
     else
         status = put_curve(w, object->curve);
     end_shape(w);
+    if (w->off > 0)
+        batten_notes_add(notes, "", 0, object->name,
+                         "written within %g, not within the tolerance %g", w->off,
+                         w->tolerance);
     bat_path_release(&path);
     return status;
 }
@@ -209,6 +219,9 @@ static void begin_sheet(writing *w, const batten_model *model)
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
     batten_model_box(model, &box);
     w->scale = metres > 0 ? 1000 * metres : 1;
+    w->rounding = 16 * DBL_EPSILON *
+                  bat_max(bat_max(fabs(box.low.x), fabs(box.high.x)),
+                          bat_max(fabs(box.low.y), fabs(box.high.y)));
     w->left = box.low.x - margin / w->scale;
     w->top = box.high.y + margin / w->scale;
     const double width = w->scale * (box.high.x - box.low.x) + 2 * margin;

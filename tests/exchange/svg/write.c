@@ -59,3 +59,29 @@ TEST(svg_of_a_curve_is_within_the_tolerance)
     batten_curve_unref(curve);
     batten_model_unref(model);
 }
+
+TEST(svg_notes_what_is_beyond_the_tolerance)
+{
+    batten_model *model = NULL;
+    batten_curve *curve = NULL;
+    batten_write_options options = batten_write_defaults();
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_notes_create(4, &notes));
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_curve_ellipse(30, 20, 0, 1, &curve));
+    const batten_object object = {
+        .name = "arc", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    CHECK_OK(batten_model_add(model, &object));
+    options.format = BATTEN_FORMAT_SVG;
+    options.tolerance = 1e-300; /* halving comes to an end at the rounding */
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    CHECK_INT(batten_notes_count(notes) + batten_notes_dropped(notes), 1);
+    if (batten_notes_count(notes) == 1)
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "not within the tolerance 1e-300");
+    batten_release(data);
+    batten_curve_unref(curve);
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
