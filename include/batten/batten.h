@@ -18,6 +18,7 @@
 #include <batten/divide.h>
 #include <batten/energy.h>
 #include <batten/exchange.h>
+#include <batten/extend.h>
 #include <batten/fair.h>
 #include <batten/file.h>
 #include <batten/fold.h>

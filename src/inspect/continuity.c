@@ -1,3 +1,4 @@
+#include "inspect/side.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -6,7 +7,7 @@
 #include <float.h>
 #include <string.h>
 
-enum { ORDER = 3 };
+enum { ORDER = BAT_SIDE_ORDER };
 
 batten_continuity_options batten_continuity_defaults(void)
 {
@@ -16,21 +17,9 @@ batten_continuity_options batten_continuity_defaults(void)
                                        .derivative = 1e-6};
 }
 
-/* One side of a join: the derivatives in the direction of travel, and how far rounding may have
- * moved them. */
-typedef struct {
-    batten_vec3 c[ORDER + 1];
-    double roundoff[ORDER + 1];
-    batten_vec3 tangent; /* 0 where there is none */
-    bool singular;
-    /* By arc length: curvature, and its rate across the tangent, as vectors; for a sign in the
-     * plane nothing but these is needed. */
-    batten_vec3 curvature, rate;
-} side;
-
 /* With s the arc length: C' = v Cs, C'' = v' Cs + v^2 Css, C''' = .. Cs + 3 v v' Css + v^3
  * Csss. */
-static void by_arc_length(side *s)
+static void by_arc_length(bat_side *s)
 {
     const double v = bat_vec3_norm(s->c[1]);
     const batten_vec3 t = bat_vec3_scale(s->c[1], 1 / v);
@@ -43,7 +32,7 @@ static void by_arc_length(side *s)
 
 /* @param way -1 when the curve is run backwards */
 static batten_status side_at(const batten_curve *curve, double size, double u, batten_side from,
-                             double way, side *out)
+                             double way, bat_side *out)
 {
     const int d = curve->dimension;
     const double h = bat_span_width(curve, u, from);
@@ -54,7 +43,7 @@ static batten_status side_at(const batten_curve *curve, double size, double u, b
         status = bat_curve_local_at(curve, size, u, from, &local);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
-    *out = (side){.singular = status == BATTEN_SINGULAR_HERE};
+    *out = (bat_side){.singular = status == BATTEN_SINGULAR_HERE};
     for (int m = 0; m <= ORDER; m++, sign *= way) {
         out->c[m] = bat_vec3_scale(bat_vec3_of(d, values + m * d), sign);
         out->roundoff[m] = bat_derivative_roundoff(curve, m, size, h);
@@ -63,6 +52,15 @@ static batten_status side_at(const batten_curve *curve, double size, double u, b
     if (!out->singular)
         by_arc_length(out);
     return BATTEN_OK;
+}
+
+batten_status bat_side_at_end(const batten_curve *curve, batten_curve_end end, bool away,
+                              bat_side *out)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const bool last = end == BATTEN_CURVE_END;
+    return side_at(curve, bat_curve_size(curve), last ? domain.b : domain.a,
+                   last ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, last == away ? -1 : 1, out);
 }
 
 static double difference(batten_vec3 a, batten_vec3 b)
@@ -77,7 +75,7 @@ static double fit(batten_vec3 r, batten_vec3 l, double *factor)
     return bat_vec3_norm(bat_vec3_along(r, -*factor, l));
 }
 
-static void fit_betas(const side *l, const side *r, batten_continuity *out)
+static void fit_betas(const bat_side *l, const bat_side *r, batten_continuity *out)
 {
     double *b = out->beta;
     if (l->singular) {
@@ -92,7 +90,7 @@ static void fit_betas(const side *l, const side *r, batten_continuity *out)
     out->residual[2] = fit(bat_vec3_along(third, -3 * b[0] * b[1], c[2]), c[1], &b[2]);
 }
 
-static int parametric_order(const side *l, const side *r, double tolerance)
+static int parametric_order(const bat_side *l, const bat_side *r, double tolerance)
 {
     int k = 0;
     for (; k < ORDER; k++) {
@@ -104,8 +102,7 @@ static int parametric_order(const side *l, const side *r, double tolerance)
     return k;
 }
 
-/* How far rounding may have moved the m-th derivative by arc length. */
-static double arc_roundoff(const side *s, int m)
+double bat_side_roundoff(const bat_side *s, int m)
 {
     const double v = bat_vec3_norm(s->c[1]);
     double power = v, sum = 0;
@@ -122,14 +119,14 @@ static double size_across(int d, batten_vec3 tangent, batten_vec3 a)
     return d < 3 && bat_vec3_cross(tangent, a).z < 0 ? -size : size;
 }
 
-static void compare_bending(int d, const side *l, const side *r, double straight, double size,
-                            batten_continuity *out)
+static void compare_bending(int d, const bat_side *l, const bat_side *r, double straight,
+                            double size, batten_continuity *out)
 {
-    const side *sides[2] = {l, r};
+    const bat_side *sides[2] = {l, r};
     out->curvature_difference = out->curvature_part = NAN;
     out->rate_difference = out->rate_part = NAN;
     for (int k = 0; k < 2; k++) {
-        const side *s = sides[k];
+        const bat_side *s = sides[k];
         out->curvature[k] =
             s->singular ? (double)NAN : size_across(d, s->tangent, s->curvature);
         out->rate[k] = s->singular ? (double)NAN : size_across(d, s->tangent, s->rate);
@@ -145,20 +142,20 @@ static void compare_bending(int d, const side *l, const side *r, double straight
     out->rate_part = out->rate_difference / bat_max(rate, calm);
 }
 
-static int geometric_order(const side *l, const side *r, const batten_continuity_options *o,
-                           const batten_continuity *c)
+static int geometric_order(const bat_side *l, const bat_side *r,
+                           const batten_continuity_options *o, const batten_continuity *c)
 {
     if (l->singular || r->singular || !(c->angle <= o->angle))
         return 0;
     /* A part that rounding alone may make is none. */
-    const double noise2 = arc_roundoff(l, 2) + arc_roundoff(r, 2);
+    const double noise2 = bat_side_roundoff(l, 2) + bat_side_roundoff(r, 2);
     if (c->curvature_part > o->curvature && c->curvature_difference > noise2)
         return 1;
-    const double noise3 = arc_roundoff(l, 3) + arc_roundoff(r, 3);
+    const double noise3 = bat_side_roundoff(l, 3) + bat_side_roundoff(r, 3);
     return c->rate_part > o->curvature && c->rate_difference > noise3 ? 2 : 3;
 }
 
-static void compare(int d, const side *l, const side *r, double size,
+static void compare(int d, const bat_side *l, const bat_side *r, double size,
                     const batten_continuity_options *o, batten_continuity *out)
 {
     const double gap = o->gap > 0 ? o->gap : 1e-6 * size;
@@ -206,15 +203,12 @@ batten_status batten_curves_continuity(const batten_curve *first, batten_curve_e
                           first->dimension, second->dimension);
     if (status != BATTEN_OK)
         return status;
-    const bool ends = first_end == BATTEN_CURVE_END, starts = second_end == BATTEN_CURVE_START;
-    const batten_interval a = batten_curve_domain(first), b = batten_curve_domain(second);
-    const double u = ends ? a.b : a.a;
-    side l, r;
-    status = side_at(first, bat_curve_size(first), u,
-                     ends ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, ends ? 1 : -1, &l);
+    const batten_interval domain = batten_curve_domain(first);
+    const double u = first_end == BATTEN_CURVE_END ? domain.b : domain.a;
+    bat_side l, r;
+    status = bat_side_at_end(first, first_end, false, &l);
     if (status == BATTEN_OK)
-        status = side_at(second, bat_curve_size(second), starts ? b.a : b.b,
-                         starts ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, starts ? 1 : -1, &r);
+        status = bat_side_at_end(second, second_end, true, &r);
     if (status != BATTEN_OK)
         return status;
     *out = (batten_continuity){.u = u};
@@ -226,7 +220,7 @@ static batten_status join_at(const batten_curve *curve, double before, double be
                              double extent, double size, const batten_continuity_options *o,
                              batten_continuity *out)
 {
-    side l, r;
+    bat_side l, r;
     batten_status status = side_at(curve, size, before, BATTEN_FROM_LEFT, 1, &l);
     if (status == BATTEN_OK)
         status = side_at(curve, size, behind, BATTEN_FROM_RIGHT, 1, &r);
