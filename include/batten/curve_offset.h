@@ -57,7 +57,8 @@ BATTEN_API void batten_curves_release(batten_curves *curves);
  * is cut where it crosses itself and wherever it comes too near to the curve, and what is left
  * is joined: none, one or several curves. Pieces keep the parameters of the curve where nothing
  * was cut. An end of an open curve keeps distance too, as if it had a round cap.
- * Loops that come nearer by less than three tolerances may stay.
+ * Loops that come nearer by less than three tolerances may stay, and parts whose ends lie
+ * within the tolerance of each other are joined there.
  *
  * @param curve    of 2 or 3 dimensions; periodic curves give clamped closed ones
  * @param distance model units; negative: to the right
@@ -67,7 +68,8 @@ BATTEN_API void batten_curves_release(batten_curves *curves);
  * NOT_FINITE, UNSUPPORTED (dimension 1), SINGULAR_HERE (curve along `normal`, or a point),
  * TOLERANCE_NOT_MET, TOO_LARGE
  *
- * Cost: pieces times spans for the distances, n log n for crossings. Source: [TH84], [EK91].
+ * Cost: for each piece the distance of a few points, log n as long as few spans are that near; n
+ * log n for crossings. Source: [TH84], [EK91].
  */
 BATTEN_API batten_status batten_curve_offset(const batten_curve *curve, double distance,
                                              const batten_offset_options *options,

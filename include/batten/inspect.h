@@ -115,7 +115,8 @@ typedef struct batten_deviation {
     double at[2]; /**< its foot's parameters */
 } batten_deviation;
 /** Distance of points [count][dimension] from a curve: the global minimum, ends included. Every
- * root of (C - Q) . C' is found on each span whose box comes near enough.
+ * root of (C - Q) . C' is found on each span whose box comes near enough. Cost: n to begin,
+ * then log n for each point that is near few of the n spans.
  * @param start [count] first guesses, or NULL: the whole curve is searched
  * @param[out] distances [count], or NULL */
 BATTEN_API batten_status batten_curve_deviation(const batten_curve *curve, int count,

@@ -13,13 +13,15 @@
 #include <float.h>
 #include <string.h>
 
-/* The box of the control points of each span, and where the spans begin. */
+/* The box of the control points of each span, where the spans begin, and boxes of neighbours
+ * that share a bit of their index, of those again, up to all: node i holds nodes 2 i and 2 i +
+ * 1, and span k is node width + k. */
 typedef struct {
-    int count;
-    int *spans;    /* [count] knot index */
-    double *boxes; /* [count][2][d] */
-    double *ends;  /* [count + 1][d], points at the distinct knots */
-    double *knots; /* [count + 1] */
+    int count, width; /* spans; the power of two that holds them */
+    int *spans;       /* [count] knot index */
+    double *boxes;    /* [2 width][2][d]; node 0 is not used, those behind the last are empty */
+    double *ends;     /* [count + 1][d], points at the distinct knots */
+    double *knots;    /* [count + 1] */
 } boxes;
 
 static void boxes_end(boxes *b)
@@ -43,13 +45,42 @@ static void set_box(const batten_curve *curve, int span, double *low, double *hi
     }
 }
 
+/* A box grows to hold another one. */
+static void widen(int d, double *box, const double *low, const double *high)
+{
+    for (int k = 0; k < d; k++) {
+        box[k] = bat_min(box[k], low[k]);
+        box[d + k] = bat_max(box[d + k], high[k]);
+    }
+}
+
+/* Boxes of spans become those of all nodes. Those of spans hold the computed end points too. */
+static void gather_boxes(boxes *b, int d)
+{
+    const int size = 2 * d;
+    for (int i = 0; i < 2 * b->width; i++)
+        for (int k = 0; k < d && (i < b->width || i >= b->width + b->count); k++) {
+            b->boxes[i * size + k] = HUGE_VAL;
+            b->boxes[i * size + d + k] = -HUGE_VAL;
+        }
+    for (int i = 0; i < b->count; i++)
+        for (int e = i; e <= i + 1; e++)
+            widen(d, b->boxes + (b->width + i) * size, b->ends + e * d, b->ends + e * d);
+    for (int i = 2 * b->width - 1; i > 1; i--) {
+        const double *box = b->boxes + i * size;
+        widen(d, b->boxes + i / 2 * size, box, box + d);
+    }
+}
+
 static batten_status boxes_begin(const batten_curve *curve, boxes *out)
 {
     const size_t d = (size_t)curve->dimension;
-    boxes b = {.count = batten_curve_spans(curve, NULL) - 1};
+    boxes b = {.count = batten_curve_spans(curve, NULL) - 1, .width = 1};
     const size_t n = (size_t)b.count;
+    while (b.width < b.count)
+        b.width *= 2;
     b.spans = bat_array(n, sizeof *b.spans);
-    b.boxes = bat_array3(n, 2 * d, sizeof *b.boxes);
+    b.boxes = bat_array3(2 * (size_t)b.width, 2 * d, sizeof *b.boxes);
     b.ends = bat_array3(n + 1, d, sizeof *b.ends);
     b.knots = bat_array(n + 1, sizeof *b.knots);
     batten_status status =
@@ -62,12 +93,14 @@ static batten_status boxes_begin(const batten_curve *curve, boxes *out)
         if (curve->knots[k] == curve->knots[k + 1])
             continue;
         b.spans[i] = k;
-        set_box(curve, k, b.boxes + 2 * d * (size_t)i, b.boxes + 2 * d * (size_t)i + d);
+        double *const box = b.boxes + 2 * d * ((size_t)b.width + (size_t)i);
+        set_box(curve, k, box, box + d);
         i++;
     }
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        gather_boxes(&b, (int)d);
         *out = b;
-    else
+    } else
         boxes_end(&b);
     return status;
 }
@@ -145,19 +178,51 @@ static batten_status search_span(finder *f, int span, const double *q, bat_neare
     return status;
 }
 
+/* The nearest of the ends of all spans, the first of equals: nearer boxes first. */
+static void search_ends(const boxes *b, int d, const double *q, bat_nearest *best)
+{
+    int stack[64] = {1}, waiting = 1, found = -1;
+    while (waiting > 0) {
+        const int node = stack[--waiting];
+        if (box_distance(d, b->boxes + 2 * node * d, q) > best->distance)
+            continue;
+        if (node < b->width) {
+            const int left = 2 * node;
+            const double *box = b->boxes + 2 * left * d;
+            const bool first = box_distance(d, box, q) <= box_distance(d, box + 2 * d, q);
+            stack[waiting++] = first ? left + 1 : left;
+            stack[waiting++] = first ? left : left + 1;
+            continue;
+        }
+        for (int i = node - b->width; i <= node - b->width + 1; i++) {
+            const double distance = bat_distance(d, b->ends + i * d, q);
+            if (distance > best->distance || (distance == best->distance && i >= found))
+                continue;
+            *best = (bat_nearest){distance, {b->knots[i], 0}};
+            found = i;
+        }
+    }
+}
+
+/* All spans that may come nearer than the nearest end, along the curve. */
 static batten_status search_all(finder *f, const double *q, bat_nearest *best)
 {
     const boxes *b = f->boxes;
     const int d = f->curve->dimension;
-    for (int i = 0; i <= b->count; i++) {
-        const double distance = bat_distance(d, b->ends + i * d, q);
-        if (distance < best->distance)
-            *best = (bat_nearest){distance, {b->knots[i], 0}};
-    }
+    int stack[64] = {1}, waiting = 1;
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < b->count; i++)
-        if (box_distance(d, b->boxes + 2 * i * d, q) < best->distance)
-            status = search_span(f, b->spans[i], q, best);
+    search_ends(b, d, q, best);
+    while (status == BATTEN_OK && waiting > 0) {
+        const int node = stack[--waiting];
+        if (box_distance(d, b->boxes + 2 * node * d, q) >= best->distance)
+            continue;
+        if (node >= b->width) {
+            status = search_span(f, b->spans[node - b->width], q, best);
+        } else {
+            stack[waiting++] = 2 * node + 1;
+            stack[waiting++] = 2 * node;
+        }
+    }
     return status;
 }
 

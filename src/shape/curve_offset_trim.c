@@ -115,11 +115,11 @@ static batten_status add_sample(samples *s, int run, double a, double b, double 
     return BATTEN_OK;
 }
 
-/* Between two cuts of a run, POINTS on each of its pieces. */
+/* Between two cuts of a run, POINTS on each of its pieces, and the cuts themselves. */
 static batten_status add_samples(samples *s, int run, double a, double b, int break_count,
                                  const double *breaks)
 {
-    batten_status status = BATTEN_OK;
+    batten_status status = add_sample(s, run, a, b, a);
     double from = a;
     for (int i = 0; i < break_count && status == BATTEN_OK && from < b; i++) {
         if (breaks[i] <= from)
@@ -129,7 +129,7 @@ static batten_status add_samples(samples *s, int run, double a, double b, int br
             status = add_sample(s, run, a, b, from + (to - from) * ((k + 0.5) / POINTS));
         from = to;
     }
-    return status;
+    return status == BATTEN_OK ? add_sample(s, run, a, b, b) : status;
 }
 
 /* Cuts of a run, its ends included, rise. */
@@ -194,6 +194,27 @@ static batten_status sample_all(const trim *t, const bat_crossings *crossings, s
     return status;
 }
 
+/* A cut is judged as the sample beside it, but for two cases: clearly too near beside something
+ * good, or good at the end of a run that goes on in something good. Elsewhere two pieces cross,
+ * and there both are only as far from the curve as their errors allow. */
+static void judge_cuts(const trim *t, samples *s)
+{
+    const double clear = t->least - 2 * t->o->options.tolerance;
+    const int n = s->count;
+    for (int i = 0; i < n; i++) {
+        const sample *at = &s->at[i];
+        if (at->u != at->a && at->u != at->b)
+            continue;
+        const int step = at->u == at->a ? 1 : -1;
+        const int across = t->o->closed ? (i - 2 * step + n) % n : i - 2 * step;
+        const double beside = s->far[i + step], own = s->far[i];
+        const bool goes_on = across >= 0 && across < n && s->at[across].run != at->run &&
+                             s->far[across] >= t->least;
+        if (beside >= t->least ? own >= clear : own < t->least || !goes_on)
+            s->far[i] = beside;
+    }
+}
+
 static batten_status measure(const trim *t, samples *s)
 {
     const size_t n = (size_t)s->count;
@@ -205,8 +226,16 @@ static batten_status measure(const trim *t, samples *s)
             batten_curve_evaluate(t->o->runs[s->at[i].run].plan, s->at[i].u, 0, points + 2 * i);
     if (status == BATTEN_OK && n)
         status = distances(t, s->count, points, s->far);
+    if (status == BATTEN_OK)
+        judge_cuts(t, s);
     bat_release(points);
     return status;
+}
+
+/* The least distance that is let pass. */
+static double excused(const trim *t)
+{
+    return t->least - 10 * t->o->options.tolerance;
 }
 
 /* Stretches that are too near by ten tolerances at most stay: the pieces, which are right to
@@ -215,7 +244,7 @@ static batten_status measure(const trim *t, samples *s)
 static void forgive(const trim *t, samples *s)
 {
     const int n = s->count;
-    const double least = t->least, excuse = least - 10 * t->o->options.tolerance;
+    const double least = t->least, excuse = excused(t);
     int begin = 0;
     while (t->o->closed && begin < n && s->far[begin] < least)
         begin++;
@@ -293,8 +322,51 @@ static void meet(trim *t)
                 follow(t, i, j);
 }
 
+/* Does the end of part i, or the start, come to `target` when it is moved along its run? Then
+ * it is, as long as the run is far enough there. */
+static batten_status slide(trim *t, int i, bool end, const double *target, bool *met)
+{
+    part *p = &t->parts[i];
+    const batten_curve *plan = t->o->runs[p->run].plan;
+    batten_deviation near;
+    double point[2], far = 0;
+    batten_status status = batten_curve_deviation(plan, 1, target, NULL, NULL, NULL, &near);
+    const double u = near.at[0];
+    *met = status == BATTEN_OK && near.max <= t->near && (end ? u > p->a : u < p->b);
+    if (status == BATTEN_OK && *met)
+        status = batten_curve_evaluate(plan, u, 0, point);
+    if (status == BATTEN_OK && *met)
+        status = distances(t, 1, point, &far);
+    *met = *met && far >= excused(t);
+    if (status == BATTEN_OK && *met) {
+        *(end ? &p->b : &p->a) = u;
+        memcpy(end ? p->end : p->start, point, sizeof point);
+    }
+    return status;
+}
+
+/* Two sides of a loop narrower than the error of the pieces need not cross: where they run
+ * beside each other one of the ends is moved to the other. */
+static batten_status close_loops(trim *t)
+{
+    const int n = t->count;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i + !t->o->closed < n; i++) {
+        const int j = (i + 1) % n;
+        bool met;
+        if (t->parts[i].next >= 0 || t->parts[j].followed)
+            continue;
+        status = slide(t, i, true, t->parts[j].start, &met);
+        if (status == BATTEN_OK && !met)
+            status = slide(t, j, false, t->parts[i].end, &met);
+        if (status == BATTEN_OK && met)
+            follow(t, i, j);
+    }
+    return status;
+}
+
 /* First along the way they came, then to whatever begins where a part ends. */
-static void link_parts(trim *t)
+static batten_status link_parts(trim *t)
 {
     const int n = t->count;
     for (int i = 0; i < n; i++) {
@@ -308,6 +380,7 @@ static void link_parts(trim *t)
             follow(t, i, j);
     }
     meet(t);
+    return close_loops(t);
 }
 
 batten_status bat_curves_chain(int count, batten_curve *const *curves, double tolerance,
@@ -345,6 +418,22 @@ batten_status bat_curves_chain(int count, batten_curve *const *curves, double to
     return status;
 }
 
+/* A chain that comes back within the tolerance ends in the point in which it begins. */
+static batten_status close_chain(const trim *t, batten_curve **chain)
+{
+    const batten_curve *open = *chain;
+    const int d = open->dimension, last = open->count - 1;
+    batten_curve *closed = NULL;
+    if (bat_distance(d, open->points, open->points + (size_t)last * (size_t)d) > 2 * t->near)
+        return BATTEN_OK;
+    const batten_status status = batten_curve_with_point(open, last, open->points, &closed);
+    if (status == BATTEN_OK) {
+        batten_curve_unref(*chain);
+        *chain = closed;
+    }
+    return status;
+}
+
 /* The chain from part `first` on as one curve; its parts are no longer there. */
 static batten_status make_chain(trim *t, int first, batten_curve **out)
 {
@@ -352,18 +441,27 @@ static batten_status make_chain(trim *t, int first, batten_curve **out)
     if (!pieces)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = BATTEN_OK;
+    bool around = false;
     int count = 0;
     for (int i = first; status == BATTEN_OK && i >= 0;) {
         part *p = &t->parts[i];
-        if (p->run < 0)
-            break; /* around a closed chain */
+        around = p->run < 0;
+        if (around)
+            break;
         status = batten_curve_subrange(t->o->runs[p->run].curve, p->a, p->b, &pieces[count]);
         count += status == BATTEN_OK;
         p->run = -1;
         i = p->next;
     }
+    batten_curve *made = NULL;
     if (status == BATTEN_OK)
-        status = bat_curves_chain(count, pieces, 2 * t->near, out);
+        status = bat_curves_chain(count, pieces, 2 * t->near, &made);
+    if (status == BATTEN_OK && around)
+        status = close_chain(t, &made);
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        batten_curve_unref(made);
     for (int i = 0; i < count; i++)
         batten_curve_unref(pieces[i]);
     bat_release(pieces);
@@ -406,9 +504,10 @@ batten_status bat_offset_trim(bat_offset *o, batten_curves *out)
     if (status == BATTEN_OK) {
         o->report.crossings = crossings.count;
         o->report.removed = t.removed;
-        link_parts(&t);
-        status = make_chains(&t, out);
+        status = link_parts(&t);
     }
+    if (status == BATTEN_OK)
+        status = make_chains(&t, out);
     bat_release(crossings.at);
     bat_release(plans);
     bat_release(t.parts);

@@ -98,3 +98,34 @@ TEST(points_that_are_not_finite_or_missing_are_refused)
                  BATTEN_NOT_FINITE);
     batten_curve_unref(circle);
 }
+
+TEST(of_many_spans_the_nearest_is_found)
+{
+    test_random random = test_random_begin("many spans");
+    for (int spans = 1; spans <= 130; spans += 1 + spans / 3) {
+        double points[2 * 140], knots[140], q[40], all[20], one[20];
+        batten_curve *curve = NULL;
+        batten_deviation found;
+        const int count = spans + 3;
+        for (int i = 0; i < 2 * count; i++)
+            points[i] = test_random_in(&random, -1, 1) + i / 20.0;
+        for (int i = 0; i < 40; i++)
+            q[i] = test_random_in(&random, -1, 1 + count / 10.0);
+        for (int i = 0; i < count + 4; i++)
+            knots[i] = fmin(spans, fmax(0, i - 3));
+        CHECK_OK(batten_curve_create(2, 3, count, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_deviation(curve, 20, q, NULL, NULL, all, &found));
+        double least[20];
+        for (int k = 0; k < spans; k++) { /* each span by itself */
+            batten_curve *part = NULL;
+            CHECK_OK(batten_curve_subrange(curve, k, k + 1, &part));
+            CHECK_OK(batten_curve_deviation(part, 20, q, NULL, NULL, one, &found));
+            for (int i = 0; i < 20; i++)
+                least[i] = k == 0 ? one[i] : fmin(least[i], one[i]);
+            batten_curve_unref(part);
+        }
+        for (int i = 0; i < 20; i++)
+            CHECK_NEAR(all[i], least[i], 1e-12);
+        batten_curve_unref(curve);
+    }
+}

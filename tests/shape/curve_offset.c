@@ -270,8 +270,8 @@ TEST(an_offset_falls_apart_where_the_curve_is_narrow)
     for (int i = 0; i < 2; i++) {
         CHECK(batten_curve_is_closed(made.at[i], 1e-9));
         CHECK_OK(batten_curve_length(made.at[i], 1e-10, &length, NULL));
-        /* A square of side 2.5 without the middle unit of one side, and there two arcs about the
-         * corners of the neck, which meet half a unit off each. */
+        /* A square of side 2.5 without the middle unit of one side, and there two arcs about
+         * the corners of the neck, which meet half a unit off each. */
         CHECK_NEAR(length, 9 + 2 * 0.75 * asin(0.5 / 0.75), 1e-5);
         CHECK(distance_error(curve, &made, 0.75) <= 3e-6);
     }
@@ -356,10 +356,47 @@ TEST(a_spline_with_loops_in_its_offset_keeps_its_distance)
             CHECK_OK(batten_curve_offset(curve, distances[i], &o, NULL, &made));
             CHECK(distance_error(curve, &made, distances[i]) <= 5e-5);
             for (int k = 0; k < made.count; k++)
-                CHECK(batten_curve_is_closed(made.at[k], 1e-4));
+                CHECK(batten_curve_is_closed(made.at[k], 1e-12));
             CHECK(made.count > 0 || distances[i] >= 0.7);
             batten_curves_release(&made);
         }
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(the_sides_of_a_loop_narrower_than_the_error_of_the_pieces_are_joined)
+{
+    /* Radii of twelve control points about a centre, and a distance that leaves a swallowtail
+     * as wide as rounding at one of them. */
+    static const struct {
+        double distance, radii[12];
+    } rows[] = {
+        {1, /* the loop is left by one side only */
+         {3.8276363136630946, 1.885375235202052, 2.537192962390663, 1.9067828623849787,
+          2.1250371866660247, 2.6115806459585666, 3.876841160896625, 2.522028107430459,
+          3.4027144756445886, 3.810310771487031, 2.150969085817305, 3.8645792027565538}},
+        {0.7, /* a side comes back just behind the end of a run */
+         {3.548040018889945, 3.954995092350791, 1.7618376530905766, 2.9771503076847927,
+          2.9443539300615686, 3.3388114727173983, 1.994737614388493, 1.9030241858848451,
+          2.376063509578848, 3.9684277399234906, 2.5166452970238344, 2.618201921517894}},
+    };
+    for (int row = 0; row < COUNT(rows); row++) {
+        double points[24];
+        const double knots[13] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+        batten_curve *curve = NULL;
+        batten_curves made = {0, NULL};
+        for (int i = 0; i < 12; i++) {
+            points[2 * i] = rows[row].radii[i] * cos(PI * i / 6);
+            points[2 * i + 1] = rows[row].radii[i] * sin(PI * i / 6);
+        }
+        CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
+        const batten_offset_options o =
+            options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+        CHECK_OK(batten_curve_offset(curve, rows[row].distance, &o, NULL, &made));
+        CHECK_INT(made.count, 1);
+        CHECK(batten_curve_is_closed(made.at[0], 1e-12));
+        CHECK(distance_error(curve, &made, rows[row].distance) <= 5e-5);
+        batten_curves_release(&made);
         batten_curve_unref(curve);
     }
 }
