@@ -41,6 +41,7 @@
 #include <batten/surface.h>
 #include <batten/tension.h>
 #include <batten/text.h>
+#include <batten/thin.h>
 #include <batten/units.h>
 #include <batten/weighted.h>
 #endif

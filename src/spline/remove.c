@@ -307,6 +307,50 @@ static batten_status thin(bat_spline *spline, size_t group, double tolerance, in
     return status;
 }
 
+batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors)
+{
+    const int p = spline->degree, n = spline->count;
+    const double *U = spline->knots;
+    bat_spline borrowed = *spline;
+    removal work;
+    const batten_status status = removal_begin(&work, &borrowed, group);
+    if (status != BATTEN_OK)
+        return status;
+    for (int j = 0; j < n + p + 1; j++)
+        errors[j] = HUGE_VAL;
+    for (int r = p + 1, s = 1; r < n; r++) {
+        s = U[r] == U[r - 1] ? s + 1 : 1;
+        if (U[r] != U[r + 1] && U[r] != U[p])
+            errors[r] = removal_error(&work, r, s);
+    }
+    bat_release(work.rows);
+    return BATTEN_OK;
+}
+
+/* From the spline as it is, and from the one without what could go knot by knot: whichever way
+ * leaves fewer knots. Neither is always the better. */
+static batten_status reduce_both(const bat_spline *spline, size_t group, double tolerance,
+                                 double *error, bat_spline *made)
+{
+    bat_spline other;
+    double moved = 0;
+    batten_status status = bat_spline_reduce_knots(spline, group, tolerance, made, error);
+    if (status != BATTEN_OK || tolerance == 0)
+        return status;
+    status = bat_spline_insert(spline, 0, NULL, &other);
+    if (status != BATTEN_OK)
+        return status;
+    status = bat_spline_reduce_knots(spline, group, tolerance, &other, &moved);
+    if (status == BATTEN_OK && other.count < made->count) {
+        const bat_spline worse = *made;
+        *made = other;
+        other = worse;
+        *error = moved;
+    }
+    bat_spline_free(&other);
+    return status;
+}
+
 batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
                                     int *removed, double *error, bat_spline *out)
 {
@@ -316,8 +360,12 @@ batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, doub
         return status;
     status = thin(&made, group, tolerance, removed, error);
     if (status == BATTEN_OK)
+        status = reduce_both(spline, group, tolerance, error, &made);
+    if (status == BATTEN_OK) {
+        *removed = spline->count - made.count;
         *out = made;
-    else
+    } else {
         bat_spline_free(&made);
+    }
     return status;
 }

@@ -101,10 +101,20 @@ batten_status bat_spline_insert(const bat_spline *spline, int count, const doubl
  * on the movement of the whole shape. */
 batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
                                 double tolerance, int *removed, double *error, bat_spline *out);
-/* All inner knots that can go while the movements, added up span by span, stay within
- * `tolerance`; those that cost least go first. */
+/* All inner knots that can go while the spline moves by no more than `tolerance`: one by one,
+ * movements added up span by span, those that cost least first; then by bat_spline_reduce_knots.
+ */
 batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
                                     int *removed, double *error, bat_spline *out);
+/* What one removal of each distinct inner knot alone would move, at its last index; infinity
+ * elsewhere. errors [count + degree + 1]. */
+batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors);
+/* Fewer knots still for a spline that is within `tolerance` of `fine` and has a part of its
+ * knots: groups of them go, and the rest is fitted to `fine` by least squares. The ends stay to
+ * the bit. *error: a bound, changed when the spline is; a spline with unclamped ends is left as
+ * it is (reduce_knots.c). Cost log(count)^2 fits of cost count degree^2 width. */
+batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, double tolerance,
+                                      bat_spline *coarse, double *error);
 /* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed.
  */
 batten_status bat_spline_elevate(const bat_spline *spline, int by, bat_spline *out);
