@@ -26,6 +26,7 @@
 #include <batten/geometry.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>
+#include <batten/invariants.h>
 #include <batten/job.h>
 #include <batten/local.h>
 #include <batten/model.h>

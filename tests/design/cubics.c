@@ -94,3 +94,39 @@ TEST(n4_corners_that_are_no_points_are_refused)
                "  d: {cornered-spline: p, corners: [5]}\n",
                BATTEN_BAD_ARGUMENT, "corner 0 is point 5");
 }
+
+#define QUINTIC                                                                             \
+    "batten: 1\nfeatures:\n" /* (40 t^2, 10 (t^5 + t^4 - 3 t^3 + t)) from -7/4 to 7/4 */    \
+    "  p: {points: [[122.5, 72.939453125], [24.5, 65.201171875], [-24.5, -181.029296875], " \
+    "[-24.5, 218.544921875], [24.5, -177.748046875], [122.5, 114.638671875]]}\n"            \
+    "  c: {bezier: p}\n"
+
+TEST(a_report_of_higher_degrees_counts_what_is_on_each_span)
+{
+    const char *text = output_of(QUINTIC "outputs:\n  a.txt: {classify: c}\n");
+    CHECK_CONTAINS(text, "c: 1 span, 2 inflections, 2 crossings");
+    CHECK_CONTAINS(text, "span 1: degree 5, plane, 2 inflections, 2 crossings, margin 0.00");
+    CHECK_CONTAINS(text, "; inflection at 0.18");
+    CHECK_CONTAINS(text, "; crosses itself at 0.0377046 and 0.962295");
+}
+
+TEST(a_report_of_higher_degrees_in_json_has_all_keys)
+{
+    const char *text = output_of(QUINTIC "outputs:\n  a.json: {classify: c}\n");
+    CHECK_CONTAINS(text, "\"degree\": 5, \"dimension\": 2, \"complete\": true");
+    CHECK_CONTAINS(text, "\"whole_counts\": {\"inflections\": 2, \"undulations\": 0");
+    CHECK_CONTAINS(text, "\"complex\": 0, \"infinite\": 4");
+    CHECK_CONTAINS(text, "{\"kind\": \"crossing\", \"inside\": true, \"multiplicity\": 1");
+}
+
+TEST(a_degree_that_elimination_cannot_reach_is_said_to_be_searched)
+{
+    char design[2000] = "batten: 1\nfeatures:\n  p: {points: [";
+    size_t length = strlen(design);
+    for (int i = 0; i < 20; i++)
+        length += (size_t)snprintf(design + length, sizeof design - length, "%s[%d.3, %d.%d7]",
+                                   i ? ", " : "", (i * 5) % 11, (i * 7) % 5, (i * 3) % 8);
+    snprintf(design + length, sizeof design - length,
+             "]}\n  c: {bezier: p}\noutputs:\n  a.txt: {classify: c}\n");
+    CHECK_CONTAINS(output_of(design), "perhaps not all");
+}

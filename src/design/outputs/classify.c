@@ -1,14 +1,49 @@
 #include "design/feature.h"
 #include <batten/cubic.h>
+#include <batten/invariants.h>
 #include <batten/text.h>
 
 #include <string.h>
 
 static const batten_parameter parameters[] = {
-    {"classify", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "curves of degree 3 at most"},
+    {"classify", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "polynomial curves"},
     {"within", BATTEN_VALUE_NUMBER, false, false, "1e-9", NULL,
-     "relative tolerance: so near to a boundary a span counts as lying on it"},
+     "relative: so near to a boundary a cubic is on it, to a line or plane any span in it"},
 };
+
+/* ---- what is on a span, whatever its degree ---- */
+
+typedef struct {
+    int count;
+    const batten_special *at;
+} specials;
+
+/* Those of a cubic, [3] at most. */
+static specials specials_of_cubic(const batten_cubic *c, batten_special *at)
+{
+    const bool has_loop = isfinite(c->crossing[0]);
+    int count = 0;
+    for (int k = 0; k < c->inflection_count; k++)
+        at[count++] =
+            (batten_special){.kind = BATTEN_SPECIAL_INFLECTION,
+                             .inside = c->inflections[k] > c->from && c->inflections[k] < c->to,
+                             .multiplicity = 1,
+                             .t = c->inflections[k],
+                             .s = NAN};
+    if (isfinite(c->cusp))
+        at[count++] = (batten_special){.kind = BATTEN_SPECIAL_CUSP,
+                                       .inside = c->segment == BATTEN_CUBIC_CUSP,
+                                       .multiplicity = 1,
+                                       .t = c->cusp,
+                                       .s = NAN};
+    if (has_loop)
+        at[count++] = (batten_special){.kind = BATTEN_SPECIAL_CROSSING,
+                                       .inside = c->segment == BATTEN_CUBIC_LOOP,
+                                       .multiplicity = 1,
+                                       .t = c->crossing[0],
+                                       .s = c->crossing[1]};
+    return (specials){count, at};
+}
 
 /* ---- text ---- */
 
@@ -29,29 +64,37 @@ static void text_place(batten_text *out, const batten_cubic *c)
     batten_text_add(out, " (%s)", batten_cubic_region_name(place.region));
 }
 
-static void text_parameters(batten_text *out, const batten_cubic *c)
+/* Those on the span itself. */
+static void text_specials(batten_text *out, specials on)
 {
-    for (int k = 0; k < c->inflection_count; k++)
-        if (c->inflections[k] > c->from && c->inflections[k] < c->to)
-            text_number(out, "; inflection at ", c->inflections[k]);
-    if (c->segment == BATTEN_CUBIC_CUSP)
-        text_number(out, "; cusp at ", c->cusp);
-    if (c->segment == BATTEN_CUBIC_LOOP) {
-        text_number(out, "; crosses itself at ", c->crossing[0]);
-        text_number(out, " and ", c->crossing[1]);
+    for (int k = 0; k < on.count; k++) {
+        const batten_special *s = &on.at[k];
+        if (!s->inside)
+            continue;
+        if (s->kind == BATTEN_SPECIAL_CROSSING) {
+            text_number(out, "; crosses itself at ", s->t);
+            text_number(out, " and ", s->s);
+        } else {
+            batten_text_add(out, "; %s", batten_special_name(s->kind, false));
+            text_number(out, " at ", s->t);
+        }
+        if (s->multiplicity > 1)
+            batten_text_add(out, " (%d-fold)", s->multiplicity);
     }
+    batten_text_add(out, "\n");
 }
 
-static void text_span(batten_text *out, int index, const batten_cubic *c)
+static void text_cubic(batten_text *out, int index, const batten_cubic *c)
 {
     batten_text_add(out, "  span %d: %s", index + 1, batten_cubic_class_text(c->segment));
     text_number(out, ", margin ", c->margin);
     text_place(out, c);
-    text_parameters(out, c);
-    batten_text_add(out, "\n");
+    batten_special at[3];
+    text_specials(out, specials_of_cubic(c, at));
 }
 
-static void text_curve(batten_text *out, const char *name, int count, const batten_cubic *spans)
+static void text_cubics(batten_text *out, const char *name, int count,
+                        const batten_cubic *spans)
 {
     int seen[BATTEN_CUBIC_CLASS_COUNT] = {0};
     batten_text_add(out, "%s: %d span%s", name, count, count == 1 ? "" : "s");
@@ -63,7 +106,50 @@ static void text_curve(batten_text *out, const char *name, int count, const batt
                             batten_cubic_class_name((batten_cubic_class)k));
     batten_text_add(out, "\n");
     for (int i = 0; i < count; i++)
-        text_span(out, i, &spans[i]);
+        text_cubic(out, i, &spans[i]);
+}
+
+/* "2 inflections, 1 crossing", or nothing. */
+static void text_counts(batten_text *out, const char *before, const int *counts)
+{
+    bool any = false;
+    for (int k = 0; k < BATTEN_SPECIAL_COUNT; k++) {
+        if (counts[k] == 0)
+            continue;
+        batten_text_add(out, "%s%d %s", any ? ", " : before, counts[k],
+                        batten_special_name((batten_special_kind)k, counts[k] != 1));
+        any = true;
+    }
+}
+
+static void text_census(batten_text *out, int index, const batten_census *c)
+{
+    static const char *const dimensions[] = {"a point", "a line", "plane", "in space"};
+    batten_text_add(out, "  span %d: degree %d, %s", index + 1, c->degree,
+                    dimensions[c->flat_dimension]);
+    text_counts(out, ", ", c->segment);
+    text_number(out, ", margin ", c->margin);
+    text_counts(out, "; on the whole curve ", c->whole);
+    if (c->is_repeated)
+        batten_text_add(out, "; every point is passed more than once");
+    else if (!c->is_complete)
+        batten_text_add(out, "; crossings were searched for and are perhaps not all, isolated "
+                             "points were not counted");
+    text_specials(out, (specials){c->count, c->specials});
+}
+
+static void text_censuses(batten_text *out, const char *name, int count,
+                          const batten_census *spans)
+{
+    int sums[BATTEN_SPECIAL_COUNT] = {0};
+    batten_text_add(out, "%s: %d span%s", name, count, count == 1 ? "" : "s");
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < BATTEN_SPECIAL_COUNT; k++)
+            sums[k] += spans[i].segment[k];
+    text_counts(out, ", ", sums);
+    batten_text_add(out, "\n");
+    for (int i = 0; i < count; i++)
+        text_census(out, i, &spans[i]);
 }
 
 /* ---- JSON ---- */
@@ -87,7 +173,47 @@ static void json_list(batten_text *out, const char *key, int count, const double
     batten_text_add(out, "]");
 }
 
-static void json_span(batten_text *out, const batten_cubic *c)
+static void json_specials(batten_text *out, specials on)
+{
+    batten_text_add(out, ", \"specials\": [");
+    for (int k = 0; k < on.count; k++) {
+        const batten_special *s = &on.at[k];
+        batten_text_add(out, "%s{\"kind\": \"%s\", \"inside\": %s, \"multiplicity\": %d",
+                        k ? ", " : "", batten_special_name(s->kind, false),
+                        s->inside ? "true" : "false", s->multiplicity);
+        json_number(out, "t", s->t);
+        json_number(out, "s", s->s);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_counts(batten_text *out, const char *key, const int *counts)
+{
+    batten_text_add(out, ", \"%s\": {", key);
+    for (int k = 0; k < BATTEN_SPECIAL_COUNT; k++)
+        batten_text_add(out, "%s\"%s\": %d", k ? ", " : "",
+                        batten_special_name((batten_special_kind)k, true), counts[k]);
+    batten_text_add(out, "}");
+}
+
+static void json_census(batten_text *out, const batten_census *c)
+{
+    batten_text_add(out, "{\"degree\": %d, \"dimension\": %d", c->degree, c->flat_dimension);
+    batten_text_add(out, ", \"complete\": %s, \"repeated\": %s",
+                    c->is_complete ? "true" : "false", c->is_repeated ? "true" : "false");
+    json_number(out, "margin", c->margin);
+    json_number(out, "flatness", c->flatness);
+    json_counts(out, "segment_counts", c->segment);
+    json_counts(out, "whole_counts", c->whole);
+    if (c->is_complete)
+        batten_text_add(out, ", \"complex\": %d, \"infinite\": %d", c->complex_count,
+                        c->infinite_count);
+    json_specials(out, (specials){c->count, c->specials});
+    batten_text_add(out, "}");
+}
+
+static void json_cubic(batten_text *out, const batten_cubic *c)
 {
     batten_cubic_place place;
     const bool has_loop = isfinite(c->crossing[0]);
@@ -107,37 +233,70 @@ static void json_span(batten_text *out, const batten_cubic *c)
     json_number(out, "mu", c->mu);
     if (c->has_tangents && batten_cubic_look_up(c->lambda, c->mu, &place) == BATTEN_OK)
         batten_text_add(out, ", \"region\": \"%s\"", batten_cubic_region_name(place.region));
+    batten_special at[3];
+    json_specials(out, specials_of_cubic(c, at));
     batten_text_add(out, "}");
-}
-
-static void json_curve(batten_text *out, const char *name, int count, const batten_cubic *spans)
-{
-    batten_text_add(out, "    {\"name\": ");
-    batten_text_json(out, name);
-    batten_text_add(out, ", \"spans\": [");
-    for (int i = 0; i < count; i++) {
-        batten_text_add(out, "%s\n      ", i ? "," : "");
-        json_span(out, &spans[i]);
-    }
-    batten_text_add(out, "]}");
 }
 
 /* ---- the report ---- */
 
-static batten_status add_curve(const bat_run *run, const batten_object *object, bool json,
-                               batten_text *out)
+static void json_begin(batten_text *out, const char *name)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, name);
+    batten_text_add(out, ", \"spans\": [");
+}
+
+static batten_status add_cubics(const batten_object *object, double within, bool json,
+                                batten_text *out)
 {
     batten_cubic *spans = NULL;
     int count = 0;
-    const batten_status status =
-        batten_curve_classify(object->curve, bat_number(run, "within"), &count, &spans);
-    if (status == BATTEN_OUT_OF_MEMORY)
-        return status;
+    const batten_status status = batten_curve_classify(object->curve, within, &count, &spans);
     if (status != BATTEN_OK)
-        return bat_fail(status, "%s: %s", object->name, batten_message());
-    (json ? json_curve : text_curve)(out, object->name, count, spans);
+        return status;
+    if (!json)
+        text_cubics(out, object->name, count, spans);
+    for (int i = 0; i < count && json; i++) {
+        batten_text_add(out, "%s\n      ", i ? "," : "");
+        json_cubic(out, &spans[i]);
+    }
     batten_release(spans);
     return BATTEN_OK;
+}
+
+static batten_status add_censuses(const batten_object *object, double within, bool json,
+                                  batten_text *out)
+{
+    batten_census *spans = NULL;
+    int count = 0;
+    const batten_status status = batten_curve_census(object->curve, within, &count, &spans);
+    if (status != BATTEN_OK)
+        return status;
+    if (!json)
+        text_censuses(out, object->name, count, spans);
+    for (int i = 0; i < count && json; i++) {
+        batten_text_add(out, "%s\n      ", i ? "," : "");
+        json_census(out, &spans[i]);
+    }
+    batten_censuses_release(count, spans);
+    return BATTEN_OK;
+}
+
+static batten_status add_curve(const bat_run *run, const batten_object *object, bool json,
+                               batten_text *out)
+{
+    const double within = bat_number(run, "within");
+    if (json)
+        json_begin(out, object->name);
+    const batten_status status = batten_curve_degree(object->curve) <= 3
+                                     ? add_cubics(object, within, json, out)
+                                     : add_censuses(object, within, json, out);
+    if (json)
+        batten_text_add(out, "]}");
+    if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
+        return bat_fail(status, "%s: %s", object->name, batten_message());
+    return status;
 }
 
 static batten_status run(bat_run *run)
@@ -164,25 +323,33 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_classify = {
     .shown = {"classify",
-              "A report: inflections, cusps and loops of every span of cubic curves",
-              "For each span of each curve: what it contains, with its parameters; the margin, "
-              "by how\n"
+              "A report: inflections, cusps, crossings of every polynomial span of curves",
+              "For each span of each curve: what it contains, with its parameters, and the "
+              "margin, by how\n"
               "large a part the numbers that decide would have to change before the answer "
-              "does; and\n"
-              "its place (lambda, mu) among all cubics with the same ends and end tangents, "
+              "does. Signs\n"
+              "are decided exactly. As JSON, with all digits, when the file ends in .json.\n"
+              "Cubics are called by their class and have a place (lambda, mu) among all cubics "
               "with the\n"
-              "name of the region ('cubic-plane' draws it). Spans in space that lie in no "
-              "plane are\n"
-              "called so. As JSON, with all digits and the affine invariants p, q, r and I, "
-              "when the\n"
-              "file ends in .json. Rational curves and degrees above 3 are refused; 'reduce' "
-              "may help.",
+              "same ends and end tangents, with the name of the region ('cubic-plane' draws "
+              "it); JSON\n"
+              "adds the affine invariants p, q, r and I. Of higher degrees everything is "
+              "counted that\n"
+              "no affine map changes, on the span and on the whole curve of which it is a "
+              "part: also\n"
+              "isolated points, which belong to the equation of the curve though it does not "
+              "pass there.\n"
+              "Up to degree 10 or so the list is proved to be complete; beyond that crossings "
+              "are\n"
+              "searched for and the report says so. Spans in space that lie in no plane are "
+              "called\n"
+              "so. Rational curves are refused.",
               "features:\n"
               "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
               "  sheer: {interpolate: ducks}\n"
               "outputs:\n"
               "  spans.txt: {classify: sheer}\n"
               "  spans.json: {classify: sheer, within: 1e-6}\n",
-              "[SL] [Wang81] [SD89]", "batten_curve_classify", BAT_PARAMETERS(parameters),
+              "[SL] [Wang81] [SD89] [SWP08]", "batten_curve_census", BAT_PARAMETERS(parameters),
               true},
     .run = run};
