@@ -1,8 +1,13 @@
 /* Batten on the workloads. */
 #include "bench.h"
 
+#include <batten/inspect.h>
 #include <batten/interpolate.h>
+#include <batten/local.h>
+#include <batten/nonlinear.h>
 #include <batten/skin.h>
+#include <batten/tension.h>
+#include <batten/weighted.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +15,7 @@
 typedef struct {
     const bench_work *work;
     batten_curve *curve;
+    batten_chain *chain;
     batten_surface *surface;
     batten_curve **sections;
     double *uv, *out, *normals;
@@ -86,6 +92,7 @@ static void close_contest(void *object)
         batten_curve_unref(c->sections[i]);
     free(c->sections);
     batten_curve_unref(c->curve);
+    batten_chain_unref(c->chain);
     batten_surface_unref(c->surface);
     free(c->uv);
     free(c->out);
@@ -222,6 +229,102 @@ static void gather_skin(void *object, double *result)
             must(batten_surface_evaluate(c->surface, c->work->u[i], c->uv[k], 0, result));
 }
 
+/* ---- functions and plane curves by their methods ---- */
+
+static void *open_function(const bench_work *work)
+{
+    contest *c = open_data(work);
+    c->out = bench_numbers(work->count);
+    return c;
+}
+
+static void run_function(void *object)
+{
+    contest *c = object;
+    const int n = (int)c->work->count;
+    const double *x = c->work->u, *y = c->work->data;
+    batten_curve_unref(c->curve);
+    c->curve = NULL;
+    if (c->work->method == NATURAL_CUBIC) {
+        batten_interpolate_options options = batten_interpolate_defaults();
+        options.parameters = BATTEN_GIVEN;
+        options.given = x;
+        options.start.kind = options.end.kind = BATTEN_END_NATURAL;
+        must(batten_curve_interpolate(1, n, y, &options, NULL, &c->curve));
+        return;
+    }
+    must(batten_slopes(
+        n, x, y, c->work->method == AKIMA ? BATTEN_SLOPE_AKIMA : BATTEN_SLOPE_STEFFEN, c->out));
+    must(batten_curve_from_tangents(1, n, y, x, c->out, NULL, false, &c->curve));
+}
+
+static void gather_function(void *object, double *result)
+{
+    contest *c = object;
+    for (size_t i = 0; i + 3 < c->work->count; i++)
+        must(batten_curve_evaluate(c->curve, (c->work->u[i + 1] + c->work->u[i + 2]) / 2, 0,
+                                   result + i));
+}
+
+static void run_nonlinear(contest *c, batten_span_family family)
+{
+    batten_nonlinear_options options = batten_nonlinear_defaults();
+    options.family = family;
+    must(batten_chain_nonlinear((int)c->work->count, c->work->data, &options, NULL, c->uv, NULL,
+                                &c->chain));
+}
+
+static void run_plane(void *object)
+{
+    contest *c = object;
+    const int n = (int)c->work->count;
+    batten_chain_unref(c->chain);
+    batten_curve_unref(c->curve);
+    c->chain = NULL;
+    c->curve = NULL;
+    if (c->work->method == TENSION) {
+        batten_tension_options options = batten_tension_defaults();
+        options.tension = 2;
+        must(batten_chain_tension(2, n, c->work->data, &options, c->uv, &c->chain));
+    } else if (c->work->method == NU_SPLINE) {
+        batten_weighted_options options = batten_weighted_defaults();
+        must(batten_curve_weighted(2, n, c->work->data, &options, c->uv, &c->curve));
+    } else {
+        run_nonlinear(c, c->work->method == LOCAL_CUBIC    ? BATTEN_FAMILY_LOCAL_CUBIC
+                         : c->work->method == EULER_SPIRAL ? BATTEN_FAMILY_EULER_SPIRAL
+                                                           : BATTEN_FAMILY_ELASTICA);
+    }
+}
+
+static void *open_plane(const bench_work *work)
+{
+    contest *c = open_data(work);
+    c->uv = bench_numbers(work->count);
+    return c;
+}
+
+static void gather_plane(void *object, double *result)
+{
+    contest *c = object;
+    for (size_t i = 0; i < c->work->count; i++)
+        must(c->chain ? batten_chain_evaluate(c->chain, c->uv[i], 0, result + 2 * i)
+                      : batten_curve_evaluate(c->curve, c->uv[i], 0, result + 2 * i));
+}
+
+/* ---- length ---- */
+
+static void run_length(void *object)
+{
+    contest *c = object;
+    must(batten_curve_length(c->curve, 1e-9, c->out, NULL));
+}
+
+static void gather_length(void *object, double *result)
+{
+    contest *c = object;
+    *result = *c->out / 1e3;
+}
+
 const bench_entry bench_batten[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -231,4 +334,7 @@ const bench_entry bench_batten[KIND_COUNT] = {
     [CURVE_THROUGH] = {open_data, run_curve_through, gather_curve_through, close_contest},
     [SURFACE_THROUGH] = {open_data, run_surface_through, gather_surface_through, close_contest},
     [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
+    [FUNCTION_THROUGH] = {open_function, run_function, gather_function, close_contest},
+    [PLANE_THROUGH] = {open_plane, run_plane, gather_plane, close_contest},
+    [CURVE_LENGTH] = {open_curve, run_length, gather_length, close_contest},
 };

@@ -22,9 +22,24 @@ typedef enum {
     SURFACE_SINGLE, /* one call for each */
     CURVE_THROUGH,  /* interpolation */
     SURFACE_THROUGH,
-    SKIN, /* the surface through sections with knots of their own */
+    SKIN,             /* the surface through sections with knots of their own */
+    FUNCTION_THROUGH, /* a function of one variable, by its method */
+    PLANE_THROUGH,    /* a curve through points of the plane, by its method */
+    CURVE_LENGTH,     /* arc length of the curve */
     KIND_COUNT
 } bench_kind;
+
+/* How FUNCTION_THROUGH and PLANE_THROUGH go through their points. */
+typedef enum {
+    NATURAL_CUBIC,
+    AKIMA,
+    STEFFEN,
+    TENSION,
+    NU_SPLINE,
+    LOCAL_CUBIC,
+    EULER_SPIRAL,
+    ELASTICA
+} bench_method;
 
 typedef struct {
     int count, degree;
@@ -40,6 +55,7 @@ typedef struct {
 typedef struct {
     const char *name;
     bench_kind kind;
+    bench_method method;
     int order;
     bool rational, random;
     size_t count;     /* parameters, or points to pass through; in each direction of a grid */
@@ -47,7 +63,7 @@ typedef struct {
     bench_curve curve;
     bench_surface surface;
     bench_curve *sections; /* [count] */
-    double *u, *v, *data;  /* parameters; points to pass through */
+    double *u, *v, *data;  /* parameters; points or values to pass through */
     size_t result_count;   /* numbers in the common form */
 } bench_work;
 
@@ -60,7 +76,8 @@ typedef struct {
 } bench_entry;
 
 /* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
- * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data;
+ * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data,
+ * FUNCTION_THROUGH midway between them; CURVE_LENGTH: the length / 1e3;
  * SKIN: each section at the parameters u [BENCH_PLACES]. */
 enum { BENCH_PLACES = 20 };
 

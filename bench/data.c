@@ -179,6 +179,29 @@ static double *make_cloud(size_t count)
     return points;
 }
 
+/* A loop of the plane that waves, each point a little off its regular place. */
+static double *make_loop(size_t count)
+{
+    double *points = bench_numbers(2 * count);
+    generator g = begin(11);
+    for (size_t i = 0; i < count; i++) {
+        const double a = 6 * ((double)i + 0.3 * around_zero(&g)) / (double)count;
+        points[2 * i] = 10 * cos(a) + 0.2 * sin(9 * a);
+        points[2 * i + 1] = 10 * sin(a);
+    }
+    return points;
+}
+
+/* A wave over uneven places, with noise: what a gauge writes down. */
+static double *make_values(size_t count, const double *u)
+{
+    double *values = bench_numbers(count);
+    generator g = begin(13);
+    for (size_t i = 0; i < count; i++)
+        values[i] = sin(40 * u[i]) + 0.1 * around_zero(&g);
+    return values;
+}
+
 static double *centripetal(size_t count, const double *points)
 {
     double *u = bench_numbers(count);
@@ -245,6 +268,20 @@ void bench_fill(bench_work *work)
         work->data = make_cloud(n);
         work->u = centripetal(n, work->data);
         work->result_count = 3 * n;
+        break;
+    case FUNCTION_THROUGH:
+        work->u = grid_parameters(n, 51);
+        work->data = make_values(n, work->u);
+        work->result_count =
+            n - 3; /* not the end spans: GSL ends Steffen's otherwise than he does */
+        break;
+    case PLANE_THROUGH:
+        work->data = make_loop(n);
+        work->result_count = 2 * n;
+        break;
+    case CURVE_LENGTH:
+        work->curve = make_curve(false);
+        work->result_count = 1;
         break;
     case SKIN:
         work->u = make_parameters(BENCH_PLACES, false, 0);

@@ -1,10 +1,10 @@
-/* The GNU Scientific Library on what it offers: basis functions, which the caller combines. Its
- * splines through points are three functions and no B-spline curve, so they do not take part.
- */
+/* The GNU Scientific Library on what it offers: basis functions, which the caller combines, and
+ * functions through values. A curve through points would be three of these and no B-spline. */
 #include "bench.h"
 
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_matrix.h>
+#include <gsl/gsl_spline.h>
 #include <gsl/gsl_vector.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +14,7 @@ typedef struct {
     gsl_bspline_workspace *bases[2];
     gsl_vector *values[2];
     gsl_matrix *derivatives;
+    gsl_spline *spline;
     double *out;
 } contest;
 
@@ -125,7 +126,40 @@ static void gather_surface(void *object, double *result)
     memcpy(result, c->out, 3 * c->work->count * sizeof *result);
 }
 
+static void *open_function(const bench_work *work)
+{
+    const gsl_interp_type *type = work->method == NATURAL_CUBIC ? gsl_interp_cspline
+                                  : work->method == AKIMA       ? gsl_interp_akima
+                                                                : gsl_interp_steffen;
+    contest *c = calloc(1, sizeof *c);
+    c->work = work;
+    c->spline = gsl_spline_alloc(type, work->count);
+    return c;
+}
+
+static void run_function(void *object)
+{
+    contest *c = object;
+    gsl_spline_init(c->spline, c->work->u, c->work->data, c->work->count);
+}
+
+static void gather_function(void *object, double *result)
+{
+    contest *c = object;
+    for (size_t i = 0; i + 3 < c->work->count; i++)
+        result[i] =
+            gsl_spline_eval(c->spline, (c->work->u[i + 1] + c->work->u[i + 2]) / 2, NULL);
+}
+
+static void close_function(void *object)
+{
+    contest *c = object;
+    gsl_spline_free(c->spline);
+    free(c);
+}
+
 const bench_entry bench_gsl[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [SURFACE_POINTS] = {open_surface, run_surface, gather_surface, close_contest},
+    [FUNCTION_THROUGH] = {open_function, run_function, gather_function, close_function},
 };

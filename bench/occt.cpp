@@ -2,6 +2,7 @@
 // calls for scattered work, whichever is faster there.
 #include "bench.h"
 
+#include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
@@ -46,11 +47,12 @@ struct Contest {
     Handle(Geom_BSplineSurface) surface;
     std::vector<gp_Pnt> points;
     std::vector<gp_Vec> first, second, normals;
+    double length = 0;
 };
 
 void *open_curve(const bench_work *work)
 {
-    auto *c = new Contest{work, {}, {}, {}, {}, {}, {}};
+    auto *c = new Contest{work, {}, {}, {}, {}, {}, {}, 0};
     const bench_curve &from = work->curve;
     const Knots knots = knots_of(from.knots, from.count, from.degree);
     TColgp_Array1OfPnt points(1, from.count);
@@ -72,7 +74,7 @@ void *open_curve(const bench_work *work)
 
 void *open_surface(const bench_work *work)
 {
-    auto *c = new Contest{work, {}, {}, {}, {}, {}, {}};
+    auto *c = new Contest{work, {}, {}, {}, {}, {}, {}, 0};
     const bench_surface &from = work->surface;
     const int n = from.count;
     const Knots u = knots_of(from.knots[0], n, from.degree),
@@ -183,7 +185,7 @@ void gather_surface(void *object, double *result)
 
 void *open_data(const bench_work *work)
 {
-    return new Contest{work, {}, {}, {}, {}, {}, {}};
+    return new Contest{work, {}, {}, {}, {}, {}, {}, 0};
 }
 
 void run_curve_through(void *object)
@@ -213,6 +215,18 @@ void gather_curve_through(void *object, double *result)
         put(c->curve->Value(c->work->u[i]).XYZ(), 1, result + 3 * i);
 }
 
+void run_length(void *object)
+{
+    auto *c = static_cast<Contest *>(object);
+    const GeomAdaptor_Curve curve(c->curve);
+    c->length = GCPnts_AbscissaPoint::Length(curve, 1e-9);
+}
+
+void gather_length(void *object, double *result)
+{
+    *result = static_cast<Contest *>(object)->length / 1e3;
+}
+
 } // namespace
 
 // In the order of bench_kind. Its grid interpolation chooses its own parameters and cannot take
@@ -226,4 +240,7 @@ extern "C" const bench_entry bench_occt[KIND_COUNT] = {
     {open_data, run_curve_through, gather_curve_through, close_contest},
     {nullptr, nullptr, nullptr, nullptr},
     {nullptr, nullptr, nullptr, nullptr},
+    {nullptr, nullptr, nullptr, nullptr},
+    {nullptr, nullptr, nullptr, nullptr},
+    {open_curve, run_length, gather_length, close_contest},
 };

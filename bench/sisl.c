@@ -266,6 +266,21 @@ static void gather_skin(void *object, double *result)
     must(status);
 }
 
+/* It calls a length done when the last step changed it by less than the tolerance. */
+static void run_length(void *object)
+{
+    contest *c = object;
+    int status;
+    s1240(c->curve, 1e-11, c->out, &status);
+    must(status);
+}
+
+static void gather_length(void *object, double *result)
+{
+    contest *c = object;
+    *result = *c->out / 1e3;
+}
+
 const bench_entry bench_sisl[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -276,4 +291,5 @@ const bench_entry bench_sisl[KIND_COUNT] = {
     [SURFACE_THROUGH] = {open_grid_data, run_surface_through, gather_surface_through,
                          close_contest},
     [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
+    [CURVE_LENGTH] = {open_curve, run_length, gather_length, close_contest},
 };

@@ -2,6 +2,7 @@
 #include "shape/two_angle.h"
 #include "numeric/banded.h"
 
+#include <float.h>
 #include <string.h>
 
 #define PI 3.14159265358979323846
@@ -96,6 +97,7 @@ typedef struct {
     double *jumps;            /* [count], in one unit of curvature */
     double norm;              /* of the jumps, each times the length about its point */
     double worst, curvature;  /* the largest */
+    double excess;            /* the largest jump beyond what rounding makes */
     int failed;               /* the span without a solution, or -1 */
 } iterate;
 
@@ -127,10 +129,16 @@ static double length_about(const bat_two_angle *task, int i)
     return 1 / (1 / before + 1 / after);
 }
 
+/* Angles are rounded like pi; short spans make a jump of that. */
+static double rounding_at(const bat_two_angle *task, int i)
+{
+    return 4 * 3.15 * DBL_EPSILON / length_about(task, i);
+}
+
 /* Curvatures and jumps at it->angles. */
 static batten_status evaluate(const bat_two_angle *task, iterate *it)
 {
-    it->norm = it->worst = it->curvature = 0;
+    it->norm = it->worst = it->excess = it->curvature = 0;
     it->failed = -1;
     for (int j = 0; j < task->spans; j++) {
         double alpha, beta;
@@ -151,6 +159,7 @@ static batten_status evaluate(const bat_two_angle *task, iterate *it)
         it->jumps[i] = jump;
         it->norm += weighted * weighted;
         it->worst = bat_max(it->worst, fabs(jump));
+        it->excess = bat_max(it->excess, fabs(jump) - rounding_at(task, i));
     }
     return isfinite(it->norm)
                ? BATTEN_OK
@@ -242,7 +251,7 @@ static void swap(iterate *a, iterate *b)
 
 static bool settled(const iterate *it)
 {
-    return it->worst <= 1e-12 * it->curvature;
+    return it->excess <= 1e-12 * it->curvature;
 }
 
 /* Shorten the step until it is better; false when no part of it is. */
