@@ -9,6 +9,7 @@
 #include <batten/base.h>
 #include <batten/beta.h>
 #include <batten/biarc.h>
+#include <batten/catmull_rom.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>

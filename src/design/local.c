@@ -12,28 +12,71 @@ void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_rep
             data->name, report->turned_back, report->first_turned_back);
 }
 
+/* Parameters, closed one more, and tangents of a row. */
+typedef struct {
+    double *t, *leaving, *arriving;
+} tangents;
+
+static bool tangents_make(const bat_data *data, tangents *out)
+{
+    const size_t n = (size_t)data->count, d = (size_t)data->dimension;
+    out->t = bat_array(n + 1, sizeof *out->t);
+    out->leaving = bat_array3(n, d, sizeof *out->leaving);
+    out->arriving = bat_array3(n, d, sizeof *out->arriving);
+    return out->t && out->leaving && out->arriving;
+}
+
+static void tangents_free(tangents *of)
+{
+    bat_release(of->t);
+    bat_release(of->leaving);
+    bat_release(of->arriving);
+}
+
+static batten_status make_curve(const bat_data *data, const tangents *of, bool closed,
+                                bat_made *made)
+{
+    memcpy(made->parameters, of->t, (size_t)data->count * sizeof *of->t);
+    return batten_curve_from_tangents(data->dimension, data->count, data->points, of->t,
+                                      of->leaving, of->arriving, closed, &made->curve);
+}
+
 batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
                                    const batten_tangent_options *options, bat_made *made)
 {
-    const size_t n = (size_t)data->count, d = (size_t)data->dimension;
     batten_tangent_report report;
-    double *t = bat_array(n + 1, sizeof *t);
-    double *leaving = bat_array3(n, d, sizeof *leaving);
-    double *arriving = bat_array3(n, d, sizeof *arriving);
-    batten_status status = BATTEN_OUT_OF_MEMORY;
-    if (t && leaving && arriving)
-        status = batten_tangents(data->dimension, data->count, data->points, options, t,
-                                 leaving, arriving, &report);
+    tangents found;
+    batten_status status = tangents_make(data, &found) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_curve_from_tangents(data->dimension, data->count, data->points, t,
-                                            leaving, arriving, options->closed, &made->curve);
-    if (status == BATTEN_OK) {
-        memcpy(made->parameters, t, n * sizeof *t);
+        status = batten_tangents(data->dimension, data->count, data->points, options, found.t,
+                                 found.leaving, found.arriving, &report);
+    if (status == BATTEN_OK)
+        status = make_curve(data, &found, options->closed, made);
+    if (status == BATTEN_OK)
         bat_note_turns(run, data, &report);
-    }
-    bat_release(t);
-    bat_release(leaving);
-    bat_release(arriving);
+    tangents_free(&found);
+    return status;
+}
+
+batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,
+                                        batten_kochanek_bartels_options *options,
+                                        bat_made *made)
+{
+    tangents found;
+    options->alpha = bat_number(run, "alpha");
+    options->given = data->abscissae;
+    options->closed = bat_yes(run, "closed");
+    options->phantoms = (batten_phantoms)bat_word(run, "beyond");
+    batten_status status = tangents_make(data, &found) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_check_closed(run, data);
+    if (status == BATTEN_OK)
+        status =
+            batten_tangents_kochanek_bartels(data->dimension, data->count, data->points,
+                                             options, found.t, found.leaving, found.arriving);
+    if (status == BATTEN_OK)
+        status = make_curve(data, &found, options->closed, made);
+    tangents_free(&found);
     return status;
 }
 

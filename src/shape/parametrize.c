@@ -244,10 +244,9 @@ void bat_steps(int dimension, int count, const double *points, batten_parametriz
         steps[i] = step_of(&p, kind, i);
 }
 
-batten_status bat_parametrize(int dimension, int count, const double *points,
-                              batten_parametrization kind, bool closed, double *parameters)
+/* From the steps that stand in parameters[1] and on to their sums. */
+static batten_status sum_steps(int count, bool closed, double *parameters)
 {
-    bat_steps(dimension, count, points, kind, closed, parameters + 1);
     parameters[0] = 0;
     for (int i = 0; i < (closed ? count : count - 1); i++) {
         const double step = parameters[i + 1];
@@ -260,6 +259,26 @@ batten_status bat_parametrize(int dimension, int count, const double *points,
                             (i + 1) % count, step, parameters[i]);
     }
     return BATTEN_OK;
+}
+
+batten_status bat_parametrize(int dimension, int count, const double *points,
+                              batten_parametrization kind, bool closed, double *parameters)
+{
+    bat_steps(dimension, count, points, kind, closed, parameters + 1);
+    return sum_steps(count, closed, parameters);
+}
+
+batten_status bat_parametrize_power(int dimension, int count, const double *points,
+                                    double alpha, bool closed, double *parameters)
+{
+    const batten_parametrization kind = alpha == 0     ? BATTEN_UNIFORM
+                                        : alpha == 0.5 ? BATTEN_CENTRIPETAL
+                                                       : BATTEN_CHORD;
+    bat_steps(dimension, count, points, kind, closed, parameters + 1);
+    if (kind == BATTEN_CHORD && alpha != 1)
+        for (int i = 1; i < count + closed; i++)
+            parameters[i] = pow(parameters[i], alpha);
+    return sum_steps(count, closed, parameters);
 }
 
 batten_status batten_parametrize(int dimension, int count, const double *points,

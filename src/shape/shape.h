@@ -17,6 +17,9 @@ void bat_steps(int dimension, int count, const double *points, batten_parametriz
 /* batten_parametrize for checked points; on failure `parameters` is spoilt. */
 batten_status bat_parametrize(int dimension, int count, const double *points,
                               batten_parametrization kind, bool closed, double *parameters);
+/* The same with steps that are chords to the power alpha, 0 to 1. */
+batten_status bat_parametrize_power(int dimension, int count, const double *points,
+                                    double alpha, bool closed, double *parameters);
 /* Finite, increasing. */
 batten_status bat_parameters_check(int count, const double *parameters);
 

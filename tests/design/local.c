@@ -34,6 +34,13 @@ TEST(features_of_local_methods_leave_curves_through_their_points)
     static const char *const features[] = {
         "{circle-tangents: q, lengths: middle}",
         "{circle-tangents: ring, closed: yes}",
+        "{catmull-rom: q}",
+        "{catmull-rom: ring, closed: yes, alpha: 0.3, blend: 3, local: 3}",
+        "{catmull-rom: step, as: function, beyond: reflect}",
+        "{cardinal: q, tension: 0.5}",
+        "{cardinal: step, as: function, tension: [0, 0, 1, 0, 0]}",
+        "{kochanek-bartels: ring, closed: yes, alpha: 0.5, bias: 0.5}",
+        "{kochanek-bartels: q, tension: 0.2, continuity: [0, -1, 0, 1, 0], beyond: repeat}",
         "{mcconalogue: q}",
         "{bessel: q}",
         "{bessel: step, as: function}",
@@ -74,6 +81,12 @@ TEST(local_methods_say_what_they_cannot_do)
     } rows[] = {
         {"{bessel: step, as: function, closed: yes}", "a function cannot be closed"},
         {"{akima: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{catmull-rom: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{catmull-rom: q, blend: 0}", "the blending degree is 0"},
+        {"{catmull-rom: q, alpha: 2}", "alpha is 2"},
+        {"{cardinal: q, tension: [1, 2]}", "'tension' has 2 numbers for 5 points"},
+        {"{cardinal: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{kochanek-bartels: q, bias: [1, 2, 3]}", "'bias' has 3 numbers for 5 points"},
         {"{fritsch-carlson: ring}", "rising abscissae"},
         {"{schumaker: q}", "must lie in a plane"},
         {"{tangents-and-curvatures: q}", "must lie in a plane"},
@@ -93,13 +106,15 @@ TEST(local_methods_say_what_they_cannot_do)
     }
 }
 
-TEST(g3_points_that_turn_back_and_spans_that_fall_back_are_noted)
+TEST(g3_what_local_methods_cannot_keep_is_noted)
 {
     static const char *const features[] = {"{circle-tangents: back}",
                                            "{tangents-and-curvatures: p, tangents: " ALONG
-                                           ", curvatures: [9, -9, 9, -9, 9]}"};
-    static const char *const says[] = {"the first is point 1", "keep the tangents alone"};
-    for (int i = 0; i < 2; i++) {
+                                           ", curvatures: [9, -9, 9, -9, 9]}",
+                                           "{catmull-rom: q, blend: 3, local: 0}"};
+    static const char *const says[] = {"the first is point 1", "keep the tangents alone",
+                                       "passes near the points"};
+    for (int i = 0; i < COUNT(says); i++) {
         batten_notes *notes = NULL;
         CHECK_OK(batten_notes_create(4, &notes));
         batten_design *design = NULL;
