@@ -6,7 +6,7 @@
 #define BAT_FRESNEL_H
 #include "base/base.h"
 
-enum { BAT_FRESNEL_DEGREE = 4, BAT_FRESNEL_MOMENTS = 3 };
+enum { BAT_FRESNEL_DEGREE = 4, BAT_FRESNEL_MOMENTS = 5 };
 
 /* The most that an angle may change in all, radians; the cost grows with it. */
 #define BAT_FRESNEL_TURN 1e7

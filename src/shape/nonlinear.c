@@ -2,6 +2,7 @@
 #include <batten/nonlinear.h>
 
 #include "numeric/vector.h"
+#include "shape/chord_polygon.h"
 #include "shape/shape.h"
 #include "shape/two_angle.h"
 
@@ -84,81 +85,43 @@ static batten_status check(int count, const double *points,
 
 /* ---- the polygon ---- */
 
-/* The angles on which all else is built, and the chords [spans][2] in model units. Lengths of
- * the task are in units of the longest. */
+/* The angles on which all else is built; lengths of the task are in units of the longest chord.
+ */
 typedef struct {
-    bat_two_angle task;
-    double *chord, *angles;
-    double unit; /* the longest chord */
-    double size; /* the largest coordinate */
+    bat_chord_polygon chords;
+    bat_two_angle task; /* borrows lengths and turns of the chords */
+    double *angles;
 } polygon;
 
 static void polygon_free(polygon *p)
 {
-    bat_release(p->task.length);
-    bat_release(p->task.turn);
+    bat_chord_polygon_end(&p->chords);
     bat_release(p->task.tension);
-    bat_release(p->chord);
     bat_release(p->angles);
 }
 
-static batten_status polygon_make(int count, const batten_nonlinear_options *options,
-                                  polygon *p)
+static batten_status polygon_make(int count, const double *points,
+                                  const batten_nonlinear_options *options, polygon *p)
 {
     bat_two_angle *task = &p->task;
-    task->family = family_of(options->family);
-    task->closed = options->closed;
-    task->count = count;
-    task->spans = options->closed ? count : count - 1;
-    const size_t spans = (size_t)task->spans;
-    task->length = bat_array(spans, sizeof *task->length);
-    task->tension = bat_array(spans, sizeof *task->tension);
-    task->turn = bat_array((size_t)count, sizeof *task->turn);
-    p->chord = bat_array(2 * spans, sizeof *p->chord);
+    batten_status status = bat_chord_polygon_make(count, points, options->closed, &p->chords);
+    const int spans = p->chords.spans;
+    for (int i = !options->closed; i < count - !options->closed && status == BATTEN_OK; i++)
+        status = bat_chord_polygon_check_turn(&p->chords, i);
+    if (status != BATTEN_OK)
+        return status;
+    *task = (bat_two_angle){.family = family_of(options->family),
+                            .closed = options->closed,
+                            .count = count,
+                            .spans = spans,
+                            .length = p->chords.length,
+                            .turn = p->chords.turn};
+    task->tension = bat_array((size_t)spans, sizeof *task->tension);
     p->angles = bat_array((size_t)count, sizeof *p->angles);
-    if (!task->length || !task->tension || !task->turn || !p->chord || !p->angles)
+    if (!task->tension || !p->angles)
         return BATTEN_OUT_OF_MEMORY;
     if (options->tensions)
-        memcpy(task->tension, options->tensions, spans * sizeof *task->tension);
-    return BATTEN_OK;
-}
-
-static batten_status find_chords(int count, const double *points, polygon *p)
-{
-    p->size = bat_largest(2 * count, points);
-    for (int j = 0; j < p->task.spans; j++) {
-        const int next = (j + 1) % count;
-        const double *a = points + 2 * (size_t)j, *b = points + 2 * (size_t)next;
-        double *q = p->chord + 2 * (size_t)j;
-        q[0] = b[0] - a[0];
-        q[1] = b[1] - a[1];
-        p->task.length[j] = bat_norm(2, q);
-        if (p->task.length[j] == 0)
-            return bat_fail(BATTEN_COINCIDENT, "points %d and %d coincide", j, next);
-        if (!isfinite(p->task.length[j]))
-            return bat_fail(BATTEN_OVERFLOW, "points %d and %d are too far apart", j, next);
-        p->unit = bat_max(p->unit, p->task.length[j]);
-    }
-    return BATTEN_OK;
-}
-
-static batten_status find_turns(int count, polygon *p)
-{
-    const bat_two_angle *task = &p->task;
-    for (int i = !task->closed; i < count - !task->closed; i++) {
-        const int j = (i + task->spans - 1) % task->spans;
-        const double *q = p->chord + 2 * (size_t)j, *r = p->chord + 2 * (size_t)i;
-        const double l = task->length[j], m = task->length[i];
-        const double u[2] = {q[0] / l, q[1] / l}, v[2] = {r[0] / m, r[1] / m};
-        task->turn[i] = atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
-        /* The coordinates and the directions made of them are right to a rounding or two. */
-        const double rounding = 4 * DBL_EPSILON * (1 + p->size / bat_min(l, m));
-        if (PI - fabs(task->turn[i]) <= rounding)
-            return bat_fail(BATTEN_SINGULAR_HERE,
-                            "the polygon turns back on itself at point %d: to which side the "
-                            "curve goes is not determined",
-                            i);
-    }
+        memcpy(task->tension, options->tensions, (size_t)spans * sizeof *task->tension);
     return BATTEN_OK;
 }
 
@@ -170,53 +133,19 @@ static double end_value(batten_nonlinear_end kind, double value, double from, do
     return value * unit;
 }
 
-static batten_status measure(int count, const double *points,
-                             const batten_nonlinear_options *options, polygon *p)
+static void set_ends(const batten_nonlinear_options *options, polygon *p)
 {
     bat_two_angle *task = &p->task;
-    batten_status status = find_chords(count, points, p);
-    if (status == BATTEN_OK)
-        status = find_turns(count, p);
-    if (status != BATTEN_OK)
-        return status;
-    for (int j = 0; j < task->spans; j++)
-        task->length[j] /= p->unit;
-    const double *first = p->chord, *last = p->chord + 2 * (size_t)task->spans - 2;
+    const double *first = p->chords.vector, *last = first + 2 * (size_t)task->spans - 2;
     task->start = options->start;
     task->end = options->end;
-    task->start_value =
-        end_value(options->start, options->start_value, atan2(first[1], first[0]), p->unit);
+    task->start_value = end_value(options->start, options->start_value,
+                                  atan2(first[1], first[0]), p->chords.unit);
     task->end_value =
-        end_value(options->end, options->end_value, atan2(last[1], last[0]), p->unit);
-    return BATTEN_OK;
+        end_value(options->end, options->end_value, atan2(last[1], last[0]), p->chords.unit);
 }
 
 /* ---- the chain ---- */
-
-/* Turn a span of its own frame into the direction of the chord and put it at `point`. */
-static void put_span(const double *chord, double l, const double *point, batten_span *span)
-{
-    const double c = chord[0] / l, s = chord[1] / l, turn = atan2(chord[1], chord[0]);
-    double *const vectors[] = {span->start, span->end, span->bend[0], span->bend[1]};
-    for (int k = 0; k < 4; k++) {
-        double *v = vectors[k];
-        const double x = v[0], y = v[1];
-        v[0] = c * x - s * y;
-        v[1] = s * x + c * y;
-    }
-    for (int k = 0; k < 2; k++) {
-        span->start[k] += point[k];
-        span->end[k] += point[k];
-    }
-    span->angle += turn;
-    span->chord += turn;
-    if (span->kind != BATTEN_SPAN_TENSION)
-        span->end[0] = span->end[1] = 0;
-    else
-        span->angle = span->chord = 0;
-    if (span->kind != BATTEN_SPAN_GEOMETRIC)
-        span->chord = 0;
-}
 
 /* The spans of the chain between points j and j + 1; the last one ends exactly there. */
 static batten_status make_spans(const polygon *p, int count, const double *points, int j,
@@ -224,7 +153,7 @@ static batten_status make_spans(const polygon *p, int count, const double *point
 {
     double alpha, beta;
     bat_two_angle_span(&p->task, p->angles, j, &alpha, &beta);
-    const double *chord = p->chord + 2 * (size_t)j, *from = points + 2 * (size_t)j;
+    const double *chord = p->chords.vector + 2 * (size_t)j, *from = points + 2 * (size_t)j;
     const double *to = points + 2 * (size_t)((j + 1) % count);
     const double l = bat_norm(2, chord);
     memset(out, 0, BAT_FAMILY_SPANS * sizeof *out);
@@ -233,7 +162,7 @@ static batten_status make_spans(const polygon *p, int count, const double *point
     if (status != BATTEN_OK)
         return status;
     for (int k = 0; k < *made; k++)
-        put_span(chord, l, from, &out[k]);
+        bat_chord_put(chord, from, &out[k]);
     if (out[*made - 1].kind == BATTEN_SPAN_TENSION)
         memcpy(out[*made - 1].end, to, 2 * sizeof *to);
     return BATTEN_OK;
@@ -256,7 +185,7 @@ static batten_status make_chain(const polygon *p, int count, const double *point
     if (!p->task.closed)
         parameters[count - 1] = breaks[total];
     /* Families are solved to about 1e-13 of the chord. */
-    const double tolerance = 1e-11 * p->unit + 16 * DBL_EPSILON * p->size;
+    const double tolerance = 1e-11 * p->chords.unit + 16 * DBL_EPSILON * p->chords.size;
     return batten_chain_create(2, total, spans, breaks, p->task.closed, tolerance, out);
 }
 
@@ -364,42 +293,17 @@ static batten_status solve(polygon *p, const batten_nonlinear_options *options,
     return status;
 }
 
-static void find_sharpest(const polygon *p, batten_nonlinear_report *report)
-{
-    for (int i = 0; i < p->task.count; i++)
-        if (fabs(p->task.turn[i]) > report->turn) {
-            report->turn = fabs(p->task.turn[i]);
-            report->turn_at = i;
-        }
-}
-
-/* Directions at the points, each within half a turn of the one before. */
-static void find_directions(const polygon *p, int count, double *angles)
-{
-    double before = 0, turned = 0;
-    for (int i = 0; i < count; i++) {
-        const double *q = p->chord + 2 * (size_t)bat_min_int(i, p->task.spans - 1);
-        const double phi = atan2(q[1], q[0]);
-        /* The chord as the polygon has turned into it. */
-        const double unwrapped = i == 0 ? phi : before + turned;
-        const double near = phi + 2 * PI * round((unwrapped - phi) / (2 * PI));
-        angles[i] = near + p->angles[i];
-        before = near;
-        turned = p->task.turn[(i + 1) % count];
-    }
-}
-
 /* ---- the whole ---- */
 
 static batten_status make(int count, const double *points,
                           const batten_nonlinear_options *options, double *parameters,
                           polygon *p, batten_nonlinear_report *report, batten_chain **out)
 {
-    batten_status status = polygon_make(count, options, p);
-    if (status == BATTEN_OK)
-        status = measure(count, points, options, p);
-    if (status == BATTEN_OK)
+    batten_status status = polygon_make(count, points, options, p);
+    if (status == BATTEN_OK) {
+        set_ends(options, p);
         status = bat_two_angle_start(&p->task, p->angles);
+    }
     if (status == BATTEN_OK)
         status = solve(p, options, report);
     if (status == BATTEN_OK)
@@ -422,12 +326,12 @@ batten_status batten_chain_nonlinear(int count, const double *points,
     if (status == BATTEN_OK)
         status = make(count, points, options, parameters, &p, &reached, out);
     if (status == BATTEN_OK && angles)
-        find_directions(&p, count, angles);
+        bat_chord_polygon_directions(&p.chords, p.angles, angles);
     if (status == BATTEN_OK && report) {
-        reached.residual /= p.unit;
-        reached.curvature /= p.unit;
+        reached.residual /= p.chords.unit;
+        reached.curvature /= p.chords.unit;
         reached.inflections_added = count_added(&p);
-        find_sharpest(&p, &reached);
+        reached.turn = bat_chord_polygon_sharpest(&p.chords, &reached.turn_at);
         *report = reached;
     }
     polygon_free(&p);

@@ -52,9 +52,9 @@ typedef struct {
     const bat_span_family *family;
     int count, spans; /* points; one span fewer, closed as many */
     bool closed;
-    double *length;  /* [spans] of the chords */
-    double *turn;    /* [count] of the polygon at each point, radians; 0 at the ends */
-    double *tension; /* [spans] sigma l */
+    const double *length; /* [spans] of the chords */
+    const double *turn;   /* [count] of the polygon at each point, radians; 0 at the ends */
+    double *tension;      /* [spans] sigma l */
     batten_nonlinear_end start, end;
     double start_value, end_value; /* TANGENT: measured from the end chord */
 } bat_two_angle;
