@@ -39,6 +39,7 @@
 #include <batten/quadratic.h>
 #include <batten/primitives.h>
 #include <batten/skin.h>
+#include <batten/spiro.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
 #include <batten/tension.h>

@@ -254,6 +254,16 @@ batten_status bat_through(bat_run *run, const bat_method *method)
 
 /* ---- what methods read ---- */
 
+batten_status bat_indices(const bat_run *run, const char *parameter, int *count, int **out)
+{
+    const bat_argument *argument = bat_argument_of(run, parameter);
+    *count = argument->count;
+    *out = bat_array((size_t)argument->count, sizeof **out);
+    for (int i = 0; *out && i < argument->count; i++)
+        (*out)[i] = argument->items[i].count;
+    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
 batten_status bat_numbers_each(const bat_run *run, const char *parameter, int count,
                                const char *things, double **out)
 {

@@ -91,6 +91,9 @@ static inline batten_status bat_check_closed(const bat_run *run, const bat_data 
 batten_status bat_numbers_each(const bat_run *run, const char *parameter, int count,
                                const char *things, double **out);
 
+/* The list of counted points that a parameter has; release them. */
+batten_status bat_indices(const bat_run *run, const char *parameter, int *count, int **out);
+
 /* Run the method on each row of the principal input. The parameters must include BAT_EACH, and
  * BAT_AS when there are several ways. A chain is also converted to a curve, within a thousandth
  * of the design's tolerance; messages get the name of the row. */

@@ -106,6 +106,11 @@ void bat_chord_polygon_directions(const bat_chord_polygon *c, const double *angl
     }
 }
 
+double bat_circle_angle(double before, double after, double turn)
+{
+    return atan2(-sin(turn) * after, cos(turn) * after + before);
+}
+
 void bat_chord_put(const double *vector, const double *point, batten_span *span)
 {
     const double l = bat_norm(2, vector);

@@ -26,6 +26,9 @@ double bat_chord_polygon_sharpest(const bat_chord_polygon *chords, int *at);
  * points, each within half a turn of the one before as the polygon turns. */
 void bat_chord_polygon_directions(const bat_chord_polygon *chords, const double *angles,
                                   double *out);
+/* The angle of the tangent of the circle through three points at the middle one, from the chord
+ * that leaves it, by the lengths of both chords. */
+double bat_circle_angle(double before, double after, double turn);
 /* Turn a span of its own frame, where the chord is the x axis, and put it at `point`. */
 void bat_chord_put(const double *vector, const double *point, batten_span *span);
 

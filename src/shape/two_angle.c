@@ -1,6 +1,7 @@
 /* The tangents for which curvature is continuous: Newton's method, linear in the spans. */
 #include "shape/two_angle.h"
 #include "numeric/banded.h"
+#include "shape/chord_polygon.h"
 
 #include <float.h>
 #include <string.h>
@@ -43,8 +44,7 @@ static void room(const bat_two_angle *task, int i, double *low, double *high)
 static double circle_tangent(const bat_two_angle *task, int i)
 {
     const double before = task->length[(i + task->spans - 1) % task->spans];
-    const double after = task->length[i], turn = task->turn[i];
-    return atan2(-sin(turn) * after, cos(turn) * after + before);
+    return bat_circle_angle(before, task->length[i], task->turn[i]);
 }
 
 /* The angle at an end from the one at the other side of its span, as if both were small: then

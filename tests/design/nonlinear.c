@@ -58,6 +58,52 @@ TEST(features_of_nonlinear_splines_leave_chains_through_their_points)
     }
 }
 
+TEST(spiro_takes_the_kinds_of_its_points_and_conditions_at_its_ends)
+{
+    const char *track =
+        "  t: {points: [[0, 1, 0], [4, 1, 0], [5, 1, 1], [4, 1, 2], [0, 1, 2]]}\n";
+    batten_design *design = NULL;
+    CHECK_OK(evaluate(track, "{spiro: t, left: [1], right: [3]}", &design, NULL));
+    const batten_object *object =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
+    CHECK_INT(batten_chain_span_count(object->chain), 4);
+    for (int j = 0; j < 4; j++)
+        CHECK((batten_chain_span(object->chain, j)->kind == BATTEN_SPAN_ARC) ==
+              (j == 0 || j == 3));
+    for (int k = 0; k < 5; k++) {
+        double at[3];
+        CHECK_OK(batten_chain_evaluate(object->chain, object->parameters[k], 0, at));
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(at[c], object->points[3 * k + c], 1e-11);
+    }
+    batten_design_free(design);
+    CHECK_OK(evaluate(ducks,
+                      "{spiro: p, curvature: [2], start: both, start-angle: 40 deg, "
+                      "start-curvature: -0.2, end: natural}",
+                      &design, NULL));
+    object = batten_model_object(batten_design_result(design, "a")->value, 0);
+    const batten_span *first = batten_chain_span(object->chain, 0);
+    CHECK_NEAR(first->angle, 40 * 3.14159265358979323846 / 180, 1e-12);
+    CHECK_NEAR(first->curvature[0], -0.2, 1e-12);
+    const batten_span *last = batten_chain_span(object->chain, 3);
+    const double l = last->length, *k = last->curvature;
+    CHECK_NEAR(k[0] + l * (k[1] + l * (k[2] / 2 + l * k[3] / 6)), 0, 1e-11);
+    batten_design_free(design);
+}
+
+TEST(spiro_names_lists_that_do_not_fit_and_rows_out_of_a_plane)
+{
+    batten_design *design = NULL;
+    CHECK_STATUS(evaluate(ducks, "{spiro: p, corners: [5]}", &design, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("'corners' names point 5 of 5");
+    CHECK_STATUS(evaluate(ducks, "{spiro: p, left: [2], corners: [2]}", &design, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("another list");
+    CHECK_STATUS(evaluate(ducks, "{spiro: q}", &design, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("must lie in a plane");
+}
+
 TEST(a_given_tension_pulls_every_span_to_its_chord)
 {
     batten_design *design = NULL;

@@ -17,16 +17,6 @@ static const batten_parameter parameters[] = {
      "natural not-a-knot parabolic bessel circle", "what holds at corners and free ends"},
 };
 
-static batten_status indices_of(const bat_run *run, const char *name, int *count, int **out)
-{
-    const bat_argument *argument = bat_argument_of(run, name);
-    *count = argument->count;
-    *out = bat_array((size_t)argument->count, sizeof **out);
-    for (int i = 0; *out && i < argument->count; i++)
-        (*out)[i] = argument->items[i].count;
-    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-}
-
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     static const batten_end_kind ends[] = {BATTEN_END_NATURAL, BATTEN_END_NOT_A_KNOT,
@@ -37,9 +27,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.transition = (batten_transition)bat_word(run, "transition");
     options.ends = ends[bat_word(run, "ends")];
-    batten_status status = indices_of(run, "corners", &options.corner_count, &corners);
+    batten_status status = bat_indices(run, "corners", &options.corner_count, &corners);
     if (status == BATTEN_OK)
-        status = indices_of(run, "lines", &options.line_count, &lines);
+        status = bat_indices(run, "lines", &options.line_count, &lines);
     options.corners = corners;
     options.lines = lines;
     if (status == BATTEN_OK)
