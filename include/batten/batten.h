@@ -36,8 +36,8 @@
 #include <batten/number.h>
 #include <batten/offsets.h>
 #include <batten/polygon.h>
-#include <batten/quadratic.h>
 #include <batten/primitives.h>
+#include <batten/quadratic.h>
 #include <batten/skin.h>
 #include <batten/spiro.h>
 #include <batten/standard.h>
@@ -45,6 +45,7 @@
 #include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/thin.h>
+#include <batten/trim.h>
 #include <batten/units.h>
 #include <batten/weighted.h>
 #endif

@@ -73,6 +73,12 @@ BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curv
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
                                                 double value, batten_parameters *out);
 
+/** All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = offset`, in the
+ * same way. @return also BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function */
+BATTEN_API batten_status batten_curve_plane_crossings(const batten_curve *curve,
+                                                      batten_vec3 normal, double offset,
+                                                      batten_parameters *out);
+
 /** Where a plane curve crosses itself: parameters in pairs u < v, so `at` is [count / 2][2].
  * Places where it touches itself, or runs along itself, may be left out; the point in which a
  * closed curve ends is none. */

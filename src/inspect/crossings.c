@@ -150,3 +150,26 @@ batten_status batten_curve_crossings(const batten_curve *curve, int axis, double
     bat_release(s.flat);
     return status;
 }
+
+/* The plane is made the one of all points with the first coordinate offset / |normal|. */
+batten_status batten_curve_plane_crossings(const batten_curve *curve, batten_vec3 normal,
+                                           double offset, batten_parameters *out)
+{
+    const double length =
+        bat_vec3_norm(curve->dimension < 3 ? (batten_vec3){normal.x, normal.y, 0} : normal);
+    if (curve->dimension == 1)
+        return bat_fail(BATTEN_UNSUPPORTED, "a function meets no plane; make its graph first");
+    if (!(length > 0 && isfinite(length) && isfinite(normal.z) && isfinite(offset)))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a plane with the normal (%g, %g, %g) at %g",
+                        normal.x, normal.y, normal.z, offset);
+    batten_affine map = batten_affine_identity();
+    batten_curve *turned = NULL;
+    map.m[0][0] = normal.x / length;
+    map.m[0][1] = normal.y / length;
+    map.m[0][2] = normal.z / length;
+    batten_status status = batten_curve_transform(curve, &map, &turned);
+    if (status == BATTEN_OK)
+        status = batten_curve_crossings(turned, 0, offset / length, out);
+    batten_curve_unref(turned);
+    return status;
+}
