@@ -10,6 +10,7 @@
 #include <batten/beta.h>
 #include <batten/biarc.h>
 #include <batten/catmull_rom.h>
+#include <batten/blend.h>
 #include <batten/chain.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>
