@@ -114,7 +114,7 @@ BATTEN_API batten_smooth_options batten_smooth_defaults(void);
  * @param[out] parameters [count]; may be NULL
  * @param[out] report lambda, p, freedom and what the fit reached; may be NULL
  * @return as batten_curve_least_squares
- * Cost: linear in count for each lambda that is tried; a given one is one, others some 30.
+ * Cost: linear in count for each lambda that is tried; a given one is one, others some 25.
  * Source: [Reinsch67] for the target, [CW79] for validation, [HdH85] for its trace.
  */
 BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const double *points,

@@ -207,6 +207,30 @@ static void fill_energy(bat_fit *fit, const double *U, int order)
         }
 }
 
+/* Of the rows only their squares matter: R, of which the rows that see nothing but polynomials
+ * of degree order - 1 vanish, has half as many as there are nodes. */
+static batten_status shrink_energy(bat_fit *fit, int order)
+{
+    const double nothing = 0;
+    const int width = fit->penalty.width, count = fit->count - order;
+    bat_rows_of_fit *rows = &fit->penalty;
+    bat_givens qr;
+    const batten_status status = bat_givens_begin(fit->count, width, false, 1, &qr);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < rows->count; i++)
+        bat_givens_add(&qr, rows->first[i], width, rows->values + (size_t)i * (size_t)width, 1,
+                       &nothing);
+    rows->count = bat_min_int(count, rows->count);
+    for (int i = 0; i < rows->count; i++) {
+        rows->first[i] = i;
+        memcpy(rows->values + (size_t)i * (size_t)width,
+               qr.band + (size_t)i * (size_t)(width + 1), (size_t)width * sizeof *rows->values);
+    }
+    bat_givens_end(&qr);
+    return BATTEN_OK;
+}
+
 batten_status bat_fit_penalise_energy(bat_fit *fit, int order)
 {
     assert(order <= 5 && order <= fit->degree);
@@ -222,6 +246,10 @@ batten_status bat_fit_penalise_energy(bat_fit *fit, int order)
                        &fit->penalty);
     if (status == BATTEN_OK) {
         fill_energy(fit, U, order);
+        if (!fit->periodic)
+            status = shrink_energy(fit, order);
+    }
+    if (status == BATTEN_OK) {
         status = finish_penalty(fit);
     }
     bat_release(U);

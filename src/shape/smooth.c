@@ -172,48 +172,90 @@ static batten_status search_target(task *t, double *found)
     return status;
 }
 
-/* Golden section between two decades beside the least. */
-static batten_status find_least(task *t, double low, double high, double *found)
+/* The best place so far, the two before it, and the bracket around them. */
+typedef struct {
+    double low, high;
+    double x[3], value[3]; /* best first */
+    double last, before;   /* steps */
+} least_search;
+
+/* The vertex of the parabola through the three best places, where it lies inside and steps
+ * shrink; else the golden section of the longer side. Source: [Brent73]. */
+static double next_place(least_search *s, double nearest)
 {
-    const double ratio = (sqrt(5) - 1) / 2;
-    double a = high - ratio * (high - low), b = low + ratio * (high - low), at_a, at_b;
-    batten_status status = validation(t, lambda_at(t, a), &at_a);
-    if (status == BATTEN_OK)
-        status = validation(t, lambda_at(t, b), &at_b);
-    /* The criterion is flat at its least: a hundredth of a decade is far within its noise. */
-    while (status == BATTEN_OK && high - low > 1e-2) {
-        if (at_a <= at_b) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - ratio * (high - low);
-            status = validation(t, lambda_at(t, a), &at_a);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + ratio * (high - low);
-            status = validation(t, lambda_at(t, b), &at_b);
+    const double x = s->x[0], middle = (s->low + s->high) / 2;
+    const double r = (x - s->x[1]) * (s->value[0] - s->value[2]),
+                 q = (x - s->x[2]) * (s->value[0] - s->value[1]);
+    const double step = ((x - s->x[1]) * r - (x - s->x[2]) * q) / (2 * (q - r));
+    const bool good = fabs(step) < fabs(s->before) / 2 && x + step > s->low + nearest &&
+                      x + step < s->high - nearest;
+    s->before = good ? s->last : (x < middle ? s->high : s->low) - x;
+    s->last = good ? step : (3 - sqrt(5)) / 2 * s->before;
+    return x + (fabs(s->last) >= nearest ? s->last : copysign(nearest, s->last));
+}
+
+static void remember(least_search *s, double x, double value)
+{
+    const bool better = value <= s->value[0];
+    const double edge = better ? s->x[0] : x;
+    if (edge < (better ? x : s->x[0]))
+        s->low = edge;
+    else
+        s->high = edge;
+    int at = 3;
+    for (; at > 0 && value <= s->value[at - 1]; at--)
+        if (at < 3) {
+            s->x[at] = s->x[at - 1];
+            s->value[at] = s->value[at - 1];
         }
+    if (at < 3) {
+        s->x[at] = x;
+        s->value[at] = value;
     }
-    *found = lambda_at(t, (low + high) / 2);
+}
+
+/* From the best place of three beside each other. */
+static batten_status find_least(task *t, const double *value, double best, double step,
+                                double *found)
+{
+    least_search s = {.low = best - step,
+                      .high = best + step,
+                      .x = {best, best - step, best + step},
+                      .value = {value[1], value[0], value[2]},
+                      .last = step,
+                      .before = 2 * step};
+    /* The criterion is flat at its least: a hundredth of a decade is far within its noise. */
+    const double nearest = 2.5e-3;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < 40; i++) {
+        const double middle = (s.low + s.high) / 2;
+        if (fabs(s.x[0] - middle) <= 2 * nearest - (s.high - s.low) / 2)
+            break;
+        const double x = next_place(&s, nearest);
+        double at_x;
+        status = validation(t, lambda_at(t, x), &at_x);
+        remember(&s, x, at_x);
+    }
+    *found = lambda_at(t, s.x[0]);
     return status;
 }
 
 static batten_status search_validation(task *t, double *found)
 {
     const double last = last_decade(t), step = t->fit.count > 2000 ? 2 : 1;
-    double best = 0, least = HUGE_VAL, value;
-    for (double x = FIRST_DECADE; x < last + step; x += step) {
-        const batten_status status = validation(t, lambda_at(t, x), &value);
+    double best = 0, value[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, around[3] = {0, HUGE_VAL, 0};
+    for (double x = FIRST_DECADE; x < last + 2 * step; x += step) {
+        value[0] = value[1];
+        value[1] = value[2];
+        const batten_status status = validation(t, lambda_at(t, x), &value[2]);
         if (status != BATTEN_OK)
             return status;
-        if (value < least) {
-            least = value;
-            best = x;
+        if (value[1] < around[1]) {
+            memcpy(around, value, sizeof around);
+            best = x - step;
         }
     }
-    return find_least(t, best - step, best + step, found);
+    return find_least(t, around, best, step, found);
 }
 
 static batten_status choose_lambda(task *t, double *lambda)
