@@ -26,6 +26,12 @@ typedef struct batten_fit_report {
     int rounds;       /**< of parameter correction, or of reweighting */
     bool regularised; /**< the data do not determine the curve, and a penalty did */
     double sum;       /**< of squares of the distances, times weights */
+    int pressing;     /**< inequalities that hold with equality and keep the curve from data */
+    int reweightings; /**< rounds of a robust fit */
+    double threshold; /**< the distance from which on a robust fit counts data less */
+    double gap;       /**< no curve with these knots and parameters, under these conditions,
+                           makes what is summed smaller by more than this share; 0 without
+                           `robust`, infinite with BATTEN_TUKEY */
 } batten_fit_report;
 
 /** Where the knots of a fit stand. */
@@ -35,6 +41,42 @@ typedef enum batten_knot_choice {
                                     (p + 1)th root of the derivative of order p + 1 */
     BATTEN_KNOTS_GIVEN
 } batten_knot_choice;
+
+/** What a curve near points must meet. */
+typedef enum batten_condition_kind {
+    BATTEN_CONDITION_EQUAL,     /**< the derivative is `value` */
+    BATTEN_CONDITION_DIRECTION, /**< of a curve: it has the direction of `value` */
+    BATTEN_CONDITION_AT_LEAST,  /**< of a function: it is `value[0]` or more */
+    BATTEN_CONDITION_AT_MOST
+} batten_condition_kind;
+
+typedef struct batten_condition {
+    batten_condition_kind kind;
+    int index;        /**< of the datum at whose parameter it holds; -1: at `parameter` */
+    double parameter; /**< inside the domain */
+    int order;        /**< of the derivative, 0..4; 0 is the point itself */
+    double value[3];
+} batten_condition;
+
+/** Shapes of functions, to be combined. They hold everywhere: the coefficients of the
+ * derivative have one sign, which for convexity of cubics is all that is needed and else a
+ * little more. */
+enum { BATTEN_INCREASING = 1, BATTEN_DECREASING = 2, BATTEN_CONVEX = 4, BATTEN_CONCAVE = 8 };
+
+typedef enum batten_fit_side {
+    BATTEN_FIT_BOTH,
+    BATTEN_FIT_OVER, /**< a function that is nowhere below its data, at their parameters */
+    BATTEN_FIT_UNDER
+} batten_fit_side;
+
+/** How distances from data count. */
+typedef enum batten_robust {
+    BATTEN_SQUARES,  /**< by their squares */
+    BATTEN_HUBER,    /**< squared up to the threshold, in proportion beyond */
+    BATTEN_ABSOLUTE, /**< in proportion: L1 */
+    BATTEN_TUKEY     /**< ever less, and all alike beyond the threshold; no convex problem: what
+                          is found is near the fit by BATTEN_ABSOLUTE */
+} batten_robust;
 
 typedef struct batten_least_squares_options {
     size_t size;
@@ -54,6 +96,16 @@ typedef struct batten_least_squares_options {
     bool regularise; /**< where data do not determine the curve, second differences of the
                           control points decide, weighing 1e-10 of the data; else that is an
                           error */
+    int condition_count;
+    const batten_condition *conditions;
+    unsigned shape;       /**< of a function: BATTEN_INCREASING | ...; 0 for any */
+    batten_fit_side side; /**< BATTEN_FIT_BOTH */
+    double band;          /**< at its parameter no coordinate is farther than this from that of
+                               the datum, unless its weight is 0; 0 for no band */
+    batten_robust robust; /**< BATTEN_SQUARES */
+    double threshold;     /**< of BATTEN_HUBER and BATTEN_TUKEY; 0: 2 and 7 times the median
+                               distance of the fit by BATTEN_ABSOLUTE, near the usual 1.345
+                             and 4.685     standard deviations of normal errors */
 } batten_least_squares_options;
 
 /** Cubic, by chords, knots by data. */
@@ -71,12 +123,38 @@ BATTEN_API batten_least_squares_options batten_least_squares_defaults(void);
  * Schoenberg and Whitney); BAD_WEIGHT, NOT_FINITE, NOT_INCREASING, OUT_OF_DOMAIN with the
  * index; BAD_KNOTS, BAD_DEGREE, BAD_ARGUMENT
  *
+ * Conditions (also `shape`, `side`, `band`) are met to rounding, or the status is
+ * NOT_COMPATIBLE and the message names one that cannot hold with the others. Robust fits weigh
+ * data anew by their distances, until `gap` is 1e-6 or for at most 50 rounds; `rms` and `sum`
+ * are those of all data by their own weights.
+ *
  * Solved by Givens' rotations row by row, so as well as the basis allows. Cost: linear in count
- * and point_count. Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for correction.
+ * and point_count; under conditions the normal equations are a program of at most 1000
+ * unknowns, whose cube is the cost. Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for
+ * correction, [GI83] for conditions, [HW77] for weights.
  */
 BATTEN_API batten_status batten_curve_least_squares(
     int dimension, int count, const double *points, const batten_least_squares_options *options,
     double *parameters, batten_fit_report *report, batten_curve **out);
+
+/**
+ * The data that are much farther from a curve than most.
+ *
+ * @param parameters  of the points on the curve, as a fit hands them over
+ * @param weights     [count]; points of weight 0 are none, and do not count; or NULL
+ * @param times       an outlier is farther than so many times the median distance, the nearest
+ *                    data set aside, as many as there are control points but at most half; 5 is
+ *                    some 3.4 standard deviations of a function's normal errors. Distances that
+ *                    are rounding are never outliers
+ * @param[out] distance  from which on; may be NULL
+ * @param[out] outliers  [count] their indices, rising
+ * @param[out] outlier_count
+ */
+BATTEN_API batten_status batten_curve_outliers(const batten_curve *curve, int count,
+                                               const double *points, const double *parameters,
+                                               const double *weights, double times,
+                                               double *distance, int *outliers,
+                                               int *outlier_count);
 
 /** What decides how smooth a curve becomes. */
 typedef enum batten_smooth_by {

@@ -43,7 +43,7 @@ static batten_status program_begin(const bat_quadratic_program *of, program *p)
     const size_t n = (size_t)of->count, m = (size_t)of->least_count, size = sizeof(double);
     p->of = of;
     p->n = of->count;
-    p->report.redundant = -1;
+    p->report.redundant = p->report.refused_equation = p->report.refused_inequality = -1;
     p->reflectors = bat_array3(n, n, size);
     p->h = bat_array3(n, n, size);
     p->matrix = bat_array3(n, n, size);
@@ -96,10 +96,13 @@ static batten_status add_equation(program *p, int i)
     if (!(left > 32 * n * DBL_EPSILON * whole)) {
         /* Rounding of the equations before it, which is seen through this one. */
         const double allowed = 1e-9 * (fabs(value) + whole * bat_norm(k, p->y));
-        if (!(fabs(value - known) <= allowed))
+        p->report.refused_equation = i;
+        p->report.missed = fabs(value - known);
+        if (!(p->report.missed <= allowed))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "condition %d contradicts those before it: they make it %g, not %g",
                             i, known, value);
+        p->report.refused_equation = -1;
         if (p->report.redundant_count++ == 0)
             p->report.redundant = i;
         return BATTEN_OK;
@@ -275,6 +278,8 @@ static batten_status take_up(program *p, int i)
         const double fails = p->f[i] - bat_dot(p->free, e, p->z);
         const double whole = new ? bat_max(fails, 0) / beyond : HUGE_VAL;
         const double step = bat_min(reach, whole);
+        p->report.refused_inequality = step < HUGE_VAL ? -1 : i;
+        p->report.missed = fails;
         if (!(step < HUGE_VAL))
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "inequality %d cannot hold together with the others: it is missed "
@@ -354,9 +359,9 @@ batten_status bat_quadratic_program_solve(const bat_quadratic_program *of, doubl
         if (forces && of->least_count > 0)
             memcpy(forces, p.force, (size_t)of->least_count * sizeof *forces);
         p.report.active_count = p.active_count;
-        if (report)
-            *report = p.report;
     }
+    if (report && (status == BATTEN_OK || status == BATTEN_NOT_COMPATIBLE))
+        *report = p.report;
     program_end(&p);
     return status;
 }

@@ -23,12 +23,15 @@ typedef struct {
     int redundant;       /* the first of them; -1 for none */
     int active_count;    /* inequalities that hold with equality and press */
     int steps;           /* inequalities taken up or dropped */
+    int refused_equation, refused_inequality; /* what NOT_COMPATIBLE names; -1 for none */
+    double missed;                            /* by how much */
 } bat_quadratic_report;
 
 /*
  * The minimum x [count]. `forces` [least_count]: how hard each inequality presses, >= 0; may be
  * NULL. NOT_COMPATIBLE naming the equation that contradicts those before it, or the inequality
- * that cannot hold with the others; SINGULAR_SYSTEM when H does not determine x.
+ * that cannot hold with the others, also in the report; SINGULAR_SYSTEM when H does not
+ * determine x.
  *
  * Cost: count^3 and, for each step, count times the square of the active inequalities.
  * Source: [GI83], after the equations are eliminated by reflections.

@@ -18,6 +18,9 @@ typedef struct {
     double *parameters; /* [count], periodic [count + 1] */
     double *knots;
     double *control, *residuals;
+    bat_condition_rows conditions;
+    bat_robust robust;
+    double cost; /* what the fit makes least */
     batten_fit_report report;
     batten_curve *curve;
 } task;
@@ -25,26 +28,57 @@ typedef struct {
 /* Second differences of the control points decide where no datum does: so much of the trace. */
 #define SLIGHTLY 1e-10
 
+static batten_status solve_with(task *t, bat_fit *fit, double lambda, int *unknown)
+{
+    t->report.lambda = lambda;
+    if (t->conditions.count > 0)
+        return bat_fit_solve_under(fit, lambda, t->options, &t->conditions, t->control,
+                                   &t->report.pressing, &t->report.freedom);
+    const batten_status status = bat_fit_solve(fit, lambda, t->control, unknown);
+    return status == BATTEN_OK ? bat_fit_freedom(fit, &t->report.freedom) : status;
+}
+
+/* With the factors as they are. Conditions may determine what the data do not. */
 static batten_status solve(task *t, bat_fit *fit)
 {
-    const batten_least_squares_options *o = t->options;
-    int unknown = fit->periodic ? -1 : bat_fit_undetermined(fit);
-    batten_status status = BATTEN_OK;
-    if (unknown < 0) {
-        status = bat_fit_solve(fit, 0, t->control, &unknown);
-        if (status != BATTEN_SINGULAR_SYSTEM)
-            return status;
-    }
-    if (!o->regularise)
-        return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                        "control point %d of %d has no datum of its own near its part of the "
-                        "curve",
-                        unknown, fit->count);
+    const bool plain = t->conditions.count == 0;
+    int unknown = fit->periodic || !plain ? -1 : bat_fit_undetermined(fit);
+    batten_status status = BATTEN_SINGULAR_SYSTEM;
+    t->report.regularised = false;
+    if (unknown < 0)
+        status = solve_with(t, fit, 0, &unknown);
+    if (status != BATTEN_SINGULAR_SYSTEM)
+        return status;
+    if (!t->options->regularise)
+        return plain ? bat_fail(BATTEN_SINGULAR_SYSTEM,
+                                "control point %d of %d has no datum of its own near its part "
+                                "of the curve",
+                                unknown, fit->count)
+                     : status;
     status = bat_fit_penalise_differences(fit, bat_min_int(2, fit->count - 1));
     t->report.regularised = true;
-    t->report.lambda = SLIGHTLY * fit->penalty_scale;
+    return status == BATTEN_OK ? solve_with(t, fit, SLIGHTLY * fit->penalty_scale, &unknown)
+                               : status;
+}
+
+static batten_status solve_and_measure(void *user, bat_fit *fit)
+{
+    task *t = user;
+    const batten_status status = solve(t, fit);
     if (status == BATTEN_OK)
-        status = bat_fit_solve(fit, t->report.lambda, t->control, &unknown);
+        bat_fit_residuals(fit, t->control, t->residuals);
+    return status;
+}
+
+static batten_status solve_robustly(task *t, bat_fit *fit)
+{
+    const batten_status status = bat_fit_robustly(fit, t->request.weights, solve_and_measure, t,
+                                                  t->residuals, &t->robust);
+    t->report.reweightings = t->robust.rounds;
+    t->report.threshold = t->robust.threshold;
+    t->report.gap = t->robust.gap;
+    /* The report counts all data by their own weights. */
+    bat_fit_weigh(fit, t->request.weights);
     return status;
 }
 
@@ -53,8 +87,6 @@ static batten_status fit_once(task *t)
     const batten_least_squares_options *o = t->options;
     const bat_fit_request *r = &t->request;
     bat_fit fit = {0};
-    t->report.lambda = 0;
-    t->report.regularised = false;
     batten_status status = bat_fit_begin(r, &fit);
     if (status != BATTEN_OK)
         return status;
@@ -62,14 +94,18 @@ static batten_status fit_once(task *t)
     fit.fixed[1] = o->hold_end && !o->periodic;
     fit.ends[0] = r->points;
     fit.ends[1] = r->points + (size_t)(r->data_count - 1) * (size_t)r->dimension;
-    status = solve(t, &fit);
+    if (bat_fit_has_conditions(o))
+        status = bat_fit_conditions(&fit, o, &t->conditions);
     if (status == BATTEN_OK)
-        status = bat_fit_freedom(&fit, &t->report.freedom);
+        status = solve_and_measure(t, &fit);
+    if (status == BATTEN_OK && o->robust != BATTEN_SQUARES)
+        status = solve_robustly(t, &fit);
     if (status == BATTEN_OK) {
-        bat_fit_residuals(&fit, t->control, t->residuals);
         bat_fit_measure(&fit, t->residuals, &t->report);
+        t->cost = o->robust == BATTEN_SQUARES ? t->report.sum : t->robust.cost;
         status = bat_fit_curve(&fit, t->control, &t->curve);
     }
+    bat_condition_rows_free(&t->conditions);
     bat_fit_end(&fit);
     return status;
 }
@@ -103,18 +139,20 @@ static batten_status move_knots(task *t)
     batten_status status = BATTEN_OK;
     for (int round = 0; status == BATTEN_OK && round < 10; round++) {
         const batten_fit_report before = t->report;
+        const double cost = t->cost;
         batten_curve *curve = t->curve;
         t->curve = NULL;
         status = bat_fit_knots_by_curvature(&t->request, curve, t->knots);
         if (status == BATTEN_OK)
             status = fit_once(t);
-        if (status == BATTEN_OK && t->report.rms < before.rms) {
+        if (status == BATTEN_OK && t->cost < cost) {
             batten_curve_unref(curve);
             continue;
         }
         batten_curve_unref(t->curve);
         t->curve = curve;
         t->report = before;
+        t->cost = cost;
         const int p = t->request.degree, n = t->request.count;
         const bool ring = t->request.periodic;
         memcpy(t->knots, batten_curve_knots(curve) + (ring ? p : 0),
@@ -131,6 +169,7 @@ static batten_status move_knots(task *t)
 static batten_status correct_once(task *t, double *kept, bool *better)
 {
     const batten_fit_report before = t->report;
+    const double cost = t->cost;
     batten_curve *curve = t->curve;
     const size_t bytes = (size_t)t->request.data_count * sizeof *kept;
     memcpy(kept, t->parameters, bytes);
@@ -139,15 +178,17 @@ static batten_status correct_once(task *t, double *kept, bool *better)
     t->curve = NULL;
     if (status == BATTEN_OK)
         status = fit_once(t);
-    if (status == BATTEN_OK && t->report.rms < before.rms) {
+    if (status == BATTEN_OK && t->cost < cost) {
         t->report.rounds = before.rounds + 1;
-        *better = before.rms - t->report.rms >= 1e-3 * before.rms;
+        /* A thousandth of a distance; of a sum of squares that is twice as much. */
+        *better = cost - t->cost >= 2e-3 * cost;
         batten_curve_unref(curve);
         return BATTEN_OK;
     }
     batten_curve_unref(t->curve);
     t->curve = curve;
     t->report = before;
+    t->cost = cost;
     memcpy(t->parameters, kept, bytes);
     *better = false;
     /* Parameters that leave a control point without data are no better. */
@@ -187,6 +228,15 @@ static batten_status check(int dimension, int count, const double *points,
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d",
                         (int)o->parameters);
+    if ((int)o->robust < 0 || o->robust > BATTEN_TUKEY)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no robust fit %d", (int)o->robust);
+    if (!(o->band >= 0 && o->band < HUGE_VAL))
+        return bat_fail(isfinite(o->band) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
+                        "the band is %g; it must be 0 or more", o->band);
+    if (!(o->threshold >= 0 && o->threshold < HUGE_VAL))
+        return bat_fail(isfinite(o->threshold) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
+                        "the threshold of a robust fit is %g; it must be 0 or more",
+                        o->threshold);
     return BATTEN_OK;
 }
 
@@ -239,6 +289,7 @@ batten_status batten_curve_least_squares(int dimension, int count, const double 
         return status;
     t.request.periodic = t.options->periodic;
     t.request.weights = t.options->weights;
+    t.robust = (bat_robust){.how = t.options->robust, .threshold = t.options->threshold};
     choose_sizes(t.options, count, &t.request);
     if (!t.options->periodic && t.request.count <= t.request.degree)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d control points for degree %d; %d are needed",

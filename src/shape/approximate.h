@@ -63,6 +63,72 @@ void bat_fit_residuals(const bat_fit *fit, const double *control, double *residu
 int bat_fit_undetermined(const bat_fit *fit);
 batten_status bat_fit_curve(const bat_fit *fit, const double *control, batten_curve **out);
 
+/* How many control values there are with those of a period wrapped, and all their knots;
+ * release them. */
+int bat_fit_all_count(const bat_fit *fit);
+batten_status bat_fit_all_knots(const bat_fit *fit, double **out);
+
+/* ---- under conditions ---- */
+
+enum { BAT_MAX_CONDITIONS = 100000 };
+
+/* What a row is for. */
+typedef enum {
+    BAT_FOR_START,
+    BAT_FOR_END,
+    BAT_FOR_CONDITION,
+    BAT_FOR_SHAPE,
+    BAT_FOR_SIDE,
+    BAT_FOR_BAND
+} bat_condition_for;
+
+/* values . (normal . control points from `first` on) = right, or >= right. */
+typedef struct {
+    int first, length;
+    double values[BATTEN_MAX_DEGREE + 1], normal[3], right;
+    bool least;
+    bat_condition_for what;
+    int number;
+} bat_condition_row;
+
+typedef struct {
+    int count;
+    bat_condition_row *rows;
+    bool coupled; /* some rows bear on several coordinates */
+} bat_condition_rows;
+
+/* Are there any in the options? The ends alone are none. */
+bool bat_fit_has_conditions(const batten_least_squares_options *options);
+/* NOT_FINITE, BAD_ARGUMENT, OUT_OF_DOMAIN naming the condition. */
+batten_status bat_fit_conditions(const bat_fit *fit,
+                                 const batten_least_squares_options *options,
+                                 bat_condition_rows *out);
+void bat_condition_rows_free(bat_condition_rows *rows);
+/* As bat_fit_solve, under conditions, and how many of them press; `freedom` as of
+ * bat_fit_freedom. NOT_COMPATIBLE naming the condition. */
+batten_status bat_fit_solve_under(const bat_fit *fit, double lambda,
+                                  const batten_least_squares_options *options,
+                                  const bat_condition_rows *rows, double *control,
+                                  int *pressing, double *freedom);
+
+/* ---- robust ---- */
+
+typedef struct {
+    batten_robust how;
+    double threshold; /* 0: choose it, once */
+    double cost;      /* what is summed, of the last fit */
+    double gap;
+    int rounds;
+} bat_robust;
+
+/* Weigh the data anew until the sum is least. The fit is solved; `solve` solves it again and
+ * fills `residuals`. At the end the factors are those of the last solution. */
+batten_status bat_fit_robustly(bat_fit *fit, const double *weights,
+                               batten_status (*solve)(void *user, bat_fit *fit), void *user,
+                               double *residuals, bat_robust *robust);
+
+/* ---- parameters and knots ---- */
+
 /* Parameters of data where neighbours may coincide: [count], periodic [count + 1]. */
 batten_status bat_fit_parameters(int dimension, int count, const double *points,
                                  batten_parametrization kind, const double *given,

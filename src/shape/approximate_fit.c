@@ -53,15 +53,14 @@ static void rows_sort(const bat_givens *qr, bat_rows_of_fit *rows)
 
 /* ---- the basis at the data ---- */
 
-static int all_count(const bat_fit *fit)
+int bat_fit_all_count(const bat_fit *fit)
 {
     return fit->periodic ? fit->count + fit->degree : fit->count;
 }
 
-/* All knots, those of a period wrapped; release them. */
-static batten_status all_knots(const bat_fit *fit, double **out)
+batten_status bat_fit_all_knots(const bat_fit *fit, double **out)
 {
-    const size_t n = (size_t)(all_count(fit) + fit->degree + 1);
+    const size_t n = (size_t)(bat_fit_all_count(fit) + fit->degree + 1);
     double *knots = bat_array(n, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
@@ -75,7 +74,7 @@ static batten_status all_knots(const bat_fit *fit, double **out)
 
 static batten_status fill_basis(bat_fit *fit, const double *U)
 {
-    const int p = fit->degree, n = all_count(fit);
+    const int p = fit->degree, n = bat_fit_all_count(fit);
     for (int i = 0; i < fit->data_count; i++) {
         const double u = fit->parameters[i];
         if (!(u >= U[p] && u <= U[n]))
@@ -112,10 +111,10 @@ batten_status bat_fit_begin(const bat_fit_request *r, bat_fit *out)
     if (status == BATTEN_OK) {
         memcpy(fit.knots, r->knots, knots * sizeof *fit.knots);
         bat_fit_weigh(&fit, r->weights);
-        status = all_knots(&fit, &U);
+        status = bat_fit_all_knots(&fit, &U);
     }
     if (status == BATTEN_OK)
-        status = bat_knots_check(fit.degree, all_count(&fit), U, "knot");
+        status = bat_knots_check(fit.degree, bat_fit_all_count(&fit), U, "knot");
     if (status == BATTEN_OK)
         status = rows_make(fit.data_count, fit.degree + 1, fit.count, &fit.data);
     if (status == BATTEN_OK)
@@ -196,7 +195,7 @@ static void fill_energy(bat_fit *fit, const double *U, int order)
     double x[BAT_MAX_GAUSS], w[BAT_MAX_GAUSS], basis[(BATTEN_MAX_DEGREE + 1) * 6];
     int row = 0;
     bat_gauss(nodes, x, w);
-    for (int k = p; k < all_count(fit); k++)
+    for (int k = p; k < bat_fit_all_count(fit); k++)
         for (int g = 0; U[k] < U[k + 1] && g < nodes; g++, row++) {
             const double half = (U[k + 1] - U[k]) / 2;
             bat_basis(p, U, k, U[k] + half * (1 + x[g]), order, basis);
@@ -235,11 +234,11 @@ batten_status bat_fit_penalise_energy(bat_fit *fit, int order)
 {
     assert(order <= 5 && order <= fit->degree);
     double *U = NULL;
-    batten_status status = all_knots(fit, &U);
+    batten_status status = bat_fit_all_knots(fit, &U);
     if (status != BATTEN_OK)
         return status;
     int spans = 0;
-    for (int k = fit->degree; k < all_count(fit); k++)
+    for (int k = fit->degree; k < bat_fit_all_count(fit); k++)
         spans += U[k] < U[k + 1];
     rows_free(&fit->penalty);
     status = rows_make(spans * (fit->degree - order + 1), fit->degree + 1, fit->count,

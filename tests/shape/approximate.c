@@ -239,6 +239,35 @@ TEST(correction_of_parameters_brings_the_curve_nearer)
     batten_curve_unref(fit);
 }
 
+TEST(every_correction_of_parameters_lowers_the_sum)
+{
+    test_random random = test_random_begin("hoschek");
+    double q[2 * 80], w[80];
+    for (int c = 0; c < test_cases(10); c++) {
+        for (int i = 0; i < 80; i++) {
+            const double x = i / 79.0;
+            q[2 * i] = x + test_random_in(&random, -0.03, 0.03);
+            q[2 * i + 1] = sin((3 + c) * x) + test_random_in(&random, -0.03, 0.03);
+            w[i] = test_random_in(&random, 0.1, 4);
+        }
+        batten_least_squares_options options = batten_least_squares_defaults();
+        options.point_count = 8;
+        options.weights = w;
+        double before = HUGE_VAL;
+        int rounds = -1;
+        for (options.corrections = 0; options.corrections <= 20; options.corrections++) {
+            batten_fit_report report;
+            batten_curve *fit = NULL;
+            CHECK_OK(batten_curve_least_squares(2, 80, q, &options, NULL, &report, &fit));
+            CHECK(report.rounds > rounds ? report.sum < before : report.sum == before);
+            before = report.sum;
+            rounds = report.rounds;
+            batten_curve_unref(fit);
+        }
+        CHECK(rounds >= 1);
+    }
+}
+
 TEST(knots_by_curvature_serve_a_steep_front_better)
 {
     double t[201], y[201], rms[2];
