@@ -125,8 +125,12 @@ typedef enum batten_slope_rule {
                                        between two points; 0 at extrema of the data */
     BATTEN_SLOPE_FRITSCH_BUTLAND, /**< weighted harmonic mean of d before and after; 0 at
                                      extrema of the data: monotone, and less round */
-    BATTEN_SLOPE_STEFFEN          /**< Bessel's, no steeper than twice the flatter chord: no
+    BATTEN_SLOPE_STEFFEN,         /**< Bessel's, no steeper than twice the flatter chord: no
                                        extrema but at points */
+    BATTEN_SLOPE_MAKIMA           /**< Akima's, with the mean slope of the two chords beyond
+                                       added to each change: level runs of three points stay
+                                       level and do not swing beside steps; sloping straight
+                                       runs may bend */
 } batten_slope_rule;
 
 /**
@@ -141,7 +145,7 @@ typedef enum batten_slope_rule {
  * @param x [count] increasing, 2 or more
  * @param[out] slopes [count]
  * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW
- * Cost: linear in count. Source: [Akima70], [FC80], [FB84], [Steffen90].
+ * Cost: linear in count. Source: [Akima70], [FC80], [FB84], [Steffen90]; [Ionita19] for MAKIMA.
  */
 BATTEN_API batten_status batten_slopes(int count, const double *x, const double *y,
                                        batten_slope_rule rule, double *slopes);

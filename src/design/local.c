@@ -15,9 +15,9 @@ void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_rep
 /* Parameters, closed one more, and tangents of a row. */
 typedef struct {
     double *t, *leaving, *arriving;
-} tangents;
+} tangent_rows;
 
-static bool tangents_make(const bat_data *data, tangents *out)
+static bool tangents_make(const bat_data *data, tangent_rows *out)
 {
     const size_t n = (size_t)data->count, d = (size_t)data->dimension;
     out->t = bat_array(n + 1, sizeof *out->t);
@@ -26,14 +26,14 @@ static bool tangents_make(const bat_data *data, tangents *out)
     return out->t && out->leaving && out->arriving;
 }
 
-static void tangents_free(tangents *of)
+static void tangents_free(tangent_rows *of)
 {
     bat_release(of->t);
     bat_release(of->leaving);
     bat_release(of->arriving);
 }
 
-static batten_status make_curve(const bat_data *data, const tangents *of, bool closed,
+static batten_status make_curve(const bat_data *data, const tangent_rows *of, bool closed,
                                 bat_made *made)
 {
     memcpy(made->parameters, of->t, (size_t)data->count * sizeof *of->t);
@@ -45,7 +45,7 @@ batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
                                    const batten_tangent_options *options, bat_made *made)
 {
     batten_tangent_report report;
-    tangents found;
+    tangent_rows found;
     batten_status status = tangents_make(data, &found) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = batten_tangents(data->dimension, data->count, data->points, options, found.t,
@@ -62,7 +62,7 @@ batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,
                                         batten_kochanek_bartels_options *options,
                                         bat_made *made)
 {
-    tangents found;
+    tangent_rows found;
     options->alpha = bat_number(run, "alpha");
     options->given = data->abscissae;
     options->closed = bat_yes(run, "closed");
@@ -93,6 +93,22 @@ batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, b
         memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *slopes);
     bat_release(slopes);
     return status;
+}
+
+batten_status bat_make_local(bat_run *run, const bat_data *data, batten_slope_rule slopes,
+                             batten_tangent_rule tangents, batten_tangent_length length,
+                             bat_made *made)
+{
+    const batten_status status = bat_check_closed(run, data);
+    if (status != BATTEN_OK)
+        return status;
+    if (data->dimension == 1)
+        return bat_make_of_slopes(data, slopes, made);
+    batten_tangent_options options = batten_tangent_defaults();
+    options.rule = tangents;
+    options.length = length;
+    options.closed = bat_yes(run, "closed");
+    return bat_make_of_tangents(run, data, &options, made);
 }
 
 batten_status bat_vectors(const bat_run *run, const bat_data *data, const char *parameter,

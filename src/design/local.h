@@ -25,6 +25,10 @@ batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
                                    const batten_tangent_options *options, bat_made *made);
 /* The cubic function with slopes by a rule. */
 batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, bat_made *made);
+/* Of a function the one, of a curve the other, closed or not as the run says. */
+batten_status bat_make_local(bat_run *run, const bat_data *data, batten_slope_rule slopes,
+                             batten_tangent_rule tangents, batten_tangent_length length,
+                             bat_made *made);
 /* The cubic with the tangents of Kochanek and Bartels: 'alpha', 'beyond' and 'closed' are
  * taken from the run, the rest from the options. */
 batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,

@@ -31,4 +31,23 @@ static inline batten_status bat_smooth_options(const bat_run *run, const bat_dat
     return bat_check_closed(run, data);
 }
 
+/* The smoothing spline and its like. */
+typedef batten_status bat_smoother(int dimension, int count, const double *points,
+                                   const batten_smooth_options *options, double *parameters,
+                                   batten_fit_report *report, batten_curve **out);
+
+/* What they take from the run besides what is in the options already, and the curve. */
+static inline batten_status bat_make_smooth(const bat_run *run, const bat_data *data,
+                                            bat_smoother *smoother,
+                                            batten_smooth_options *options, bat_made *made)
+{
+    batten_fit_report report = {0};
+    options->order = bat_count(run, "order");
+    batten_status status = bat_smooth_options(run, data, options);
+    if (status == BATTEN_OK)
+        status = smoother(data->dimension, data->count, data->points, options, made->parameters,
+                          &report, &made->curve);
+    return bat_made_near(&report, status, made);
+}
+
 #endif

@@ -78,20 +78,32 @@ static double slope_beyond(const bat_chords *c, int i)
     return c->d[i];
 }
 
-/* How much the slope changes from chord i to the next, but for rounding. */
-static double change(const bat_chords *c, int i)
+/* How much the slope changes from chord i to the next, but for rounding; `modified`: and how
+ * steep both are together. */
+static double change(const bat_chords *c, int i, bool modified)
 {
-    const double by = fabs(slope_beyond(c, i + 1) - slope_beyond(c, i));
+    const double a = slope_beyond(c, i), b = slope_beyond(c, i + 1);
+    const double by = fabs(b - a) + (modified ? fabs(a + b) / 2 : 0);
     const int last = c->count - 2, at = bat_max_int(0, bat_min_int(i, last - 1));
     const double zero = bat_chord_rounding(c, at) + bat_chord_rounding(c, at + 1);
     return by <= zero ? 0 : by;
 }
 
-static double akima(const bat_chords *c, int i)
+static double weighted_by_changes(const bat_chords *c, int i, bool modified)
 {
-    const double before = change(c, i - 2), after = change(c, i);
+    const double before = change(c, i - 2, modified), after = change(c, i, modified);
     const double part = before + after > 0 ? before / (before + after) : 0.5;
     return (1 - part) * slope_beyond(c, i - 1) + part * slope_beyond(c, i);
+}
+
+static double akima(const bat_chords *c, int i)
+{
+    return weighted_by_changes(c, i, false);
+}
+
+static double makima(const bat_chords *c, int i)
+{
+    return weighted_by_changes(c, i, true);
 }
 
 /* ---- rules that keep data monotone ---- */
@@ -181,6 +193,7 @@ void bat_slopes(const bat_chords *c, batten_slope_rule rule, double *slopes)
     }
     double (*const at)(const bat_chords *, int) = rule == BATTEN_SLOPE_BESSEL    ? bessel
                                                   : rule == BATTEN_SLOPE_AKIMA   ? akima
+                                                  : rule == BATTEN_SLOPE_MAKIMA  ? makima
                                                   : rule == BATTEN_SLOPE_STEFFEN ? steffen
                                                                                  : harmonic;
     for (int i = 0; i < c->count; i++)
@@ -191,7 +204,7 @@ batten_status batten_slopes(int count, const double *x, const double *y, batten_
                             double *slopes)
 {
     assert(x && y && slopes);
-    if ((int)rule < 0 || rule > BATTEN_SLOPE_STEFFEN)
+    if ((int)rule < 0 || rule > BATTEN_SLOPE_MAKIMA)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for slopes", (int)rule);
     bat_chords chords;
     const batten_status status = bat_chords_make(count, x, y, &chords);

@@ -109,6 +109,8 @@ TEST(every_feature_is_described_whole)
         CHECK(f->name && *f->name && f->summary && *f->summary && f->manual && *f->manual);
         CHECK(f->example && *f->example && f->source && f->function && *f->function);
         CHECK(f->parameter_count > 0);
+        for (int k = 0; k < i; k++)
+            CHECK(strcmp(batten_feature_at(k)->summary, f->summary) != 0);
         CHECK_TEXT(f->parameters[0].name, f->name);
         CHECK(f->parameters[0].required);
         CHECK(batten_feature_find(f->name) == f);

@@ -52,7 +52,7 @@ TEST(bessel_slopes_are_exact_for_parabolas)
 TEST(two_points_have_the_slope_of_their_chord_and_three_in_line_too)
 {
     const double x[] = {0.1, 0.2, 0.7}, y[] = {0.3, 0.6, 2.1};
-    for (int r = 0; r <= BATTEN_SLOPE_STEFFEN; r++)
+    for (int r = 0; r <= BATTEN_SLOPE_MAKIMA; r++)
         for (int count = 2; count <= 3; count++) {
             double slopes[3];
             CHECK_OK(batten_slopes(count, x, y, (batten_slope_rule)r, slopes));
@@ -71,6 +71,43 @@ TEST(akima_keeps_straight_runs_in_spite_of_rounding)
     CHECK_OK(batten_slopes(12, x, y, BATTEN_SLOPE_AKIMA, slopes));
     for (int i = 0; i < 12; i++)
         CHECK_NEAR(slopes[i], i < 6 ? 7 : i > 6 ? 2 : 4.5, 1e-12);
+}
+
+/* The step from -1 over 0 to 1: Akima's weights vanish beside the level runs, where the mean of
+ * both chords then overshoots; the modified ones keep the runs level. */
+TEST(modified_akima_keeps_level_runs_level)
+{
+    const double x[] = {-3, -2, -1, 0, 1, 2, 3}, y[] = {-1, -1, -1, 0, 1, 1, 1};
+    const double modified[] = {0, 0, 0, 1, 0, 0, 0}, plain[] = {0, 0, 0.5, 1, 0.5, 0, 0};
+    double slopes[7];
+    CHECK_OK(batten_slopes(7, x, y, BATTEN_SLOPE_MAKIMA, slopes));
+    for (int i = 0; i < 7; i++)
+        CHECK_NEAR(slopes[i], modified[i], 1e-15);
+    CHECK_OK(batten_slopes(7, x, y, BATTEN_SLOPE_AKIMA, slopes));
+    for (int i = 0; i < 7; i++)
+        CHECK_NEAR(slopes[i], plain[i], 1e-15);
+}
+
+TEST(modified_akima_weighs_changes_and_means)
+{
+    test_random random = test_random_begin("makima");
+    for (int c = 0; c < test_cases(200); c++) {
+        double x[8], y[8], slopes[8], d[11];
+        random_data(&random, 8, x, y, false);
+        for (int i = 0; i < 7; i++)
+            d[i + 2] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+        d[1] = 2 * d[2] - d[3], d[0] = 2 * d[1] - d[2];
+        d[9] = 2 * d[8] - d[7], d[10] = 2 * d[9] - d[8];
+        CHECK_OK(batten_slopes(8, x, y, BATTEN_SLOPE_MAKIMA, slopes));
+        for (int i = 0; i < 8; i++) {
+            const double after = fabs(d[i + 3] - d[i + 2]) + fabs(d[i + 3] + d[i + 2]) / 2;
+            const double before = fabs(d[i + 1] - d[i]) + fabs(d[i + 1] + d[i]) / 2;
+            const double expected =
+                after + before == 0 ? 0
+                                    : (after * d[i + 1] + before * d[i + 2]) / (after + before);
+            CHECK_NEAR(slopes[i], expected, 1e-12 * (1 + fabs(d[i + 1]) + fabs(d[i + 2])));
+        }
+    }
 }
 
 /* ---- monotone rules ---- */
@@ -140,7 +177,7 @@ TEST(g10_reversed_data_have_the_slopes_with_the_other_sign)
             rx[i] = -x[count - 1 - i];
             ry[i] = y[count - 1 - i];
         }
-        for (int r = 0; r <= BATTEN_SLOPE_STEFFEN; r++) {
+        for (int r = 0; r <= BATTEN_SLOPE_MAKIMA; r++) {
             CHECK_OK(batten_slopes(count, x, y, (batten_slope_rule)r, there));
             CHECK_OK(batten_slopes(count, rx, ry, (batten_slope_rule)r, back));
             for (int i = 0; i < count; i++)

@@ -3,6 +3,8 @@
 static const batten_parameter parameters[] = {
     {"akima", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "a table of offsets, rows of points, or curves that have points"},
+    {"modified", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "of a function: chords that are steep count more, so level runs stay level"},
     BAT_AS,
     BAT_EACH,
     BAT_CLOSED,
@@ -10,15 +12,11 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_tangent_options options = batten_tangent_defaults();
-    const batten_status status = bat_check_closed(run, data);
-    if (status != BATTEN_OK)
-        return status;
-    if (data->dimension == 1)
-        return bat_make_of_slopes(data, BATTEN_SLOPE_AKIMA, made);
-    options.rule = BATTEN_TANGENT_RENNER;
-    options.closed = bat_yes(run, "closed");
-    return bat_make_of_tangents(run, data, &options, made);
+    const bool modified = bat_yes(run, "modified");
+    if (modified && data->dimension > 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'modified' is for functions alone");
+    return bat_make_local(run, data, modified ? BATTEN_SLOPE_MAKIMA : BATTEN_SLOPE_AKIMA,
+                          BATTEN_TANGENT_RENNER, BATTEN_LENGTH_CHORD, made);
 }
 
 static batten_status run(bat_run *run)
@@ -41,9 +39,13 @@ const bat_feature bat_feature_akima = {
          "same with even speed. Cubic, with continuous first derivative. It does not promise "
          "to be\n"
          "monotone: on uneven abscissae it can overshoot a little, which fritsch-butland never "
-         "does.",
+         "does.\n"
+         "'modified: yes' (makima) does not overshoot beside a level run of three points, but "
+         "keeps only\n"
+         "level runs straight.",
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {akima: tank, as: function}\n",
-         "[Akima70], [Akima72]", "batten_slopes", BAT_PARAMETERS(parameters), false},
+         "[Akima70], [Akima72], [Ionita19]", "batten_slopes", BAT_PARAMETERS(parameters),
+         false},
     .run = run};

@@ -10,16 +10,8 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_tangent_options options = batten_tangent_defaults();
-    const batten_status status = bat_check_closed(run, data);
-    if (status != BATTEN_OK)
-        return status;
-    if (data->dimension == 1)
-        return bat_make_of_slopes(data, BATTEN_SLOPE_BESSEL, made);
-    options.rule = BATTEN_TANGENT_BESSEL;
-    options.length = BATTEN_LENGTH_RULE;
-    options.closed = bat_yes(run, "closed");
-    return bat_make_of_tangents(run, data, &options, made);
+    return bat_make_local(run, data, BATTEN_SLOPE_BESSEL, BATTEN_TANGENT_BESSEL,
+                          BATTEN_LENGTH_RULE, made);
 }
 
 static batten_status run(bat_run *run)

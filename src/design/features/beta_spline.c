@@ -32,7 +32,7 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_beta_spline = {
-    .shown = {"beta-spline", "Curves through points",
+    .shown = {"beta-spline", "Uniform splines with one bias and one tension for all joints",
               "Uniform Beta-splines: near a control polygon, whose ends they pass, or through "
               "points. Two\n"
               "numbers shape all joints: beta2 draws the curve to the polygon, beta1 above 1 "

@@ -107,7 +107,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_interpolate = {
     .shown =
-        {"interpolate", "Curves through points",
+        {"interpolate", "The cubic spline, or one of another degree, through points",
          "Through each station or line of a table of offsets, or through each row of "
          "points. Cubics\n"
          "have their knots at the data and need a condition at both ends: 'ends', or "

@@ -1,6 +1,4 @@
-#include "design/place.h"
-#include "design/through.h"
-#include <batten/weighted.h>
+#include "design/weighted.h"
 
 static const batten_parameter parameters[] = {
     {"nu-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
@@ -18,18 +16,12 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_weighted_options o = batten_weighted_defaults();
     double *nus = NULL;
-    o.closed = bat_yes(run, "closed");
-    o.given = data->abscissae;
-    o.start = bat_end(run, "start", "start-vector");
-    o.end = bat_end(run, "end", "end-vector");
-    o.parameters = bat_parametrization_of(run, data);
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK)
         status = bat_numbers_each(run, "nu", data->count, "points", &nus);
     o.nus = nus;
     if (status == BATTEN_OK)
-        status = batten_curve_weighted(data->dimension, data->count, data->points, &o,
-                                       made->parameters, &made->curve);
+        status = bat_make_weighted(run, data, &o, made);
     bat_release(nus);
     return status;
 }
@@ -42,8 +34,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_nu_spline = {
     .shown =
-        {"nu-spline", "Curves through points",
-         "Cubic splines with a tension at each point. A large nu draws the bend into its "
+        {"nu-spline", "Cubic splines with a tension at each point",
+         "A large nu draws the bend into its "
          "point, in the end\n"
          "as a corner; large ones at all points give the polygon. Tangent and curvature go "
          "on over the\n"

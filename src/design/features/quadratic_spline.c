@@ -37,8 +37,8 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_quadratic_spline = {
-    .shown = {"quadratic-spline", "Curves through points",
-              "Parabolas that join with one tangent; curvature jumps at the knots. Knots "
+    .shown = {"quadratic-spline", "Parabolas that join with one tangent",
+              "Curvature jumps at the knots. Knots "
               "'between' the points\n"
               "suit any data. 'midpoints' is for values that belong to cells, given at their "
               "middles and at\n"

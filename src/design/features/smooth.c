@@ -17,13 +17,7 @@ static const batten_parameter parameters[] = {
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_smooth_options options = batten_smooth_defaults();
-    options.order = bat_count(run, "order");
-    batten_fit_report report = {0};
-    batten_status status = bat_smooth_options(run, data, &options);
-    if (status == BATTEN_OK)
-        status = batten_curve_smooth(data->dimension, data->count, data->points, &options,
-                                     made->parameters, &report, &made->curve);
-    return bat_made_near(&report, status, made);
+    return bat_make_smooth(run, data, batten_curve_smooth, &options, made);
 }
 
 static batten_status run(bat_run *run)

@@ -48,8 +48,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_tension = {
     .shown =
-        {"tension", "Curves through points",
-         "Splines in tension: a batten pulled at its ends. More tension takes out the bulges "
+        {"tension", "Splines in tension: a batten pulled at its ends",
+         "More tension takes out the bulges "
          "and extra\n"
          "turns of a cubic spline beside steep places, and in the end gives the polygon. The "
          "amount\n"

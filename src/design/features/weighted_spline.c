@@ -1,6 +1,4 @@
-#include "design/place.h"
-#include "design/through.h"
-#include <batten/weighted.h>
+#include "design/weighted.h"
 
 static const batten_parameter parameters[] = {
     {"weighted-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
@@ -18,19 +16,14 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     batten_weighted_options o = batten_weighted_defaults();
     double *weights = NULL;
-    o.closed = bat_yes(run, "closed");
-    o.given = data->abscissae;
-    o.start = bat_end(run, "start", "start-vector");
-    o.end = bat_end(run, "end", "end-vector");
+    const int spans = data->count - !bat_yes(run, "closed");
     o.rule = bat_has(run, "weights") ? BATTEN_WEIGHTS_GIVEN : BATTEN_WEIGHTS_SLOPE;
-    o.parameters = bat_parametrization_of(run, data);
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK && o.rule == BATTEN_WEIGHTS_GIVEN)
-        status = bat_numbers_each(run, "weights", data->count - !o.closed, "spans", &weights);
+        status = bat_numbers_each(run, "weights", spans, "spans", &weights);
     o.weights = weights;
     if (status == BATTEN_OK)
-        status = batten_curve_weighted(data->dimension, data->count, data->points, &o,
-                                       made->parameters, &made->curve);
+        status = bat_make_weighted(run, data, &o, made);
     bat_release(weights);
     return status;
 }
@@ -43,8 +36,8 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_weighted_spline = {
     .shown =
-        {"weighted-spline", "Curves through points",
-         "Cubic splines whose spans are of unequal stiffness: a span of large weight "
+        {"weighted-spline", "Cubic splines whose spans are of unequal stiffness",
+         "A span of large weight "
          "bends little, its\n"
          "neighbours take the bend. Tangents go on over the points, curvature jumps where "
          "weights differ.\n"
