@@ -12,8 +12,12 @@ extern "C" {
 #endif
 
 typedef enum batten_arcs_join {
-    BATTEN_ARCS_SMOOTH, /**< biarcs: the tangent turns only at corners of the curve */
-    BATTEN_ARCS_PLAIN   /**< single arcs: fewer, with small corners where they meet */
+    BATTEN_ARCS_SMOOTH, /**< the fewest that turn only at corners of the curve; of points
+                             BIARCS */
+    BATTEN_ARCS_PLAIN,  /**< single arcs with small corners where they meet: lines where the
+                             curve is nearly straight */
+    BATTEN_ARCS_BIARCS  /**< biarcs, whose ends have the directions of the curve: some 45 per
+                             cent more than SMOOTH */
 } batten_arcs_join;
 
 /** On which side of the curve, seen along it, the arcs may lie. */
@@ -54,14 +58,17 @@ typedef struct batten_arcs_report {
 /**
  * The fewest arcs for a plane curve.
  *
- * From corner to corner each biarc (arc) is made as long as the tolerance allows; its ends lie
- * on the curve, with one side allowed half the tolerance beside it, and a biarc has the
- * directions of the curve. So the number is that of the best of such chains, within a
- * thousandth or one more. A circle, or an arc of it, is one arc (two when it is closed), a line
- * one line. As the tolerance shrinks, the number for a curve with the curvature k is, along the
- * arc length s, the integral of |dk/ds|^(1/3) ds times 2 / (324 tolerance)^(1/3) (smooth),
- * times 1 / (72 sqrt 3 tolerance)^(1/3) (plain); with one side allowed the tolerance counts by
- * half. Corners and ends of the curve are kept exactly.
+ * From corner to corner. SMOOTH and PLAIN arcs begin and end on the curve, with one side
+ * allowed half the tolerance beside it; along a curve with the curvature k, s the arc length,
+ * their number goes to the integral of |dk/ds|^(1/3) ds divided by (72 sqrt 3 tolerance)^(1/3),
+ * and smooth arcs cannot be fewer. Where curvature has an extreme, or a closed curve must
+ * close, SMOOTH takes about half an arc more than PLAIN. PLAIN and BIARCS make each arc, each
+ * biarc as long as the tolerance allows, within a thousandth; biarcs have the directions of the
+ * curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number. With one side
+ * allowed the tolerance counts by half. A circle, or an arc of it, is one arc (two when it is
+ * closed), a line one line. Corners and ends of the curve are kept exactly as points; SMOOTH
+ * and PLAIN turn there by a little more or less than the curve. SMOOTH arcs of a closed curve
+ * without corners may begin anywhere on it.
  *
  * @param curve   dimension 2
  * @param options with the tolerance
@@ -72,9 +79,10 @@ typedef struct batten_arcs_report {
  * the tolerance, or the number that is needed when that is more than `most`; SINGULAR_HERE for
  * a curve that is a point; OVERFLOW; OUT_OF_MEMORY
  *
- * Cost: about 15 trials for each biarc or arc, each of some 30 evaluations; with `spread` and
- * few arcs up to ten times that.
- * Source: [MW95], [Bolton75]; the measure of the error is our own.
+ * Cost: PLAIN and BIARCS about 15 trials for each, each of some 30 evaluations; with `spread`
+ * and few arcs up to ten times that. SMOOTH 10,000 trial arcs for each, around a closed curve
+ * up to 24 times; 7 KB for each arc. Source: [MW95], [Bolton75]; [DRS08] for the search from
+ * place to place; the leans as its second coordinate and the measure of the error are our own.
  */
 BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
                                               const batten_arcs_options *options,

@@ -52,7 +52,7 @@ static batten_curve *ellipse(double a, double b, double start, double angle)
 
 TEST(a_circle_is_one_arc_and_a_closed_one_two)
 {
-    for (int joined = 0; joined < 2; joined++)
+    for (int joined = 0; joined < 3; joined++)
         for (int i = 1; i <= 8; i++) {
             batten_curve *curve = ellipse(3, 3, 0.3, i * pi / 4);
             batten_chain *chain = NULL;
@@ -102,34 +102,41 @@ static double ellipse_integral(void)
     return sum;
 }
 
-/* A G0 arc of length h is off by |k'| h^3 / (72 sqrt 3) at best, a biarc with the directions of
- * the curve by |k'| h^3 / 324: with the integral I = 7.29537 that asks for I / (72 sqrt 3
- * tol)^(1/3) = 1.46021 tol^(-1/3) arcs, and for 2 I / (324 tol)^(1/3) = 2.12437 tol^(-1/3). */
+/* An arc of length h that begins and ends on the curve is off by |k'| h^3 / (72 sqrt 3) at
+ * best, and may be tangent to its neighbours; a biarc with the directions of the curve by
+ * |k'| h^3 / 324: with the integral I = 7.29537 that asks for I / (72 sqrt 3 tol)^(1/3) =
+ * 1.46021 tol^(-1/3) arcs, and for 2 I / (324 tol)^(1/3) = 2.12437 tol^(-1/3). */
 TEST(an_ellipse_needs_as_many_arcs_as_theory_says)
 {
     const double I = ellipse_integral();
     CHECK_NEAR(I, 7.29537, 1e-4);
     /* Where curvature has its extremes, k' = 0, the law of the third power is not yet true:
-     * biarcs feel it more, as both of their ends are held twice. */
-    static const double above[2][5] = {{1.5, 1.2, 1.15, 1.1, 1.06},
-                                       {1.05, 1.05, 1.05, 1.05, 1.05}};
-    for (int joined = 0; joined < 2; joined++)
+     * that costs an arc or two in all, and biarcs more, as both of their ends are held twice.
+     */
+    static const double above[3][5] = {{1.33, 1.17, 1.05, 1.03, 1.03},
+                                       {1.05, 1.05, 1.05, 1.05, 1.05},
+                                       {1.5, 1.2, 1.15, 1.1, 1.06}};
+    for (int joined = 0; joined < 3; joined++)
         for (int e = 2; e <= 6; e++) {
             const double tolerance = pow(10, -e);
-            const double theory =
-                joined ? I / cbrt(72 * sqrt(3) * tolerance) : 2 * I / cbrt(324 * tolerance);
+            const double theory = joined == BATTEN_ARCS_BIARCS
+                                      ? 2 * I / cbrt(324 * tolerance)
+                                      : I / cbrt(72 * sqrt(3) * tolerance);
             batten_curve *curve = ellipse(2, 1, 0, 2 * pi);
             batten_chain *chain = NULL;
             batten_arcs_report report;
-            const batten_arcs_options options = within(tolerance, (batten_arcs_join)joined);
+            batten_arcs_options options = within(tolerance, (batten_arcs_join)joined);
+            options.spread = joined != BATTEN_ARCS_SMOOTH; /* it takes a second there */
             CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
             CHECK(total(&report) / theory <= above[joined][e - 2]);
             CHECK(total(&report) / theory >= 0.95);
-            CHECK(report.least_radius >= 0.5 * (1 - 1e-3) && report.least_radius < 0.7);
-            if (joined)
+            /* Smooth arcs may bend a little more than the curve. */
+            const double least = joined == BATTEN_ARCS_SMOOTH ? 0.4 : 0.5 * (1 - 1e-3);
+            CHECK(report.least_radius >= least && report.least_radius < 0.7);
+            if (joined == BATTEN_ARCS_PLAIN)
                 CHECK(report.largest_turn > 0);
-            else
-                CHECK_NEAR(report.largest_turn, 0, 1e-14);
+            else /* roundings of directions add up */
+                CHECK_NEAR(report.largest_turn, 0, total(&report) * 2e-15);
             check_chain(curve, chain, &report, tolerance);
             batten_chain_unref(chain);
             batten_curve_unref(curve);
@@ -138,7 +145,7 @@ TEST(an_ellipse_needs_as_many_arcs_as_theory_says)
 
 TEST(one_sided_arcs_stay_on_their_side)
 {
-    for (int joined = 0; joined < 2; joined++)
+    for (int joined = 0; joined < 3; joined++)
         for (int side = BATTEN_ARCS_LEFT; side <= BATTEN_ARCS_OUTSIDE; side++) {
             batten_curve *curve = ellipse(2, 1, 0.4, 2 * pi);
             batten_chain *chain = NULL;
@@ -176,7 +183,7 @@ static batten_curve *wave(void)
 
 TEST(any_curve_is_followed_within_any_tolerance)
 {
-    for (int joined = 0; joined < 2; joined++)
+    for (int joined = 0; joined < 3; joined++)
         for (int side = 0; side <= BATTEN_ARCS_RIGHT; side++)
             for (int e = 1; e <= 5; e++) {
                 batten_curve *curve = wave();
@@ -218,6 +225,31 @@ TEST(spreading_lowers_the_deviation_and_keeps_the_number)
     batten_curve_unref(curve);
 }
 
+/* Within 0.1 five arcs close, within 0.01 nine, as a search over thousands of places and
+ * directions to begin with confirms. */
+TEST(few_arcs_close_smoothly_around_an_ellipse)
+{
+    static const struct {
+        double tolerance;
+        int arcs;
+    } rows[] = {{0.1, 5}, {0.0316, 6}, {0.01, 9}, {1e-3, 17}};
+    for (int i = 0; i < COUNT(rows); i++)
+        for (int k = 0; k < 3; k++) {
+            batten_curve *curve = ellipse(2, 1, 0.7 * k, 2 * pi);
+            batten_chain *chain = NULL;
+            batten_arcs_report report;
+            batten_arcs_options options = within(rows[i].tolerance, BATTEN_ARCS_SMOOTH);
+            options.spread = false;
+            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK(batten_chain_is_closed(chain));
+            CHECK(total(&report) >= rows[i].arcs && total(&report) <= rows[i].arcs + 1);
+            CHECK_NEAR(report.largest_turn, 0, 1e-13);
+            check_chain(curve, chain, &report, rows[i].tolerance);
+            batten_chain_unref(chain);
+            batten_curve_unref(curve);
+        }
+}
+
 TEST(corners_stay_and_cusps_are_corners)
 {
     const double square[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0};
@@ -227,7 +259,7 @@ TEST(corners_stay_and_cusps_are_corners)
     batten_curve *curve = NULL;
     batten_chain *chain = NULL;
     batten_arcs_report report;
-    const batten_arcs_options options = within(1e-4, BATTEN_ARCS_SMOOTH);
+    batten_arcs_options options = within(1e-4, BATTEN_ARCS_SMOOTH);
     CHECK_OK(batten_curve_create(2, 1, 5, square, NULL, steps, &curve));
     CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
     CHECK_INT(report.lines, 4);
@@ -236,6 +268,12 @@ TEST(corners_stay_and_cusps_are_corners)
     batten_chain_unref(chain);
     batten_curve_unref(curve);
     CHECK_OK(batten_curve_create(2, 3, 4, cusp, NULL, knots, &curve));
+    CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+    CHECK(report.largest_turn > 3);
+    check_chain(curve, chain, &report, 1e-4);
+    batten_chain_unref(chain);
+    /* Biarcs leave a corner in the direction of the curve. */
+    options.joined = BATTEN_ARCS_BIARCS;
     CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
     CHECK_NEAR(report.largest_turn, pi, 1e-6);
     check_chain(curve, chain, &report, 1e-4);

@@ -7,8 +7,8 @@ static const batten_parameter parameters[] = {
      "plane curves, or tables and rows of points"},
     {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "the distance that the arcs may have from curve or points"},
-    {"joined", BATTEN_VALUE_WORD, false, false, "smooth", "smooth plain",
-     "biarcs without corners, or single arcs"},
+    {"joined", BATTEN_VALUE_WORD, false, false, "smooth", "smooth plain biarcs",
+     "without corners, with small ones, or with the directions of the curve"},
     {"one-sided", BATTEN_VALUE_WORD, false, false, "either", "either left right inside outside",
      "the side of the curve, seen along it, or of a closed curve, on which the arcs may lie"},
     {"least-radius", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "that an arc may have"},
@@ -163,12 +163,13 @@ const bat_feature bat_feature_arcs = {
          "For machines that follow arcs and lines only: cutters, routers, benders. Each arc is "
          "as long\n"
          "as 'within' allows, so few are needed; 'spread' then makes the largest deviation as\n"
-         "small as the same number of arcs can. 'smooth' uses biarcs, whose tangents turn only "
-         "at\n"
-         "corners of the curve; 'plain' single arcs, about a third fewer, with small corners, "
-         "and\n"
-         "lines where the curve is nearly straight. 'one-sided' keeps the cutter off one side: "
-         "it\n"
+         "small as the same number of arcs can. 'smooth' arcs turn only at corners of the "
+         "curve;\n"
+         "'plain' ones may have small corners where they meet, and are lines where the curve "
+         "is\n"
+         "nearly straight; 'biarcs' have the directions of the curve at their ends, which "
+         "takes\n"
+         "nearly half as many more. 'one-sided' keeps the cutter off one side: it\n"
          "takes a quarter more arcs. Ends and corners of the curve stay. A circle gives arcs "
          "of\n"
          "itself, a line one line. The number, the deviation to either side and the least "
