@@ -47,7 +47,7 @@ batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *
     return status;
 }
 
-static void runs_release(bat_offset *o)
+void bat_offset_runs_release(bat_offset *o)
 {
     for (int i = 0; i < o->count; i++) {
         batten_curve_unref(o->runs[i].curve);
@@ -116,7 +116,7 @@ static batten_status offset_upright(const batten_curve *curve, double distance,
             options->loops == BATTEN_LOOPS_KEEP ? keep_all(&o, out) : bat_offset_trim(&o, out);
     if (status == BATTEN_OK)
         *report = o.report;
-    runs_release(&o);
+    bat_offset_runs_release(&o);
     batten_curve_unref(plan);
     batten_curve_unref(full);
     return status;

@@ -26,6 +26,9 @@ typedef struct {
 
 /* Runs of the whole curve, and the corners between them (curve_offset_runs.c). */
 batten_status bat_offset_runs(bat_offset *o);
+void bat_offset_runs_release(bat_offset *o);
+/* Is a curve of the plane straight, and run one way? */
+bool bat_plan_is_line(const batten_curve *part);
 /* Take a run over, also after a failure. */
 batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *curve);
 /* From q to r around the outside of the corner at p: `turn` is the angle from the tangent

@@ -189,8 +189,7 @@ static batten_status part_of(const batten_curve *curve, double a, double b, batt
     return status;
 }
 
-/* Is the part of the plan straight, and run one way? */
-static bool is_line(const batten_curve *part)
+bool bat_plan_is_line(const batten_curve *part)
 {
     const int n = part->count;
     const double *first = part->points, *last = part->points + 2 * (n - 1);
@@ -243,7 +242,7 @@ static batten_status exact_map(const bat_offset *o, double a, double b, const pl
     batten_status status = part_of(o->plan, a, b, &part);
     if (status != BATTEN_OK)
         return status;
-    *exact = is_line(part);
+    *exact = bat_plan_is_line(part);
     if (*exact) {
         *map =
             batten_affine_translation(-o->distance * start->t[1], o->distance * start->t[0], 0);

@@ -1,18 +1,10 @@
-#include "design/feature.h"
+#include "design/pair.h"
 
 #include <batten/blend.h>
 
-/* The words of 'ends' behind 'nearest'. */
-static const batten_curve_end pairs[4][2] = {{BATTEN_CURVE_END, BATTEN_CURVE_START},
-                                             {BATTEN_CURVE_END, BATTEN_CURVE_END},
-                                             {BATTEN_CURVE_START, BATTEN_CURVE_START},
-                                             {BATTEN_CURVE_START, BATTEN_CURVE_END}};
-
 static const batten_parameter parameters[] = {
     {"blend", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "two curves"},
-    {"ends", BATTEN_VALUE_WORD, false, false, "nearest",
-     "nearest end-start end-end start-start start-end",
-     "from which end of the first to which of the second"},
+    BAT_PAIR_ENDS,
     {"first", BATTEN_VALUE_WORD, false, false, "G2", "G0 G1 G2 G3",
      "how it joins the first curve: place, tangent, curvature, rate of curvature"},
     {"second", BATTEN_VALUE_WORD, false, false, "G2", "G0 G1 G2 G3",
@@ -23,68 +15,30 @@ static const batten_parameter parameters[] = {
      "the curves and the blend as one, from the far end of the first"},
 };
 
-static batten_status ends_of(const bat_run *run, const batten_curve *const curves[2],
-                             batten_blend_end ends[2])
-{
-    const bat_argument *bulge = bat_argument_of(run, "bulge");
-    batten_curve_end at[2];
-    batten_status status = BATTEN_OK;
-    if (bulge->count > 2)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'bulge' has %d factors, at most 2 are used",
-                        bulge->count);
-    const int word = bat_word(run, "ends");
-    if (word == 0)
-        status = batten_curves_nearest_ends(curves[0], curves[1], at);
-    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
-        ends[k] =
-            (batten_blend_end){.end = word ? pairs[word - 1][k] : at[k],
-                               .continuity = bat_word(run, k ? "second" : "first"),
-                               .bulge = bulge->items[bulge->count == 2 ? k : 0].number[0]};
-    return status;
-}
-
-/* A curve run towards its named end, or away from it. */
-static batten_status turned(const batten_curve *curve, bool reverse, batten_curve **out)
-{
-    if (reverse)
-        return batten_curve_reverse(curve, out);
-    *out = batten_curve_ref(curve);
-    return BATTEN_OK;
-}
-
-static batten_status join_all(const batten_curve *const curves[2],
-                              const batten_blend_end ends[2], const batten_curve *blend,
-                              double within, batten_curve **out)
-{
-    batten_curve *first = NULL, *second = NULL, *half = NULL;
-    batten_status status = turned(curves[0], ends[0].end == BATTEN_CURVE_START, &first);
-    if (status == BATTEN_OK)
-        status = turned(curves[1], ends[1].end == BATTEN_CURVE_END, &second);
-    if (status == BATTEN_OK)
-        status = batten_curve_join(first, blend, within, &half);
-    if (status == BATTEN_OK)
-        status = batten_curve_join(half, second, within, out);
-    batten_curve_unref(half);
-    batten_curve_unref(second);
-    batten_curve_unref(first);
-    return status;
-}
-
 static batten_status blend(bat_run *run, const batten_curve *const curves[2],
                            batten_curve **out)
 {
+    const bat_argument *bulge = bat_argument_of(run, "bulge");
     batten_blend_end ends[2];
     batten_blend_report report;
     batten_curve *made = NULL;
-    batten_status status = ends_of(run, curves, ends);
-    if (status == BATTEN_OK)
-        status = batten_curves_blend(curves[0], &ends[0], curves[1], &ends[1], &report, &made);
+    if (bulge->count > 2)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'bulge' has %d factors, at most 2 are used",
+                        bulge->count);
+    for (int k = 0; k < 2; k++)
+        ends[k] =
+            (batten_blend_end){.end = k ? BATTEN_CURVE_START : BATTEN_CURVE_END,
+                               .continuity = bat_word(run, k ? "second" : "first"),
+                               .bulge = bulge->items[bulge->count == 2 ? k : 0].number[0]};
+    batten_status status =
+        batten_curves_blend(curves[0], &ends[0], curves[1], &ends[1], &report, &made);
     if (status != BATTEN_OK)
         return status;
     bat_note(run, "joins with G%d and G%d", report.joins[0].geometric,
              report.joins[1].geometric);
+    const double u[2] = {batten_curve_domain(curves[0]).b, batten_curve_domain(curves[1]).a};
     if (bat_yes(run, "whole"))
-        status = join_all(curves, ends, made, bat_tolerance(run), out);
+        status = bat_pair_join(curves, u, made, bat_tolerance(run), out);
     else
         *out = batten_curve_ref(made);
     batten_curve_unref(made);
@@ -93,19 +47,12 @@ static batten_status blend(bat_run *run, const batten_curve *const curves[2],
 
 static batten_status run(bat_run *run)
 {
-    bat_objects all;
-    batten_status status = bat_gather(run, "blend", BAT_CURVES, &all);
-    batten_curve *made = NULL;
-    if (status != BATTEN_OK)
-        return status;
-    if (all.count != 2) {
-        status =
-            bat_fail(BATTEN_NOT_COMPATIBLE, "two curves are needed, there are %d", all.count);
-    } else {
-        const batten_curve *const curves[2] = {all.at[0]->curve, all.at[1]->curve};
-        status = blend(run, curves, &made);
-    }
-    bat_objects_release(&all);
+    batten_curve *curves[2] = {NULL, NULL}, *made = NULL;
+    batten_status status = bat_pair_take(run, "blend", curves);
+    if (status == BATTEN_OK)
+        status = blend(run, (const batten_curve *const *)curves, &made);
+    for (int k = 0; k < 2; k++)
+        batten_curve_unref(curves[k]);
     return bat_put_curve(run, status, made);
 }
 
