@@ -12,6 +12,7 @@
 #include <batten/catmull_rom.h>
 #include <batten/blend.h>
 #include <batten/chain.h>
+#include <batten/constrained.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>
 #include <batten/cubic_spline.h>

@@ -192,6 +192,14 @@ static void prepare_inequality(program *p, int i)
     memcpy(p->row, p->of->least_rows + (size_t)i * (size_t)n, (size_t)n * sizeof *p->row);
     turn(p, p->row);
     p->f[i] = p->of->least_values[i] - bat_dot(n, p->row, p->y);
+    const double whole = bat_norm(n, p->row);
+    if (p->free > 0 && bat_norm(p->free, p->row + p->rank) <= 32 * n * DBL_EPSILON * whole) {
+        /* The equations determine it, and are seen through their rounding. */
+        memset(p->row + p->rank, 0, (size_t)p->free * sizeof *p->row);
+        if (fabs(p->f[i]) <=
+            1e-9 * (fabs(p->of->least_values[i]) + whole * bat_norm(p->rank, p->y)))
+            p->f[i] = 0;
+    }
     solve_lower(p, p->row);
     memcpy(p->e + (size_t)i * (size_t)p->free, p->row + p->rank,
            (size_t)p->free * sizeof *p->e);

@@ -146,3 +146,27 @@ TEST(as_many_conditions_as_unknowns_leave_no_choice)
     program.least_count = 1;
     CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, NULL), BATTEN_NOT_COMPATIBLE);
 }
+
+TEST(inequalities_that_the_equations_determine_are_held_or_named)
+{
+    /* x + y = 0.3 and x - y = 0.1: x is 0.2 but for rounding. */
+    const double hessian[] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, equal[] = {1, 1, 0, 1, -1, 0};
+    const double values[] = {0.1 + 0.2, 0.1}, least[] = {1, 0, 0, 3, 1, 0};
+    double bounds[] = {0.2, 0.7}, x[3];
+    bat_quadratic_program program = {.count = 3,
+                                     .hessian = hessian,
+                                     .equal_count = 2,
+                                     .equal_rows = equal,
+                                     .equal_values = values,
+                                     .least_count = 2,
+                                     .least_rows = least,
+                                     .least_values = bounds};
+    bat_quadratic_report report;
+    CHECK_OK(bat_quadratic_program_solve(&program, x, NULL, &report));
+    CHECK_NEAR(x[0], 0.2, 1e-15);
+    CHECK_INT(report.active_count, 0);
+    bounds[1] = 0.8;
+    CHECK_STATUS(bat_quadratic_program_solve(&program, x, NULL, &report),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_INT(report.refused_inequality, 1);
+}
