@@ -38,6 +38,7 @@
 #include <batten/notes.h>
 #include <batten/number.h>
 #include <batten/offsets.h>
+#include <batten/operators.h>
 #include <batten/polygon.h>
 #include <batten/primitives.h>
 #include <batten/quadratic.h>
