@@ -107,6 +107,171 @@ BATTEN_API batten_status batten_curve_census(const batten_curve *curve, double t
                                              int *count, batten_census **out);
 BATTEN_API void batten_censuses_release(int count, batten_census *censuses);
 
+/* ---- canonical form: what is left when affine maps and changes of parameter are used up ----
+ */
+
+/** In space; a plane curve has less. */
+enum { BATTEN_MAX_INVARIANTS = 3 * (BATTEN_MAX_DEGREE - 3) };
+
+/**
+ * An entry of the canonical form. When t_old = c t_new + f, value_old = c^weight value_new, and
+ * no affine map changes it.
+ */
+typedef struct batten_invariant {
+    int row;      /**< 0 .. dimension - 1 */
+    int power;    /**< j: the entry is the coefficient of t^j / j! */
+    int weight;   /**< pivot of the row - j, above 0 */
+    double value; /**< relative invariant */
+    double
+        scaled; /**< value by radius^weight, -1 .. 1: no change of parameter changes its size */
+    double absolute; /**< value^(w0 / g) / base^(weight / g) with g the common divisor of w0 and
+                          weight, where there is a base; no change of parameter changes it.
+                          Signs of even weights, the base's too, are invariant besides */
+} batten_invariant;
+
+typedef struct batten_canonical {
+    int dimension;  /**< r: of the least space that the curve lies in, 0..3 */
+    int pivots[3];  /**< [r] j_1 < ... < j_r: row k is t^j_k / j_k! and lower powers, without
+                         those of the other pivots and without a constant */
+    bool has_shift; /**< is the origin of the parameter determined? */
+    double shift;   /**< the curve has this form in t - shift */
+    double radius;  /**< largest |value|^(1 / weight); 0 when all are 0: then c is free too */
+    int base; /**< index of the invariant of the lowest weight w0 that is not 0; -1: none */
+    double margin; /**< how far the pivot nearest to dependence is from it, 1 at most */
+    double
+        neglected; /**< how large a part was taken for 0 to find the pivots, 1 would be all */
+    int count;
+    batten_invariant at[BATTEN_MAX_INVARIANTS]; /**< [count] by row, then by falling power */
+} batten_canonical;
+
+/**
+ * The canonical form of a polynomial span under affine maps and t -> c t + f.
+ *
+ * A plane curve of degree n has 2 n - 5 relative invariants, n >= 3, and 2 n - h - 5 when its
+ * pivots are n - h - 1 and n, 0 <= h <= n - 2; the absolute ones are one less. ([SL] prints
+ * 2 n - h - 4 for h > 0, which counts the entries before the shift is normalised.) In space
+ * there are 3 (n - 3) - 1.
+ *
+ * @param dimension 1 .. 3
+ * @param points    [degree + 1][dimension] Bezier points; t from 0 to 1
+ * @param tolerance relative, above 0 and below 1: what counts as 0. 1e-10 suits most
+ * @return BATTEN_OK; BAD_ARGUMENT; BAD_DEGREE; NOT_FINITE; INCOMPLETE as batten_census_take
+ * Source: [SL] VIII.3-4, [SuXin80].
+ */
+BATTEN_API batten_status batten_canonical_form(int dimension, int degree, const double *points,
+                                               double tolerance, batten_canonical *out);
+
+/**
+ * The forms of every span of a polynomial curve, each with t from 0 to 1 along it.
+ * @param[out] count how many spans
+ * @param[out] out   [count]; release with batten_release
+ * @return also UNSUPPORTED for rational curves
+ */
+BATTEN_API batten_status batten_curve_canonical_forms(const batten_curve *curve,
+                                                      double tolerance, int *count,
+                                                      batten_canonical **out);
+
+/* The cases of a quintic of the class below: name, word, text. */
+#define BATTEN_QUINTIC_TABLE(ROW)                                               \
+    ROW(NODE_AND_ISOLATED, "node and isolated", "a node and an isolated point") \
+    ROW(CUSP_AND_ISOLATED, "cusp and isolated", "a cusp and an isolated point") \
+    ROW(CUSP_AND_NODE, "cusp and node", "a cusp and a node")                    \
+    ROW(HIGHER_CUSP, "higher cusp", "a higher cusp and nothing else")           \
+    ROW(TWO_NODES, "two nodes", "two nodes")                                    \
+    ROW(TACNODE, "tacnode", "a tacnode, two nodes in one")                      \
+    ROW(NO_REAL, "no real point", "no real double point")                       \
+    ROW(TWO_ISOLATED, "two isolated", "two isolated points")                    \
+    ROW(DOUBLE_ISOLATED, "double isolated", "two isolated points in one")
+
+#define BATTEN_QUINTIC_ENUM(name, word, text) BATTEN_QUINTIC_##name,
+typedef enum batten_quintic_case {
+    BATTEN_QUINTIC_TABLE(BATTEN_QUINTIC_ENUM) BATTEN_QUINTIC_COUNT
+} batten_quintic_case;
+#undef BATTEN_QUINTIC_ENUM
+BATTEN_API const char *batten_quintic_name(batten_quintic_case which);
+BATTEN_API const char *batten_quintic_text(batten_quintic_case which);
+
+/** A quintic that some affine map and shift of t make (t^2, t^5 + a t^4 + b t^3 + g t). */
+typedef struct batten_quintic {
+    batten_quintic_case which;
+    double a, b, g;
+    double shift;
+    double margin; /**< how far the numbers that decide are from another case, 0 .. 1 */
+} batten_quintic;
+/**
+ * The class of plane quintics with pivots 2 and 5: four of the six double points are at
+ * infinity, the other two have t = -s and t^2 a root of u^2 + b u + g, so signs decide.
+ * @param canonical as found of the span
+ * @param tolerance what counts as 0 of the scaled numbers
+ * @return BATTEN_OK, or NOT_COMPATIBLE for other curves
+ * Source: [SL] VIII.2.
+ */
+BATTEN_API batten_status batten_quintic_classify(const batten_canonical *canonical,
+                                                 double tolerance, batten_quintic *out);
+
+/* ---- equivalence ---- */
+
+typedef struct batten_affine_match {
+    bool found;        /**< is error at most the tolerance? */
+    batten_affine map; /**< map(from(c v + f)) = to(v) */
+    double c, f;
+    bool is_whole; /**< the parameters of one curve do not cover those of the other: they are
+                        different parts of one curve */
+    double error;  /**< the largest distance of control points, which bounds that of the curves;
+                        the least that was found, in model units */
+} batten_affine_match;
+
+/**
+ * Is one polynomial curve the affine image of another, after t -> c t + f?
+ *
+ * Curves are compared end to end, in both directions. Curves of a single polynomial are also
+ * compared as wholes: the invariants give c and f. Then the map is the one of least squares,
+ * and the answer is its error; so "found" is proved by the map, and that there is none rests on
+ * the invariants being those of the curves that are given.
+ *
+ * @param from, to  of dimension 2 or 3, polynomial
+ * @param tolerance model units of `to`, 0 or more
+ * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED for rational curves
+ */
+BATTEN_API batten_status batten_curve_affine_match(const batten_curve *from,
+                                                   const batten_curve *to, double tolerance,
+                                                   batten_affine_match *out);
+
+/* ---- affine arc length ---- */
+
+/**
+ * Affine arc length: the integral of |x'y'' - x''y'|^(1/3) dt in the plane, of
+ * |det(C', C'', C''')|^(1/6) dt in space. Maps that keep areas, or volumes, do not change it; a
+ * map of determinant D makes it |D|^(1/3), or |D|^(1/6), times as long. A straight line has
+ * none.
+ *
+ * @param tolerance of the result, in its units (model units^(2/3), or ^(1/2) in space), above 0
+ * @param[out] error an estimate; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT (tolerance, a curve of one dimension); TOLERANCE_NOT_MET
+ * Source: [Blaschke23].
+ */
+BATTEN_API batten_status batten_curve_affine_length(const batten_curve *curve, double tolerance,
+                                                    double *length, double *error);
+/**
+ * Parameters that cut a curve into parts of equal affine length, both ends included: affine
+ * images of a curve are cut at the images of the same points.
+ * @param count parts, 1 or more
+ * @param tolerance of the lengths from the start as a part of the whole, above 0 and below 1
+ * @param[out] u [count + 1]
+ * @return also SINGULAR_HERE for a curve without affine length
+ */
+BATTEN_API batten_status batten_curve_divide_affine(const batten_curve *curve, int count,
+                                                    double tolerance, double *u);
+/**
+ * Affine curvature of a plane curve: det(C_ss, C_sss) with respect to affine arc length s. 0 of
+ * parabolas, (a b)^(-2/3) of an ellipse with half axes a and b, below 0 of hyperbolas.
+ * @return BATTEN_OK; BAD_ARGUMENT (dimension); SINGULAR_HERE where x'y'' - x''y' is 0; as
+ *         batten_curve_evaluate
+ * Source: [Blaschke23].
+ */
+BATTEN_API batten_status batten_curve_affine_curvature(const batten_curve *curve, double u,
+                                                       batten_side side, double *curvature);
+
 #ifdef __cplusplus
 }
 #endif

@@ -53,11 +53,30 @@ batten_status bat_exact_span_read(bat_wholes *pool, int dimension, int degree,
                             "coordinates %d have %d binary places, which is more than the %d "
                             "that are counted with",
                             k, high - low, BAT_SPAN_BITS);
-        span.at[k] = powers_of(pool, degree, dimension, points + k, low <= high ? -low : 0);
+        span.shift[k] = low <= high ? -low : 0;
+        span.at[k] = powers_of(pool, degree, dimension, points + k, span.shift[k]);
         span.degree = bat_max_int(span.degree, span.at[k].degree);
     }
     *out = span;
     return pool->effort->status;
+}
+
+void bat_exact_span_centred(bat_wholes *pool, const bat_exact_span *span, int stride,
+                            double *powers)
+{
+    const int n = span->degree;
+    for (int k = 0; k < span->dimension; k++) {
+        double *const row = powers + (size_t)k * (size_t)stride;
+        bat_whole_poly p = bat_poly_copy(pool, span->at[k]);
+        for (int i = 0; i <= p.degree; i++) /* 2^n x((1 + u) / 2) */
+            p.c[i] = bat_whole_shift(pool, p.c[i], n - i);
+        p = bat_poly_shift(pool, p, bat_whole_of_int(pool, 1));
+        for (int i = 0; i <= n; i++) {
+            int exponent = 0;
+            const double part = i <= p.degree ? bat_whole_frexp(p.c[i], &exponent) : 0;
+            row[i] = ldexp(part, exponent - n - span->shift[k]);
+        }
+    }
 }
 
 /* ---- exact dimension ---- */
@@ -117,15 +136,15 @@ typedef struct {
     double length, width, height;
 } extent;
 
-static extent measure_extent(int d, int degree, const double *points)
+static extent measure_extent(int d, int count, const double *points)
 {
     extent e = {{0}, {0}, 0, 0, 0};
     double scale = 0;
-    for (int i = 0; i <= degree; i++)
+    for (int i = 0; i < count; i++)
         for (int k = 0; k < d; k++)
             scale = bat_max(scale, fabs(points[i * d + k] / 2 - points[k] / 2));
     for (int pass = 0; pass < 3 && scale > 0; pass++)
-        for (int i = 1; i <= degree; i++) {
+        for (int i = 1; i < count; i++) {
             double v[3] = {0}, n[3];
             for (int k = 0; k < d; k++)
                 v[k] = (points[i * d + k] / 2 - points[k] / 2) / scale;
@@ -151,24 +170,33 @@ static int largest_axis(const double *v)
                                                                 : 2;
 }
 
-bat_flatness bat_exact_span_flatness(bat_wholes *pool, const bat_exact_span *span,
-                                     const double *points, int degree, double tolerance)
+bat_flatness bat_flatness_of_points(int d, int count, const double *points, double tolerance)
 {
-    const extent e = measure_extent(span->dimension, degree, points);
+    const extent e = measure_extent(d, count, points);
     const double wide = e.length > 0 ? e.width / (e.length * e.length) : 0;
     const double high = e.width > 0 ? e.height / (e.width * e.length) : 0;
-    bat_flatness flat = {2, 0, {0, 1}};
-    if (tolerance == 0)
-        flat.dimension = exact_dimension(pool, span, flat.axes);
-    else
-        flat.dimension = e.length == 0 ? 0 : wide <= tolerance ? 1 : high <= tolerance ? 2 : 3;
+    bat_flatness flat = {e.length == 0       ? 0
+                         : wide <= tolerance ? 1
+                         : high <= tolerance ? 2
+                                             : 3,
+                         0,
+                         {0, 1}};
     flat.flatness = flat.dimension == 3 ? high : flat.dimension == 2 ? wide : 0;
-    if (flat.dimension == 1 && tolerance > 0)
+    if (flat.dimension == 1)
         flat.axes[0] = largest_axis(e.edge);
-    if (flat.dimension == 2 && tolerance > 0 && span->dimension == 3) {
+    if (flat.dimension == 2 && d == 3) {
         const int across = largest_axis(e.normal);
         flat.axes[0] = across == 0;
         flat.axes[1] = across == 2 ? 1 : 2;
     }
+    return flat;
+}
+
+bat_flatness bat_exact_span_flatness(bat_wholes *pool, const bat_exact_span *span,
+                                     const double *points, int degree, double tolerance)
+{
+    bat_flatness flat = bat_flatness_of_points(span->dimension, degree + 1, points, tolerance);
+    if (tolerance == 0)
+        flat.dimension = exact_dimension(pool, span, flat.axes);
     return flat;
 }

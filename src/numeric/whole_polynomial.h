@@ -38,6 +38,8 @@ bat_whole_poly bat_poly_radical(bat_wholes *pool, bat_whole_poly p);
 bat_whole bat_poly_value(bat_wholes *pool, bat_whole_poly p, int degree, bat_whole u,
                          bat_whole v);
 
+/* p(t + by) */
+bat_whole_poly bat_poly_shift(bat_wholes *pool, bat_whole_poly p, bat_whole by);
 /* Bernstein coefficients on [0, 1], b [degree + 1], the largest of them 1 in size. */
 void bat_poly_bernstein(bat_wholes *pool, bat_whole_poly p, double *b);
 

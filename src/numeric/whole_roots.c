@@ -15,6 +15,13 @@ static void shift_by(bat_wholes *pool, int degree, bat_whole *c, bat_whole by)
                                  is_one ? c[j + 1] : bat_whole_multiply(pool, c[j + 1], by));
 }
 
+bat_whole_poly bat_poly_shift(bat_wholes *pool, bat_whole_poly p, bat_whole by)
+{
+    const bat_whole_poly shifted = bat_poly_copy(pool, p);
+    shift_by(pool, shifted.degree, shifted.c, by);
+    return bat_poly_trim(shifted);
+}
+
 void bat_poly_bernstein(bat_wholes *pool, bat_whole_poly p, double *b)
 {
     /* x^d p(1 / x) at x + 1 is the sum of C(d, k) b[k] x^(d - k) */

@@ -130,3 +130,58 @@ TEST(a_degree_that_elimination_cannot_reach_is_said_to_be_searched)
              "]}\n  c: {bezier: p}\noutputs:\n  a.txt: {classify: c}\n");
     CHECK_CONTAINS(output_of(design), "perhaps not all");
 }
+
+TEST(a_report_in_json_has_the_canonical_form)
+{
+    const char *text = output_of(QUINTIC "outputs:\n  a.json: {classify: c}\n");
+    CHECK_CONTAINS(text, "\"pivots\": [2, 5], \"shift\": 0.5, \"radius\": ");
+    CHECK_CONTAINS(text, "{\"row\": 2, \"power\": 4, \"weight\": 1, \"value\": ");
+    CHECK_CONTAINS(text, "\"quintic\": \"two nodes\"");
+    CHECK_CONTAINS(output_of(QUINTIC "outputs:\n  a.txt: {classify: c}\n"),
+                   "a quintic with two finite double points: two nodes");
+}
+
+TEST(a_report_says_which_map_makes_one_curve_of_another)
+{
+    const char *text = output_of(QUINTIC "  d: {scale: c, by: [2, 1, 1]}\n"
+                                         "  e: {part: d, from: 0.25, to: 0.75}\n"
+                                         "  f: {reverse: e}\n"
+                                         "outputs:\n  a.txt: {affine-match: [c, d, f, p]}\n");
+    CHECK_CONTAINS(text, "d: an affine image of c, to ");
+    CHECK_CONTAINS(text, "  x' = 2 x");
+    CHECK_CONTAINS(text, "f: an affine image of c, to ");
+    CHECK_CONTAINS(text, ", of another part of the same curve");
+}
+
+TEST(a_match_that_is_asked_for_and_not_found_is_reported)
+{
+    static const char two[] = QUINTIC "  q: {points: [[0, 0], [1, 2], [3, 1], [4, 5]]}\n"
+                                      "  d: {bezier: q}\n"
+                                      "outputs:\n  a.json: {affine-match: [c, d]}\n";
+    const char *text = output_of(two);
+    CHECK_CONTAINS(text, "\"from\": \"c\", \"to\": \"d\", \"found\": false");
+}
+
+TEST(a_match_needs_two_curves)
+{
+    static const char one[] = QUINTIC "outputs:\n  a.txt: {affine-match: c}\n";
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_design_parse(one, strlen(one), NULL, NULL, &design));
+    CHECK_STATUS(batten_design_output(design, 0, NULL, NULL, &data, &size),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("two curves or more");
+    batten_design_free(design);
+}
+
+TEST(affine_lengths_divide_a_curve)
+{
+    const char *text = output_of(QUINTIC "  d: {divide: c, count: 4, by: affine}\n"
+                                         "  e: {interpolate: d, ends: natural}\n"
+                                         "outputs:\n  a.txt: {classify: e}\n");
+    CHECK_CONTAINS(text, ": 4 spans");
+    check_said("batten: 1\nfeatures:\n  l: {line: [[0, 0], [1, 0]]}\n"
+               "  d: {divide: l, count: 4, by: affine}\n",
+               BATTEN_SINGULAR_HERE, "straight");
+}

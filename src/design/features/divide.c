@@ -1,10 +1,15 @@
 #include "design/feature.h"
 
 #include <batten/divide.h>
+#include <batten/invariants.h>
+
+typedef enum { LENGTH, AFFINE } measures;
 
 static const batten_parameter parameters[] = {
     {"divide", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves"},
     {"count", BATTEN_VALUE_COUNT, false, false, NULL, NULL, "parts of equal length"},
+    {"by", BATTEN_VALUE_WORD, false, false, "length", "length affine",
+     "which length 'count' makes equal; affine: that which affine maps do not change"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "instead: as many parts as it takes that no chord is farther from the curve"},
 };
@@ -43,9 +48,13 @@ static batten_status divide_object(bat_run *run, const batten_object *object)
         const int count = bat_count(run, "count");
         at.count = count + 1;
         at.at = bat_array((size_t)(count < 1 ? 1 : count + 1), sizeof *at.at);
-        status =
-            at.at ? batten_curve_divide(object->curve, count, bat_tolerance(run) / 1000, at.at)
-                  : BATTEN_OUT_OF_MEMORY;
+        if (!at.at)
+            status = BATTEN_OUT_OF_MEMORY;
+        else if (bat_word(run, "by") == AFFINE)
+            status = batten_curve_divide_affine(object->curve, count, 1e-9, at.at);
+        else
+            status =
+                batten_curve_divide(object->curve, count, bat_tolerance(run) / 1000, at.at);
     }
     if (status == BATTEN_OK)
         status = put_points(run, object, &at);
@@ -72,11 +81,17 @@ const bat_feature bat_feature_divide = {
         {"divide", "Points on curves at equal lengths, or as near as chords must be",
          "With 'count' the points cut each curve into parts of equal length; both ends are "
          "points.\n"
+         "'by: affine' takes affine arc length instead, so that the points of a curve and of "
+         "its image\n"
+         "under any affine map correspond; they are dense where the curve bends, and a "
+         "straight "
+         "line\n"
+         "is refused.\n"
          "With 'within' the polyline through them stays that near to the curve, by a "
          "bound; it has\n"
          "a point at each knot, and at most a few times as many as are needed.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  bolts: {divide: rim, count: 12}\n",
-         "[PT97]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
+         "[PT97] [Blaschke23]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
     .run = run};

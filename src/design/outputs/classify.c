@@ -122,14 +122,22 @@ static void text_counts(batten_text *out, const char *before, const int *counts)
     }
 }
 
-static void text_census(batten_text *out, int index, const batten_census *c)
+/* Below 1e-10 of the span an entry of the canonical form is rounding; below 1e-9 a sign. */
+static const double rounding = 1e-10, undecided = 1e-9;
+
+static void text_census(batten_text *out, int index, const batten_census *c,
+                        const batten_canonical *form)
 {
+    batten_quintic quintic;
     static const char *const dimensions[] = {"a point", "a line", "plane", "in space"};
     batten_text_add(out, "  span %d: degree %d, %s", index + 1, c->degree,
                     dimensions[c->flat_dimension]);
     text_counts(out, ", ", c->segment);
     text_number(out, ", margin ", c->margin);
     text_counts(out, "; on the whole curve ", c->whole);
+    if (form && batten_quintic_classify(form, undecided, &quintic) == BATTEN_OK)
+        batten_text_add(out, "; a quintic with two finite double points: %s",
+                        batten_quintic_text(quintic.which));
     if (c->is_repeated)
         batten_text_add(out, "; every point is passed more than once");
     else if (!c->is_complete)
@@ -139,7 +147,7 @@ static void text_census(batten_text *out, int index, const batten_census *c)
 }
 
 static void text_censuses(batten_text *out, const char *name, int count,
-                          const batten_census *spans)
+                          const batten_census *spans, const batten_canonical *forms)
 {
     int sums[BATTEN_SPECIAL_COUNT] = {0};
     batten_text_add(out, "%s: %d span%s", name, count, count == 1 ? "" : "s");
@@ -149,7 +157,7 @@ static void text_censuses(batten_text *out, const char *name, int count,
     text_counts(out, ", ", sums);
     batten_text_add(out, "\n");
     for (int i = 0; i < count; i++)
-        text_census(out, i, &spans[i]);
+        text_census(out, i, &spans[i], forms ? &forms[i] : NULL);
 }
 
 /* ---- JSON ---- */
@@ -197,7 +205,33 @@ static void json_counts(batten_text *out, const char *key, const int *counts)
     batten_text_add(out, "}");
 }
 
-static void json_census(batten_text *out, const batten_census *c)
+/* Nothing where the form could not be found. */
+static void json_canonical(batten_text *out, const batten_canonical *c)
+{
+    batten_quintic quintic;
+    if (!c)
+        return;
+    batten_text_add(out, ", \"pivots\": [");
+    for (int k = 0; k < c->dimension; k++)
+        batten_text_add(out, "%s%d", k ? ", " : "", c->pivots[k]);
+    batten_text_add(out, "]");
+    json_number(out, "shift", c->has_shift ? c->shift : (double)NAN);
+    json_number(out, "radius", c->radius);
+    batten_text_add(out, ", \"invariants\": [");
+    for (int i = 0; i < c->count; i++) {
+        const batten_invariant *e = &c->at[i];
+        batten_text_add(out, "%s{\"row\": %d, \"power\": %d, \"weight\": %d", i ? ", " : "",
+                        e->row + 1, e->power, e->weight);
+        json_number(out, "value", e->value);
+        json_number(out, "absolute", e->absolute);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+    if (batten_quintic_classify(c, undecided, &quintic) == BATTEN_OK)
+        batten_text_add(out, ", \"quintic\": \"%s\"", batten_quintic_name(quintic.which));
+}
+
+static void json_census(batten_text *out, const batten_census *c, const batten_canonical *form)
 {
     batten_text_add(out, "{\"degree\": %d, \"dimension\": %d", c->degree, c->flat_dimension);
     batten_text_add(out, ", \"complete\": %s, \"repeated\": %s",
@@ -210,10 +244,11 @@ static void json_census(batten_text *out, const batten_census *c)
         batten_text_add(out, ", \"complex\": %d, \"infinite\": %d", c->complex_count,
                         c->infinite_count);
     json_specials(out, (specials){c->count, c->specials});
+    json_canonical(out, form);
     batten_text_add(out, "}");
 }
 
-static void json_cubic(batten_text *out, const batten_cubic *c)
+static void json_cubic(batten_text *out, const batten_cubic *c, const batten_canonical *form)
 {
     batten_cubic_place place;
     const bool has_loop = isfinite(c->crossing[0]);
@@ -235,6 +270,7 @@ static void json_cubic(batten_text *out, const batten_cubic *c)
         batten_text_add(out, ", \"region\": \"%s\"", batten_cubic_region_name(place.region));
     batten_special at[3];
     json_specials(out, specials_of_cubic(c, at));
+    json_canonical(out, form);
     batten_text_add(out, "}");
 }
 
@@ -247,8 +283,8 @@ static void json_begin(batten_text *out, const char *name)
     batten_text_add(out, ", \"spans\": [");
 }
 
-static batten_status add_cubics(const batten_object *object, double within, bool json,
-                                batten_text *out)
+static batten_status add_cubics(const batten_object *object, double within,
+                                const batten_canonical *forms, bool json, batten_text *out)
 {
     batten_cubic *spans = NULL;
     int count = 0;
@@ -259,14 +295,14 @@ static batten_status add_cubics(const batten_object *object, double within, bool
         text_cubics(out, object->name, count, spans);
     for (int i = 0; i < count && json; i++) {
         batten_text_add(out, "%s\n      ", i ? "," : "");
-        json_cubic(out, &spans[i]);
+        json_cubic(out, &spans[i], forms ? &forms[i] : NULL);
     }
     batten_release(spans);
     return BATTEN_OK;
 }
 
-static batten_status add_censuses(const batten_object *object, double within, bool json,
-                                  batten_text *out)
+static batten_status add_censuses(const batten_object *object, double within,
+                                  const batten_canonical *forms, bool json, batten_text *out)
 {
     batten_census *spans = NULL;
     int count = 0;
@@ -274,10 +310,10 @@ static batten_status add_censuses(const batten_object *object, double within, bo
     if (status != BATTEN_OK)
         return status;
     if (!json)
-        text_censuses(out, object->name, count, spans);
+        text_censuses(out, object->name, count, spans, forms);
     for (int i = 0; i < count && json; i++) {
         batten_text_add(out, "%s\n      ", i ? "," : "");
-        json_census(out, &spans[i]);
+        json_census(out, &spans[i], forms ? &forms[i] : NULL);
     }
     batten_censuses_release(count, spans);
     return BATTEN_OK;
@@ -287,13 +323,23 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
                                batten_text *out)
 {
     const double within = bat_number(run, "within");
+    batten_canonical *forms = NULL;
+    int count = 0;
+    /* They are an addition: what they refuse, rational curves apart, is classified all the
+     * same.
+     */
+    batten_status status =
+        batten_curve_canonical_forms(object->curve, rounding, &count, &forms);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return status;
     if (json)
         json_begin(out, object->name);
-    const batten_status status = batten_curve_degree(object->curve) <= 3
-                                     ? add_cubics(object, within, json, out)
-                                     : add_censuses(object, within, json, out);
+    status = batten_curve_degree(object->curve) <= 3
+                 ? add_cubics(object, within, forms, json, out)
+                 : add_censuses(object, within, forms, json, out);
     if (json)
         batten_text_add(out, "]}");
+    batten_release(forms);
     if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
         return bat_fail(status, "%s: %s", object->name, batten_message());
     return status;
@@ -343,7 +389,10 @@ const bat_feature bat_feature_classify = {
               "are\n"
               "searched for and the report says so. Spans in space that lie in no plane are "
               "called\n"
-              "so. Rational curves are refused.",
+              "so. JSON has the canonical form of each span under affine maps and changes of\n"
+              "parameter, with its invariants, and of quintics with two finite double points "
+              "their\n"
+              "case. Rational curves are refused.",
               "features:\n"
               "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
               "  sheer: {interpolate: ducks}\n"
