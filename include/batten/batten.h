@@ -13,6 +13,7 @@
 #include <batten/blend.h>
 #include <batten/chain.h>
 #include <batten/constrained.h>
+#include <batten/conic.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>
 #include <batten/cubic_spline.h>
