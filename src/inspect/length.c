@@ -8,26 +8,40 @@
 
 /* ---- one interval ---- */
 
-/* A curve, and the Gauss-Legendre rule by which it is measured: exact up to degree 31. */
-enum { NODES = 16 };
+/* A curve, and the Gauss-Legendre rules by which it is measured: the long one is exact up to
+ * degree 31, and the short one, exact up to 19, tells how far off it may be. */
+enum { SHORT = 10, LONG = 16 };
+
+typedef struct {
+    double nodes[LONG], weights[LONG];
+} gauss;
 
 typedef struct {
     const batten_curve *curve;
-    double nodes[NODES], weights[NODES];
+    gauss coarse, fine;
 } ruler;
 
-/* The integral of |C'| over [a, b] by one rule; inside a span. */
-static batten_status rule(const ruler *r, double a, double b, double *sum)
+static ruler ruler_for(const batten_curve *curve)
 {
-    double u[NODES], values[NODES * 2 * 3], lengths = 0;
-    const int d = r->curve->dimension;
-    for (int i = 0; i < NODES; i++)
-        u[i] = a + (b - a) * (0.5 + 0.5 * r->nodes[i]);
-    batten_status status = batten_curve_evaluate_many(r->curve, NODES, u, 1, NULL, values);
+    ruler r = {.curve = curve};
+    bat_gauss(SHORT, r.coarse.nodes, r.coarse.weights);
+    bat_gauss(LONG, r.fine.nodes, r.fine.weights);
+    return r;
+}
+
+/* The integral of |C'| over [a, b] by a rule of n nodes; inside a span. */
+static batten_status rule(const batten_curve *curve, const gauss *g, int n, double a, double b,
+                          double *sum)
+{
+    double u[LONG], values[LONG * 2 * 3], lengths = 0;
+    const int d = curve->dimension;
+    for (int i = 0; i < n; i++)
+        u[i] = a + (b - a) * (0.5 + 0.5 * g->nodes[i]);
+    batten_status status = batten_curve_evaluate_many(curve, (size_t)n, u, 1, NULL, values);
     if (status != BATTEN_OK)
         return status;
-    for (int i = 0; i < NODES; i++)
-        lengths += r->weights[i] * bat_norm(d, values + (2 * i + 1) * d);
+    for (int i = 0; i < n; i++)
+        lengths += g->weights[i] * bat_norm(d, values + (2 * i + 1) * d);
     *sum = lengths * (b - a) / 2;
     return BATTEN_OK;
 }
@@ -37,7 +51,7 @@ static batten_status rule(const ruler *r, double a, double b, double *sum)
 enum { DEPTH = 60 };
 
 typedef struct {
-    double a, b, length;
+    double a, b;
     int depth;
 } part;
 
@@ -45,32 +59,37 @@ typedef struct {
     double length, error;
 } measure;
 
-/* Halve until both halves give what the whole gave. Halves that differ by less than their
- * rounding cannot be improved. */
+static batten_status measure_part(const ruler *r, double a, double b, measure *out)
+{
+    double coarse = 0, fine = 0;
+    batten_status status = rule(r->curve, &r->coarse, SHORT, a, b, &coarse);
+    if (status == BATTEN_OK)
+        status = rule(r->curve, &r->fine, LONG, a, b, &fine);
+    *out = (measure){fine, fabs(fine - coarse)};
+    return status;
+}
+
+/* Halve until both rules agree. What differs by less than its rounding cannot be improved. */
 static batten_status integrate(const ruler *r, double a, double b, double tolerance,
                                measure *out)
 {
-    part stack[DEPTH + 2] = {{a, b, 0, 0}};
+    part stack[DEPTH + 2] = {{a, b, 0}};
     int waiting = 1;
     measure sum = {0, 0};
-    batten_status status = rule(r, a, b, &stack[0].length);
+    batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && waiting > 0) {
         const part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
-        part low = {whole.a, middle, 0, whole.depth + 1},
-             high = {middle, whole.b, 0, whole.depth + 1};
-        status = rule(r, low.a, low.b, &low.length);
-        if (status == BATTEN_OK)
-            status = rule(r, high.a, high.b, &high.length);
-        const double both = low.length + high.length, change = fabs(both - whole.length);
+        measure m;
+        status = measure_part(r, whole.a, whole.b, &m);
         const double share = tolerance * ((whole.b - whole.a) / (b - a));
-        const double roundoff = NODES * DBL_EPSILON * both;
-        if (change <= bat_max(share, roundoff) || whole.depth == DEPTH) {
-            sum.length += both;
-            sum.error += change + DBL_EPSILON * both;
+        const double roundoff = LONG * DBL_EPSILON * m.length;
+        if (m.error <= bat_max(share, roundoff) || whole.depth == DEPTH) {
+            sum.length += m.length;
+            sum.error += m.error + DBL_EPSILON * m.length;
         } else {
-            stack[waiting++] = high;
-            stack[waiting++] = low;
+            stack[waiting++] = (part){middle, whole.b, whole.depth + 1};
+            stack[waiting++] = (part){whole.a, middle, whole.depth + 1};
         }
     }
     if (status == BATTEN_OK)
@@ -138,8 +157,7 @@ batten_status batten_curve_length_between(const batten_curve *curve, double a, d
         status = bat_knots_clip(domain.a, domain.b, &b);
     if (status == BATTEN_OK && a > b)
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the part from %g to %g runs backwards", a, b);
-    ruler r = {.curve = curve};
-    bat_gauss(NODES, r.nodes, r.weights);
+    const ruler r = ruler_for(curve);
     table t;
     if (status == BATTEN_OK)
         status = tabulate(&r, a, b, tolerance, &t);
@@ -232,8 +250,7 @@ batten_status batten_curve_at_length(const batten_curve *curve, int count, const
                                      double tolerance, double *u)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    ruler r = {.curve = curve};
-    bat_gauss(NODES, r.nodes, r.weights);
+    const ruler r = ruler_for(curve);
     table t = {0};
     double *found = NULL;
     batten_status status = check_tolerance(tolerance);
