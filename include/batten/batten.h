@@ -53,4 +53,5 @@
 #include <batten/trim.h>
 #include <batten/units.h>
 #include <batten/weighted.h>
+#include <batten/within.h>
 #endif

@@ -156,12 +156,12 @@ BATTEN_API batten_status batten_curve_remove_knot(const batten_curve *curve, dou
 /**
  * Remove knots while the whole curve moves by no more than `tolerance`, at equal parameters; a
  * periodic curve becomes clamped. One by one first, where movements are added up span by span;
- * then in groups, as many as bisection finds, the rest fitted to the given curve by least
+ * then in groups, halved where they cannot go, the rest fitted to the given curve by least
  * squares and compared with it on its own knots. Both ends stay to the bit.
  *
  * @param tolerance as for batten_curve_remove_knot; with 0 only knots go that move nothing
  * @param[out] error a bound: the largest control point of the difference; may be NULL
- * Cost: log(n)^2 banded solutions. Source: [LM87], [LM88].
+ * Cost: 128 log2(n) banded solutions at most. Source: [LM87], [LM88].
  */
 BATTEN_API batten_status batten_curve_remove_knots(const batten_curve *curve, double tolerance,
                                                    int *removed, double *error,

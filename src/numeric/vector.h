@@ -85,6 +85,22 @@ static inline double bat_distance(int d, const double *a, const double *b)
     return bat_norm(d, difference);
 }
 
+/* The distance of q from the segment from a to b, which may be a point; d <= 3. */
+static inline double bat_segment_distance(int d, const double *a, const double *b,
+                                          const double *q)
+{
+    double along[3] = {0}, off[3] = {0};
+    for (int k = 0; k < d; k++) {
+        along[k] = b[k] - a[k];
+        off[k] = q[k] - a[k];
+    }
+    const double length2 = bat_dot(d, along, along);
+    const double s = length2 > 0 ? bat_max(0, bat_min(1, bat_dot(d, along, off) / length2)) : 0;
+    for (int k = 0; k < d; k++)
+        off[k] -= s * along[k];
+    return bat_norm(d, off);
+}
+
 /* A row of 1 to 3 coordinates as a point in space; the others are 0. */
 static inline batten_vec3 bat_vec3_of(int d, const double *a)
 {

@@ -21,18 +21,8 @@ static const double *point_at(const thinning *t, int i)
 
 static double chord_distance(const thinning *t, int from, int to, int i)
 {
-    const int d = t->dimension;
-    const double *a = point_at(t, from), *b = point_at(t, to), *q = point_at(t, i);
-    double along[3], off[3];
-    for (int k = 0; k < d; k++) {
-        along[k] = b[k] - a[k];
-        off[k] = q[k] - a[k];
-    }
-    const double length2 = bat_dot(d, along, along);
-    const double s = length2 > 0 ? bat_max(0, bat_min(1, bat_dot(d, along, off) / length2)) : 0;
-    for (int k = 0; k < d; k++)
-        off[k] -= s * along[k];
-    return bat_norm(d, off);
+    return bat_segment_distance(t->dimension, point_at(t, from), point_at(t, to),
+                                point_at(t, i));
 }
 
 /* The point between two that is farthest from their chord; the first of several. */

@@ -4,7 +4,7 @@
  * the coarse spline are the nearest ones, by least squares, to the rows c of the fine one on
  * its own knots; and c - B b, with B the matrix of knot insertion, are the control rows of the
  * difference. The largest of them bounds it everywhere, so the bound is proved anew for each
- * trial and nothing adds up. How many can go is found by bisection.
+ * trial and nothing adds up. A group that cannot go is tried by halves.
  */
 #include "numeric/givens.h"
 #include "numeric/vector.h"
@@ -26,11 +26,12 @@ typedef struct {
     double tolerance;
     bat_spline best;
     double error;
-    candidate *candidates;
+    int *order; /* [count] knots of best in the order in which they shall go */
     int count;
     bool *gone;      /* [knots of best] */
     double *weights; /* [rows of fine] roots of the lengths on which they bear */
     double *row;     /* [width] */
+    int left;        /* trials */
 } reduction;
 
 /* ---- the nearest rows on given knots ---- */
@@ -167,73 +168,108 @@ static int by_rank(const void *a, const void *b)
 /* Movements far below the tolerance are alike. */
 enum { LEAST_CLASS = -8, CLASSES = 64 };
 
-static void rank_candidates(reduction *work, const double *errors)
+static int find_candidates(const bat_spline *s, const double *errors, double tolerance,
+                           candidate *candidates)
 {
-    const bat_spline *s = &work->best;
     uint32_t seen[CLASSES] = {0};
-    work->count = 0;
+    int count = 0;
     for (int r = s->degree + 1; r < s->count; r++) {
         if (!isfinite(errors[r]))
             continue;
         int class = LEAST_CLASS;
         if (errors[r] > 0)
-            frexp(errors[r] / work->tolerance, &class);
+            frexp(errors[r] / tolerance, &class);
         class = bat_max_int(LEAST_CLASS, bat_min_int(class, LEAST_CLASS + CLASSES - 1));
-        work->candidates[work->count++] =
-            (candidate){r, class, reverse_bits(seen[class - LEAST_CLASS]++)};
+        candidates[count++] = (candidate){r, class, reverse_bits(seen[class - LEAST_CLASS]++)};
     }
-    qsort(work->candidates, (size_t)work->count, sizeof *work->candidates, by_rank);
+    qsort(candidates, (size_t)count, sizeof *candidates, by_rank);
+    return count;
 }
 
-/* The best so far without the first `count` candidates. */
-static batten_status without(reduction *work, int count, bat_spline *out)
+batten_status bat_spline_rank_knots(const bat_spline *spline, size_t group, double tolerance,
+                                    int *order, int *count)
+{
+    const size_t knots = (size_t)spline->count + (size_t)spline->degree + 1;
+    double *errors = bat_array(knots, sizeof *errors);
+    candidate *candidates = bat_array(knots, sizeof *candidates);
+    batten_status status = errors && candidates ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_spline_removal_errors(spline, group, errors);
+    if (status == BATTEN_OK) {
+        *count = find_candidates(spline, errors, tolerance, candidates);
+        for (int i = 0; i < *count; i++)
+            order[i] = candidates[i].knot;
+    }
+    bat_release(errors);
+    bat_release(candidates);
+    return status;
+}
+
+/* The knots of the best so far without those that are gone. */
+static batten_status without(reduction *work, int gone_count, bat_spline *out)
 {
     const bat_spline *s = &work->best;
-    const int knot_count = s->count + s->degree + 1;
-    const batten_status status = bat_spline_make(s->degree, s->count - count, s->width, out);
-    if (status != BATTEN_OK)
-        return status;
-    memset(work->gone, 0, (size_t)knot_count * sizeof *work->gone);
-    for (int i = 0; i < count; i++)
-        work->gone[work->candidates[i].knot] = true;
-    for (int j = 0, k = 0; j < knot_count; j++)
+    const batten_status status =
+        bat_spline_make(s->degree, s->count - gone_count, s->width, out);
+    for (int j = 0, k = 0; status == BATTEN_OK && j < s->count + s->degree + 1; j++)
         if (!work->gone[j])
             out->knots[k++] = s->knots[j];
-    return BATTEN_OK;
+    return status;
 }
 
-/* The most that can go, by bisection; 0 candidates are good, one more than there are is not. */
+static void mark(reduction *work, int from, int to, bool gone)
+{
+    for (int i = from; i < to; i++)
+        work->gone[work->order[i]] = gone;
+}
+
+/* Ranked knots that wait to be tried together. */
+typedef struct {
+    int from, to;
+} block;
+
+/* All ranked knots at once; a block that cannot go is tried by halves, as long as work is left.
+ */
 static batten_status reduce_once(reduction *work, int *removed)
 {
+    block waiting[64] = {{0, work->count}};
     bat_spline kept = {0};
-    int good = 0, bad = work->count + 1;
     double kept_error = 0;
     batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && bad - good > 1) {
-        const int count = good + (bad - good) / 2;
+    *removed = 0;
+    memset(work->gone, 0,
+           (size_t)(work->best.count + work->best.degree + 1) * sizeof *work->gone);
+    for (int depth = work->count > 0; status == BATTEN_OK && depth > 0 && work->left > 0;) {
+        const block b = waiting[--depth];
         bat_spline trial = {0};
         double error = HUGE_VAL;
-        status = without(work, count, &trial);
+        work->left--;
+        mark(work, b.from, b.to, true);
+        status = without(work, *removed + b.to - b.from, &trial);
         if (status == BATTEN_OK)
             status = solve(work, &trial, &error);
         if (status == BATTEN_OK && error <= work->tolerance) {
             bat_spline_free(&kept);
             kept = trial;
             kept_error = error;
-            good = count;
-        } else {
-            bat_spline_free(&trial);
-            bad = count;
+            *removed += b.to - b.from;
+            continue;
+        }
+        bat_spline_free(&trial);
+        mark(work, b.from, b.to, false);
+        const int middle = b.from + (b.to - b.from) / 2;
+        if (middle > b.from) {
+            waiting[depth++] = (block){middle, b.to};
+            waiting[depth++] = (block){b.from, middle};
         }
     }
-    if (status == BATTEN_OK && good > 0) {
+    if (status == BATTEN_OK && *removed > 0) {
         bat_spline_free(&work->best);
         work->best = kept;
         work->error = kept_error;
     } else {
         bat_spline_free(&kept);
     }
-    *removed = good;
     return status;
 }
 
@@ -247,18 +283,14 @@ static void find_weights(reduction *work)
 
 static batten_status reduce(reduction *work)
 {
-    double *errors =
-        bat_array((size_t)(work->fine->count + work->fine->degree + 1), sizeof *errors);
-    batten_status status = errors ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
     int removed = 1;
     while (status == BATTEN_OK && removed > 0) {
-        status = bat_spline_removal_errors(&work->best, work->group, errors);
-        if (status != BATTEN_OK)
-            break;
-        rank_candidates(work, errors);
-        status = reduce_once(work, &removed);
+        status = bat_spline_rank_knots(&work->best, work->group, work->tolerance, work->order,
+                                       &work->count);
+        if (status == BATTEN_OK)
+            status = reduce_once(work, &removed);
     }
-    bat_release(errors);
     return status;
 }
 
@@ -274,14 +306,19 @@ batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, doub
     if (!(tolerance > 0) || !is_clamped(fine))
         return BATTEN_OK;
     const size_t knots = (size_t)fine->count + (size_t)fine->degree + 1;
-    reduction work = {fine, group, tolerance, *coarse, *error, NULL, 0, NULL, NULL, NULL};
-    work.candidates = bat_array(knots, sizeof *work.candidates);
+    reduction work = {.fine = fine,
+                      .group = group,
+                      .tolerance = tolerance,
+                      .best = *coarse,
+                      .error = *error,
+                      /* Some dozens of knots one by one, however many there are. */
+                      .left = (int)(64 * log2(2.0 + fine->count))};
+    work.order = bat_array(knots, sizeof *work.order);
     work.gone = bat_array(knots, sizeof *work.gone);
     work.weights = bat_array((size_t)fine->count, sizeof *work.weights);
     work.row = bat_array(fine->width, sizeof *work.row);
-    batten_status status = work.candidates && work.gone && work.weights && work.row
-                               ? BATTEN_OK
-                               : BATTEN_OUT_OF_MEMORY;
+    batten_status status =
+        work.order && work.gone && work.weights && work.row ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         find_weights(&work);
         work.error = bat_min(*error, difference(&work, coarse));
@@ -289,7 +326,7 @@ batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, doub
     }
     *coarse = work.best;
     *error = work.error;
-    bat_release(work.candidates);
+    bat_release(work.order);
     bat_release(work.gone);
     bat_release(work.weights);
     bat_release(work.row);

@@ -109,10 +109,15 @@ batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, doub
 /* What one removal of each distinct inner knot alone would move, at its last index; infinity
  * elsewhere. errors [count + degree + 1]. */
 batten_status bat_spline_removal_errors(const bat_spline *spline, size_t group, double *errors);
+/* Those knots in the order in which they can best be spared, judged against `tolerance`, such
+ * that the first few of equal rank are spread evenly. order [count + degree + 1]
+ * (reduce_knots.c). */
+batten_status bat_spline_rank_knots(const bat_spline *spline, size_t group, double tolerance,
+                                    int *order, int *count);
 /* Fewer knots still for a spline that is within `tolerance` of `fine` and has a part of its
  * knots: groups of them go, and the rest is fitted to `fine` by least squares. The ends stay to
  * the bit. *error: a bound, changed when the spline is; a spline with unclamped ends is left as
- * it is (reduce_knots.c). Cost log(count)^2 fits of cost count degree^2 width. */
+ * it is (reduce_knots.c). Cost 64 log2(count) fits at most, each of count degree^2 width. */
 batten_status bat_spline_reduce_knots(const bat_spline *fine, size_t group, double tolerance,
                                       bat_spline *coarse, double *error);
 /* Every distinct knot `by` times more; of unclamped ends as many knots are kept as are needed.
