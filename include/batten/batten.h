@@ -21,6 +21,7 @@
 #include <batten/curve_offset.h>
 #include <batten/divide.h>
 #include <batten/energy.h>
+#include <batten/even_speed.h>
 #include <batten/exchange.h>
 #include <batten/extend.h>
 #include <batten/fair.h>

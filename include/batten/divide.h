@@ -2,7 +2,7 @@
 #define BATTEN_DIVIDE_H
 /**
  * @file
- * Where to cut a curve: equal lengths, chords that stay near.
+ * Where to cut a curve: equal lengths, equal chords, chords that stay near.
  */
 #include <batten/inspect.h>
 
@@ -19,6 +19,21 @@ extern "C" {
  */
 BATTEN_API batten_status batten_curve_divide(const batten_curve *curve, int count,
                                              double tolerance, double *u);
+/**
+ * Parameters that cut a curve such that all chords are equally long, both ends included: what a
+ * pair of compasses finds that walks along the curve, each time to the first place that is as
+ * far away as it is open.
+ * @param count parts, 1 or more; of a closed curve 3 or more
+ * @param tolerance of the last chord, which the others leave; model units, > 0
+ * @param[out] u [count + 1]
+ * @param[out] chord how long they are; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT; COINCIDENT for a curve that is a point; TOLERANCE_NOT_MET
+ * when no opening ends at the end, as may be where the curve turns back beside itself
+ * Cost: a few times `count` searches of a span.
+ */
+BATTEN_API batten_status batten_curve_divide_equal_chords(const batten_curve *curve, int count,
+                                                          double tolerance, double *u,
+                                                          double *chord);
 /**
  * Parameters of a polyline on a curve no farther from it than `height`, both ends and all
  * distinct knots included. Pieces are halved until their control polygons, which enclose them,

@@ -172,23 +172,6 @@ static batten_status find_breaks(bat_offset *o, int *count, double **out)
 
 /* ---- lines and arcs ---- */
 
-/* The part of a curve in Bezier form, between two places of one of its pieces. */
-static batten_status part_of(const batten_curve *curve, double a, double b, batten_curve **out)
-{
-    const int p = curve->degree, d = curve->dimension;
-    const int k = bat_knots_span(p, curve->count, curve->knots, a, BATTEN_FROM_RIGHT);
-    const size_t first = (size_t)(k - p);
-    const double ends[2] = {curve->knots[k], curve->knots[k + 1]};
-    batten_curve *piece = NULL;
-    batten_status status =
-        batten_curve_from_bezier(d, p, 1, curve->points + first * (size_t)d,
-                                 curve->weights ? curve->weights + first : NULL, ends, &piece);
-    if (status == BATTEN_OK)
-        status = batten_curve_subrange(piece, a, b, out);
-    batten_curve_unref(piece);
-    return status;
-}
-
 bool bat_plan_is_line(const batten_curve *part)
 {
     const int n = part->count;
@@ -239,7 +222,7 @@ static batten_status exact_map(const bat_offset *o, double a, double b, const pl
 {
     batten_curve *part = NULL;
     double centre[2] = {0, 0};
-    batten_status status = part_of(o->plan, a, b, &part);
+    batten_status status = bat_bezier_part(o->plan, a, b, &part);
     if (status != BATTEN_OK)
         return status;
     *exact = bat_plan_is_line(part);
@@ -266,7 +249,7 @@ static bool collapses(const bat_offset *o, const place *start)
 static batten_status add_exact(bat_offset *o, double a, double b, const batten_affine *map)
 {
     batten_curve *part = NULL, *moved = NULL;
-    batten_status status = part_of(o->full, a, b, &part);
+    batten_status status = bat_bezier_part(o->full, a, b, &part);
     if (status == BATTEN_OK)
         status = batten_curve_transform(part, map, &moved);
     batten_curve_unref(part);

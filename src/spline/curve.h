@@ -82,6 +82,11 @@ batten_status bat_curve_unwrap(const batten_curve *curve, int more, bat_spline *
 batten_status bat_curve_wrap(const batten_curve *like, const bat_spline *spline, double a,
                              int m, batten_curve **out);
 
+/* The part of a curve in Bezier form between two places of one of its pieces: cost that of the
+ * piece, not of the curve. */
+batten_status bat_bezier_part(const batten_curve *curve, double a, double b,
+                              batten_curve **out);
+
 /* A new curve with room for `count` points and the dimension, rationality and so on of `like`.
  */
 batten_status bat_curve_make_like(const batten_curve *like, int degree, int count,

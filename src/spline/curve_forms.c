@@ -248,3 +248,19 @@ batten_status batten_curve_graph(const batten_curve *function, batten_curve **ou
     batten_curve_unref(clamped);
     return status;
 }
+
+batten_status bat_bezier_part(const batten_curve *curve, double a, double b, batten_curve **out)
+{
+    const int p = curve->degree, d = curve->dimension;
+    const int k = bat_knots_span(p, curve->count, curve->knots, a, BATTEN_FROM_RIGHT);
+    const size_t first = (size_t)(k - p);
+    const double ends[2] = {curve->knots[k], curve->knots[k + 1]};
+    batten_curve *piece = NULL;
+    batten_status status =
+        batten_curve_from_bezier(d, p, 1, curve->points + first * (size_t)d,
+                                 curve->weights ? curve->weights + first : NULL, ends, &piece);
+    if (status == BATTEN_OK)
+        status = batten_curve_subrange(piece, a, b, out);
+    batten_curve_unref(piece);
+    return status;
+}

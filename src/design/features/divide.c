@@ -10,6 +10,8 @@ static const batten_parameter parameters[] = {
     {"count", BATTEN_VALUE_COUNT, false, false, NULL, NULL, "parts of equal length"},
     {"by", BATTEN_VALUE_WORD, false, false, "length", "length affine",
      "which length 'count' makes equal; affine: that which affine maps do not change"},
+    {"chords", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
+     "instead: parts with chords of equal length"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "instead: as many parts as it takes that no chord is farther from the curve"},
 };
@@ -38,24 +40,34 @@ static batten_status put_points(bat_run *run, const batten_object *object,
     return status;
 }
 
+/* Into parts of equal length, or with equal chords. */
+static batten_status divide_evenly(const bat_run *run, const batten_curve *curve,
+                                   batten_parameters *at)
+{
+    enum { MOST = 1000000 };
+    const double within = bat_tolerance(run) / 1000;
+    const bool chords = bat_has(run, "chords");
+    const int count = bat_count(run, chords ? "chords" : "count");
+    if (count < 1 || count > MOST)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve is not cut into %d parts", count);
+    at->count = count + 1;
+    at->at = bat_array((size_t)count + 1, sizeof *at->at);
+    if (!at->at)
+        return BATTEN_OUT_OF_MEMORY;
+    if (chords)
+        return batten_curve_divide_equal_chords(curve, count, within, at->at, NULL);
+    return bat_word(run, "by") == AFFINE
+               ? batten_curve_divide_affine(curve, count, 1e-9, at->at)
+               : batten_curve_divide(curve, count, within, at->at);
+}
+
 static batten_status divide_object(bat_run *run, const batten_object *object)
 {
     batten_parameters at = {0, NULL};
-    batten_status status = BATTEN_OK;
-    if (bat_has(run, "within")) {
-        status = batten_curve_divide_chord(object->curve, bat_number(run, "within"), &at);
-    } else {
-        const int count = bat_count(run, "count");
-        at.count = count + 1;
-        at.at = bat_array((size_t)(count < 1 ? 1 : count + 1), sizeof *at.at);
-        if (!at.at)
-            status = BATTEN_OUT_OF_MEMORY;
-        else if (bat_word(run, "by") == AFFINE)
-            status = batten_curve_divide_affine(object->curve, count, 1e-9, at.at);
-        else
-            status =
-                batten_curve_divide(object->curve, count, bat_tolerance(run) / 1000, at.at);
-    }
+    batten_status status =
+        bat_has(run, "within")
+            ? batten_curve_divide_chord(object->curve, bat_number(run, "within"), &at)
+            : divide_evenly(run, object->curve, &at);
     if (status == BATTEN_OK)
         status = put_points(run, object, &at);
     bat_release(at.at);
@@ -65,8 +77,9 @@ static batten_status divide_object(bat_run *run, const batten_object *object)
 static batten_status run(bat_run *run)
 {
     bat_objects objects;
-    if (bat_has(run, "count") == bat_has(run, "within"))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "either 'count' or 'within' must be given");
+    if (bat_has(run, "count") + bat_has(run, "chords") + bat_has(run, "within") != 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "one of 'count', 'chords' and 'within' must be given");
     batten_status status = bat_gather(run, "divide", BAT_CURVES, &objects);
     if (status != BATTEN_OK)
         return status;
@@ -78,20 +91,24 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_divide = {
     .shown =
-        {"divide", "Points on curves at equal lengths, or as near as chords must be",
-         "With 'count' the points cut each curve into parts of equal length; both ends are "
-         "points.\n"
-         "'by: affine' takes affine arc length instead, so that the points of a curve and of "
-         "its image\n"
-         "under any affine map correspond; they are dense where the curve bends, and a "
-         "straight "
-         "line\n"
-         "is refused.\n"
-         "With 'within' the polyline through them stays that near to the curve, by a "
-         "bound; it has\n"
-         "a point at each knot, and at most a few times as many as are needed.",
+        {"divide",
+         "Points on curves at equal lengths, equal chords, or as near as chords must be",
+         "With 'count' the points cut each curve into parts of equal length; with 'chords' "
+         "the\n"
+         "straight lines between them are equally long, as compasses step them off. Both ends\n"
+         "are points. 'by: affine' takes affine arc length for 'count', so that the points of "
+         "a\n"
+         "curve and of its image under any affine map correspond; they are dense where the\n"
+         "curve bends, and a straight line is refused. With 'within' the polyline through "
+         "them\n"
+         "stays that near to the curve, by a bound; it has a point at each knot, and at most "
+         "a\n"
+         "few times as many as are needed. A curve that turns back close beside itself may "
+         "have\n"
+         "no equal chords, and says so.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
-         "  bolts: {divide: rim, count: 12}\n",
+         "  bolts: {divide: rim, count: 12}\n"
+         "  sides: {divide: rim, chords: 7}\n",
          "[PT97] [Blaschke23]", "batten_curve_divide", BAT_PARAMETERS(parameters), false},
     .run = run};
