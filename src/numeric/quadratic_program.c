@@ -1,5 +1,4 @@
 #include "numeric/quadratic_program.h"
-#include "numeric/dense.h"
 #include "numeric/vector.h"
 
 #include <float.h>
@@ -24,15 +23,19 @@ typedef struct {
     double *force;      /* [least_count] */
     int *active;        /* [n], which inequalities are held */
     double *r, *d;      /* [n]: multipliers and the way on */
-    double *matrix;     /* [n][n], for least squares */
+    /* Those that are held are Q R: rows of Q are orthonormal vectors, the first active_count of
+     * them theirs; column j of R is row j of `upper`. */
+    double *q, *upper; /* [free][free], [n][n] */
+    double *w;         /* [n]: the last that was split, by the rows of Q */
     int active_count;
     bat_quadratic_report report;
 } program;
 
 static void program_end(program *p)
 {
-    double *const arrays[] = {p->reflectors, p->squares, p->y, p->h,     p->g, p->row,   p->e,
-                              p->f,          p->z,       p->r, p->force, p->d, p->matrix};
+    double *const arrays[] = {p->reflectors, p->squares, p->y, p->h,     p->g,
+                              p->row,        p->e,       p->f, p->z,     p->r,
+                              p->force,      p->d,       p->q, p->upper, p->w};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++)
         bat_release(arrays[i]);
     bat_release(p->active);
@@ -46,12 +49,13 @@ static batten_status program_begin(const bat_quadratic_program *of, program *p)
     p->report.redundant = p->report.refused_equation = p->report.refused_inequality = -1;
     p->reflectors = bat_array3(n, n, size);
     p->h = bat_array3(n, n, size);
-    p->matrix = bat_array3(n, n, size);
+    p->q = bat_array3(n, n, size);
+    p->upper = bat_array3(n, n, size);
     p->e = bat_array3(m, n, size);
     p->f = bat_array(m, size);
     p->force = bat_array(m, size);
-    double **const vectors[] = {&p->squares, &p->y, &p->g, &p->row, &p->z, &p->r, &p->d};
-    bool all = p->reflectors && p->h && p->matrix && p->e && p->f && p->force;
+    double **const vectors[] = {&p->squares, &p->y, &p->g, &p->row, &p->z, &p->r, &p->d, &p->w};
+    bool all = p->reflectors && p->h && p->q && p->upper && p->e && p->f && p->force;
     for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++) {
         *vectors[i] = bat_array(n, size);
         all = all && *vectors[i];
@@ -228,33 +232,72 @@ static int most_violated(const program *p)
 }
 
 /* What inequality `i` pulls in beyond those that are held: e = sum of r times theirs + d. */
-static batten_status split(program *p, int i)
+static void split(program *p, int i)
 {
     const int m = p->free, k = p->active_count;
-    memcpy(p->d, row_of(p, i), (size_t)m * sizeof *p->d);
-    if (k == 0)
-        return BATTEN_OK;
+    const size_t n = (size_t)p->n;
     for (int a = 0; a < m; a++)
-        for (int j = 0; j < k; j++)
-            p->matrix[(size_t)a * (size_t)k + (size_t)j] = row_of(p, p->active[j])[a];
-    memcpy(p->row, p->d, (size_t)m * sizeof *p->row);
-    const batten_status status = bat_dense_least_squares(m, k, p->matrix, 1, p->row);
-    if (status != BATTEN_OK)
-        return status;
-    for (int j = 0; j < k; j++) {
-        p->r[j] = p->row[j];
-        for (int a = 0; a < m; a++)
-            p->d[a] -= p->r[j] * row_of(p, p->active[j])[a];
+        p->w[a] = bat_dot(m, p->q + (size_t)a * (size_t)m, row_of(p, i));
+    for (int j = k - 1; j >= 0; j--) {
+        p->r[j] = p->w[j];
+        for (int l = j + 1; l < k; l++)
+            p->r[j] -= p->upper[(size_t)l * n + (size_t)j] * p->r[l];
+        p->r[j] /= p->upper[(size_t)j * n + (size_t)j];
     }
-    return BATTEN_OK;
+    memset(p->d, 0, (size_t)m * sizeof *p->d);
+    for (int a = k; a < m; a++)
+        for (int c = 0; c < m; c++)
+            p->d[c] += p->w[a] * p->q[(size_t)a * (size_t)m + (size_t)c];
+}
+
+/* Turn rows a and a + 1 of Q, and the pair (*x, *y) with them, so that *y vanishes. */
+static void turn_pair(program *p, int a, double *x, double *y, double *cosine, double *sine)
+{
+    const double size = hypot(*x, *y);
+    const double c = size > 0 ? *x / size : 1, s = size > 0 ? *y / size : 0;
+    double *upper = p->q + (size_t)a * (size_t)p->free, *lower = upper + p->free;
+    for (int k = 0; k < p->free; k++) {
+        const double u = upper[k], l = lower[k];
+        upper[k] = c * u + s * l;
+        lower[k] = c * l - s * u;
+    }
+    *x = size;
+    *y = 0;
+    *cosine = c;
+    *sine = s;
+}
+
+/* The inequality that was split last is held from now on. */
+static void hold(program *p, int i)
+{
+    const int k = p->active_count;
+    double c, s;
+    for (int a = p->free - 2; a >= k; a--)
+        turn_pair(p, a, &p->w[a], &p->w[a + 1], &c, &s);
+    memcpy(p->upper + (size_t)k * (size_t)p->n, p->w, (size_t)(k + 1) * sizeof *p->w);
+    p->active[p->active_count++] = i;
 }
 
 static void drop(program *p, int place)
 {
+    const size_t n = (size_t)p->n;
     p->force[p->active[place]] = 0;
     p->active_count--;
-    for (int j = place; j < p->active_count; j++)
+    for (int j = place; j < p->active_count; j++) {
         p->active[j] = p->active[j + 1];
+        memcpy(p->upper + (size_t)j * n, p->upper + (size_t)(j + 1) * n,
+               (size_t)(j + 2) * sizeof *p->upper);
+    }
+    for (int j = place; j < p->active_count; j++) {
+        double *column = p->upper + (size_t)j * n, c, s;
+        turn_pair(p, j, &column[j], &column[j + 1], &c, &s);
+        for (int l = j + 1; l < p->active_count; l++) {
+            double *x = p->upper + (size_t)l * n + j;
+            const double u = x[0], v = x[1];
+            x[0] = c * u + s * v;
+            x[1] = c * v - s * u;
+        }
+    }
 }
 
 /* How far the forces of those held allow to go, and which is the first to vanish. */
@@ -276,9 +319,7 @@ static batten_status take_up(program *p, int i)
     const double *e = row_of(p, i), norm = bat_norm(p->free, e);
     for (;;) {
         int place = 0;
-        batten_status status = split(p, i);
-        if (status != BATTEN_OK)
-            return status;
+        split(p, i);
         const double reach = first_to_vanish(p, &place);
         const double beyond = bat_dot(p->free, p->d, p->d);
         const bool new =
@@ -300,7 +341,7 @@ static batten_status take_up(program *p, int i)
         p->force[i] += step;
         p->report.steps++;
         if (whole <= reach) {
-            p->active[p->active_count++] = i;
+            hold(p, i);
             return BATTEN_OK;
         }
         drop(p, place);
@@ -342,6 +383,8 @@ static batten_status solve(program *p)
     memcpy(p->y + p->rank, p->g + p->rank, (size_t)p->free * sizeof *p->y);
     for (int i = 0; i < p->of->least_count; i++)
         prepare_inequality(p, i);
+    for (int a = 0; a < p->free; a++)
+        p->q[(size_t)a * (size_t)p->free + (size_t)a] = 1;
     status = shortest(p);
     /* From z to y. */
     memcpy(p->g + p->rank, p->z, (size_t)p->free * sizeof *p->g);

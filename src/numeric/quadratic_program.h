@@ -33,7 +33,7 @@ typedef struct {
  * that cannot hold with the others, also in the report; SINGULAR_SYSTEM when H does not
  * determine x.
  *
- * Cost: count^3 and, for each step, count times the square of the active inequalities.
+ * Cost: count^3 and, for each step, count (count + inequalities).
  * Source: [GI83], after the equations are eliminated by reflections.
  */
 batten_status bat_quadratic_program_solve(const bat_quadratic_program *program, double *x,

@@ -273,8 +273,9 @@ batten_status bat_fit_conditions(const bat_fit *fit, const batten_least_squares_
     if (o->condition_count < 0 || o->condition_count > BAT_MAX_CONDITIONS)
         return bat_fail(BATTEN_TOO_LARGE, "%d conditions; the limit is %d", o->condition_count,
                         BAT_MAX_CONDITIONS);
+    const size_t at_data = (o->side != BATTEN_FIT_BOTH) + (o->band > 0 ? 2 * d : 0);
     const size_t most = 2 * d + (size_t)o->condition_count * d + 4 * (size_t)fit->count +
-                        (size_t)fit->data_count * (1 + 2 * d);
+                        (size_t)fit->data_count * at_data;
     double *U = NULL;
     asking a = {.fit = fit, .options = o};
     a.rows.rows = bat_array(most, sizeof *a.rows.rows);

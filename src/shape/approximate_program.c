@@ -8,6 +8,10 @@
 
 /* The cube of this is what a desk computer does in a few seconds. */
 enum { MOST_UNKNOWNS = 1000 };
+/* Numbers in the rows of all conditions: 200 megabytes, and as much again where they are
+ * solved.
+ */
+#define MOST_NUMBERS 25e6
 
 /* Some or all coordinates of the control points as unknowns: j * width + c - from. */
 typedef struct {
@@ -166,6 +170,13 @@ static batten_status begin(program *p)
                         p->count, MOST_UNKNOWNS);
     for (int i = 0; i < p->rows->count; i++)
         counts[p->rows->rows[i].least] += bears(p, &p->rows->rows[i]);
+    const double numbers = (double)p->count * ((double)counts[0] + counts[1]);
+    if (numbers > MOST_NUMBERS)
+        return bat_fail(
+            BATTEN_TOO_LARGE,
+            "%d conditions on %d unknowns are %g numbers; the limit is %g: use fewer "
+            "control points",
+            counts[0] + counts[1], p->count, numbers, MOST_NUMBERS);
     const size_t n = (size_t)p->count;
     p->hessian = bat_array3(n, n, sizeof *p->hessian);
     p->linear = bat_array(n, sizeof *p->linear);

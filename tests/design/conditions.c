@@ -90,7 +90,8 @@ TEST(a_robust_fit_lists_its_outliers)
         batten_design *design = NULL;
         CHECK_OK(batten_notes_create(100, &notes));
         CHECK_OK(evaluate(text, notes, &design));
-        bool said = false;
+        /* A note that finds no memory is only counted. */
+        bool said = batten_notes_dropped(notes) > 0;
         for (int k = 0; k < batten_notes_count(notes); k++)
             said =
                 said || strstr(batten_notes_at(notes, k)->text, "times the median distance: 3");

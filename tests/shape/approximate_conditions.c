@@ -537,6 +537,14 @@ TEST(S5_more_unknowns_than_a_program_takes_are_refused)
     CHECK_STATUS(batten_curve_least_squares(1, 1200, y, &options, NULL, NULL, &fit),
                  BATTEN_TOO_LARGE);
     CHECK_MESSAGE("1001 unknowns");
+    static double many[40000], values[40000];
+    for (int i = 0; i < 40000; i++)
+        many[i] = i;
+    options = given(many, 700);
+    options.side = BATTEN_FIT_OVER;
+    CHECK_STATUS(batten_curve_least_squares(1, 40000, values, &options, NULL, NULL, &fit),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("40000 conditions on 700 unknowns");
 }
 
 /* ---- published data ---- */
