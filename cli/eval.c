@@ -8,6 +8,8 @@ enum { HIGHEST_ORDER = 10 };
 static const option options[] = {
     {"at", 0, OPTION_MANY, "U[,V]", "a parameter of a curve, or two of a surface"},
     {"order", 0, OPTION_VALUE, "K", "derivatives up to this order (0)"},
+    {"beyond", 0, OPTION_VALUE, "RULE",
+     "of a curve beyond its domain: refuse, continue its last span, or linear (refuse)"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
 };
 
@@ -60,16 +62,25 @@ static void add_result(batten_text *text, const result *r, bool first, bool json
     batten_text_add(text, "]}");
 }
 
+/* What is asked of every place. */
+typedef struct {
+    int order;
+    batten_beyond beyond;
+    bool json;
+} request;
+
 static batten_status evaluate(const batten_object *object, const double at[2], int at_count,
-                              int order, bool first, bool json, batten_text *text)
+                              const request *asked, bool first, batten_text *text)
 {
+    const int order = asked->order;
     double values[3 * BATTEN_SURFACE_DERIVATIVES(HIGHEST_ORDER)];
     result r = {.name = object->name, .at_count = at_count, .at = at, .values = values};
     batten_status status;
     if (object->kind == BATTEN_OBJECT_CURVE && at_count == 1) {
         r.dimension = batten_curve_dimension(object->curve);
         r.value_count = order + 1;
-        status = batten_curve_evaluate(object->curve, at[0], order, values);
+        status =
+            batten_curve_evaluate_beyond(object->curve, at[0], asked->beyond, order, values);
     } else if (object->kind == BATTEN_OBJECT_SURFACE && at_count == 2) {
         r.dimension = batten_surface_dimension(object->surface);
         r.value_count = BATTEN_SURFACE_DERIVATIVES(order);
@@ -79,13 +90,13 @@ static batten_status evaluate(const batten_object *object, const double at[2], i
                            object->name, at_count == 1 ? "curve" : "surface", at_count);
     }
     if (status == BATTEN_OK)
-        add_result(text, &r, first, json);
+        add_result(text, &r, first, asked->json);
     return status;
 }
 
 /* All places on all objects that have as many parameters. */
-static batten_status evaluate_all(const batten_model *model, const arguments *given, int order,
-                                  bool json, batten_text *text)
+static batten_status evaluate_all(const batten_model *model, const arguments *given,
+                                  const request *asked, batten_text *text)
 {
     bool first = true;
     const bool lone = batten_model_count(model) == 1;
@@ -100,8 +111,7 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
                 at_count == 1 ? BATTEN_OBJECT_CURVE : BATTEN_OBJECT_SURFACE;
             if (!lone && object->kind != kind)
                 continue;
-            const batten_status status =
-                evaluate(object, at, at_count, order, first, json, text);
+            const batten_status status = evaluate(object, at, at_count, asked, first, text);
             if (status != BATTEN_OK)
                 return status;
             first = false;
@@ -111,10 +121,26 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
                  : BATTEN_OK;
 }
 
+/* Words in the order of batten_beyond. False for a usage error. */
+static bool read_beyond(const arguments *given, batten_beyond *beyond)
+{
+    static const char *const words[] = {"refuse", "continue", "linear"};
+    const char *word = arguments_get(given, "beyond");
+    for (int i = 0; word && i < 3; i++)
+        if (strcmp(word, words[i]) == 0) {
+            *beyond = (batten_beyond)i;
+            return true;
+        }
+    if (word)
+        complain("batten eval: --beyond wants refuse, continue or linear, not '%s'", word);
+    return !word;
+}
+
 static int run(const arguments *given)
 {
-    int order = 0;
-    if (!arguments_count("eval", given, "order", 0, HIGHEST_ORDER, &order))
+    request asked = {.json = arguments_has(given, "json")};
+    if (!arguments_count("eval", given, "order", 0, HIGHEST_ORDER, &asked.order) ||
+        !read_beyond(given, &asked.beyond))
         return EXIT_USAGE;
     if (!arguments_has(given, "at")) {
         complain("batten eval: --at U or --at U,V is missing; see 'batten help eval'");
@@ -135,10 +161,10 @@ static int run(const arguments *given)
         return output_failed("eval", BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], notes, &model);
     if (exit != EXIT_FAILED) {
-        const bool json = arguments_has(given, "json");
+        const bool json = asked.json;
         batten_text text = BATTEN_TEXT;
         batten_text_add(&text, json ? "{\"results\": [" : "");
-        const batten_status status = evaluate_all(model, given, order, json, &text);
+        const batten_status status = evaluate_all(model, given, &asked, &text);
         batten_text_add(&text, json ? "\n]}\n" : "");
         if (status == BATTEN_OK) {
             const int printed = output_print(&text);

@@ -112,6 +112,17 @@ BATTEN_API batten_status batten_curve_evaluate(const batten_curve *curve, double
 /** The same, with the derivatives taken from the named side at a knot. */
 BATTEN_API batten_status batten_curve_evaluate_side(const batten_curve *curve, double u,
                                                     batten_side side, int order, double *out);
+/** What a curve is beyond its domain. */
+typedef enum batten_beyond {
+    BATTEN_BEYOND_REFUSE,   /**< nothing: OUT_OF_DOMAIN */
+    BATTEN_BEYOND_CONTINUE, /**< its last span goes on, a polynomial: grows fast */
+    BATTEN_BEYOND_LINEAR    /**< its tangent at the end, with its speed */
+} batten_beyond;
+/** The same as batten_curve_evaluate inside the domain; beyond it as asked for. Periodic curves
+ * take any u anyway. @return also UNSUPPORTED for a rational curve that shall CONTINUE */
+BATTEN_API batten_status batten_curve_evaluate_beyond(const batten_curve *curve, double u,
+                                                      batten_beyond beyond, int order,
+                                                      double *out);
 /**
  * Many parameters at once, in any order: the same bits as one by one, much faster.
  * @param[out] out [count][order + 1][d]; of no use after a failure, whose message names the

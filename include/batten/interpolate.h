@@ -104,6 +104,29 @@ BATTEN_API batten_status batten_curve_interpolate(int dimension, int count,
                                                   const batten_interpolate_options *options,
                                                   double *parameters, batten_curve **out);
 
+/** What the points of a function say about its cubic spline. */
+typedef struct batten_convexity {
+    int points;    /**< 1: the slopes of the chords never fall, -1: never rise, 0: they do both;
+                        1 of points in line */
+    bool promised; /**< the spline is convex (points 1) or concave (-1) everywhere */
+    int at;        /**< the first point that stands out, where the promise fails; or -1 */
+} batten_convexity;
+
+/**
+ * Will the cubic spline through points of a function be convex, or concave? Convex points are
+ * not enough: it can still swing beside a sudden turn. A promise is kept; without one the
+ * spline may be convex all the same.
+ *
+ * @param x, y  [count], x increasing, 2 or more
+ * @param start, end  as for batten_curve_interpolate, but not NOT_A_KNOT, FAIR or CURVATURE;
+ * NULL: natural
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING, OVERFLOW, BAD_ARGUMENT
+ * Cost: linear; nothing is solved. Source: [SL] II.3, after Wang Rishuang.
+ */
+BATTEN_API batten_status batten_spline_convexity(int count, const double *x, const double *y,
+                                                 const batten_end *start, const batten_end *end,
+                                                 batten_convexity *out);
+
 /** What is known along the rim of a grid, for surfaces with knots at the data. */
 typedef struct batten_grid_options {
     size_t size;

@@ -109,6 +109,14 @@ TEST(what_was_fitted_can_be_evaluated)
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.out, "\"point\": [0, 0, 0]");
     CHECK_CONTAINS(run.out, "\"derivatives\": [[");
+    run = RUN("batten", "eval", curve, "--at", "-1");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "the parameter -1 is outside the domain");
+    run = RUN("batten", "eval", curve, "--at", "-1", "--order", "2", "--beyond", "linear",
+              "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, ", [0, 0, 0]]}");
+    CHECK_INT(RUN("batten", "eval", curve, "--at", "-1", "--beyond", "continue").exit, 0);
     run = RUN("batten", "info", curve);
     CHECK_CONTAINS(run.out, "curve, degree 3");
 }

@@ -53,6 +53,7 @@ TEST(U1_a_word_where_a_number_stands_is_refused)
     check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "many"),
                 "wants a number");
     check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--order", "-1"), "whole number");
+    check_usage(RUN("batten", "eval", "x.igs", "--at", "0", "--beyond", "far"), "not 'far'");
 }
 
 TEST(U1_too_many_files_are_refused)

@@ -15,6 +15,7 @@ static batten_status evaluate(const char *feature, batten_design **out, batten_n
         "  ring: {points: [[2, 2, 0], [2, 1.4, 1.5], [2, 0, 2.1], [2, -1.4, 1.4], [2, -1, "
         "-1]]}\n"
         "  q: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2], [4, 0, 0]]}\n"
+        "  rise: {points: [[0, 0], [1, 0], [2, 0], [3, 0.2], [4, 3], [5, 10], [6, 30]]}\n"
         "  back: {points: [[0, 0], [2, 0], [1, 0], [1, 1], [2, 2]]}\n";
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows, feature);
@@ -34,6 +35,9 @@ TEST(features_of_local_methods_leave_curves_through_their_points)
     static const char *const features[] = {
         "{circle-tangents: q, lengths: middle}",
         "{circle-tangents: ring, closed: yes}",
+        "{interpolate: step, as: function}",
+        "{interpolate: step, as: function, ends: clamped, degree: 3}",
+        "{interpolate: p, as: function, periodic: yes}",
         "{catmull-rom: q}",
         "{catmull-rom: ring, closed: yes, alpha: 0.3, blend: 3, local: 3}",
         "{catmull-rom: step, as: function, beyond: reflect}",
@@ -82,6 +86,9 @@ TEST(local_methods_say_what_they_cannot_do)
     } rows[] = {
         {"{bessel: step, as: function, closed: yes}", "a function cannot be closed"},
         {"{akima: step, as: function, closed: yes}", "a function cannot be closed"},
+        {"{interpolate: step, as: function, periodic: yes}",
+         "a periodic function ends with the value it begins with; these are 2 and 0"},
+        {"{interpolate: ring, as: function}", "rising abscissae"},
         {"{catmull-rom: step, as: function, closed: yes}", "a function cannot be closed"},
         {"{catmull-rom: q, blend: 0}", "the blending degree is 0"},
         {"{catmull-rom: q, alpha: 2}", "alpha is 2"},
@@ -110,12 +117,14 @@ TEST(local_methods_say_what_they_cannot_do)
 
 TEST(g3_what_local_methods_cannot_keep_is_noted)
 {
-    static const char *const features[] = {"{circle-tangents: back}",
-                                           "{tangents-and-curvatures: p, tangents: " ALONG
-                                           ", curvatures: [9, -9, 9, -9, 9]}",
-                                           "{catmull-rom: q, blend: 3, local: 0}"};
-    static const char *const says[] = {"the first is point 1", "keep the tangents alone",
-                                       "passes near the points"};
+    static const char *const features[] = {
+        "{circle-tangents: back}",
+        "{tangents-and-curvatures: p, tangents: " ALONG ", curvatures: [9, -9, 9, -9, 9]}",
+        "{catmull-rom: q, blend: 3, local: 0}", "{interpolate: rise, as: function}",
+        "{interpolate: rise, as: function, ends: natural}"};
+    static const char *const says[] = {
+        "the first is point 1", "keep the tangents alone", "passes near the points",
+        "points are convex, but the curve bends back at point", "because point 1 stands out"};
     for (int i = 0; i < COUNT(says); i++) {
         batten_notes *notes = NULL;
         CHECK_OK(batten_notes_create(4, &notes));

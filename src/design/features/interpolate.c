@@ -1,5 +1,9 @@
 #include "design/place.h"
-#include "design/rows.h"
+#include "design/through.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
 
 typedef enum { EACH_STATION, EACH_LINE, EACH_ROW } each;
 typedef enum { KNOTS_AUTO, KNOTS_AT_DATA, KNOTS_AVERAGED } knots;
@@ -23,7 +27,8 @@ static const batten_parameter parameters[] = {
     {"end-vector", BATTEN_VALUE_POINT, false, false, "origin", NULL,
      "the derivative, direction or curvature at the end"},
     {"periodic", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "the curve closes smoothly; the first point is not repeated"},
+     "the curve closes smoothly; the first point is not repeated, but that of a function is"},
+    BAT_AS,
 };
 
 static batten_interpolate_options options_of(const bat_run *run)
@@ -91,8 +96,93 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
     return status;
 }
 
+/* ---- functions ---- */
+
+/* The first point at which the curve bends to the other side than its points, or -1. */
+static batten_status find_bend(const bat_data *data, int sign, const batten_curve *curve,
+                               int *at)
+{
+    double *second = bat_array((size_t)data->count, sizeof *second), scale = 0;
+    batten_status status = second ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < data->count && status == BATTEN_OK; i++) {
+        double out[3];
+        status = batten_curve_evaluate(curve, data->abscissae[i], 2, out);
+        if (status == BATTEN_OK) {
+            second[i] = sign * out[2];
+            scale = fmax(scale, fabs(out[2]));
+        }
+    }
+    *at = -1;
+    /* Second derivatives are differences of differences. */
+    for (int i = 0; i < data->count && status == BATTEN_OK && *at < 0; i++)
+        if (second[i] < -64 * DBL_EPSILON * scale)
+            *at = i;
+    bat_release(second);
+    return status;
+}
+
+static batten_status note_convexity(bat_run *run, const bat_data *data,
+                                    const batten_interpolate_options *options,
+                                    const batten_curve *curve)
+{
+    const double *x = data->abscissae, *y = data->points;
+    batten_convexity found;
+    batten_status status =
+        batten_spline_convexity(data->count, x, y, &options->start, &options->end, &found);
+    const bool known = status != BATTEN_BAD_ARGUMENT; /* of these ends */
+    if (!known)
+        status = batten_spline_convexity(data->count, x, y, NULL, NULL, &found);
+    int at = -1;
+    if (status == BATTEN_OK && found.points != 0)
+        status = find_bend(data, found.points, curve, &at);
+    if (status != BATTEN_OK || at < 0)
+        return status;
+    char because[64] = "";
+    if (known && found.at >= 0)
+        snprintf(because, sizeof because, " because point %d stands out", found.at);
+    bat_note(run,
+             "'%s': its points are %s, but the curve bends back at point %d%s; 'tension' with "
+             "'rule: convex' does not",
+             data->name, found.points > 0 ? "convex" : "concave", at, because);
+    return BATTEN_OK;
+}
+
+/* A periodic function ends as high as it begins. */
+static batten_status check_period(const bat_data *data)
+{
+    const double first = data->points[0], last = data->points[data->count - 1];
+    if (fabs(last - first) <= 8 * DBL_EPSILON * fmax(fabs(first), fabs(last)))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "a periodic function ends with the value it begins with; these are %g and "
+                    "%g",
+                    last, first);
+}
+
+static batten_status make_function(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_interpolate_options options = options_of(run);
+    options.parameters = BATTEN_GIVEN;
+    options.given = data->abscissae;
+    memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
+    batten_status status = options.periodic ? check_period(data) : BATTEN_OK;
+    if (status == BATTEN_OK)
+        status = batten_curve_interpolate(1, data->count - options.periodic, data->points,
+                                          &options, NULL, &made->curve);
+    if (status == BATTEN_OK && options.knots_at_data && options.degree == 3 &&
+        !options.periodic)
+        status = note_convexity(run, data, &options, made->curve);
+    return status;
+}
+
+/* ---- the whole ---- */
+
 static batten_status run(bat_run *run)
 {
+    enum { FUNCTION = 1 };
+    static const bat_method function = {2, BAT_AS_FUNCTION, make_function};
+    if (bat_word(run, "as") == FUNCTION)
+        return bat_through(run, &function);
     bat_objects objects;
     batten_status status = bat_gather(run, "interpolate", BAT_POINTS | BAT_OFFSETS, &objects);
     if (status != BATTEN_OK)
@@ -118,7 +208,11 @@ const bat_feature bat_feature_interpolate = {
          "become\n"
          "curves that stay there, in which a skin can end. The curves keep their points for "
          "'fair'\n"
-         "and 'check'.",
+         "and 'check'. 'as: function' gives a spline function of the first coordinate, whose "
+         "vectors\n"
+         "are slopes or second derivatives (the first number counts); a note says where it "
+         "bends back\n"
+         "though its points do not.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",
