@@ -148,6 +148,43 @@ BATTEN_API batten_status batten_curve_biarcs(int dimension, int count, const dou
 BATTEN_API batten_status batten_chain_merge_arcs(const batten_chain *chain, double tolerance,
                                                  batten_chain **out);
 
+/* ---- arcs one after another ---- */
+
+typedef struct batten_sequential_report {
+    double start_angle; /**< direction at the start, radians */
+    double jump;        /**< the largest jump of curvature at a point */
+    double sensitivity; /**< by how much some curvature changes for each radian by which the
+                           start turns, 1 / length. Directions change by as much at every point,
+                           by turns to the left and to the right: nothing is ever damped */
+    int sensitive_at;   /**< the arc, counted from 0, whose curvature changes so much */
+    int long_arcs;      /**< those that turn by more than pi */
+} batten_sequential_report;
+
+/**
+ * Arcs through points of the plane, one between two, each beginning in the direction in which
+ * the one before it ends: the direction at the start determines them all.
+ *
+ * With the directions theta_i and those of the chords phi_i, theta_{i+1} = 2 phi_i - theta_i.
+ * So an error at the start, or of any point, goes on undamped with changing sign to the end:
+ * read `sensitivity`, and use an arc spline (BATTEN_FAMILY_ARCS) or biarcs where it is large.
+ *
+ * @param points      [count][2], 2 or more, neighbours apart
+ * @param start_angle radians; NAN: the one that makes the sum of the squared jumps of curvature
+ *                    least. Two points have the chord then
+ * @param[out] angles     [count] directions at the points, radians; may be NULL
+ * @param[out] parameters [count], arc lengths from the start; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE (points; a start angle that is infinite);
+ * COINCIDENT, OVERFLOW naming the points; SINGULAR_HERE naming the arc that would be a full
+ * circle, as its direction points back along the chord
+ * Cost: 64 sums over the points without a start angle, then one. Source: [SL] VI.6.
+ */
+BATTEN_API batten_status batten_chain_sequential_arcs(int count, const double *points,
+                                                      double start_angle, double *angles,
+                                                      double *parameters,
+                                                      batten_sequential_report *report,
+                                                      batten_chain **out);
+
 #ifdef __cplusplus
 }
 #endif

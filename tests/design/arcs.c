@@ -26,8 +26,13 @@ static const char ducks[] =
 TEST(features_of_arcs_leave_chains_of_arcs_through_their_points)
 {
     static const char *const features[] = {
-        "{arcs: p, within: 0.1}", "{arcs: p, within: 0.1, joined: plain, one-sided: left}",
-        "{biarcs: p}", "{biarcs: p, joint: given, place: 0.3}", "{biarcs: p, closed: yes}"};
+        "{arcs: p, within: 0.1}",
+        "{arcs: p, within: 0.1, joined: plain, one-sided: left}",
+        "{sequential-arcs: p}",
+        "{sequential-arcs: p, start-angle: 30 deg}",
+        "{biarcs: p}",
+        "{biarcs: p, joint: given, place: 0.3}",
+        "{biarcs: p, closed: yes}"};
     for (int i = 0; i < COUNT(features); i++) {
         batten_design *design = NULL;
         CHECK_OK(evaluate(ducks, features[i], &design));
