@@ -74,6 +74,47 @@ BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
                                                 batten_nonlinear_report *report,
                                                 batten_chain **out);
 
+typedef struct batten_mehlum_options {
+    size_t size;
+    batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
+    double start_value, end_value;   /**< of TANGENT and CURVATURE */
+    bool closed;      /**< the curve closes smoothly; the first point is not repeated */
+    int arcs;         /**< in each span, 2 or more; 4 */
+    double tolerance; /**< model units: more arcs, span by span, until none is farther from the
+                           elastica; 0: `arcs` everywhere */
+} batten_mehlum_options;
+BATTEN_API batten_mehlum_options batten_mehlum_defaults(void);
+
+typedef struct batten_mehlum_report {
+    int arcs;         /**< in all */
+    double deviation; /**< the largest distance from the elastica, of 8 places on each arc */
+    double at;        /**< there: span, counted from 0, and the share of it gone */
+    double jump;      /**< the largest of curvature from arc to arc */
+} batten_mehlum_report;
+
+/**
+ * Mehlum's curve: the mechanical spline through points (BATTEN_FAMILY_ELASTICA) as a chain of
+ * arcs, tangent to each other, with the directions of the elastica at the points.
+ *
+ * The arcs of a span are of equal length h; curvature goes in steps as that of the elastica.
+ * The deviation falls with the third power of h, the bending energy misses that of the elastica
+ * by the second.
+ *
+ * @param points  [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options NULL for the defaults
+ * @param[out] angles [count] directions at the points, radians; may be NULL
+ * @param[out] parameters [count], arc lengths from the start; may be NULL
+ * @param[out] report may be NULL
+ * @return as batten_chain_nonlinear; also BAD_ARGUMENT (arcs, tolerance), TOLERANCE_NOT_MET
+ * naming the span that so few arcs cannot follow, or that needs more than 10000
+ * Cost: that of the elastica, and some ten evaluations of it for each arc. Source: [Mehlum64],
+ * [Mehlum74]; the directions between the points, which make the order three, are our own.
+ */
+BATTEN_API batten_status batten_chain_mehlum(int count, const double *points,
+                                             const batten_mehlum_options *options,
+                                             double *angles, double *parameters,
+                                             batten_mehlum_report *report, batten_chain **out);
+
 /**
  * The Euler spiral (clothoid, curvature linear in arc length) between two points with given
  * directions, radians: the one that turns least.

@@ -1,11 +1,14 @@
 #include "design/nonlinear.h"
 
-static batten_nonlinear_end end_of(const bat_run *run, const char *end, const char *angle,
-                                   const char *curvature, double *value)
+batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double *value)
 {
-    const char *from = bat_has(run, end) ? end : "ends";
-    const batten_nonlinear_end kind = (batten_nonlinear_end)bat_word(run, from);
-    *value = bat_number(run, kind == BATTEN_NONLINEAR_TANGENT ? angle : curvature);
+    const char *end = start ? "start" : "end";
+    const batten_nonlinear_end kind =
+        (batten_nonlinear_end)bat_word(run, bat_has(run, end) ? end : "ends");
+    if (kind == BATTEN_NONLINEAR_TANGENT)
+        *value = bat_number(run, start ? "start-angle" : "end-angle");
+    else
+        *value = bat_number(run, start ? "start-curvature" : "end-curvature");
     return kind;
 }
 
@@ -16,7 +19,8 @@ static void note(bat_run *run, const bat_data *data, const batten_nonlinear_repo
         bat_note(run, "'%s' turns by %.0f degrees at point %d: look at the curve there",
                  data->name, report->turn / degree, report->turn_at);
     if (report->inflections_added > 0)
-        bat_note(run, "'%s' bends to both sides in %d of its spans where its points bend to one",
+        bat_note(run,
+                 "'%s' bends to both sides in %d of its spans where its points bend to one",
                  data->name, report->inflections_added);
 }
 
@@ -27,9 +31,8 @@ batten_status bat_nonlinear_make(bat_run *run, const bat_data *data, batten_span
     batten_nonlinear_report report;
     options.family = family;
     options.closed = bat_yes(run, "closed");
-    options.start =
-        end_of(run, "start", "start-angle", "start-curvature", &options.start_value);
-    options.end = end_of(run, "end", "end-angle", "end-curvature", &options.end_value);
+    options.start = bat_nonlinear_end_of(run, true, &options.start_value);
+    options.end = bat_nonlinear_end_of(run, false, &options.end_value);
     options.tensions = tensions;
     const batten_status status = batten_chain_nonlinear(
         data->count, data->points, &options, NULL, made->parameters, &report, &made->chain);

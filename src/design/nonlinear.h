@@ -56,6 +56,9 @@
             "given curvature at the end"                                                     \
     }
 
+/* What holds at the start, or at the end, and its value. */
+batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double *value);
+
 /* A row of points through one family; `tensions`: one for each span of a local spline in
  * tension, or NULL. */
 batten_status bat_nonlinear_make(bat_run *run, const bat_data *data, batten_span_family family,

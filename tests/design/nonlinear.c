@@ -30,7 +30,7 @@ TEST(features_of_nonlinear_splines_leave_chains_through_their_points)
 {
     static const char *const operations[] = {
         "euler-spiral",  "elastica", "geometric-spline", "local-cubic",
-        "local-tension", "hobby",    "arc-spline",
+        "local-tension", "hobby",    "arc-spline",       "mehlum",
     };
     static const char *const rest[] = {
         "p", "ring, closed: yes",

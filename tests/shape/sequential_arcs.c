@@ -16,12 +16,12 @@ static void check_arcs(const batten_chain *chain, int count, const double *point
         CHECK_OK(batten_chain_evaluate_side(chain, parameters[i], BATTEN_FROM_LEFT, 1, before));
         CHECK_OK(batten_chain_evaluate_side(chain, parameters[i], BATTEN_FROM_RIGHT, 1, after));
         for (int k = 0; k < 2; k++) {
-            CHECK_NEAR(before[k], points[2 * i + k], 1e-14);
-            CHECK_NEAR(after[k], points[2 * i + k], 1e-14);
-            CHECK_NEAR(before[2 + k], after[2 + k], 1e-14);
+            CHECK_NEAR(before[k], points[2 * i + k], 1e-13);
+            CHECK_NEAR(after[k], points[2 * i + k], 1e-13);
+            CHECK_NEAR(before[2 + k], after[2 + k], 1e-13);
         }
-        CHECK_NEAR(after[2], cos(angles[i]), 1e-14);
-        CHECK_NEAR(after[3], sin(angles[i]), 1e-14);
+        CHECK_NEAR(after[2], cos(angles[i]), 1e-13);
+        CHECK_NEAR(after[3], sin(angles[i]), 1e-13);
     }
 }
 

@@ -5,8 +5,8 @@ static const batten_parameter parameters[] = {
     {"sequential-arcs", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "a table of offsets, rows of points, or curves that have points"},
     {"start-angle", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
-     "direction at the start, from the first axis of the plane; else that with which curvature "
-     "jumps least"},
+     "direction at the start, from the first axis; else that with the least jumps of "
+     "curvature"},
     BAT_EACH,
 };
 
