@@ -18,7 +18,7 @@ typedef enum batten_within_method {
     BATTEN_WITHIN_INSERT, /**< none at first, then one where a span is too far off */
     BATTEN_WITHIN_REMOVE, /**< one for each datum at first */
     BATTEN_WITHIN_BEZIER  /**< cubics with common tangents, divided where they are too far off:
-                               fast and local, about twice the control points, curvature jumps */
+                               fast, local, about twice the control points; curvature jumps */
 } batten_within_method;
 
 typedef struct batten_within_options {
@@ -73,6 +73,35 @@ BATTEN_API batten_status batten_curve_within(int dimension, int count, const dou
                                              const batten_within_options *options,
                                              double *parameters, batten_within_report *report,
                                              batten_curve **out);
+
+/**
+ * A polynomial B-spline of a wanted degree, with few control points, near another curve: of a
+ * rational one, one of a high degree, one with many knots.
+ *
+ * The distance is that at equal parameters, and proved: it is a bound on the control points of
+ * the difference, halved until it is close to a value that is taken. A polynomial curve of this
+ * degree or a lower one loses knots (batten_curve_remove_knots); others are fitted to samples,
+ * with knots that come and go as for points. Both ends, and places where the first derivative
+ * jumps, are met to rounding; there knots stand `degree` times.
+ *
+ * @param curve     any; one that closes smoothly gives a periodic one when it has to be fitted
+ * @param degree    of the result, 1..25
+ * @param tolerance model units, > 0
+ * @param[out] error the bound; may be NULL
+ * @param[out] out  with the domain of the curve
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, BAD_DEGREE; TOLERANCE_NOT_MET with what was
+ * reached, or when the tolerance is below the rounding of the points
+ * Source: [LM88] for the strategy.
+ */
+BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int degree,
+                                                  double tolerance, double *error,
+                                                  batten_curve **out);
+/** The same for a chain, which is made a curve within a sixteenth of the tolerance first:
+ * exactly when it is of arcs, whose joints then stay where their parameters run unlike; else
+ * the bound of batten_chain_to_curve, which is sampled, is in the error. */
+BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
+                                                  double tolerance, double *error,
+                                                  batten_curve **out);
 
 #ifdef __cplusplus
 }

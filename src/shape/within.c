@@ -263,6 +263,33 @@ static bool middle_of(const trial *t, int from, int to, double *knot)
     return isfinite(nearest);
 }
 
+/* The break nearest to a new knot between two others, when it does not lie too near to these.
+ */
+static double snap(const bat_within *w, double from, double to, double knot)
+{
+    int low = 0, high = w->break_count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (w->breaks[middle] < knot)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    double nearest = knot, distance = HUGE_VAL;
+    for (int i = bat_max_int(0, low - 1); i < w->break_count && i <= low; i++) {
+        const double u = w->breaks[i];
+        const bool inside = u - from > (to - from) / 8 && to - u > (to - from) / 8;
+        if (inside && fabs(u - knot) < distance) {
+            distance = fabs(u - knot);
+            nearest = u;
+        }
+    }
+    return nearest;
+}
+
+/* Far more than any tolerance above rounding takes. */
+enum { MOST_KNOTS = 100000 };
+
 /* The knots of `t`, and one in each span that is too far off. */
 static batten_status refine(const bat_within *w, const trial *t, trial *out)
 {
@@ -275,8 +302,9 @@ static batten_status refine(const bat_within *w, const trial *t, trial *out)
         int to = from;
         while (to < t->data_count && (k == t->count || t->parameters[to] < t->inner[k]))
             worst = bat_max(worst, t->distances[to++]);
-        if (worst > w->tolerance && middle_of(t, from, to, &knot))
-            out->inner[out->count++] = knot;
+        if (worst > w->tolerance && t->count < MOST_KNOTS && middle_of(t, from, to, &knot))
+            out->inner[out->count++] = snap(w, k > 0 ? t->inner[k - 1] : w->domain.a,
+                                            k < t->count ? t->inner[k] : w->domain.b, knot);
         if (k < t->count)
             out->inner[out->count++] = t->inner[k];
         from = to;

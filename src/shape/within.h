@@ -25,6 +25,8 @@ typedef struct bat_within {
     batten_status (*measure)(struct bat_within *work, const batten_curve *curve,
                              const double *parameters, double *distances, double *max);
     void *context;
+    int break_count; /* places where a new knot rather stands than beside them */
+    const double *breaks;
     double
         swing; /* by how much more than it should the curve may leave the polygon of the data:
                   0, until only a curve through all of them is near enough and does so */

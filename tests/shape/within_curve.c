@@ -1,0 +1,178 @@
+#include <batten/standard.h>
+#include <batten/within.h>
+
+#include "support/generate.h"
+
+/* The largest distance at equal parameters among many. */
+static double sampled(const batten_curve *a, const batten_curve *b, int count)
+{
+    const int d = batten_curve_dimension(a);
+    const batten_interval domain = batten_curve_domain(a);
+    double largest = 0;
+    for (int i = 0; i <= count; i++) {
+        const double u = domain.a + (double)i / count * (domain.b - domain.a);
+        double p[3], q[3], sum = 0;
+        CHECK_OK(batten_curve_evaluate(a, u, 0, p));
+        CHECK_OK(batten_curve_evaluate(b, u, 0, q));
+        for (int k = 0; k < d; k++)
+            sum += (p[k] - q[k]) * (p[k] - q[k]);
+        largest = fmax(largest, sqrt(sum));
+    }
+    return largest;
+}
+
+TEST(the_bound_holds_at_ten_thousand_places_and_says_hardly_more)
+{
+    batten_curve *circle = NULL;
+    CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
+    for (int p = 1; p <= 6; p++) {
+        batten_curve *made = NULL;
+        double error = -1;
+        CHECK_OK(batten_curve_approximate(circle, p, 1e-3, &error, &made));
+        CHECK_INT(batten_curve_degree(made), p);
+        CHECK(!batten_curve_is_rational(made));
+        CHECK(batten_curve_is_periodic(made));
+        const double largest = sampled(circle, made, 10000);
+        CHECK(error <= 1e-3 && largest <= error);
+        CHECK(error <= 1.2 * largest);
+        batten_curve_unref(made);
+    }
+    batten_curve_unref(circle);
+}
+
+TEST(random_curves_come_within_the_tolerance_whatever_their_form)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {.tame = true, .most_points = 14};
+    for (int i = 0; i < test_cases(30); i++) {
+        batten_curve *curve = i % 5 ? test_curve(&random, &wish)
+                                    : test_periodic_curve(&random, &wish),
+                     *made = NULL;
+        const double tolerance = 0.02 * test_curve_size(curve);
+        const batten_interval domain = batten_curve_domain(curve);
+        double error = -1;
+        CHECK_OK(batten_curve_approximate(curve, 1 + i % 6, tolerance, &error, &made));
+        CHECK(error <= tolerance);
+        CHECK(sampled(curve, made, 500) <= error);
+        CHECK(batten_curve_domain(made).a == domain.a &&
+              batten_curve_domain(made).b == domain.b);
+        batten_curve_unref(made);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(a_cubic_that_was_elevated_and_refined_comes_back)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish cubic = {.tame = true,
+                             .degree = 3,
+                             .dimension = 2,
+                             .most_points = 8,
+                             .rational = TEST_NEVER,
+                             .clamped = TEST_ALWAYS};
+    for (int i = 0; i < test_cases(10); i++) {
+        batten_curve *curve = test_curve(&random, &cubic), *raised = NULL, *made = NULL;
+        double error = -1;
+        CHECK_OK(batten_curve_elevate(curve, 3, &raised));
+        CHECK_OK(batten_curve_approximate(raised, 3, 1e-3, &error, &made));
+        CHECK(sampled(curve, made, 300) <= error);
+        CHECK(batten_curve_point_count(made) <= 40);
+        batten_curve_unref(made);
+        CHECK_OK(batten_curve_approximate(raised, 6, 1e-9, &error, &made));
+        CHECK(batten_curve_point_count(made) <= batten_curve_point_count(raised));
+        batten_curve_unref(made);
+        batten_curve_unref(raised);
+        batten_curve_unref(curve);
+    }
+}
+
+/* A polynomial of degree 7 over one span by cubics: the fourth power of the spans. */
+TEST(a_sixteenth_of_the_tolerance_takes_twice_the_spans_of_cubics)
+{
+    const double points[] = {0, 0, 1, 3, 2, -2, 3, 4, 4, -3, 5, 2, 6, -1, 7, 1},
+                 breaks[] = {0, 1};
+    batten_curve *curve = NULL;
+    double spans[4];
+    CHECK_OK(batten_curve_from_bezier(2, 7, 1, points, NULL, breaks, &curve));
+    for (int i = 0; i < 4; i++) {
+        batten_curve *made = NULL;
+        CHECK_OK(batten_curve_approximate(curve, 3, 1e-4 / pow(16, i), NULL, &made));
+        spans[i] = batten_curve_point_count(made) - 3;
+        batten_curve_unref(made);
+    }
+    for (int i = 1; i < 4; i++)
+        CHECK_NEAR(spans[i] / spans[i - 1], 2, 0.5);
+    batten_curve_unref(curve);
+}
+
+TEST(corners_and_ends_stay)
+{
+    const double points[] = {0, 0, 1, 2, 2, 2, 3, 0, 4, 1, 5, 1, 6, 0}, breaks[] = {0, 1, 3},
+                 weights[] = {1, 2, 1, 1, 1, 3, 1};
+    batten_curve *curve = NULL, *made = NULL;
+    CHECK_OK(batten_curve_from_bezier(2, 3, 2, points, weights, breaks, &curve));
+    CHECK_OK(batten_curve_approximate(curve, 3, 1e-2, NULL, &made));
+    for (int i = 0; i < 3; i++) {
+        double at[2];
+        CHECK_OK(batten_curve_evaluate(made, breaks[i], 0, at));
+        CHECK_NEAR(at[0], points[6 * i], 1e-14);
+        CHECK_NEAR(at[1], points[6 * i + 1], 1e-14);
+    }
+    double left[4], right[4];
+    CHECK_OK(batten_curve_evaluate_side(made, 1, BATTEN_FROM_LEFT, 1, left));
+    CHECK_OK(batten_curve_evaluate_side(made, 1, BATTEN_FROM_RIGHT, 1, right));
+    CHECK(left[3] < 0 && right[3] > 0);
+    batten_curve_unref(made);
+    batten_curve_unref(curve);
+}
+
+TEST(chains_become_plain_splines)
+{
+    const batten_span clothoid = {.kind = BATTEN_SPAN_SPIRAL,
+                                  .length = 5,
+                                  .start = {1, 1},
+                                  .angle = 0.3,
+                                  .curvature = {0.2, 0.25}},
+                      arc = {.kind = BATTEN_SPAN_ARC, .length = 4, .curvature = {0.5}};
+    for (int c = 0; c < 2; c++) {
+        batten_chain *chain = NULL;
+        batten_curve *made = NULL;
+        double error = -1, largest = 0;
+        CHECK_OK(batten_chain_create(2, 1, c ? &arc : &clothoid, NULL, false, 0, &chain));
+        CHECK_OK(batten_chain_approximate(chain, 3, 1e-4, &error, &made));
+        CHECK(error <= 1e-4);
+        CHECK(!batten_curve_is_rational(made));
+        const double end = batten_chain_domain(chain).b;
+        for (int i = 0; i <= 1000; i++) {
+            double p[2], foot[2];
+            CHECK_OK(batten_curve_evaluate(made, end * i / 1000, 0, p));
+            CHECK_OK(batten_chain_evaluate(chain, end * i / 1000, 0, foot));
+            /* An arc as a curve runs at another pace: its circle is what counts. */
+            largest = fmax(largest, c ? fabs(hypot(p[0], p[1] - 2) - 2)
+                                      : hypot(p[0] - foot[0], p[1] - foot[1]));
+        }
+        CHECK(largest <= error);
+        batten_curve_unref(made);
+        batten_chain_unref(chain);
+    }
+}
+
+TEST(N1_N6_K9_what_cannot_be_approximated_is_refused)
+{
+    batten_curve *circle = NULL, *none = NULL;
+    batten_chain *chain = NULL;
+    const batten_span arc = {.kind = BATTEN_SPAN_ARC, .length = 1, .curvature = {1}};
+    CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
+    CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+    CHECK_STATUS(batten_curve_approximate(circle, 3, 0, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_approximate(circle, 3, NAN, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_curve_approximate(circle, 0, 1, NULL, &none), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_approximate(circle, 26, 1, NULL, &none), BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_curve_approximate(circle, 3, 1e-16, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("below the rounding");
+    CHECK_STATUS(batten_chain_approximate(chain, 3, -1, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK(none == NULL);
+    batten_chain_unref(chain);
+    batten_curve_unref(circle);
+}
