@@ -6,7 +6,7 @@ static const batten_parameter parameters[] = {
      "points, or a table of offsets"},
     {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "the distance from the curve that no point exceeds"},
-    {"method", BATTEN_VALUE_WORD, false, false, "fewest", "fewest insert remove bezier",
+    {"by", BATTEN_VALUE_WORD, false, false, "fewest", "fewest insert remove bezier",
      "how knots are found; 'bezier' divides cubics instead"},
     {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "1 to 25"},
     {"corner", BATTEN_VALUE_ANGLE, false, false, "0", NULL,
@@ -35,7 +35,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_within_report report = {0};
     int *corners = NULL;
     options.tolerance = bat_number(run, "within");
-    options.method = (batten_within_method)bat_word(run, "method");
+    options.method = (batten_within_method)bat_word(run, "by");
     options.degree = bat_count(run, "degree");
     options.corner = bat_number(run, "corner");
     options.closed = bat_yes(run, "closed");
