@@ -80,9 +80,9 @@ BATTEN_API batten_status batten_curve_within(int dimension, int count, const dou
  *
  * The distance is that at equal parameters, and proved: it is a bound on the control points of
  * the difference, halved until it is close to a value that is taken. A polynomial curve of this
- * degree or a lower one loses knots (batten_curve_remove_knots); others are fitted to samples,
- * with knots that come and go as for points. Both ends, and places where the first derivative
- * jumps, are met to rounding; there knots stand `degree` times.
+ * degree or a lower one loses knots (batten_curve_remove_knots); others, and periodic ones, are
+ * fitted to samples, with knots that come and go as for points. Both ends, and places where the
+ * first derivative jumps, are met to rounding; there knots stand `degree` times.
  *
  * @param curve     any; one that closes smoothly gives a periodic one when it has to be fitted
  * @param degree    of the result, 1..25

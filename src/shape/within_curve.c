@@ -352,7 +352,7 @@ static batten_status approximate_parts(const batten_curve *curve, int degree, do
 
 /* ---- the whole ---- */
 
-/* Curves of this degree and lower ones need no samples. */
+/* Polynomial curves of this degree and lower ones need no samples. */
 static batten_status reduce(const batten_curve *curve, int degree, double tolerance,
                             double *error, batten_curve **out)
 {
@@ -407,7 +407,9 @@ batten_status batten_curve_approximate(const batten_curve *curve, int degree, do
                         "the tolerance is %g, below the rounding of the points, %g", tolerance,
                         2 * rounding);
     double found = 0;
-    const bool plain = !batten_curve_is_rational(curve) && batten_curve_degree(curve) <= degree;
+    /* Removal would open a ring. */
+    const bool plain = !batten_curve_is_rational(curve) && !batten_curve_is_periodic(curve) &&
+                       batten_curve_degree(curve) <= degree;
     const batten_status status =
         (plain ? reduce : fit)(curve, degree, tolerance - rounding, &found, out);
     if (status == BATTEN_OK && error)

@@ -29,13 +29,16 @@ typedef struct {
 
 /* ---- corners ---- */
 
+/* Corners are looked for no farther than so many points to either side. */
+enum { REACH = 1000 };
+
 /* The nearest point of the row on one side that is `far` away, or the end. */
 static int far_point(const task *t, int from, int step, double far)
 {
     const double *points = t->points;
     const int d = t->dimension, n = t->count;
     int i = from;
-    for (int k = 0; k < n - 1; k++) {
+    for (int k = 0; k < bat_min_int(n - 1, REACH); k++) {
         const int next = i + step;
         if (!t->options->closed && (next < 0 || next >= n))
             break;

@@ -86,6 +86,26 @@ TEST(a_cubic_that_was_elevated_and_refined_comes_back)
     }
 }
 
+TEST(a_ring_stays_a_ring_and_loses_what_refining_added)
+{
+    const double points[] = {0, 0, 2, -1, 4, 0, 4, 2, 2, 3, 0, 2},
+                 period[] = {0, 1, 2.5, 3, 4, 5, 6};
+    batten_curve *ring = NULL, *refined = NULL, *made = NULL;
+    double knots[30], error = -1;
+    for (int i = 0; i < 30; i++)
+        knots[i] = 6 * (i + 0.5) / 31;
+    CHECK_OK(batten_curve_create_periodic(2, 3, 6, points, NULL, period, &ring));
+    CHECK_OK(batten_curve_refine(ring, 30, knots, &refined));
+    CHECK_INT(batten_curve_point_count(refined), 6 + 30 + 3);
+    CHECK_OK(batten_curve_approximate(refined, 3, 1e-6, &error, &made));
+    CHECK(batten_curve_is_periodic(made));
+    CHECK(batten_curve_point_count(made) <= 2 * 6 + 3);
+    CHECK(error <= 1e-6 && sampled(ring, made, 1000) <= error);
+    batten_curve_unref(made);
+    batten_curve_unref(refined);
+    batten_curve_unref(ring);
+}
+
 /* A polynomial of degree 7 over one span by cubics: the fourth power of the spans. */
 TEST(a_sixteenth_of_the_tolerance_takes_twice_the_spans_of_cubics)
 {

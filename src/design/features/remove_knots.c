@@ -32,7 +32,7 @@ const bat_feature bat_feature_remove_knots = {
          "'within: 0'\n"
          "only knots go whose going moves nothing at all. A closed curve without ends comes "
          "out with\n"
-         "ends that meet.",
+         "ends that meet; 'approximate' keeps it smooth there.",
          "features:\n"
          "  keel: {polyline: [[0, 0], [1 m, 1 mm], [3 m, 0]]}\n"
          "  bare: {remove-knots: keel, within: 2 mm}\n",
