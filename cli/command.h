@@ -23,7 +23,8 @@ typedef struct command {
 } command;
 
 extern const command command_build, command_check, command_compare, command_convert,
-    command_draw, command_eval, command_fair, command_fit, command_help, command_info;
+    command_draw, command_eval, command_fair, command_fit, command_help, command_info,
+    command_measure;
 
 int command_count(void);
 const command *command_at(int index);

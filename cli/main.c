@@ -5,8 +5,9 @@
 #include <string.h>
 
 static const command *const commands[] = {
-    &command_build, &command_fit,     &command_fair, &command_check,   &command_info,
-    &command_eval,  &command_convert, &command_draw, &command_compare, &command_help,
+    &command_build, &command_fit,     &command_fair, &command_check,
+    &command_info,  &command_measure, &command_eval, &command_convert,
+    &command_draw,  &command_compare, &command_help,
 };
 
 int command_count(void)

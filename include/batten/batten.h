@@ -30,11 +30,13 @@
 #include <batten/fold.h>
 #include <batten/gcode.h>
 #include <batten/geometry.h>
+#include <batten/implicit.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>
 #include <batten/invariants.h>
 #include <batten/job.h>
 #include <batten/local.h>
+#include <batten/measure.h>
 #include <batten/model.h>
 #include <batten/nonlinear.h>
 #include <batten/notes.h>

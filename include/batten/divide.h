@@ -2,7 +2,7 @@
 #define BATTEN_DIVIDE_H
 /**
  * @file
- * Where to cut a curve: equal lengths, equal chords, chords that stay near.
+ * Where to cut a curve: equal lengths, equal chords, chords that stay near, pieces of one kind.
  */
 #include <batten/inspect.h>
 
@@ -43,6 +43,43 @@ BATTEN_API batten_status batten_curve_divide_equal_chords(const batten_curve *cu
  */
 BATTEN_API batten_status batten_curve_divide_chord(const batten_curve *curve, double height,
                                                    batten_parameters *out);
+/**
+ * The same for chords that also turn little: between neighbouring parameters all tangents are
+ * within `angle` of each other, by a bound: a tangent lies among the legs of the control
+ * polygon, and all legs are within half the angle of their chord. At a cusp, where no part is
+ * short enough, halving ends at the rounding of the parameter.
+ * @param height model units, > 0; HUGE_VAL: any
+ * @param angle  radians, > 0 and at most pi
+ * @return as batten_curve_divide_chord
+ */
+BATTEN_API batten_status batten_curve_divide_turn(const batten_curve *curve, double height,
+                                                  double angle, batten_parameters *out);
+
+/** What the pieces of a curve are. */
+typedef enum batten_piece_kind {
+    BATTEN_PIECES_MONOTONE, /**< each coordinate, or the one along a direction, runs one way */
+    BATTEN_PIECES_SPIRAL,   /**< curvature rises or falls and keeps its sign; no corner and no
+                                 jump of curvature inside */
+    BATTEN_PIECES_CONVEX, /**< in the plane: curvature keeps its sign, the tangent turns by half
+                             a turn at most and has no corner: convex with its chord */
+    BATTEN_PIECES_SPANS   /**< between knots */
+} batten_piece_kind;
+/**
+ * Parameters that cut a curve into pieces of one kind, both ends included: as few as there can
+ * be, but for CONVEX, where half turns are counted from the last cut.
+ *
+ * Each piece is looked at once more by itself: INCOMPLETE, with the place, when it is not what
+ * it should be.
+ *
+ * @param direction of MONOTONE; NULL: all coordinates
+ * @return BATTEN_OK; BAD_ARGUMENT (direction); NOT_COMPATIBLE (CONVEX, not in the plane);
+ * UNSUPPORTED (SPIRAL and CONVEX of dimension 1); SINGULAR_HERE (no direction at a knot);
+ * INCOMPLETE. Release `out->at`.
+ */
+BATTEN_API batten_status batten_curve_divide_pieces(const batten_curve *curve,
+                                                    batten_piece_kind kind,
+                                                    const batten_vec3 *direction,
+                                                    batten_parameters *out);
 
 #ifdef __cplusplus
 }

@@ -68,6 +68,20 @@ BATTEN_API batten_status batten_curve_inflections(const batten_curve *curve,
  * where its rate changes sign. Of a function those of its second derivative. */
 BATTEN_API batten_status batten_curve_curvature_extrema(const batten_curve *curve,
                                                         batten_parameters *out);
+/** All places inside the domain where a curve turns back along a direction: so between them a
+ * coordinate in that direction runs one way. Of a piece square to the direction none. The
+ * length of `direction` does not matter; BAD_ARGUMENT when it is 0 or not finite. Complete but
+ * for turns within the rounding of the control points, by Descartes' rule of signs. */
+BATTEN_API batten_status batten_curve_turns(const batten_curve *curve, batten_vec3 direction,
+                                            batten_parameters *out);
+/** All places where curvature is 0 to rounding, the inflections among them, and of a straight
+ * piece its ends. */
+BATTEN_API batten_status batten_curve_flat_points(const batten_curve *curve,
+                                                  batten_parameters *out);
+/** All places where the first derivative is 0: its square within the rounding of the span, so a
+ * speed below some 1e-8 of the largest there is 0. Cusps are among them. */
+BATTEN_API batten_status batten_curve_standstills(const batten_curve *curve,
+                                                  batten_parameters *out);
 /** All u at which coordinate `axis` (0, 1, 2) equals `value`, by roots of the Bernstein form.
  * A coordinate that is constant on a piece gives both ends of the piece. */
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,

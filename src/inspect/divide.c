@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#define PI 3.14159265358979323846
+
 enum { DEPTH = 50, MOST_PARTS = 1000000 };
 
 batten_status batten_curve_divide(const batten_curve *curve, int count, double tolerance,
@@ -51,6 +53,37 @@ static double sag(int p, int d, const double *rows)
     return most;
 }
 
+/* The cosine of the widest angle between a leg of the polygon and its chord; legs of no length
+ * have no direction. */
+static double least_cosine(int p, int d, const double *rows)
+{
+    const double *last = rows + p * (d + 1);
+    double chord[3], leg[3], least = 1;
+    for (int k = 0; k < d; k++)
+        chord[k] = last[k] / last[d] - rows[k] / rows[d];
+    const double length = bat_norm(d, chord);
+    for (int i = 1; i <= p; i++) {
+        const double *a = rows + (i - 1) * (d + 1), *b = a + d + 1;
+        for (int k = 0; k < d; k++)
+            leg[k] = b[k] / b[d] - a[k] / a[d];
+        const double size = bat_norm(d, leg);
+        if (size > 0)
+            least = bat_min(least, length > 0 ? bat_dot(d, leg, chord) / (size * length) : -1);
+    }
+    return least;
+}
+
+/* What a part must be. */
+typedef struct {
+    double height, cosine; /* cosine: -1 for any turn */
+} limits;
+
+static bool is_good(const limits *l, int p, int d, const double *rows)
+{
+    return (l->height == HUGE_VAL || sag(p, d, rows) <= l->height) &&
+           (l->cosine == -1 || least_cosine(p, d, rows) >= l->cosine);
+}
+
 /* Rows become the right half; `left` the left one. */
 static void halve(int p, int width, double *rows, double *left)
 {
@@ -79,7 +112,7 @@ static batten_status note(batten_parameters *out, int *room, double u)
 }
 
 /* The ends of the parts of one Bezier piece, whose rows begin the stack. */
-static batten_status cut_piece(int p, int d, double a, double b, double height, double *stack,
+static batten_status cut_piece(int p, int d, double a, double b, const limits *l, double *stack,
                                int *room, batten_parameters *out)
 {
     const int width = d + 1, size = (p + 1) * width;
@@ -90,7 +123,7 @@ static batten_status cut_piece(int p, int d, double a, double b, double height, 
     while (status == BATTEN_OK && waiting > 0) {
         double *top = stack + (waiting - 1) * size;
         const double end = ends[waiting - 1];
-        if (waiting > DEPTH || sag(p, d, top) <= height) {
+        if (waiting > DEPTH || is_good(l, p, d, top)) {
             status = note(out, room, end);
             a = end;
             waiting--;
@@ -102,11 +135,8 @@ static batten_status cut_piece(int p, int d, double a, double b, double height, 
     return status;
 }
 
-batten_status batten_curve_divide_chord(const batten_curve *curve, double height,
-                                        batten_parameters *out)
+static batten_status divide(const batten_curve *curve, const limits *l, batten_parameters *out)
 {
-    if (!(height > 0 && isfinite(height)))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the height of chords is %g, not above 0", height);
     batten_curve *bezier = NULL;
     batten_parameters made = {0, NULL};
     int room = 0;
@@ -124,8 +154,8 @@ batten_status batten_curve_divide_chord(const batten_curve *curve, double height
                 stack[i * (d + 1) + j] = w * bezier->points[at * d + j];
             stack[i * (d + 1) + d] = w;
         }
-        status = cut_piece(p, d, bezier->knots[k], bezier->knots[k + 1], height, stack, &room,
-                           &made);
+        status =
+            cut_piece(p, d, bezier->knots[k], bezier->knots[k + 1], l, stack, &room, &made);
     }
     if (status == BATTEN_OK)
         *out = made;
@@ -134,4 +164,25 @@ batten_status batten_curve_divide_chord(const batten_curve *curve, double height
     batten_curve_unref(bezier);
     bat_release(stack);
     return status;
+}
+
+batten_status batten_curve_divide_chord(const batten_curve *curve, double height,
+                                        batten_parameters *out)
+{
+    const limits l = {height, -1};
+    if (!(height > 0 && isfinite(height)))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the height of chords is %g, not above 0", height);
+    return divide(curve, &l, out);
+}
+
+batten_status batten_curve_divide_turn(const batten_curve *curve, double height, double angle,
+                                       batten_parameters *out)
+{
+    const limits l = {height, cos(angle / 2)};
+    if (!(height > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the height of chords is %g, not above 0", height);
+    if (!(angle > 0 && angle <= PI))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of chords is %g, outside 0 to pi",
+                        angle);
+    return divide(curve, &l, out);
 }

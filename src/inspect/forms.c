@@ -238,6 +238,15 @@ static batten_status make_room(bat_walk *walk, int width)
     return BATTEN_OK;
 }
 
+/* Coefficients that are roundoff become 0: near an end where several of them are, the value of
+ * the polynomial has no sign otherwise, and a root is found there that is none. */
+static void clear_roundoff(int n, double *c, double zero)
+{
+    for (int k = 0; k <= n; k++)
+        if (fabs(c[k]) <= zero)
+            c[k] = 0;
+}
+
 /* Halve until a half has at most one variation of sign, hence (Descartes) at most one root. A
  * half as narrow as rounding counts by the signs at its ends. */
 static batten_status walk_halves(bat_walk *walk, int n, double zero, double a, double b)
@@ -264,6 +273,7 @@ static batten_status walk_halves(bat_walk *walk, int n, double zero, double a, d
         if (s.first != 0)
             status = note(walk, a + (b - a) * at, s.first);
         if (status == BATTEN_OK && s.first != s.last) {
+            clear_roundoff(n, c, zero);
             const double t = s.variations == 1 ? find_root(n, c, zero, work, s.first) : 0.5;
             status = note(walk, a + (b - a) * (at + size * t), s.last);
         }

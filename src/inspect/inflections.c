@@ -1,5 +1,9 @@
 #include "inspect/inflections.h"
 #include "inspect/forms.h"
+#include "numeric/vector.h"
+
+#include <float.h>
+#include <string.h>
 
 /*
  * With the homogeneous curve A = (X, Y, Z), w and derivatives along the span: the velocity is
@@ -57,8 +61,9 @@ static bat_form wedge(bat_forms *forms, bat_form ax, bat_form ay, bat_form bx, b
 }
 
 /* What has the sign of curvature: B in the plane, M of a function. */
-static bat_form bending(bat_forms *forms, const velocity *v)
+static bat_form bending(bat_forms *forms, const velocity *v, const double *direction)
 {
+    (void)direction;
     const bat_form dx = bat_form_derivative(forms, v->n[0]);
     if (v->dimension == 1)
         return weighted(forms, v, dx, -2, v->n[0]);
@@ -66,11 +71,11 @@ static bat_form bending(bat_forms *forms, const velocity *v)
 }
 
 /* What has the sign of the derivative of curvature. */
-static bat_form bending_rate(bat_forms *forms, const velocity *v)
+static bat_form bending_rate(bat_forms *forms, const velocity *v, const double *direction)
 {
     bat_form dn[3], b[3], db[3];
     if (v->dimension == 1) {
-        const bat_form m = bending(forms, v);
+        const bat_form m = bending(forms, v, direction);
         return weighted(forms, v, bat_form_derivative(forms, m), -3, m);
     }
     for (int k = 0; k < v->dimension; k++)
@@ -91,6 +96,36 @@ static bat_form bending_rate(bat_forms *forms, const velocity *v)
     return bat_form_sum(forms, first, -3, second);
 }
 
+/* What vanishes where curvature does: B in the plane, |B|^2 in space. */
+static bat_form bending_size(bat_forms *forms, const velocity *v, const double *direction)
+{
+    bat_form dn[3], b[3];
+    if (v->dimension < 3)
+        return bending(forms, v, direction);
+    for (int k = 0; k < 3; k++)
+        dn[k] = bat_form_derivative(forms, v->n[k]);
+    for (int k = 0; k < 3; k++)
+        b[k] = wedge(forms, v->n[(k + 1) % 3], v->n[(k + 2) % 3], dn[(k + 1) % 3],
+                     dn[(k + 2) % 3]);
+    return dot(forms, 3, b, b);
+}
+
+/* How fast the curve goes along the direction. */
+static bat_form advance(bat_forms *forms, const velocity *v, const double *direction)
+{
+    const bat_form one = {0, &(double){direction[0]}, 0};
+    bat_form sum = bat_form_product(forms, v->n[0], one);
+    for (int k = 1; k < v->dimension; k++)
+        sum = bat_form_sum(forms, sum, direction[k], v->n[k]);
+    return sum;
+}
+
+static bat_form speed_squared(bat_forms *forms, const velocity *v, const double *direction)
+{
+    (void)direction;
+    return dot(forms, v->dimension, v->n, v->n);
+}
+
 /* The highest degree of any form above is that of the rate of a rational curve in space,
  * 2 (4 p - 2) + p + 4 p - 2 or less; fewer than 80 forms are made on a span. */
 enum { FORMS = 96 };
@@ -100,9 +135,76 @@ static int highest_degree(const batten_curve *curve)
     return 13 * curve->degree;
 }
 
-typedef bat_form (*question)(bat_forms *forms, const velocity *v);
+/* What is walked for a question: a form whose changes of sign answer it, or (`touching`) one
+ * whose zeros do. */
+typedef struct {
+    bat_form (*form)(bat_forms *forms, const velocity *v, const double *direction);
+    bool touching;
+    double direction[3], uncertainty;
+} question;
 
-static batten_status walk_curve(const batten_curve *curve, question ask, double uncertainty,
+/* ---- zeros, also those without a change of sign ---- */
+
+static bool is_zero(bat_form form, double t)
+{
+    double value = 0, power = 1;
+    const bool late = t > 0.5; /* so that the powers of the smaller one are those that vanish */
+    const double x = late ? (1 - t) / t : t / (1 - t);
+    for (int k = 0; k <= form.degree; k++, power *= x)
+        value += form.c[late ? form.degree - k : k] * power;
+    return fabs(value) * pow(late ? t : 1 - t, form.degree) <= 4 * form.error;
+}
+
+/* After the turns of a form on a span have been noted, from number `first` on: those at which
+ * it vanishes stay, and so do the ends of the span. */
+static batten_status keep_zeros(bat_walk *walk, int first, bat_form form, double a, double b)
+{
+    const int found = walk->count - first;
+    if (walk->room < walk->count + 2) {
+        double *grown = bat_resize(walk->at, 2 * ((size_t)walk->count + 2), sizeof *grown);
+        if (!grown)
+            return BATTEN_OUT_OF_MEMORY;
+        walk->at = grown;
+        walk->room = 2 * (walk->count + 2);
+    }
+    double *at = walk->at + first;
+    const bool begins = is_zero(form, 0) && (first == 0 || at[-1] != a);
+    int kept = 0;
+    for (int i = 0; i < found; i++)
+        if (at[i] > a && at[i] < b && is_zero(form, (at[i] - a) / (b - a)))
+            at[kept++] = at[i];
+    if (begins) {
+        memmove(at + 1, at, (size_t)kept++ * sizeof *at);
+        at[0] = a;
+    }
+    if (is_zero(form, 1))
+        at[kept++] = b;
+    walk->count = first + kept;
+    return BATTEN_OK;
+}
+
+static batten_status walk_zeros(bat_walk *walk, bat_forms *forms, bat_form form,
+                                const bat_span_forms *span)
+{
+    const int first = walk->count;
+    walk->sign = 0; /* ends of spans are looked at by themselves */
+    const batten_status status =
+        bat_walk_piece(walk, bat_form_derivative(forms, form), span->a, span->b);
+    return status == BATTEN_OK ? keep_zeros(walk, first, form, span->a, span->b) : status;
+}
+
+/* ---- along the curve ---- */
+
+static batten_status walk_span(bat_walk *walk, bat_forms *forms, int dimension,
+                               const question *ask, const bat_span_forms *span)
+{
+    const velocity v = velocity_of(forms, span, dimension);
+    const bat_form form = ask->form(forms, &v, ask->direction);
+    return ask->touching ? walk_zeros(walk, forms, form, span)
+                         : bat_walk_piece(walk, form, span->a, span->b);
+}
+
+static batten_status walk_curve(const batten_curve *curve, const question *ask,
                                 batten_parameters *out)
 {
     const int p = curve->degree;
@@ -115,11 +217,10 @@ static batten_status walk_curve(const batten_curve *curve, question ask, double 
     for (int k = p;
          status == BATTEN_OK && bat_span_forms_next(curve, &k, rows, NULL, &forms, &span);) {
         for (int j = 0; j < curve->dimension; j++)
-            span.x[j].error += uncertainty;
-        const velocity v = velocity_of(&forms, &span, curve->dimension);
-        status = bat_walk_piece(&walk, ask(&forms, &v), span.a, span.b);
+            span.x[j].error += ask->uncertainty;
+        status = walk_span(&walk, &forms, curve->dimension, ask, &span);
     }
-    if (status == BATTEN_OK && curve->periodic)
+    if (status == BATTEN_OK && curve->periodic && !ask->touching)
         status = bat_walk_close(&walk, batten_curve_domain(curve).a);
     if (status == BATTEN_OK) {
         *out = (batten_parameters){walk.count, walk.at};
@@ -131,18 +232,39 @@ static batten_status walk_curve(const batten_curve *curve, question ask, double 
     return status;
 }
 
+batten_status bat_parameters_merge(const batten_parameters *a, const batten_parameters *b,
+                                   batten_interval domain, batten_parameters *out)
+{
+    /* Places closer than this are one but for rounding. */
+    const double apart = 64 * DBL_EPSILON * (domain.b - domain.a);
+    double *at = bat_array((size_t)a->count + (size_t)b->count, sizeof *at);
+    int count = 0;
+    if (!at)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0, j = 0; i < a->count || j < b->count;) {
+        const bool first = j == b->count || (i < a->count && a->at[i] <= b->at[j]);
+        const double next = first ? a->at[i++] : b->at[j++];
+        if (count == 0 || next - at[count - 1] > apart)
+            at[count++] = next;
+    }
+    *out = (batten_parameters){count, at};
+    return BATTEN_OK;
+}
+
 batten_status bat_curve_inflections(const batten_curve *curve, double uncertainty,
                                     batten_parameters *out)
 {
     if (curve->dimension == 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "a curve in space has no inflections");
-    return walk_curve(curve, bending, uncertainty, out);
+    const question ask = {.form = bending, .uncertainty = uncertainty};
+    return walk_curve(curve, &ask, out);
 }
 
 batten_status bat_curve_curvature_extrema(const batten_curve *curve, double uncertainty,
                                           batten_parameters *out)
 {
-    return walk_curve(curve, bending_rate, uncertainty, out);
+    const question ask = {.form = bending_rate, .uncertainty = uncertainty};
+    return walk_curve(curve, &ask, out);
 }
 
 batten_status batten_curve_inflections(const batten_curve *curve, batten_parameters *out)
@@ -153,4 +275,38 @@ batten_status batten_curve_inflections(const batten_curve *curve, batten_paramet
 batten_status batten_curve_curvature_extrema(const batten_curve *curve, batten_parameters *out)
 {
     return bat_curve_curvature_extrema(curve, 0, out);
+}
+
+batten_status batten_curve_turns(const batten_curve *curve, batten_vec3 direction,
+                                 batten_parameters *out)
+{
+    const double along[3] = {direction.x, direction.y, direction.z};
+    question ask = {.form = advance};
+    const double size = bat_largest(curve->dimension, along);
+    if (!isfinite(size) || size == 0 || bat_first_not_finite(along, 3) < 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the direction is (%g, %g, %g)", direction.x,
+                        direction.y, direction.z);
+    for (int k = 0; k < 3; k++)
+        ask.direction[k] = along[k] / size;
+    return walk_curve(curve, &ask, out);
+}
+
+batten_status batten_curve_flat_points(const batten_curve *curve, batten_parameters *out)
+{
+    const question ask = {.form = bending_size, .touching = true};
+    batten_parameters zeros = {0, NULL}, changes = {0, NULL};
+    batten_status status = walk_curve(curve, &ask, &zeros);
+    if (status == BATTEN_OK && curve->dimension < 3)
+        status = batten_curve_inflections(curve, &changes);
+    if (status == BATTEN_OK)
+        status = bat_parameters_merge(&changes, &zeros, batten_curve_domain(curve), out);
+    bat_release(changes.at);
+    bat_release(zeros.at);
+    return status;
+}
+
+batten_status batten_curve_standstills(const batten_curve *curve, batten_parameters *out)
+{
+    const question ask = {.form = speed_squared, .touching = true};
+    return walk_curve(curve, &ask, out);
 }

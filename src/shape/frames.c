@@ -1,13 +1,14 @@
 #include "numeric/vector.h"
 #include "shape/skin.h"
 #include "spline/curve.h"
+#include <batten/inspect.h>
 
 #include <float.h>
 #include <string.h>
 
-/* How finely a span is walked: the error of a double reflection falls with the fourth power of
+/* How finely a span is walked: the error of double reflections falls with the fourth power of
  * the step; for a quarter of a helix 64 steps leave 1e-7 radians. */
-enum { STEPS_PER_SPAN = 64 };
+enum { STEPS_PER_SPAN = 64, MOST_STEPS = 1 << 14 };
 
 typedef struct {
     batten_vec3 point, tangent, second;
@@ -63,15 +64,15 @@ static batten_vec3 carry(const place *from, const place *to, batten_vec3 x)
     return across(carried, to->tangent); /* rounding does not add up */
 }
 
-/* Walk from *at to `to` in equal steps that leave out no knot; `x` turns with it. */
+/* Walk from *at to `to` in equal steps, so many in each part of a span; `x` turns with it. */
 static batten_status walk(const batten_curve *spine, const double *knots, int knot_count,
-                          double from, double to, place *here, batten_vec3 *x)
+                          int steps, double from, double to, place *here, batten_vec3 *x)
 {
     for (int span = 0; span + 1 < knot_count; span++) {
         const double a = bat_max(from, knots[span]), b = bat_min(to, knots[span + 1]);
-        for (int i = 1; i <= STEPS_PER_SPAN && a < b; i++) {
+        for (int i = 1; i <= steps && a < b; i++) {
             place next;
-            const double s = (double)i / STEPS_PER_SPAN;
+            const double s = (double)i / steps;
             const batten_status status = place_at(spine, (1 - s) * a + s * b, &next);
             if (status != BATTEN_OK)
                 return status;
@@ -82,8 +83,8 @@ static batten_status walk(const batten_curve *spine, const double *knots, int kn
     return BATTEN_OK;
 }
 
-static batten_status minimising(const batten_curve *spine, int count, const double *at,
-                                batten_frame *frames)
+static batten_status minimising(const batten_curve *spine, int steps, int count,
+                                const double *at, batten_frame *frames)
 {
     const int knot_count = batten_curve_spans(spine, NULL);
     double *knots = bat_array((size_t)knot_count, sizeof *knots);
@@ -97,7 +98,7 @@ static batten_status minimising(const batten_curve *spine, int count, const doub
     if (status == BATTEN_OK)
         x = first_axis(here.tangent);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
-        status = walk(spine, knots, knot_count, u, at[k], &here, &x);
+        status = walk(spine, knots, knot_count, steps, u, at[k], &here, &x);
         u = at[k];
         frames[k] = (batten_frame){here.point, x, here.tangent};
     }
@@ -134,6 +135,71 @@ static batten_status fixed(const batten_curve *spine, int count, const double *a
     return status;
 }
 
+/* ---- closed spines ---- */
+
+/* The angle about z from the x of one frame to that of another, (-pi, pi]. */
+static double angle_between(const batten_frame *from, const batten_frame *to)
+{
+    const batten_vec3 y = bat_vec3_cross(to->z, from->x);
+    return atan2(bat_vec3_dot(to->x, y), bat_vec3_dot(to->x, from->x));
+}
+
+static void turn_frame(batten_frame *frame, double angle)
+{
+    const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
+    frame->x = bat_vec3_along(bat_vec3_scale(frame->x, cos(angle)), sin(angle), y);
+}
+
+/* Ends that meet with one tangent. */
+static batten_status check_round(const batten_curve *spine)
+{
+    const batten_interval domain = batten_curve_domain(spine);
+    const int d = batten_curve_dimension(spine);
+    const double size =
+        bat_largest(batten_curve_point_count(spine) * d, batten_curve_points(spine));
+    place a, b;
+    batten_status status = place_at(spine, domain.a, &a);
+    if (status == BATTEN_OK)
+        status = place_at(spine, domain.b, &b);
+    if (status != BATTEN_OK)
+        return status;
+    const double gap = bat_vec3_norm(bat_vec3_subtract(a.point, b.point));
+    const double bend = bat_vec3_norm(bat_vec3_subtract(a.tangent, b.tangent));
+    if (gap > 1e-9 * size || bend > 1e-6)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "the spine does not close smoothly: its ends are %g apart, their "
+                        "directions %g radians",
+                        gap, bend);
+    return BATTEN_OK;
+}
+
+/* What a round is missed by is turned back evenly by arc length. */
+static batten_status closing(const batten_curve *spine, int count, const double *at,
+                             batten_frame *frames)
+{
+    const batten_interval domain = batten_curve_domain(spine);
+    const double ends[2] = {domain.a, domain.b};
+    batten_frame round[2];
+    double length = 0, so_far = 0, step = 0;
+    batten_status status = check_round(spine);
+    if (status == BATTEN_OK)
+        status = minimising(spine, STEPS_PER_SPAN, 2, ends, round);
+    if (status == BATTEN_OK)
+        status = minimising(spine, STEPS_PER_SPAN, count, at, frames);
+    const double size =
+        bat_largest(batten_curve_point_count(spine) * batten_curve_dimension(spine),
+                    batten_curve_points(spine));
+    if (status == BATTEN_OK)
+        status = batten_curve_length(spine, 1e-12 * size, &length, NULL);
+    for (int k = 0; status == BATTEN_OK && k < count; k++) {
+        status = batten_curve_length_between(spine, k ? at[k - 1] : domain.a, at[k],
+                                             1e-12 * size, &step, NULL);
+        so_far += step;
+        turn_frame(&frames[k], -angle_between(&round[0], &round[1]) * (so_far / length));
+    }
+    return status;
+}
+
 static batten_status check_places(const batten_curve *spine, int count, const double *at)
 {
     const batten_interval domain = batten_curve_domain(spine);
@@ -159,7 +225,9 @@ batten_status batten_curve_frames(const batten_curve *spine, int count, const do
     if (kind == BATTEN_FRAME_FIXED)
         status = fixed(spine, count, at, made);
     else if (kind == BATTEN_FRAME_ROTATION_MINIMISING)
-        status = minimising(spine, count, at, made);
+        status = minimising(spine, STEPS_PER_SPAN, count, at, made);
+    else if (kind == BATTEN_FRAME_CLOSING)
+        status = closing(spine, count, at, made);
     else
         for (int k = 0; status == BATTEN_OK && k < count; k++)
             status = frenet(spine, at[k], &made[k]);
@@ -167,6 +235,62 @@ batten_status batten_curve_frames(const batten_curve *spine, int count, const do
         memcpy(frames, made, (size_t)count * sizeof *frames);
     bat_release(made);
     return status;
+}
+
+batten_status batten_curve_minimising_frames(const batten_curve *spine, int count,
+                                             const double *at, double tolerance,
+                                             batten_frame *frames, double *error)
+{
+    batten_status status = check_places(spine, count, at);
+    if (status == BATTEN_OK && !(tolerance > 0 && isfinite(tolerance)))
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
+    if (status != BATTEN_OK)
+        return status;
+    batten_frame *both = bat_array(2 * (size_t)count, sizeof *both);
+    if (!both)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_frame *fine = both, *coarse = both + count;
+    double miss = HUGE_VAL;
+    status = minimising(spine, 8, count, at, fine);
+    for (int steps = 16; status == BATTEN_OK && miss > tolerance && steps <= MOST_STEPS;
+         steps *= 2) {
+        batten_frame *const before = fine;
+        fine = coarse;
+        coarse = before;
+        status = minimising(spine, steps, count, at, fine);
+        miss = 0;
+        for (int k = 0; status == BATTEN_OK && k < count; k++)
+            miss = bat_max(miss, fabs(angle_between(&coarse[k], &fine[k])));
+    }
+    if (status == BATTEN_OK && miss > tolerance)
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "the frames still turn by %g with %d steps for each span", miss,
+                          MOST_STEPS);
+    if (status == BATTEN_OK) {
+        memcpy(frames, fine, (size_t)count * sizeof *frames);
+        if (error)
+            *error = miss;
+    }
+    bat_release(both);
+    return status;
+}
+
+batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance, double *angle,
+                                    double *error)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const double ends[2] = {domain.a, domain.b};
+    batten_frame frames[2];
+    double miss;
+    batten_status status = check_round(curve);
+    if (status == BATTEN_OK)
+        status = batten_curve_minimising_frames(curve, 2, ends, tolerance, frames, &miss);
+    if (status != BATTEN_OK)
+        return status;
+    *angle = angle_between(&frames[0], &frames[1]);
+    if (error)
+        *error = miss;
+    return BATTEN_OK;
 }
 
 /* ---- places of sections ---- */

@@ -1,6 +1,8 @@
 #include "inspect/shapes.h"
 #include <batten/divide.h>
 
+#include "support/generate.h"
+
 TEST(parts_of_equal_length_of_a_circle_are_equal_angles)
 {
     batten_curve *circle = NULL;
@@ -82,5 +84,59 @@ TEST(N6_counts_and_heights_that_mean_nothing_are_refused)
     CHECK_STATUS(batten_curve_divide_chord(circle, NAN, &cuts), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_divide_chord(circle, 1e-14, &cuts), BATTEN_TOO_LARGE);
     CHECK_INT(cuts.count, 7);
+    batten_curve_unref(circle);
+}
+
+TEST(between_parts_the_tangent_turns_by_no_more_than_the_angle)
+{
+    test_random random = test_random_begin("turns of parts");
+    for (int n = test_cases(20); n > 0; n--) {
+        const test_wish wish = {.dimension = 2 + n % 2, .degree = 1 + n % 5, .tame = true};
+        batten_curve *curve = test_curve(&random, &wish);
+        const double angle = test_random_in(&random, 0.05, 0.5);
+        batten_parameters at = {0, NULL};
+        CHECK_OK(batten_curve_divide_turn(curve, HUGE_VAL, angle, &at));
+        for (int i = 0; i + 1 < at.count; i++) {
+            batten_curve_local first, here;
+            if (at.at[i + 1] - at.at[i] < 1e-12)
+                continue; /* at a cusp */
+            for (int k = 0; k <= 8; k++) {
+                const double u = at.at[i] + (at.at[i + 1] - at.at[i]) * (k / 8.0);
+                const batten_status status = batten_curve_local_at(
+                    curve, u, k == 8 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &here);
+                CHECK(status == BATTEN_OK || status == BATTEN_SINGULAR_HERE);
+                if (k == 0)
+                    first = here;
+                const double cosine = first.tangent.x * here.tangent.x +
+                                      first.tangent.y * here.tangent.y +
+                                      first.tangent.z * here.tangent.z;
+                CHECK(cosine >= cos(angle) - 1e-6);
+            }
+        }
+        batten_release(at.at);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(a_circle_is_cut_by_its_angle_and_by_the_height_of_chords)
+{
+    batten_curve *circle = NULL;
+    batten_parameters at = {0, NULL};
+    CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
+    CHECK_OK(batten_curve_divide_turn(circle, HUGE_VAL, PI / 8 + 1e-9, &at));
+    CHECK(at.count - 1 >= 16 && at.count - 1 <= 32);
+    batten_release(at.at);
+    CHECK_OK(batten_curve_divide_turn(circle, 1e-3, PI, &at));
+    const int by_height = at.count;
+    batten_release(at.at);
+    CHECK_OK(batten_curve_divide_chord(circle, 1e-3, &at));
+    CHECK_INT(at.count, by_height);
+    batten_release(at.at);
+    at = (batten_parameters){7, NULL};
+    const double bad[] = {0, -1, 4, NAN};
+    for (int i = 0; i < 4; i++)
+        CHECK_STATUS(batten_curve_divide_turn(circle, 1, bad[i], &at), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_divide_turn(circle, NAN, 1, &at), BATTEN_BAD_ARGUMENT);
+    CHECK_INT(at.count, 7);
     batten_curve_unref(circle);
 }

@@ -102,3 +102,22 @@ TEST(a_change_of_sign_between_pieces_is_noted_once_even_across_a_piece_of_zeros)
     CHECK_OK(bat_walk_close(&walk, 0)); /* nothing seen, nothing to close */
     CHECK_INT(walk.count, 0);
 }
+
+TEST(roundoff_where_a_form_touches_0_at_its_end_hides_no_root)
+{
+    /* 2 t^3 - 3 t^2 (1 - t) changes sign at 3/5; what stands before it is roundoff. */
+    const double noise[4][2] = {{0, 0}, {1e-17, -2e-17}, {-1e-17, 2e-17}, {1e-17, 1e-17}};
+    for (int i = 0; i < 4; i++)
+        for (int back = 0; back < 2; back++) {
+            double c[4] = {noise[i][0], noise[i][1], -3, 2};
+            if (back) {
+                const double reversed[4] = {2, -3, noise[i][1], noise[i][0]};
+                memcpy(c, reversed, sizeof c);
+            }
+            bat_walk walk = {0};
+            CHECK_OK(bat_walk_piece(&walk, (bat_form){3, c, 1e-16}, 0, 1));
+            CHECK_INT(walk.count, 1);
+            CHECK_NEAR(walk.at[0], back ? 0.4 : 0.6, 1e-15);
+            bat_walk_end(&walk);
+        }
+}

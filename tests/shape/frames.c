@@ -1,3 +1,4 @@
+#include <batten/inspect.h>
 #include <batten/skin.h>
 
 #include "support/test.h"
@@ -159,4 +160,146 @@ TEST(a_frenet_frame_is_square_where_the_spine_bends_little)
         }
         batten_curve_unref(spine);
     }
+}
+
+/* A closed curve in space as a quintic spline through exact derivatives. */
+static batten_curve *ring(void (*place)(double t, double *values), int count)
+{
+    double *t = test_array((size_t)count + 1, sizeof *t);
+    double *values = test_array((size_t)count + 1, 9 * sizeof *values);
+    batten_curve *curve = NULL;
+    for (int i = 0; i <= count; i++) {
+        t[i] = 4 * acos(0) * i / count;
+        place(i == count ? 0 : t[i], values + 9 * i);
+    }
+    CHECK_OK(batten_curve_from_hermite(3, count + 1, 3, t, values, &curve));
+    return curve;
+}
+
+static void torus_knot(double t, double *v)
+{
+    const double r = 3 + cos(3 * t), r1 = -3 * sin(3 * t), r2 = -9 * cos(3 * t);
+    const double c = cos(2 * t), s = sin(2 * t);
+    const double values[9] = {r * c,
+                              r * s,
+                              sin(3 * t),
+                              r1 * c - 2 * r * s,
+                              r1 * s + 2 * r * c,
+                              3 * cos(3 * t),
+                              r2 * c - 4 * r1 * s - 4 * r * c,
+                              r2 * s + 4 * r1 * c - 4 * r * s,
+                              -9 * sin(3 * t)};
+    memcpy(v, values, sizeof values);
+}
+
+/* On the unit sphere: the normalised (cos t, sin t, 0.4 cos 2t). */
+static void spherical(double t, double *v)
+{
+    const double h = 0.4, p[3] = {cos(t), sin(t), h * cos(2 * t)},
+                 p1[3] = {-sin(t), cos(t), -2 * h * sin(2 * t)},
+                 p2[3] = {-cos(t), -sin(t), -4 * h * cos(2 * t)};
+    double s = 0, s1 = 0, s2 = 0;
+    for (int k = 0; k < 3; k++) {
+        s += p[k] * p[k];
+        s1 += 2 * p[k] * p1[k];
+        s2 += 2 * (p1[k] * p1[k] + p[k] * p2[k]);
+    }
+    const double f = 1 / sqrt(s), f1 = -s1 * f / (2 * s),
+                 f2 = -s2 * f / (2 * s) + 0.75 * s1 * s1 * f / (s * s);
+    for (int k = 0; k < 3; k++) {
+        v[k] = f * p[k];
+        v[3 + k] = f1 * p[k] + f * p1[k];
+        v[6 + k] = f2 * p[k] + 2 * f1 * p1[k] + f * p2[k];
+    }
+}
+
+TEST(the_turn_of_a_round_is_minus_the_total_torsion)
+{
+    batten_curve *knot = ring(torus_knot, 120);
+    double angle, error, torsion = 0;
+    const int n = 24000;
+    for (int i = 0; i < n; i++) { /* the middle rule, of a periodic integrand */
+        batten_curve_local local;
+        const double u = 4 * acos(0) * (i + 0.5) / n;
+        CHECK_OK(batten_curve_local_at(knot, u, BATTEN_FROM_RIGHT, &local));
+        torsion += local.torsion * local.speed * 4 * acos(0) / n;
+    }
+    CHECK_OK(batten_curve_holonomy(knot, 1e-10, &angle, &error));
+    CHECK(error <= 1e-10);
+    CHECK_NEAR(remainder(angle + torsion, 4 * acos(0)), 0, 1e-5);
+    CHECK(fabs(angle) > 0.1);
+    batten_curve_unref(knot);
+}
+
+TEST(on_a_sphere_a_minimising_frame_comes_back)
+{
+    batten_curve *curve = ring(spherical, 160);
+    double angle = 7;
+    CHECK_OK(batten_curve_holonomy(curve, 1e-9, &angle, NULL));
+    CHECK_NEAR(angle, 0, 1e-7);
+    batten_curve_unref(curve);
+}
+
+TEST(closing_frames_close_and_differ_evenly_from_minimising_ones)
+{
+    batten_curve *knot = ring(torus_knot, 120);
+    double at[9], turn, length, part;
+    batten_frame closed[9], free[9];
+    for (int k = 0; k < 9; k++)
+        at[k] = batten_curve_domain(knot).b * k / 8;
+    CHECK_OK(batten_curve_frames(knot, 9, at, BATTEN_FRAME_CLOSING, closed));
+    CHECK_OK(batten_curve_frames(knot, 9, at, BATTEN_FRAME_ROTATION_MINIMISING, free));
+    CHECK_OK(batten_curve_holonomy(knot, 1e-9, &turn, NULL));
+    CHECK_OK(batten_curve_length(knot, 1e-12, &length, NULL));
+    CHECK_NEAR(dot(closed[0].x, closed[8].x), 1, 1e-12);
+    CHECK(dot(free[0].x, free[8].x) < 0.99);
+    for (int k = 0; k < 9; k++) {
+        const batten_vec3 y = cross(free[k].z, free[k].x);
+        CHECK_OK(batten_curve_length_between(knot, 0, at[k], 1e-12, &part, NULL));
+        const double angle = atan2(dot(closed[k].x, y), dot(closed[k].x, free[k].x));
+        CHECK_NEAR(remainder(angle + turn * part / length, 4 * acos(0)), 0, 1e-6);
+        CHECK_NEAR(dot(closed[k].x, closed[k].z), 0, 1e-14);
+        CHECK_NEAR(dot(closed[k].x, closed[k].x), 1, 1e-14);
+    }
+    batten_curve_unref(knot);
+}
+
+TEST(the_error_of_minimising_frames_falls_with_the_fourth_power)
+{
+    /* The helix: its frame after u has turned by -0.4 sqrt(1.25) u against Frenet's. */
+    batten_curve *spine = helix();
+    const double end = 8 * acos(0), at[] = {0, end};
+    const double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12};
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        batten_frame frames[2], frenet[2];
+        double error;
+        CHECK_OK(batten_curve_minimising_frames(spine, 2, at, tolerances[i], frames, &error));
+        CHECK(error <= tolerances[i]);
+        CHECK_OK(batten_curve_frames(spine, 2, at, BATTEN_FRAME_FRENET, frenet));
+        const batten_vec3 n0 = frenet[0].x, b0 = cross(frenet[0].z, n0);
+        const batten_vec3 n1 = frenet[1].x, b1 = cross(frenet[1].z, n1);
+        const double turn = atan2(dot(frames[1].x, b1), dot(frames[1].x, n1)) -
+                            atan2(dot(frames[0].x, b0), dot(frames[0].x, n0));
+        /* What is left of tight tolerances is that the spline is not quite the helix. */
+        CHECK_NEAR(remainder(turn + 0.4 * sqrt(1.25) * end, 4 * acos(0)), 0,
+                   fmax(tolerances[i] / 5, 1e-6));
+    }
+    batten_curve_unref(spine);
+}
+
+TEST(closing_frames_of_open_spines_are_refused)
+{
+    batten_curve *spine = helix();
+    const double at[] = {0, 1};
+    batten_frame frames[2];
+    double angle = 7;
+    CHECK_STATUS(batten_curve_frames(spine, 2, at, BATTEN_FRAME_CLOSING, frames),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_holonomy(spine, 1e-6, &angle, NULL), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, 0, frames, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_minimising_frames(spine, 2, at, NAN, frames, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_NEAR(angle, 7, 0);
+    batten_curve_unref(spine);
 }

@@ -1,6 +1,4 @@
-#include "design/feature.h"
-
-#include <batten/divide.h>
+#include "design/features/pieces.h"
 #include <batten/invariants.h>
 
 typedef enum { LENGTH, AFFINE } measures;
@@ -14,6 +12,9 @@ static const batten_parameter parameters[] = {
      "instead: parts with chords of equal length"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "instead: as many parts as it takes that no chord is farther from the curve"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
+     "instead or besides: as many as it takes that the curve turns by no more along each"},
+    BAT_PIECES_PARAMETERS,
 };
 
 /* The points at the parameters, in space, under the name of the curve. */
@@ -64,10 +65,16 @@ static batten_status divide_evenly(const bat_run *run, const batten_curve *curve
 static batten_status divide_object(bat_run *run, const batten_object *object)
 {
     batten_parameters at = {0, NULL};
-    batten_status status =
-        bat_has(run, "within")
-            ? batten_curve_divide_chord(object->curve, bat_number(run, "within"), &at)
-            : divide_evenly(run, object->curve, &at);
+    batten_status status;
+    const double height = bat_has(run, "within") ? bat_number(run, "within") : HUGE_VAL;
+    if (bat_has(run, "pieces"))
+        status = bat_pieces_divide(run, object, &at);
+    else if (bat_has(run, "angle"))
+        status = batten_curve_divide_turn(object->curve, height, bat_number(run, "angle"), &at);
+    else if (bat_has(run, "within"))
+        status = batten_curve_divide_chord(object->curve, height, &at);
+    else
+        status = divide_evenly(run, object->curve, &at);
     if (status == BATTEN_OK)
         status = put_points(run, object, &at);
     bat_release(at.at);
@@ -77,9 +84,10 @@ static batten_status divide_object(bat_run *run, const batten_object *object)
 static batten_status run(bat_run *run)
 {
     bat_objects objects;
-    if (bat_has(run, "count") + bat_has(run, "chords") + bat_has(run, "within") != 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "one of 'count', 'chords' and 'within' must be given");
+    const bool near = bat_has(run, "within") || bat_has(run, "angle");
+    if (bat_has(run, "count") + bat_has(run, "chords") + near + bat_has(run, "pieces") != 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "one of 'count', 'chords', 'within' (or 'angle') "
+                                             "and 'pieces' must be given");
     batten_status status = bat_gather(run, "divide", BAT_CURVES, &objects);
     if (status != BATTEN_OK)
         return status;
@@ -92,7 +100,7 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_divide = {
     .shown =
         {"divide",
-         "Points on curves at equal lengths, equal chords, or as near as chords must be",
+         "Points on curves: equal lengths, equal chords, chords that stay near, ends of pieces",
          "With 'count' the points cut each curve into parts of equal length; with 'chords' "
          "the\n"
          "straight lines between them are equally long, as compasses step them off. Both ends\n"
@@ -105,7 +113,9 @@ const bat_feature bat_feature_divide = {
          "a\n"
          "few times as many as are needed. A curve that turns back close beside itself may "
          "have\n"
-         "no equal chords, and says so.",
+         "no equal chords, and says so. With 'angle' the tangents along each part are within\n"
+         "that angle of each other. With 'pieces' the points stand where pieces of that kind\n"
+         "begin and end, as 'split' would cut them.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  bolts: {divide: rim, count: 12}\n"

@@ -26,7 +26,7 @@ static const batten_parameter parameters[] = {
     {"twist", BATTEN_VALUE_ANGLE, true, false, NULL, NULL, "of each section about the spine"},
     {"scale", BATTEN_VALUE_NUMBER, true, false, NULL, NULL, "of each section"},
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
-     "rotation-minimising fixed frenet", "how the sections turn along the spine"},
+     "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
 };
 
 /* One number for each section, or NULL where none is given. */

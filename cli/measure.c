@@ -1,0 +1,31 @@
+#include "single.h"
+
+static const option options[] = {
+    {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
+    {"json", 0, OPTION_FLAG, NULL, "print JSON"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress"},
+};
+
+static int run(const arguments *given)
+{
+    const single s = {
+        .command = "measure",
+        .output = "-",
+        .output_ending = arguments_has(given, "json") ? "measure.json" : "measure.txt",
+        .output_operation = "measure",
+    };
+    return single_run(&s, given);
+}
+
+const command command_measure = {
+    .name = "measure",
+    .usage = "IN [--within TOL] [--json]",
+    .summary = "lengths, boxes, areas, moments and special places of curves",
+    .manual = "IN is a file of curves, as batten info takes it.",
+    .least_files = 1,
+    .most_files = 1,
+    .option_count = sizeof options / sizeof options[0],
+    .options = options,
+    .feature = "measure",
+    .run = run,
+};

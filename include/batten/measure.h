@@ -1,0 +1,83 @@
+#ifndef BATTEN_MEASURE_H
+#define BATTEN_MEASURE_H
+/**
+ * @file
+ * How large a curve is and what it encloses: boxes, area, moments, turns.
+ */
+#include <batten/inspect.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The tight axis-parallel box: of the ends and of all places where a coordinate turns back. */
+BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out);
+
+/** A box at any angle; its axes are square to each other, of length one, and right-handed. */
+typedef struct batten_oriented_box {
+    batten_vec3 centre;
+    batten_vec3 axes[3]; /**< the first along its longest side; in the plane the third is z */
+    double half[3]; /**< half the lengths of the sides, falling; in the plane half[2] is 0 */
+} batten_oriented_box;
+/**
+ * A small box around a curve of 2 or 3 dimensions. It holds the curve exactly: along its axes
+ * it is as tight as batten_curve_bounds. The axes come from the convex hull of a polyline that
+ * stays within `tolerance` of the curve.
+ *
+ * In the plane, by rotating calipers, its area exceeds the least one by 2 tolerance (sides)
+ * + 4 tolerance^2 at most. In space one axis is taken from the world and from the principal
+ * directions of the polyline, the other two by calipers across it, and each axis of the best
+ * box in turn again, while its volume falls: small, but not proved to be the least.
+ *
+ * @param tolerance model units, > 0
+ * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED (dimension 1); TOO_LARGE (a million points)
+ * Cost: n log n for n points of the polyline. Source: [Toussaint83].
+ */
+BATTEN_API batten_status batten_curve_oriented_box(const batten_curve *curve, double tolerance,
+                                                   batten_oriented_box *out);
+
+/** What a closed plane curve encloses, with the sign of its direction: an area run clockwise is
+ * negative, and what is enclosed twice counts twice. */
+typedef struct batten_region {
+    double area;
+    double centroid[2];
+    /** Second moments about the centroid: the integrals of x x, x y and y y. */
+    double xx, xy, yy;
+    double principal[2]; /**< the larger second moment and the smaller one, by size; the moment
+                              about an axis is that across it */
+    double angle; /**< of the direction of the larger one, radians from x, (-pi/2, pi/2] */
+    double error; /**< of each integral, as a share of the integral of its absolute value */
+} batten_region;
+/**
+ * Area and moments by Green's theorem. Polynomial curves are integrated exactly but for
+ * rounding, rational ones by halving until `precision` is met.
+ *
+ * @param closed    model units: ends that are no farther apart are joined by a line
+ * @param precision relative, > 0; `error` says what was reached
+ * @return BATTEN_OK; NOT_COMPATIBLE when the curve is not closed or not plane; BAD_ARGUMENT;
+ * COINCIDENT when the area is 0 to rounding, as of a curve run there and back;
+ * TOLERANCE_NOT_MET
+ */
+BATTEN_API batten_status batten_curve_region(const batten_curve *curve, double closed,
+                                             double precision, batten_region *out);
+
+/** How often a closed plane curve runs around a point, counterclockwise counted positive: by
+ * crossings of a ray with pieces that run one way.
+ * @param closed as batten_curve_region
+ * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size */
+BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, const double *point,
+                                              double closed, int *out);
+/**
+ * By how many full turns the tangent of a plane curve turns from start to end, corners and,
+ * when the ends meet within `closed`, that in the closing point included: a whole number for a
+ * closed curve, 1 or -1 when it does not cross itself.
+ * @return SINGULAR_HERE at a cusp, where the tangent turns back and neither way is the right
+ * one; NOT_COMPATIBLE for other dimensions
+ */
+BATTEN_API batten_status batten_curve_turning(const batten_curve *curve, double closed,
+                                              double *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

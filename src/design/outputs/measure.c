@@ -1,0 +1,294 @@
+#include "design/rows.h"
+#include <batten/measure.h>
+#include <batten/text.h>
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "ends that are nearer close a curve; the tolerance of the design by default"},
+};
+
+typedef enum { INFLECTIONS, FLAT_POINTS, EXTREMA, STANDSTILLS, CROSSINGS, LISTS } list;
+
+static const struct {
+    const char *key, *text;
+    batten_status (*find)(const batten_curve *curve, batten_parameters *out);
+    bool plane; /* of plane curves only */
+} lists[LISTS] = {
+    {"inflections", "inflections", batten_curve_inflections, true},
+    {"flat_points", "curvature is 0", batten_curve_flat_points, false},
+    {"curvature_extrema", "extrema of curvature", batten_curve_curvature_extrema, false},
+    {"standstills", "stands still", batten_curve_standstills, false},
+    {"self_crossings", "crosses itself", batten_curve_self_crossings, true},
+};
+
+/* All that is told of one curve. */
+typedef struct {
+    const char *name;
+    int axis; /* across its plane; 2 for xy; -1: in space */
+    bool closed, encloses, turns;
+    double length, error;
+    batten_box box;
+    batten_oriented_box oriented;
+    batten_region region;
+    double centroid[3], turning;
+    batten_parameters found[LISTS];
+} facts;
+
+static void facts_end(facts *f)
+{
+    for (int k = 0; k < LISTS; k++)
+        batten_release(f->found[k].at);
+}
+
+/* ---- measuring ---- */
+
+static batten_status measure_plane(const batten_curve *flat, double within, facts *f)
+{
+    batten_status status = batten_curve_turning(flat, within, &f->turning);
+    f->turns = status == BATTEN_OK;
+    if (status == BATTEN_SINGULAR_HERE)
+        status = BATTEN_OK;
+    if (status != BATTEN_OK || !f->closed)
+        return status;
+    status = batten_curve_region(flat, within, 1e-12, &f->region);
+    f->encloses = status == BATTEN_OK;
+    return status == BATTEN_COINCIDENT ? BATTEN_OK : status;
+}
+
+static batten_status find_places(const batten_curve *flat, facts *f)
+{
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < LISTS; k++)
+        if (!lists[k].plane || batten_curve_dimension(flat) == 2)
+            status = lists[k].find(flat, &f->found[k]);
+    return status;
+}
+
+/* The centroid where the curve is, in space. */
+static void place_centroid(const batten_curve *curve, facts *f)
+{
+    const double *points = batten_curve_points(curve);
+    for (int k = 0, j = 0; k < 3; k++)
+        if (k != f->axis)
+            f->centroid[k] = f->region.centroid[j++];
+        else if (batten_curve_dimension(curve) == 3)
+            f->centroid[k] = points[k];
+}
+
+static batten_status measure(const batten_object *object, double within, facts *f)
+{
+    const batten_curve *curve = object->curve;
+    batten_curve *flat = NULL;
+    const double size = 1e-12;
+    *f = (facts){.name = object->name, .closed = batten_curve_is_closed(curve, within)};
+    batten_status status = bat_curve_flattened(curve, &f->axis, &flat);
+    if (status == BATTEN_OK && batten_curve_dimension(curve) == 2)
+        f->axis = 2;
+    if (status == BATTEN_OK)
+        status = batten_curve_length(curve, within * size, &f->length, &f->error);
+    if (status == BATTEN_OK)
+        status = batten_curve_bounds(curve, &f->box);
+    if (status == BATTEN_OK)
+        status = batten_curve_oriented_box(curve, within, &f->oriented);
+    if (status == BATTEN_OK)
+        status = find_places(flat, f);
+    if (status == BATTEN_OK && batten_curve_dimension(flat) == 2)
+        status = measure_plane(flat, within, f);
+    if (status == BATTEN_OK && f->encloses)
+        place_centroid(curve, f);
+    batten_curve_unref(flat);
+    return status;
+}
+
+/* ---- text ---- */
+
+static void text_numbers(batten_text *out, const char *name, int count, const double *values)
+{
+    batten_text_add(out, "%s", name);
+    for (int k = 0; k < count; k++)
+        batten_text_add(out, " %.9g", values[k]);
+}
+
+static const char *plane_name(int axis)
+{
+    static const char *const names[] = {"yz", "xz", "xy"};
+    return names[axis];
+}
+
+static void text_region(batten_text *out, const facts *f)
+{
+    const batten_region *r = &f->region;
+    const double moments[3] = {r->xx, r->xy, r->yy};
+    const double degrees = r->angle * (180 / 3.14159265358979323846);
+    batten_text_add(out, "  area %.9g in the %s-plane", r->area, plane_name(f->axis));
+    text_numbers(out, ", centroid", 3, f->centroid);
+    text_numbers(out, "\n  second moments about it", 3, moments);
+    text_numbers(out, ", principal", 2, r->principal);
+    batten_text_add(out, " at %.9g degrees\n", degrees);
+}
+
+static void text_curve(batten_text *out, const facts *f)
+{
+    const batten_vec3 low = f->box.low, high = f->box.high, c = f->oriented.centre;
+    const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
+    const double *half = f->oriented.half, centre[3] = {c.x, c.y, c.z};
+    batten_text_add(out, "%s: %s", f->name, f->closed ? "closed, " : "");
+    batten_text_add(out, "length %.9g", f->length);
+    text_numbers(out, "\n  box", 3, from);
+    text_numbers(out, "  to ", 3, to);
+    batten_text_add(out, "\n  a small box at an angle: %.9g x %.9g x %.9g", 2 * half[0],
+                    2 * half[1], 2 * half[2]);
+    text_numbers(out, " about", 3, centre);
+    batten_text_add(out, "\n");
+    if (f->encloses)
+        text_region(out, f);
+    if (f->turns)
+        batten_text_add(out, "  turning number %.9g\n", f->turning);
+    for (int k = 0; k < LISTS; k++)
+        if (f->found[k].count) {
+            batten_text_add(out, "  %s at", lists[k].text);
+            text_numbers(out, "", f->found[k].count, f->found[k].at);
+            batten_text_add(out, "\n");
+        }
+}
+
+/* ---- JSON ---- */
+
+static void json_numbers(batten_text *out, const char *key, int count, const double *values)
+{
+    batten_text_add(out, ", \"%s\": [", key);
+    for (int k = 0; k < count; k++) {
+        batten_text_add(out, k ? ", " : "");
+        batten_text_number(out, values[k]);
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_number(batten_text *out, const char *key, double value)
+{
+    batten_text_add(out, ", \"%s\": ", key);
+    batten_text_number(out, value);
+}
+
+static void json_vector(batten_text *out, batten_vec3 v)
+{
+    const double values[3] = {v.x, v.y, v.z};
+    for (int k = 0; k < 3; k++) {
+        batten_text_add(out, k ? ", " : "[");
+        batten_text_number(out, values[k]);
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_boxes(batten_text *out, const facts *f)
+{
+    batten_text_add(out, ", \"box\": [");
+    json_vector(out, f->box.low);
+    batten_text_add(out, ", ");
+    json_vector(out, f->box.high);
+    batten_text_add(out, "], \"oriented_box\": {\"centre\": ");
+    json_vector(out, f->oriented.centre);
+    batten_text_add(out, ", \"axes\": [");
+    for (int k = 0; k < 3; k++) {
+        batten_text_add(out, k ? ", " : "");
+        json_vector(out, f->oriented.axes[k]);
+    }
+    batten_text_add(out, "]");
+    json_numbers(out, "half", 3, f->oriented.half);
+    batten_text_add(out, "}");
+}
+
+static void json_region(batten_text *out, const facts *f)
+{
+    const batten_region *r = &f->region;
+    batten_text_add(out, ", \"plane\": \"%s\"", plane_name(f->axis));
+    json_number(out, "area", r->area);
+    json_numbers(out, "centroid", 3, f->centroid);
+    json_numbers(out, "moments", 3, (const double[3]){r->xx, r->xy, r->yy});
+    json_numbers(out, "principal", 2, r->principal);
+    json_number(out, "angle", r->angle);
+}
+
+static void json_curve(batten_text *out, const facts *f)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, f->name);
+    batten_text_add(out, ", \"type\": \"curve\", \"closed\": %s", f->closed ? "true" : "false");
+    json_number(out, "length", f->length);
+    json_number(out, "error", f->error);
+    json_boxes(out, f);
+    if (f->encloses)
+        json_region(out, f);
+    if (f->turns)
+        json_number(out, "turning", f->turning);
+    for (int k = 0; k < LISTS; k++)
+        if (!lists[k].plane || f->axis >= 0)
+            json_numbers(out, lists[k].key, f->found[k].count, f->found[k].at);
+    batten_text_add(out, "}");
+}
+
+/* ---- the report ---- */
+
+static batten_status add_curve(const bat_run *run, const batten_object *object, bool json,
+                               batten_text *out)
+{
+    facts f;
+    const double within =
+        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    batten_status status = measure(object, within, &f);
+    if (status == BATTEN_OK)
+        (json ? json_curve : text_curve)(out, &f);
+    else if (status != BATTEN_OUT_OF_MEMORY)
+        status = bat_fail(status, "%s: %s", object->name, batten_message());
+    facts_end(&f);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects objects;
+    batten_text text = BATTEN_TEXT;
+    const char *dot = strrchr(run->name, '.');
+    const bool json = dot && strcmp(dot, ".json") == 0;
+    batten_status status = bat_gather(run, "measure", BAT_CURVES, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    batten_text_add(&text, json ? "{\n  \"objects\": [\n" : "");
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
+        batten_text_add(&text, json && i ? ",\n" : "");
+        status = add_curve(run, objects.at[i], json, &text);
+    }
+    batten_text_add(&text, json ? "\n  ]\n}\n" : "");
+    if (status == BATTEN_OK)
+        status = batten_text_take(&text, &run->data, &run->size);
+    batten_text_free(&text);
+    bat_objects_release(&objects);
+    return status;
+}
+
+const bat_feature bat_feature_measure = {
+    .shown =
+        {"measure", "A report: lengths, boxes, areas, moments and special places of curves",
+         "For each curve its length, the tight box, and a small box at an angle. Of one that "
+         "is closed\n"
+         "and lies in a plane x, y or z = constant: the area (clockwise negative), the "
+         "centroid, the\n"
+         "second moments about it (the integrals of x x, x y, y y in that plane) with their "
+         "principal\n"
+         "values, how often the tangent turns around. Then the parameters of inflections, of "
+         "places\n"
+         "where curvature is 0 or extreme, where the curve stands still (cusps) or crosses "
+         "itself.\n"
+         "All of them are found, but for what is lost in the rounding of the control points; "
+         "lengths\n"
+         "are in units of the design. As JSON, with all digits, when the file ends in .json.",
+         "features:\n"
+         "  oval: {ellipse: 2 m, b: 1 m}\n"
+         "outputs:\n"
+         "  oval.txt: {measure: oval}\n"
+         "  oval.json: {measure: oval}\n",
+         "[Toussaint83]", "batten_curve_region", BAT_PARAMETERS(parameters), true},
+    .run = run};
