@@ -88,9 +88,10 @@ typedef struct batten_census {
  *                  as lying in a plane, a line or a point. 0: only what does exactly
  * @param[out] out  release with batten_census_release
  * @return BATTEN_OK; BAD_ARGUMENT; BAD_DEGREE; NOT_FINITE; INCOMPLETE where the coordinates
- *         differ by more than 2^300 in size, or roots are nearer than 2^-200
- * Cost: about 0.2 ms for a cubic, 1 ms for a sextic, 0.1 s for degree 10. From degree 12 or so
- * the work of eliminating would be too large: then 0.2 s are spent and is_complete is false.
+ *         differ by more than 2^300 in size, or roots that coincide or nearly do would take too
+ *         much work (from degree 15 or so)
+ * Cost: about 0.2 ms for a cubic, 1 ms for a sextic, 0.1 s for degree 10. From degree 13 or so
+ * the work of eliminating is too large: then is_complete is false, after at most half a second.
  * Source: [SL] VIII; [SWP08] for elimination, [CA76] for roots. The counts are [Walker50]'s.
  */
 BATTEN_API batten_status batten_census_take(int dimension, int degree, const double *points,

@@ -7,8 +7,9 @@
 #include <float.h>
 #include <string.h>
 
-/* Products of limbs: about 0.2 seconds for the inflections, and as many for the elimination. */
-enum { EFFORT = 100000000 };
+/* Products of limbs, about 0.2 seconds: for the inflections, and as many for the elimination.
+ */
+enum { EFFORT = 200000000 };
 
 const char *batten_special_name(batten_special_kind kind, bool plural)
 {
@@ -267,6 +268,33 @@ static batten_status find_double_points(bat_whole_poly x, bat_whole_poly y, int 
 
 /* ---- one span ---- */
 
+/* Numbers [count], two apart, to a size near 1. */
+static void scale_to_one(int count, double *x)
+{
+    double largest = 0;
+    int exponent;
+    for (int i = 0; i < count; i++)
+        largest = bat_max(largest, fabs(x[2 * i]));
+    frexp(largest, &exponent);
+    for (int i = 0; i < count; i++)
+        x[2 * i] = ldexp(x[2 * i], -exponent);
+}
+
+/* Two coordinates of the points, from the first one, each of a size near 1: an affine map,
+ * which a search for crossings may choose as it likes. */
+static void flatten(const finding *f, const int *axes, double *plane)
+{
+    for (int k = 0; k < 2; k++) {
+        double *const x = plane + k;
+        for (int i = 0; i <= f->degree; i++)
+            x[2 * i] = f->points[i * f->dimension + axes[k]];
+        scale_to_one(f->degree + 1, x);
+        for (int i = f->degree; i >= 0; i--)
+            x[2 * i] -= x[0];
+        scale_to_one(f->degree + 1, x);
+    }
+}
+
 static batten_status look_in_plane(bat_wholes *pool, const bat_exact_span *span,
                                    const bat_flatness *flat, finding *f)
 {
@@ -292,9 +320,7 @@ static batten_status look_in_plane(bat_wholes *pool, const bat_exact_span *span,
     if (status != BATTEN_OK)
         return status;
     double plane[2 * (BATTEN_MAX_DEGREE + 1)];
-    for (int i = 0; i <= f->degree; i++)
-        for (int k = 0; k < 2; k++)
-            plane[2 * i + k] = f->points[i * f->dimension + axes[k]];
+    flatten(f, axes, plane);
     return find_double_points(
         x, y, f->census.whole[BATTEN_SPECIAL_CUSP] + f->census.whole[BATTEN_SPECIAL_PAUSE],
         plane, f);
@@ -353,8 +379,11 @@ batten_status batten_census_take(int dimension, int degree, const double *points
     status = look_at_span(&pool, tolerance, &f);
     bat_wholes_release(&pool);
     if (status == BATTEN_INCOMPLETE && effort.status == BATTEN_INCOMPLETE)
-        status = bat_fail(status, "roots of degree %d are too near to be told apart",
-                          2 * f.census.degree - 4);
+        status =
+            bat_fail(status,
+                     "degree %d: inflections that coincide or nearly do take too much work "
+                     "to be told apart",
+                     f.census.degree);
     if (status != BATTEN_OK) {
         bat_release(f.census.specials);
         return status;

@@ -168,6 +168,30 @@ static int highest_degree(const system_of *s)
     return bat_max_int(whole, part);
 }
 
+static int highest_bits(bat_whole_poly p)
+{
+    int bits = 0;
+    for (int i = 0; i <= p.degree; i++)
+        bits = bat_max_int(bits, bat_whole_bits(p.c[i]));
+    return bits;
+}
+
+/* Will the effort be enough for the determinants? In stage k entries have k times the bits of
+ * the first ones; three products of them, in three determinants at each Z, are most of the
+ * work.
+ */
+static bool is_within_effort(const system_of *s)
+{
+    enum { CALLS = 72 };
+    const int n = s->p + s->q, bits = bat_max_int(highest_bits(s->x), highest_bits(s->y));
+    double steps = 0;
+    for (int k = 1; k < n; k++) {
+        const double limbs = 1 + k * bits / 32.0;
+        steps += 3 * (double)(n - k) * (n - k) * (CALLS + 3 * limbs * limbs);
+    }
+    return steps * (highest_degree(s) + 1) <= (double)s->pool->effort->steps;
+}
+
 static void eliminate(const system_of *s, bat_whole_poly *forms)
 {
     const int count = highest_degree(s) + 1;
@@ -289,6 +313,8 @@ bat_double_points bat_double_points_find(bat_wholes *pool, bat_whole_poly x, bat
         bat_whole_poly forms[FORMS];
         if (!set_up(&s, lambdas[k]))
             continue;
+        if (!is_within_effort(&s))
+            break;
         eliminate(&s, forms);
         if (pool->effort->status != BATTEN_OK)
             break;

@@ -61,22 +61,35 @@ batten_status bat_exact_span_read(bat_wholes *pool, int dimension, int degree,
     return pool->effort->status;
 }
 
+/* 2^n x((1 + u) / 2) */
+static bat_whole_poly centred(bat_wholes *pool, bat_whole_poly p, int n)
+{
+    bat_whole_poly scaled = bat_poly_copy(pool, p);
+    for (int i = 0; i <= scaled.degree; i++)
+        scaled.c[i] = bat_whole_shift(pool, scaled.c[i], n - i);
+    return bat_poly_shift(pool, scaled, bat_whole_of_int(pool, 1));
+}
+
 void bat_exact_span_centred(bat_wholes *pool, const bat_exact_span *span, int stride,
                             double *powers)
 {
     const int n = span->degree;
+    bat_whole_poly p[3];
+    int highest = INT_MIN;
     for (int k = 0; k < span->dimension; k++) {
-        double *const row = powers + (size_t)k * (size_t)stride;
-        bat_whole_poly p = bat_poly_copy(pool, span->at[k]);
-        for (int i = 0; i <= p.degree; i++) /* 2^n x((1 + u) / 2) */
-            p.c[i] = bat_whole_shift(pool, p.c[i], n - i);
-        p = bat_poly_shift(pool, p, bat_whole_of_int(pool, 1));
+        p[k] = centred(pool, span->at[k], n);
+        for (int i = 1; i <= p[k].degree; i++)
+            if (p[k].c[i].sign)
+                highest = bat_max_int(highest, bat_whole_bits(p[k].c[i]) - span->shift[k]);
+    }
+    for (int k = 0; k < span->dimension; k++)
         for (int i = 0; i <= n; i++) {
             int exponent = 0;
-            const double part = i <= p.degree ? bat_whole_frexp(p.c[i], &exponent) : 0;
-            row[i] = ldexp(part, exponent - n - span->shift[k]);
+            const bool is_there = i > 0 && i <= p[k].degree && p[k].c[i].sign;
+            const double part = is_there ? bat_whole_frexp(p[k].c[i], &exponent) : 0;
+            powers[k * stride + i] =
+                is_there ? ldexp(part, exponent - span->shift[k] - highest) : 0;
         }
-    }
 }
 
 /* ---- exact dimension ---- */

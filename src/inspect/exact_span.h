@@ -18,7 +18,8 @@ typedef struct {
 batten_status bat_exact_span_read(bat_wholes *pool, int dimension, int degree,
                                   const double *points, bat_exact_span *out);
 
-/* Powers of u = 2 t - 1, rounded once: [dimension][stride], the first degree + 1 of each. */
+/* Powers of u = 2 t - 1 but for the constants, rounded once, in a unit near the largest of
+ * them: [dimension][stride], the first degree + 1 of each. */
 void bat_exact_span_centred(bat_wholes *pool, const bat_exact_span *span, int stride,
                             double *powers);
 

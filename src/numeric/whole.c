@@ -146,10 +146,28 @@ int bat_whole_bits(bat_whole a)
     return a.count ? 32 * (a.count - 1) + bits_of(a.limb[a.count - 1]) : 0;
 }
 
+/* What one call costs besides, in products of limbs. */
+enum { CALL = 24 };
+
+/* May so many products of limbs still be made? */
+static bool spend(bat_wholes *pool, int rows, int columns)
+{
+    bat_effort *effort = pool->effort;
+    const uint64_t steps = CALL + (uint64_t)rows * (uint64_t)columns;
+    if (effort->status != BATTEN_OK)
+        return false;
+    if (steps > effort->steps) {
+        effort->status = BATTEN_INCOMPLETE;
+        return false;
+    }
+    effort->steps -= steps;
+    return true;
+}
+
 /* |a| + |b| for a.count >= b.count */
 static bat_whole sum_of_sizes(bat_wholes *pool, int sign, bat_whole a, bat_whole b)
 {
-    uint32_t *limb = limbs(pool, a.count + 1);
+    uint32_t *limb = spend(pool, a.count, 1) ? limbs(pool, a.count + 1) : NULL;
     uint64_t carry = 0;
     if (!limb)
         return zero;
@@ -165,7 +183,7 @@ static bat_whole sum_of_sizes(bat_wholes *pool, int sign, bat_whole a, bat_whole
 /* |a| - |b| for |a| >= |b| */
 static bat_whole difference_of_sizes(bat_wholes *pool, int sign, bat_whole a, bat_whole b)
 {
-    uint32_t *limb = limbs(pool, a.count);
+    uint32_t *limb = spend(pool, a.count, 1) ? limbs(pool, a.count) : NULL;
     uint64_t borrow = 0;
     if (!limb)
         return zero;
@@ -210,23 +228,9 @@ bat_whole bat_whole_shift(bat_wholes *pool, bat_whole a, int bits)
 
 /* ---- products ---- */
 
-/* May so many products of limbs still be made? */
-static bool spend(bat_wholes *pool, uint64_t steps)
-{
-    bat_effort *effort = pool->effort;
-    if (effort->status != BATTEN_OK)
-        return false;
-    if (steps > effort->steps) {
-        effort->status = BATTEN_INCOMPLETE;
-        return false;
-    }
-    effort->steps -= steps;
-    return true;
-}
-
 bat_whole bat_whole_multiply(bat_wholes *pool, bat_whole a, bat_whole b)
 {
-    if (a.sign == 0 || b.sign == 0 || !spend(pool, (uint64_t)a.count * (uint64_t)b.count))
+    if (a.sign == 0 || b.sign == 0 || !spend(pool, a.count, b.count))
         return zero;
     uint32_t *limb = limbs(pool, a.count + b.count);
     if (!limb)
@@ -300,7 +304,7 @@ static bat_whole divide_long(bat_wholes *pool, bat_whole a, bat_whole b, bat_who
     const bat_whole v = bat_whole_shift(pool, b, shift),
                     moved = bat_whole_shift(pool, a, shift);
     uint32_t *u = limbs(pool, a.count + 1), *q = limbs(pool, m + 1), *r = limbs(pool, n);
-    if (!u || !q || !r || !spend(pool, (uint64_t)(m + 1) * (uint64_t)n))
+    if (!u || !q || !r || !spend(pool, m + 1, n))
         return zero;
     memcpy(u, moved.limb, (size_t)moved.count * sizeof *u);
     for (int j = m; j >= 0; j--)
@@ -325,7 +329,7 @@ bat_whole bat_whole_divide(bat_wholes *pool, bat_whole a, bat_whole b, bat_whole
     if (b.count > 1)
         return divide_long(pool, a, b, r);
     uint32_t *q = limbs(pool, a.count), *one = limbs(pool, 1);
-    if (!q || !one || !spend(pool, (uint64_t)a.count))
+    if (!q || !one || !spend(pool, a.count, 1))
         return zero;
     one[0] = divide_by_limb(a, b.limb[0], q);
     *r = trimmed(a.sign, 1, one);

@@ -18,7 +18,7 @@ typedef struct {
 
 typedef struct {
     batten_status status; /* OK, OUT_OF_MEMORY or INCOMPLETE */
-    uint64_t steps;       /* products of limbs that may still be made */
+    uint64_t steps;       /* products of limbs that may still be made, or work like them */
 } bat_effort;
 
 typedef struct bat_whole_block bat_whole_block;

@@ -139,7 +139,7 @@ static int cubic_inflections(batten_cubic_class kind)
 TEST(cubics_have_what_their_class_says)
 {
     test_random random = test_random_begin("cubics");
-    for (int n = test_cases(3000); n > 0; n--) {
+    for (int n = test_cases(4000); n > 0; n--) {
         double points[8];
         batten_cubic cubic;
         batten_census c;
@@ -240,7 +240,7 @@ TEST(a_search_counts_the_same)
 {
     test_random random = test_random_begin("search");
     int compared = 0, crossed = 0, turned = 0;
-    const int cases = test_cases(3000);
+    const int cases = test_cases(7000);
     for (int n = 0; n < cases; n++) {
         const int degree = 3 + n % 4;
         double points[14];
@@ -291,6 +291,53 @@ TEST(both_parameters_of_a_crossing_lead_to_one_point)
         batten_census_release(&c);
     }
     CHECK(cases < 60 || seen > 20);
+}
+
+/* X(t + s i), both parts of each coordinate. */
+static void at_complex(int degree, const double *points, double t, double s, double (*out)[2])
+{
+    for (int k = 0; k < 2; k++) {
+        double a[BATTEN_MAX_DEGREE + 1], b[BATTEN_MAX_DEGREE + 1] = {0};
+        for (int i = 0; i <= degree; i++)
+            a[i] = points[2 * i + k];
+        for (int r = degree; r > 0; r--)
+            for (int i = 0; i < r; i++) {
+                const double da = a[i + 1] - a[i], db = b[i + 1] - b[i];
+                a[i] += t * da - s * db;
+                b[i] += t * db + s * da;
+            }
+        out[k][0] = a[0];
+        out[k][1] = b[0];
+    }
+}
+
+TEST(isolated_points_are_real_at_complex_parameters)
+{
+    test_random random = test_random_begin("isolated");
+    int seen = 0;
+    const int cases = test_cases(100);
+    for (int n = 0; n < cases; n++) {
+        const int degree = 3 + n % 5;
+        double points[16];
+        batten_census c;
+        random_points(&random, degree, false, points);
+        CHECK_OK(batten_census_take(2, degree, points, 0, &c));
+        for (int i = 0; i < c.count; i++) {
+            const batten_special *s = &c.specials[i];
+            double value[2][2];
+            /* far from the span the powers of t magnify rounding */
+            if (s->kind != BATTEN_SPECIAL_ISOLATED || hypot(s->t - 0.5, s->s) > 1)
+                continue;
+            at_complex(degree, points, s->t, s->s, value);
+            CHECK_NEAR(value[0][1], 0, 1e-11);
+            CHECK_NEAR(value[1][1], 0, 1e-11);
+            CHECK_NEAR(value[0][0], s->point.x, 1e-11);
+            CHECK(s->s > 0 && !s->inside);
+            seen++;
+        }
+        batten_census_release(&c);
+    }
+    CHECK(cases < 100 || seen > 50);
 }
 
 /* ---- laws ---- */
