@@ -65,7 +65,8 @@ typedef struct batten_census {
     int whole[BATTEN_SPECIAL_COUNT], segment[BATTEN_SPECIAL_COUNT];
     int complex_count;  /**< double points that are not real, by multiplicity */
     int infinite_count; /**< and those at infinity; with crossings, isolated points, cusps and
-                             pauses they make (degree - 1) (degree - 2) / 2 */
+                             pauses (higher ones more than once) they make
+                             (degree - 1) (degree - 2) / 2 */
     double margin;      /**< of the counts inside the span: the smallest of what x'y'' - x''y'
                              would have to change by, by its size, before it had a root more or
                              less, and of how far, in parts of the span, crossings are from

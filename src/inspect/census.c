@@ -295,6 +295,14 @@ static void flatten(const finding *f, const int *axes, double *plane)
     }
 }
 
+static batten_status look_on_line(bat_wholes *pool, bat_whole_poly x, finding *f)
+{
+    f->census.flat_dimension = 1;
+    f->census.margin = f->census.flatness = 0;
+    return add_all_roots(pool, bat_poly_derivative(pool, x), bat_poly_constant(pool, 1),
+                         BATTEN_SPECIAL_CUSP, BATTEN_SPECIAL_PAUSE, f);
+}
+
 static batten_status look_in_plane(bat_wholes *pool, const bat_exact_span *span,
                                    const bat_flatness *flat, finding *f)
 {
@@ -305,6 +313,8 @@ static batten_status look_in_plane(bat_wholes *pool, const bat_exact_span *span,
     const bat_whole_poly bending =
         bat_poly_combine(pool, 1, bat_poly_multiply(pool, dx, bat_poly_derivative(pool, dy)),
                          -1, bat_poly_multiply(pool, bat_poly_derivative(pool, dx), dy));
+    if (bending.degree < 0) /* a line that rounding had made wider than a small tolerance */
+        return look_on_line(pool, x.degree > y.degree ? x : y, f);
     /* With x' = s u, y' = s v: x'y'' - x''y' = s^2 (u v' - u' v). */
     const bat_whole_poly turning = bat_poly_quotient(pool, bat_poly_primitive(pool, bending),
                                                      bat_poly_multiply(pool, stops, stops));
@@ -343,9 +353,7 @@ static batten_status look_at_span(bat_wholes *pool, double tolerance, finding *f
     if (flat.dimension == 2)
         return look_in_plane(pool, &span, &flat, f);
     if (flat.dimension == 1)
-        return add_all_roots(pool, bat_poly_derivative(pool, span.at[flat.axes[0]]),
-                             bat_poly_constant(pool, 1), BATTEN_SPECIAL_CUSP,
-                             BATTEN_SPECIAL_PAUSE, f);
+        return look_on_line(pool, span.at[flat.axes[0]], f);
     return pool->effort->status;
 }
 

@@ -328,6 +328,24 @@ TEST(n1_canonical_forms_need_finite_points)
     CHECK_MESSAGE("point 1");
 }
 
+TEST(n2_canonical_forms_do_not_depend_on_size)
+{
+    const double points[10] = {0, 0, 1, 2, 5, -1, 3, 3, 4, 0}, sizes[] = {1, 1e-300, 3e307};
+    double value[3][8];
+    for (int i = 0; i < COUNT(sizes); i++) {
+        double scaled[10];
+        batten_canonical c;
+        for (int k = 0; k < 10; k++)
+            scaled[k] = points[k] * sizes[i];
+        CHECK_OK(batten_canonical_form(2, 4, scaled, 1e-10, &c));
+        CHECK_INT(c.count, 3);
+        for (int k = 0; k < c.count; k++) {
+            value[i][k] = c.at[k].value;
+            CHECK_NEAR(value[i][k], value[0][k], 1e-12 * (1 + fabs(value[0][k])));
+        }
+    }
+}
+
 TEST(n6_canonical_forms_refuse_arguments_outside_their_range)
 {
     const double points[4] = {0, 0, 1, 1};

@@ -467,6 +467,23 @@ TEST(lines_and_points_are_told_from_curves)
     batten_census_release(&c);
 }
 
+TEST(lines_that_rounding_hides_from_a_small_tolerance_are_lines)
+{
+    test_random random = test_random_begin("lines");
+    for (int n = test_cases(100); n > 0; n--) {
+        double points[12];
+        batten_census c;
+        for (int i = 0; i < 6; i++) { /* y = 3 x exactly, with all bits in use */
+            points[2 * i] = (double)(test_random_bits(&random) >> 13) * 0x1p-51;
+            points[2 * i + 1] = 3 * points[2 * i];
+        }
+        CHECK_OK(batten_census_take(2, 5, points, 1e-300, &c));
+        CHECK_INT(c.flat_dimension, 1);
+        CHECK_INT(WHOLE(c, INFLECTION), 0);
+        batten_census_release(&c);
+    }
+}
+
 TEST(a_plane_of_space_has_the_census_of_the_plane)
 {
     test_random random = test_random_begin("space");
@@ -562,6 +579,17 @@ TEST(n2_spans_of_any_size_are_counted_and_of_too_many_sizes_refused)
     CHECK_STATUS(batten_census_take(2, 2, (const double[]){0, 0, 1e-200, 1, 1, 0}, 0, &c),
                  BATTEN_INCOMPLETE);
     CHECK_MESSAGE("binary places");
+}
+
+TEST(n2_the_smallest_numbers_of_a_high_degree_take_no_longer)
+{
+    double points[2 * 19];
+    batten_census c;
+    for (int i = 0; i < COUNT(points); i++)
+        points[i] = ldexp((i * 7) % 11 + 1, -1074);
+    CHECK_OK(batten_census_take(2, 18, points, 1e-9, &c));
+    CHECK(!c.is_complete && SEGMENT(c, INFLECTION) > 0);
+    batten_census_release(&c);
 }
 
 TEST(n6_arguments_outside_their_range_are_refused)
