@@ -33,11 +33,11 @@ batten_status bat_row_beyond_make(int dimension, int count, const double *points
     return bat_parameters_check(count + closed, row->t);
 }
 
-/* Index i of an open row is that of a point inside, seen in mirrors at both ends: value = add +
- * sign (value there), where `add` is made of the ends' own values by the rows at 2 first + 2
- * last. */
+/* What stands at index i of an open row is seen in mirrors at both ends: `sign` times what
+ * stands at `index` inside, plus twice the ends themselves, the first one `first` times and the
+ * last one `last` times. */
 typedef struct {
-    int index, first, last; /* how often, and with which sign, twice each end is added */
+    int index, first, last;
     double sign;
 } mirrored;
 
@@ -71,6 +71,8 @@ double bat_parameter_beyond(const bat_row_beyond *row, int i)
 {
     const double *t = row->t;
     if (row->closed) {
+        if (i == row->count)
+            return t[i];
         const int turns = periods(row->count, &i);
         return t[i] + turns * (t[row->count] - t[0]);
     }

@@ -16,6 +16,7 @@ static batten_status evaluate(const char *feature, batten_design **out, batten_n
         "-1]]}\n"
         "  q: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2], [4, 0, 0]]}\n"
         "  rise: {points: [[0, 0], [1, 0], [2, 0], [3, 0.2], [4, 3], [5, 10], [6, 30]]}\n"
+        "  line: {points: [[0, 0.1], [0.1, 0.17], [0.2, 0.24], [0.7, 0.59], [1, 0.8]]}\n"
         "  back: {points: [[0, 0], [2, 0], [1, 0], [1, 1], [2, 2]]}\n";
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows, feature);
@@ -112,6 +113,22 @@ TEST(local_methods_say_what_they_cannot_do)
             status = evaluate(rows[i].feature, &design, NULL);
         CHECK(status != BATTEN_OK);
         CHECK_MESSAGE(rows[i].says);
+    }
+}
+
+/* Points in line are convex up to rounding, and so are their splines: nothing is to be said. */
+TEST(splines_of_points_in_line_are_not_blamed_for_rounding)
+{
+    static const char *const features[] = {"{interpolate: line, as: function}",
+                                           "{interpolate: line, as: function, ends: natural}"};
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        CHECK_OK(batten_notes_create(4, &notes));
+        CHECK_OK(evaluate(features[i], &design, notes));
+        CHECK_INT(batten_notes_count(notes), 0);
+        batten_design_free(design);
+        batten_notes_free(notes);
     }
 }
 

@@ -312,6 +312,23 @@ TEST(a_closed_curve_is_that_of_the_points_again_and_again)
     }
 }
 
+TEST(a_closed_curve_keeps_the_parameters_it_is_given)
+{
+    static const double ring[][2] = {{2, 0}, {1.4, 1.5}, {0, 2.1}, {-1.4, 1.4}};
+    const double t[] = {0.1, 1.3, 2.7, 3.1, 4.9};
+    batten_catmull_rom_options options = batten_catmull_rom_defaults();
+    batten_curve *curve = NULL;
+    double back[5];
+    options.given = t;
+    options.closed = true;
+    CHECK_OK(batten_curve_catmull_rom(2, 4, ring[0], &options, back, NULL, &curve));
+    for (int i = 0; i < 5; i++)
+        CHECK_BITS(back[i], t[i]);
+    CHECK_BITS(batten_curve_domain(curve).a, t[0]);
+    CHECK_BITS(batten_curve_domain(curve).b, t[4]);
+    batten_curve_unref(curve);
+}
+
 /* ---- properties ---- */
 
 static int loops(double alpha, int count, const double *points)

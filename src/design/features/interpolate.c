@@ -102,20 +102,25 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
 static batten_status find_bend(const bat_data *data, int sign, const batten_curve *curve,
                                int *at)
 {
-    double *second = bat_array((size_t)data->count, sizeof *second), scale = 0;
+    const double *x = data->abscissae;
+    double *second = bat_array((size_t)data->count, sizeof *second);
+    double bend = 0, size = 0, step = HUGE_VAL;
     batten_status status = second ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < data->count && status == BATTEN_OK; i++) {
         double out[3];
-        status = batten_curve_evaluate(curve, data->abscissae[i], 2, out);
-        if (status == BATTEN_OK) {
-            second[i] = sign * out[2];
-            scale = fmax(scale, fabs(out[2]));
-        }
+        status = batten_curve_evaluate(curve, x[i], 2, out);
+        if (status != BATTEN_OK)
+            break;
+        second[i] = sign * out[2];
+        bend = fmax(bend, fabs(out[2]));
+        size = fmax(size, fabs(data->points[i]));
+        step = i > 0 ? fmin(step, x[i] - x[i - 1]) : step;
     }
     *at = -1;
-    /* Second derivatives are differences of differences. */
+    /* Second derivatives are differences of differences of the values. */
+    const double zero = 64 * DBL_EPSILON * (bend + size / step / step);
     for (int i = 0; i < data->count && status == BATTEN_OK && *at < 0; i++)
-        if (second[i] < -64 * DBL_EPSILON * scale)
+        if (second[i] < -zero)
             *at = i;
     bat_release(second);
     return status;
