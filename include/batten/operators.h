@@ -113,8 +113,9 @@ typedef struct batten_minimax_report {
  * @param count at least degree + 2
  * @param parameters [count], increasing
  * @param[out] report may be NULL
- * @return BATTEN_OK: `error` exceeds `bound` by rounding; BAD_DEGREE outside 0..25,
- * TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING; INCOMPLETE when exchanges did not end
+ * @return BATTEN_OK: `error` exceeds `bound` by rounding, which grows with the degree;
+ * BAD_DEGREE outside 0..25, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING; INCOMPLETE when
+ * exchanges did not end
  *
  * The curve is a Bezier curve of dimension 1 over the parameters (degree 0: a line that is
  * level). Cost: some degree exchanges of degree^3 + degree count. Source: [Remez34],

@@ -84,6 +84,12 @@ static batten_status level_reference(task *t)
         t->level = t->coefficients[n + 1];
     }
     bat_release(matrix);
+    if (status == BATTEN_SINGULAR_SYSTEM)
+        return bat_fail(
+            status,
+            "%d of the parameters lie too close together for a polynomial of degree "
+            "%d: near %g",
+            m, n, t->x[0]);
     return status;
 }
 
@@ -249,18 +255,30 @@ static batten_status make_curve(const task *t, batten_curve **out)
     return batten_curve_create(1, n, n + 1, control, NULL, knots, out);
 }
 
-static double rms_of(const task *t)
+/* The errors of the curve itself: Bernstein's form of high degrees rounds more than
+ * Chebyshev's. */
+static batten_status measure(const task *t, const batten_curve *curve,
+                             batten_minimax_report *report)
 {
     double squares = 0;
-    for (int i = 0; i < t->count; i++) {
-        const double error = t->f[i] - value(t, t->t[i]);
-        squares += error * error;
+    const batten_status status =
+        batten_curve_evaluate_many(curve, (size_t)t->count, t->t, 0, NULL, t->errors);
+    *report = (batten_minimax_report){.error = fabs(t->worst_error), .exchanges = t->exchanges};
+    for (int i = 0; status == BATTEN_OK && i < t->count; i++) {
+        const double error = fabs(t->f[i] - t->errors[i]);
+        report->error = bat_max(report->error, error);
+        squares += error * (error / t->count);
     }
-    return sqrt(squares / t->count);
+    report->rms = sqrt(squares);
+    report->bound = bat_min(fabs(t->level), report->error);
+    memcpy(report->places, t->x, (size_t)(t->degree + 2) * sizeof *t->x);
+    return status;
 }
 
 static batten_status run(task *t, batten_minimax_report *report, batten_curve **out)
 {
+    batten_minimax_report reached;
+    batten_curve *curve = NULL;
     t->a = t->t[0];
     t->b = t->t[t->count - 1];
     t->size = bat_largest(t->count, t->f);
@@ -269,16 +287,18 @@ static batten_status run(task *t, batten_minimax_report *report, batten_curve **
         return BATTEN_OUT_OF_MEMORY;
     begin_reference(t);
     batten_status status = exchange_all(t);
-    bat_release(t->errors);
     if (status == BATTEN_OK)
-        status = make_curve(t, out);
-    if (status != BATTEN_OK || !report)
+        status = make_curve(t, &curve);
+    if (status == BATTEN_OK)
+        status = measure(t, curve, &reached);
+    bat_release(t->errors);
+    if (status != BATTEN_OK) {
+        batten_curve_unref(curve);
         return status;
-    *report = (batten_minimax_report){.error = fabs(t->worst_error),
-                                      .bound = bat_min(fabs(t->level), fabs(t->worst_error)),
-                                      .rms = rms_of(t),
-                                      .exchanges = t->exchanges};
-    memcpy(report->places, t->x, (size_t)(t->degree + 2) * sizeof *t->x);
+    }
+    if (report)
+        *report = reached;
+    *out = curve;
     return BATTEN_OK;
 }
 

@@ -80,6 +80,42 @@ TEST(the_minimum_of_a_quadratic_program_meets_the_conditions_of_kuhn_and_tucker)
     }
 }
 
+/* The point of a polytope that is nearest to another, with many faces on the way. */
+TEST(many_inequalities_are_taken_up_and_dropped_without_losing_the_minimum)
+{
+    enum { MANY = 24, FACES = 150 };
+    test_random random = test_random_begin("polytope");
+    static double h[MANY * MANY], e[FACES * MANY];
+    double f[FACES], g[MANY], x[MANY], forces[FACES], gradient[MANY];
+    int dropped = 0;
+    for (int i = 0; i < MANY; i++)
+        h[i * MANY + i] = 1;
+    for (int c = 0; c < test_cases(20); c++) {
+        fill(&random, FACES * MANY, e);
+        for (int i = 0; i < FACES; i++)
+            f[i] = -sqrt(dot(MANY, e + i * MANY, e + i * MANY));
+        for (int i = 0; i < MANY; i++)
+            g[i] = test_random_in(&random, -9, 9);
+        bat_quadratic_report report;
+        const bat_quadratic_program program = {MANY, h, g, 0, NULL, NULL, FACES, e, f};
+        CHECK_OK(bat_quadratic_program_solve(&program, x, forces, &report));
+        dropped += report.steps - report.active_count;
+        CHECK(report.active_count > 3);
+        for (int i = 0; i < MANY; i++)
+            gradient[i] = x[i] - g[i];
+        for (int j = 0; j < FACES; j++) {
+            const double room = dot(MANY, e + j * MANY, x) - f[j];
+            CHECK(room > -1e-9 && forces[j] >= 0);
+            CHECK_NEAR(forces[j] * room, 0, 1e-9);
+            for (int i = 0; i < MANY; i++)
+                gradient[i] -= forces[j] * e[j * MANY + i];
+        }
+        for (int i = 0; i < MANY; i++)
+            CHECK_NEAR(gradient[i], 0, 1e-11);
+    }
+    CHECK(dropped > 0);
+}
+
 TEST(a_form_that_vanishes_somewhere_is_enough_where_conditions_fix_the_rest)
 {
     /* (x - y)^2 alone, with x + y = 2, and with y >= 3. */
