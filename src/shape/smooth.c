@@ -1,6 +1,5 @@
-/* Smoothing splines and P-splines: a fit with a penalty, and the search for its weight. */
-#include "numeric/vector.h"
-#include "shape/approximate.h"
+/* Smoothing splines and P-splines: fits with a penalty. */
+#include "shape/smooth.h"
 #include "spline/curve.h"
 
 #include <float.h>
@@ -15,24 +14,10 @@ batten_smooth_options batten_smooth_defaults(void)
                                    .parameters = BATTEN_CHORD};
 }
 
-typedef struct {
-    const batten_smooth_options *options;
-    bat_fit_request request;
-    double *parameters; /* [count + 1] */
-    double *knots;
-    double *control, *residuals;
-    int distinct;  /* parameters that differ, of data that count */
-    int counted;   /* data that count */
-    double weight; /* of all data */
-    bat_fit fit;
-    batten_fit_report report;
-    batten_curve *curve;
-} task;
-
 /* ---- parameters ---- */
 
 /* Data that count and parameters that differ; of a ring the last is not the first again. */
-static int differing(const task *t, double *at)
+static int differing(const bat_smoothing *t, double *at)
 {
     const bat_fit_request *r = &t->request;
     int count = 0;
@@ -50,7 +35,7 @@ static int differing(const task *t, double *at)
     return count;
 }
 
-static void count_data(task *t)
+static void count_data(bat_smoothing *t)
 {
     const bat_fit_request *r = &t->request;
     for (int i = 0; i < r->data_count; i++) {
@@ -61,218 +46,10 @@ static void count_data(task *t)
     t->distinct = differing(t, NULL);
 }
 
-/* ---- one lambda ---- */
-
-static batten_status try_lambda(task *t, double lambda)
-{
-    int unknown;
-    batten_status status = bat_fit_solve(&t->fit, lambda, t->control, &unknown);
-    if (status == BATTEN_SINGULAR_SYSTEM)
-        return bat_fail(status,
-                        "control point %d of %d is not determined when the penalty weighs %g",
-                        unknown, t->fit.count, lambda);
-    if (status != BATTEN_OK)
-        return status;
-    bat_fit_residuals(&t->fit, t->control, t->residuals);
-    bat_fit_measure(&t->fit, t->residuals, &t->report);
-    t->report.lambda = lambda;
-    return BATTEN_OK;
-}
-
-static double weighted_rms(const task *t)
-{
-    return sqrt(t->report.sum / t->weight);
-}
-
-/* Where this vanishes rms is the target; rms is near a power of lambda for long stretches. */
-static batten_status above_target(task *t, double lambda, double *value)
-{
-    const batten_status status = try_lambda(t, lambda);
-    *value = log(weighted_rms(t) / t->options->amount);
-    return status;
-}
-
-/* Craven and Wahba's V; its root, which is a length. A lambda so large that the equations are
- * lost in rounding is no candidate. */
-static batten_status validation(task *t, double lambda, double *value)
-{
-    batten_status status = try_lambda(t, lambda);
-    if (status == BATTEN_OK)
-        status = bat_fit_freedom(&t->fit, &t->report.freedom);
-    const double rest = t->counted - t->report.freedom;
-    /* A trace so near to the number of data is rounding; the curve interpolates. */
-    const bool good = status == BATTEN_OK && rest > 1e-6 * t->counted;
-    *value = good ? sqrt(t->counted * t->report.sum) / rest : HUGE_VAL;
-    return status == BATTEN_SINGULAR_SYSTEM ? BATTEN_OK : status;
-}
-
-/* ---- the search, over x = log10(lambda / scale) ---- */
-
-static double lambda_at(const task *t, double x)
-{
-    return t->fit.penalty_scale * pow(10, x);
-}
-
-/* The penalty of the smoothest shape that is no polynomial is so much smaller than the mean:
- * about (pi / count)^(2 m); four decades more make it as good as a polynomial. */
-static double last_decade(const task *t)
-{
-    return 2 * t->options->order * log10(t->fit.count) + 4;
-}
-
-enum { FIRST_DECADE = -10 };
-
-/* rms rises with lambda. Secants, halving where they stand still. */
-static batten_status find_root(task *t, double low, double high, double at_low, double at_high)
-{
-    double value;
-    for (int i = 0; i < 60 && high - low > 1e-9; i++) {
-        double x = (low * at_high - high * at_low) / (at_high - at_low);
-        if (!(x > low && x < high) || i % 4 == 3)
-            x = (low + high) / 2;
-        const batten_status status = above_target(t, lambda_at(t, x), &value);
-        if (status != BATTEN_OK || fabs(value) <= 1e-8)
-            return status;
-        if (value < 0) {
-            low = x;
-            at_low = value;
-            at_high /= 2;
-        } else {
-            high = x;
-            at_high = value;
-            at_low /= 2;
-        }
-    }
-    return above_target(t, lambda_at(t, low), &value);
-}
-
-/* The lambda at which rms is the target, from the middle outwards; where rms stays below, the
- * polynomial will do, and *found is HUGE_VAL; where it stays above, the interpolant: 0.
- * Equations that are lost in rounding are those of the polynomial. */
-static batten_status search_target(task *t, double *found)
-{
-    const double last = last_decade(t), step = 2;
-    double x = 0, value = 0, before = 0;
-    batten_status status = above_target(t, lambda_at(t, x), &value);
-    const double way = status == BATTEN_OK && value < 0 ? step : -step;
-    *found = way > 0 ? HUGE_VAL : 0;
-    while (status == BATTEN_OK && (value < 0) == (way > 0)) {
-        if (x < FIRST_DECADE || x > last)
-            return BATTEN_OK;
-        x += way;
-        before = value;
-        status = above_target(t, lambda_at(t, x), &value);
-    }
-    if (status == BATTEN_SINGULAR_SYSTEM && way > 0)
-        return BATTEN_OK;
-    if (status == BATTEN_OK)
-        status = way > 0 ? find_root(t, x - step, x, before, value)
-                         : find_root(t, x, x + step, value, before);
-    *found = t->report.lambda;
-    return status;
-}
-
-/* The best place so far, the two before it, and the bracket around them. */
-typedef struct {
-    double low, high;
-    double x[3], value[3]; /* best first */
-    double last, before;   /* steps */
-} least_search;
-
-/* The vertex of the parabola through the three best places, where it lies inside and steps
- * shrink; else the golden section of the longer side. Source: [Brent73]. */
-static double next_place(least_search *s, double nearest)
-{
-    const double x = s->x[0], middle = (s->low + s->high) / 2;
-    const double r = (x - s->x[1]) * (s->value[0] - s->value[2]),
-                 q = (x - s->x[2]) * (s->value[0] - s->value[1]);
-    const double step = ((x - s->x[1]) * r - (x - s->x[2]) * q) / (2 * (q - r));
-    const bool good = fabs(step) < fabs(s->before) / 2 && x + step > s->low + nearest &&
-                      x + step < s->high - nearest;
-    s->before = good ? s->last : (x < middle ? s->high : s->low) - x;
-    s->last = good ? step : (3 - sqrt(5)) / 2 * s->before;
-    return x + (fabs(s->last) >= nearest ? s->last : copysign(nearest, s->last));
-}
-
-static void remember(least_search *s, double x, double value)
-{
-    const bool better = value <= s->value[0];
-    const double edge = better ? s->x[0] : x;
-    if (edge < (better ? x : s->x[0]))
-        s->low = edge;
-    else
-        s->high = edge;
-    int at = 3;
-    for (; at > 0 && value <= s->value[at - 1]; at--)
-        if (at < 3) {
-            s->x[at] = s->x[at - 1];
-            s->value[at] = s->value[at - 1];
-        }
-    if (at < 3) {
-        s->x[at] = x;
-        s->value[at] = value;
-    }
-}
-
-/* From the best place of three beside each other. */
-static batten_status find_least(task *t, const double *value, double best, double step,
-                                double *found)
-{
-    least_search s = {.low = best - step,
-                      .high = best + step,
-                      .x = {best, best - step, best + step},
-                      .value = {value[1], value[0], value[2]},
-                      .last = step,
-                      .before = 2 * step};
-    /* The criterion is flat at its least: a hundredth of a decade is far within its noise. */
-    const double nearest = 2.5e-3;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < 40; i++) {
-        const double middle = (s.low + s.high) / 2;
-        if (fabs(s.x[0] - middle) <= 2 * nearest - (s.high - s.low) / 2)
-            break;
-        const double x = next_place(&s, nearest);
-        double at_x;
-        status = validation(t, lambda_at(t, x), &at_x);
-        remember(&s, x, at_x);
-    }
-    *found = lambda_at(t, s.x[0]);
-    return status;
-}
-
-static batten_status search_validation(task *t, double *found)
-{
-    const double last = last_decade(t), step = t->fit.count > 2000 ? 2 : 1;
-    double best = 0, value[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, around[3] = {0, HUGE_VAL, 0};
-    for (double x = FIRST_DECADE; x < last + 2 * step; x += step) {
-        value[0] = value[1];
-        value[1] = value[2];
-        const batten_status status = validation(t, lambda_at(t, x), &value[2]);
-        if (status != BATTEN_OK)
-            return status;
-        if (value[1] < around[1]) {
-            memcpy(around, value, sizeof around);
-            best = x - step;
-        }
-    }
-    return find_least(t, around, best, step, found);
-}
-
-static batten_status choose_lambda(task *t, double *lambda)
-{
-    const batten_smooth_options *o = t->options;
-    *lambda = o->amount;
-    if (o->by == BATTEN_SMOOTH_BY_LAMBDA)
-        return BATTEN_OK;
-    if (o->by == BATTEN_SMOOTH_BY_RMS)
-        return o->amount == 0 ? BATTEN_OK : search_target(t, lambda);
-    return search_validation(t, lambda);
-}
-
 /* ---- the limits ---- */
 
 /* Measure a curve that was not made of the fit's equations. */
-static batten_status measure_curve(task *t, double lambda, double freedom)
+static batten_status measure_curve(bat_smoothing *t, double lambda, double freedom)
 {
     const bat_fit_request *r = &t->request;
     const size_t n = (size_t)r->data_count, d = (size_t)r->dimension;
@@ -287,7 +64,7 @@ static batten_status measure_curve(task *t, double lambda, double freedom)
 }
 
 /* The mean of the data, as a curve that stays there. */
-static batten_status make_constant(task *t)
+static batten_status make_constant(bat_smoothing *t)
 {
     const bat_fit_request *r = &t->request;
     const double a = r->parameters[0],
@@ -305,7 +82,7 @@ static batten_status make_constant(task *t)
 }
 
 /* lambda = infinity: a polynomial. */
-static batten_status make_polynomial(task *t)
+static batten_status make_polynomial(bat_smoothing *t)
 {
     const bat_fit_request *r = &t->request;
     const int degree = bat_min_int(t->options->order, t->distinct) - 1;
@@ -328,7 +105,7 @@ static batten_status make_polynomial(task *t)
 }
 
 /* The mean of the data at each parameter. */
-static void average(const task *t, double *u, double *q)
+static void average(const bat_smoothing *t, double *u, double *q)
 {
     const bat_fit_request *r = &t->request;
     const size_t d = (size_t)r->dimension;
@@ -356,7 +133,7 @@ static void average(const task *t, double *u, double *q)
 }
 
 /* lambda = 0: the natural spline through the means. */
-static batten_status make_interpolant(task *t)
+static batten_status make_interpolant(bat_smoothing *t)
 {
     const bat_fit_request *r = &t->request;
     const int n = t->distinct, m = t->options->order;
@@ -412,7 +189,7 @@ static batten_status check(int dimension, int count, const double *points,
                           "the amount of smoothing is %g; it must be 0 or more", o->amount);
 }
 
-static batten_status begin(task *t)
+static batten_status begin(bat_smoothing *t)
 {
     const batten_smooth_options *o = t->options;
     bat_fit_request *r = &t->request;
@@ -434,22 +211,22 @@ static batten_status begin(task *t)
     return BATTEN_OK;
 }
 
-static batten_status begin_fit(task *t)
+static batten_status begin_fit(bat_smoothing *t)
 {
     const bat_fit_request *r = &t->request;
     t->control = bat_array3((size_t)r->count, (size_t)r->dimension, sizeof *t->control);
     return t->control ? bat_fit_begin(r, &t->fit) : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status finish(task *t, double lambda)
+static batten_status finish(bat_smoothing *t, double lambda)
 {
-    batten_status status = try_lambda(t, lambda);
+    batten_status status = bat_smoothing_try(t, lambda);
     if (status == BATTEN_OK)
         status = bat_fit_freedom(&t->fit, &t->report.freedom);
     return status == BATTEN_OK ? bat_fit_curve(&t->fit, t->control, &t->curve) : status;
 }
 
-static batten_status hand_over(task *t, batten_status status, double *parameters,
+static batten_status hand_over(bat_smoothing *t, batten_status status, double *parameters,
                                batten_fit_report *report, batten_curve **out)
 {
     t->report.p = 1 / (1 + t->report.lambda);
@@ -474,7 +251,7 @@ static batten_status hand_over(task *t, batten_status status, double *parameters
 /* ---- smoothing splines ---- */
 
 /* A knot at every parameter; the ends, where weight may be 0, are those of the data. */
-static batten_status knots_at_data(task *t)
+static batten_status knots_at_data(bat_smoothing *t)
 {
     bat_fit_request *r = &t->request;
     const int p = 2 * t->options->order - 1, n = t->distinct;
@@ -504,7 +281,7 @@ static batten_status knots_at_data(task *t)
     return BATTEN_OK;
 }
 
-static batten_status smooth(task *t)
+static batten_status smooth(bat_smoothing *t)
 {
     double lambda;
     batten_status status = knots_at_data(t);
@@ -518,7 +295,7 @@ static batten_status smooth(task *t)
         return make_polynomial(t);
     if (t->request.periodic && t->distinct == 1)
         return make_polynomial(t);
-    status = choose_lambda(t, &lambda);
+    status = bat_smoothing_choose(t, &lambda);
     if (status != BATTEN_OK)
         return status;
     /* Below, what is left of the residuals is rounding; beyond, of the shape. */
@@ -537,8 +314,9 @@ batten_status batten_curve_smooth(int dimension, int count, const double *points
                                   batten_fit_report *report, batten_curve **out)
 {
     const batten_smooth_options defaults = batten_smooth_defaults();
-    task t = {.options = options ? options : &defaults,
-              .request = {.dimension = dimension, .data_count = count, .points = points}};
+    bat_smoothing t = {
+        .options = options ? options : &defaults,
+        .request = {.dimension = dimension, .data_count = count, .points = points}};
     batten_status status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
@@ -554,7 +332,7 @@ batten_status batten_curve_smooth(int dimension, int count, const double *points
 
 /* Equal spans, also before and after the domain: then polynomials have control points whose
  * differences vanish. */
-static batten_status equal_knots(task *t)
+static batten_status equal_knots(bat_smoothing *t)
 {
     bat_fit_request *r = &t->request;
     const int p = t->options->degree, s = t->options->spans;
@@ -574,7 +352,7 @@ static batten_status equal_knots(task *t)
     return BATTEN_OK;
 }
 
-static batten_status clamp(task *t)
+static batten_status clamp(bat_smoothing *t)
 {
     batten_curve *clamped = NULL;
     if (t->request.periodic || !t->curve)
@@ -587,7 +365,7 @@ static batten_status clamp(task *t)
     return status;
 }
 
-static batten_status p_spline(task *t)
+static batten_status p_spline(bat_smoothing *t)
 {
     double lambda;
     batten_status status = equal_knots(t);
@@ -599,7 +377,7 @@ static batten_status p_spline(task *t)
         return status;
     if (t->distinct <= t->options->order)
         return make_polynomial(t);
-    status = choose_lambda(t, &lambda);
+    status = bat_smoothing_choose(t, &lambda);
     if (status == BATTEN_OK && isinf(lambda))
         return make_polynomial(t);
     if (status == BATTEN_OK)
@@ -614,8 +392,9 @@ batten_status batten_curve_p_spline(int dimension, int count, const double *poin
                                     batten_fit_report *report, batten_curve **out)
 {
     const batten_smooth_options defaults = batten_smooth_defaults();
-    task t = {.options = options ? options : &defaults,
-              .request = {.dimension = dimension, .data_count = count, .points = points}};
+    bat_smoothing t = {
+        .options = options ? options : &defaults,
+        .request = {.dimension = dimension, .data_count = count, .points = points}};
     batten_status status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
