@@ -20,7 +20,7 @@ batten_status bat_givens_begin(int count, int width, bool ring, size_t rights, b
     qr.corner = bat_array3((size_t)border, (size_t)border + rights, sizeof *qr.corner);
     qr.sizes = bat_array((size_t)count, sizeof *qr.sizes);
     qr.filled = bat_array((size_t)qr.inner, sizeof *qr.filled);
-    qr.row = bat_array(stride, sizeof *qr.row);
+    qr.row = bat_array(stride + (size_t)width, sizeof *qr.row);
     if (qr.band && qr.corner && qr.sizes && qr.filled && qr.row) {
         *out = qr;
         return BATTEN_OK;
@@ -56,53 +56,77 @@ int bat_givens_place(const bat_givens *qr, int first)
 
 /* ---- adding rows ---- */
 
-/* Turn (*a, row[0]) so that row[0] vanishes, and the `count` numbers after both with them. */
-static void rotate(size_t count, double *above, double *row)
+typedef struct {
+    double c, s;
+} rotation;
+
+/* Makes row[0] vanish against above[0], which grows. */
+static rotation begin_rotation(double *above, double *row)
 {
     const double r = bat_max(fabs(above[0]), fabs(row[0])) < 0x1p500
                          ? sqrt(above[0] * above[0] + row[0] * row[0])
                          : hypot(above[0], row[0]);
     /* Squares that vanish together are left to hypot. */
     const double size = r > 0x1p-500 ? r : hypot(above[0], row[0]);
-    const double c = above[0] / size, s = row[0] / size;
+    const rotation by = {above[0] / size, row[0] / size};
     above[0] = size;
     row[0] = 0;
-    for (size_t k = 1; k <= count; k++) {
+    return by;
+}
+
+static void rotate(rotation by, size_t count, double *above, double *row)
+{
+    for (size_t k = 0; k < count; k++) {
         const double a = above[k], b = row[k];
-        above[k] = c * a + s * b;
-        row[k] = c * b - s * a;
+        above[k] = by.c * a + by.s * b;
+        row[k] = by.c * b - by.s * a;
     }
 }
 
 static void add_to_corner(bat_givens *qr)
 {
     const size_t n = (size_t)qr->border, stride = n + qr->rights;
-    double *row = qr->row + qr->width;
+    double *row = qr->row + 2 * qr->width;
     for (size_t b = 0; b < n; b++)
-        if (row[b] != 0)
-            rotate(stride - b - 1, qr->corner + b * stride + b, row + b);
+        if (row[b] != 0) {
+            double *above = qr->corner + b * stride + b;
+            const rotation by = begin_rotation(above, row + b);
+            rotate(by, stride - b - 1, above + 1, row + b + 1);
+        }
 }
 
-/* The part of the row in the band begins at column `at`. */
+static bool all_zero(size_t count, const double *numbers)
+{
+    for (size_t k = 0; k < count; k++)
+        if (numbers[k] != 0)
+            return false;
+    return true;
+}
+
+/* The part of the row in the band begins at column `at`. What is left of it slides through the
+ * first 2 width numbers, and goes back to their beginning when it has reached their end. */
 static void add_row(bat_givens *qr, int at)
 {
     const size_t w = (size_t)qr->width, stride = stride_of(qr);
-    double *row = qr->row;
-    for (int i = at, left = qr->width; i < qr->inner && left > 0; i++) {
+    double *row = qr->row, *rest = qr->row + 2 * w;
+    for (int i = at; i < qr->inner && !all_zero(w, row); i++, row++) {
         double *above = qr->band + (size_t)i * stride;
-        if (!qr->filled[i] && row[0] != 0) {
-            memcpy(above, row, stride * sizeof *row);
+        if (row == qr->row + w) {
+            memcpy(qr->row, row, w * sizeof *row);
+            memset(qr->row + w, 0, w * sizeof *row);
+            row = qr->row;
+        }
+        if (row[0] == 0)
+            continue;
+        if (!qr->filled[i]) {
+            memcpy(above, row, w * sizeof *row);
+            memcpy(above + w, rest, (stride - w) * sizeof *row);
             qr->filled[i] = true;
             return;
         }
-        if (row[0] != 0)
-            rotate(stride - 1, above, row);
-        memmove(row, row + 1, (w - 1) * sizeof *row);
-        row[w - 1] = 0;
-        left = 0;
-        for (size_t k = 0; k < w; k++)
-            if (row[k] != 0)
-                left = (int)w;
+        const rotation by = begin_rotation(above, row);
+        rotate(by, w - 1, above + 1, row + 1);
+        rotate(by, stride - w, above + w, rest);
     }
     add_to_corner(qr);
 }
@@ -110,8 +134,8 @@ static void add_row(bat_givens *qr, int at)
 void bat_givens_add(bat_givens *qr, int first, int length, const double *values, double factor,
                     const double *right)
 {
-    double *row = qr->row, *border = row + qr->width, *rights = border + qr->border;
-    memset(row, 0, stride_of(qr) * sizeof *row);
+    double *row = qr->row, *border = row + 2 * qr->width, *rights = border + qr->border;
+    memset(row, 0, (stride_of(qr) + (size_t)qr->width) * sizeof *row);
     int at = qr->inner;
     for (int i = 0, j = first; i < length; i++, j++) {
         if (j >= qr->count)

@@ -17,7 +17,7 @@ typedef struct {
     double *corner; /* [border][border + rights] */
     double *sizes;  /* [count], squares of the columns */
     bool *filled;   /* [inner] */
-    double *row;    /* [width + border + rights] */
+    double *row;    /* [2 width + border + rights] */
 } bat_givens;
 
 /* Rows touch at most `width` neighbouring unknowns. */

@@ -58,6 +58,30 @@ TEST(bands_and_rings_are_solved_as_full_matrices_are)
     }
 }
 
+/* The order costs time only: rows that come too late slide through all that are there. */
+TEST(rows_may_come_in_any_order)
+{
+    test_random random = test_random_begin("any order");
+    for (int c = 0; c < test_cases(100); c++) {
+        const int width = test_random_int(&random, 1, WIDTH),
+                  count = test_random_int(&random, width, MOST);
+        problem *p = make_problem(&random, count, width, c % 2);
+        bat_givens qr;
+        double x[MOST];
+        factor(p, &qr);
+        bat_givens_solve(&qr, p->x);
+        bat_givens_clear(&qr);
+        for (int i = p->rows - 1; i >= 0; i--) {
+            const int row = p->rows % 7 ? i * 7 % p->rows : i; /* each once */
+            bat_givens_add(&qr, p->first[row], p->width, p->values[row], 1, &p->right[row]);
+        }
+        bat_givens_solve(&qr, x);
+        for (int i = 0; i < count; i++)
+            CHECK_NEAR(x[i], p->x[i], 1e-9 * (1 + fabs(x[i])));
+        bat_givens_end(&qr);
+    }
+}
+
 /* v^T (R^T R)^-1 v = |R^-T v|^2, and R^-1 undoes R. */
 TEST(the_band_of_the_inverse_is_that_of_the_inverse)
 {
