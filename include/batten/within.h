@@ -96,9 +96,9 @@ BATTEN_API batten_status batten_curve_within(int dimension, int count, const dou
 BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int degree,
                                                   double tolerance, double *error,
                                                   batten_curve **out);
-/** The same for a chain, which is made a curve within a sixteenth of the tolerance first:
- * exactly when it is of arcs, whose joints then stay where their parameters run unlike; else
- * the bound of batten_chain_to_curve, which is sampled, is in the error. */
+/** The same for a chain, at equal parameters of the chain, so by arc length where it goes so.
+ * It is made a curve within a sixteenth of the tolerance first, whose bound, that of
+ * batten_chain_to_curve, is sampled and counts in the error. */
 BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
                                                   double tolerance, double *error,
                                                   batten_curve **out);

@@ -417,19 +417,51 @@ batten_status batten_curve_approximate(const batten_curve *curve, int degree, do
     return status;
 }
 
+/* The same chain with arcs as clothoids of constant curvature: as a curve these run by arc
+ * length, so that joints without a corner are smooth, as those of rational arcs are not. */
+static batten_status evenly_paced(const batten_chain *chain, batten_chain **out)
+{
+    const int n = batten_chain_span_count(chain);
+    batten_span *spans = bat_array((size_t)n, sizeof *spans);
+    if (!spans)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < n; i++) {
+        spans[i] = *batten_chain_span(chain, i);
+        if (spans[i].kind == BATTEN_SPAN_ARC)
+            spans[i].kind = BATTEN_SPAN_SPIRAL;
+    }
+    batten_frame frame;
+    batten_chain *flat = NULL;
+    const bool placed = batten_chain_frame(chain, &frame);
+    const int dimension = placed ? 2 : batten_chain_dimension(chain);
+    batten_status status = batten_chain_create(dimension, n, spans, batten_chain_breaks(chain),
+                                               batten_chain_is_closed(chain), HUGE_VAL, &flat);
+    if (status == BATTEN_OK && placed)
+        status = batten_chain_place(flat, &frame, out);
+    else if (status == BATTEN_OK)
+        *out = batten_chain_ref(flat);
+    batten_chain_unref(flat);
+    bat_release(spans);
+    return status;
+}
+
 batten_status batten_chain_approximate(const batten_chain *chain, int degree, double tolerance,
                                        double *error, batten_curve **out)
 {
     assert(chain && out);
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g; it must be above 0",
+                        tolerance);
+    batten_chain *paced = NULL;
     batten_curve *curve = NULL;
     double first = 0, second = 0;
-    batten_status status = tolerance > 0
-                               ? batten_chain_to_curve(chain, tolerance / 16, &first, &curve)
-                               : bat_fail(BATTEN_BAD_ARGUMENT,
-                                          "the tolerance is %g; it must be above 0", tolerance);
+    batten_status status = evenly_paced(chain, &paced);
+    if (status == BATTEN_OK)
+        status = batten_chain_to_curve(paced, tolerance / 16, &first, &curve);
     if (status == BATTEN_OK)
         status = batten_curve_approximate(curve, degree, tolerance - first, &second, out);
     batten_curve_unref(curve);
+    batten_chain_unref(paced);
     if (status == BATTEN_OK && error)
         *error = first + second;
     return status;

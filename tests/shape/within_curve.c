@@ -146,34 +146,51 @@ TEST(corners_and_ends_stay)
     batten_curve_unref(curve);
 }
 
-TEST(chains_become_plain_splines)
+/* A clothoid; an arc; two arcs that meet smoothly; an arc and a line that meet in a corner. */
+TEST(chains_become_plain_splines_at_their_own_pace)
 {
-    const batten_span clothoid = {.kind = BATTEN_SPAN_SPIRAL,
-                                  .length = 5,
-                                  .start = {1, 1},
-                                  .angle = 0.3,
-                                  .curvature = {0.2, 0.25}},
-                      arc = {.kind = BATTEN_SPAN_ARC, .length = 4, .curvature = {0.5}};
-    for (int c = 0; c < 2; c++) {
-        batten_chain *chain = NULL;
+    const batten_span spans[4][2] = {
+        {{.kind = BATTEN_SPAN_SPIRAL,
+          .length = 5,
+          .start = {1, 1},
+          .angle = 0.3,
+          .curvature = {0.2, 0.25}}},
+        {{.kind = BATTEN_SPAN_ARC, .length = 4, .curvature = {0.5}}},
+        {{.kind = BATTEN_SPAN_ARC, .length = 1, .curvature = {1}},
+         {.kind = BATTEN_SPAN_ARC,
+          .length = 2,
+          .start = {sin(1), 1 - cos(1)},
+          .angle = 1,
+          .curvature = {-0.5}}},
+        {{.kind = BATTEN_SPAN_ARC, .length = 1, .curvature = {1}},
+         {.kind = BATTEN_SPAN_ARC, .length = 2, .start = {sin(1), 1 - cos(1)}, .angle = -1}}};
+    for (int c = 0; c < 4; c++) {
+        const batten_frame frame = {{3, 2, 1}, {0, 1, 0}, {1, 0, 0}};
+        batten_chain *flat = NULL, *chain = NULL;
         batten_curve *made = NULL;
-        double error = -1, largest = 0;
-        CHECK_OK(batten_chain_create(2, 1, c ? &arc : &clothoid, NULL, false, 0, &chain));
+        double error = -1, largest = 0, left[6], right[6];
+        CHECK_OK(batten_chain_create(2, 1 + c / 2, spans[c], NULL, false, 1e-12, &flat));
+        CHECK_OK(batten_chain_place(flat, &frame, &chain));
         CHECK_OK(batten_chain_approximate(chain, 3, 1e-4, &error, &made));
         CHECK(error <= 1e-4);
         CHECK(!batten_curve_is_rational(made));
         const double end = batten_chain_domain(chain).b;
         for (int i = 0; i <= 1000; i++) {
-            double p[2], foot[2];
+            double p[3], q[3];
             CHECK_OK(batten_curve_evaluate(made, end * i / 1000, 0, p));
-            CHECK_OK(batten_chain_evaluate(chain, end * i / 1000, 0, foot));
-            /* An arc as a curve runs at another pace: its circle is what counts. */
-            largest = fmax(largest, c ? fabs(hypot(p[0], p[1] - 2) - 2)
-                                      : hypot(p[0] - foot[0], p[1] - foot[1]));
+            CHECK_OK(batten_chain_evaluate(chain, end * i / 1000, 0, q));
+            largest = fmax(largest, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
         }
         CHECK(largest <= error);
+        if (c > 1) {
+            CHECK_OK(batten_curve_evaluate_side(made, 1, BATTEN_FROM_LEFT, 1, left));
+            CHECK_OK(batten_curve_evaluate_side(made, 1, BATTEN_FROM_RIGHT, 1, right));
+            const double jump = hypot(left[4] - right[4], left[5] - right[5]);
+            CHECK(c == 2 ? jump < 1e-9 : jump > 1);
+        }
         batten_curve_unref(made);
         batten_chain_unref(chain);
+        batten_chain_unref(flat);
     }
 }
 

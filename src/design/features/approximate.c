@@ -51,7 +51,7 @@ const bat_feature bat_feature_approximate = {
          "at equal\n"
          "parameters, which is proved by the control points of the difference and not sampled "
          "(but the\n"
-         "way from a clothoid, an elastica or a spline in tension to a curve is). Ends and "
+         "way from arcs, clothoids, elastica and splines in tension to a curve is). Ends and "
          "corners stay.\n"
          "A curve that closes smoothly still does. The fourth root counts: with cubics a "
          "sixteenth of the\n"
