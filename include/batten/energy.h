@@ -46,23 +46,27 @@ typedef struct batten_energy_report {
  * The curve of least energy through points, among curves of quintic pieces with continuous
  * tangent and curvature.
  *
- * It is the least near the cubic spline through the points from which the search begins; for
- * bending there is none in the large, since loops can grow for ever. Each step lowers the
- * energy. Two points give the line; so do all on a line. Where a curve of least bending is
- * known to exist, `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows
- * space, tension and variation.
+ * It is the least near a spline from which the search begins: in the plane the elastica (for
+ * bending) or the spline after Spiro (for variation), where these exist, else, and where that
+ * leads nowhere, the cubic spline. For bending there is none in the large, since loops can grow
+ * for ever; nor is there always one with free ends. Two points give the line; so do all on a
+ * line. Points of a circle give the circle of least variation within 2e-9 of its radius when
+ * they are a radian apart, with 4 pieces within 1e-10. Where a curve of least bending is known
+ * to exist, `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows space,
+ * tension and variation.
  *
  * @param dimension 2 or 3
  * @param points    [count][dimension], 2 or more, 3 or more when closed; neighbours apart
  * @param options   NULL for the defaults
- * @param[out] parameters [count], chord lengths; closed: the curve ends one chord later; may be
- *                  NULL
+ * @param[out] parameters [count], all but arc lengths; closed: the curve ends at the first
+ * point again; may be NULL
  * @param[out] report may be NULL
  * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; INCOMPLETE when
- * max_steps did not reach the least, or the curve grows without end: then give a tension
+ * max_steps did not reach the least, or the curve grows without end: then give directions at
+ * the ends or a tension
  *
- * Cost: linear in count times pieces for each step, some 20 microseconds a piece; mostly 5 to
- * 20 steps. Source: [MS92], [Horn83].
+ * Cost: linear in count times pieces for each step, some 5 microseconds a piece; mostly 5 to 20
+ * steps. Source: [MS92], [Horn83].
  */
 BATTEN_API batten_status batten_curve_minimum_energy(
     int dimension, int count, const double *points, const batten_energy_options *options,

@@ -3,6 +3,8 @@
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include <batten/curve.h>
+#include <batten/nonlinear.h>
+#include <batten/spiro.h>
 
 #include <string.h>
 
@@ -125,8 +127,85 @@ static batten_status task_begin(task *t)
                : BATTEN_OUT_OF_MEMORY;
 }
 
-/* The start: a cubic spline by chord lengths, at all nodes. */
-static batten_status start(task *t)
+/* ---- where the search begins ---- */
+
+/* A plane spline whose parameter is the arc length, near the curve that is sought: for bending
+ * the elastica, which is it, for variation Spiro, which is near it; else Euler spirals. */
+static batten_status find_chain(const task *t, double *parameters, batten_chain **out)
+{
+    const batten_energy_options *o = t->options;
+    const bool bending = o->energy == BATTEN_ENERGY_BENDING;
+    batten_nonlinear_options nonlinear = batten_nonlinear_defaults();
+    batten_spiro_options spiro = batten_spiro_defaults();
+    const double *const tangents[2] = {o->start_tangent, o->end_tangent};
+    batten_nonlinear_end kinds[2];
+    double angles[2];
+    for (int e = 0; e < 2; e++) {
+        angles[e] = tangents[e] ? atan2(tangents[e][1], tangents[e][0]) : 0;
+        kinds[e] = tangents[e] ? BATTEN_NONLINEAR_TANGENT
+                   : bending   ? BATTEN_NONLINEAR_NATURAL
+                               : BATTEN_NONLINEAR_CIRCULAR;
+    }
+    nonlinear.closed = spiro.closed = o->closed;
+    nonlinear.start = kinds[0], nonlinear.end = kinds[1];
+    nonlinear.start_value = spiro.start.tangent = angles[0];
+    nonlinear.end_value = spiro.end.tangent = angles[1];
+    spiro.start.has_tangent = tangents[0], spiro.end.has_tangent = tangents[1];
+    nonlinear.family = BATTEN_FAMILY_ELASTICA;
+    batten_status status =
+        bending ? batten_chain_nonlinear(t->count, t->points, &nonlinear, NULL, parameters,
+                                         NULL, out)
+                : batten_chain_spiro(t->count, t->points, &spiro, parameters, NULL, out);
+    nonlinear.family = BATTEN_FAMILY_EULER_SPIRAL;
+    if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
+        status = batten_chain_nonlinear(t->count, t->points, &nonlinear, NULL, parameters, NULL,
+                                        out);
+    return status;
+}
+
+/* All nodes from the chain or, when it is NULL, the curve; the steps from the parameters. */
+static batten_status sample(task *t, const batten_chain *chain, const batten_curve *curve)
+{
+    const int pieces = t->options->pieces, d = t->d;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < t->nodes.count && status == BATTEN_OK; i++) {
+        const int j = i / pieces, part = i % pieces;
+        const double a = t->parameters[j], h = part ? t->parameters[j + 1] - a : 0;
+        double *x = t->nodes.x + (size_t)i * 3 * (size_t)d;
+        status = chain ? batten_chain_evaluate(chain, a + h * part / pieces, 2, x)
+                       : batten_curve_evaluate(curve, a + h * part / pieces, 2, x);
+        /* The points are the points. */
+        if (part == 0)
+            memcpy(x, t->points + (size_t)j * (size_t)d, (size_t)d * sizeof *x);
+    }
+    for (int j = 0; j < t->nodes.spans; j++)
+        t->nodes.step[j] = (t->parameters[j / pieces + 1] - t->parameters[j / pieces]) / pieces;
+    return status;
+}
+
+/* *found: false when there is no such chain. */
+static batten_status start_of_chain(task *t, bool *found)
+{
+    batten_chain *chain = NULL;
+    double *at = bat_array((size_t)t->count + 1, sizeof *at);
+    batten_status status = at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    *found = status == BATTEN_OK && t->d == 2 && t->count > 2;
+    if (*found) {
+        status = find_chain(t, at, &chain);
+        *found = status == BATTEN_OK;
+    }
+    if (*found) {
+        at[t->count - !t->options->closed] = batten_chain_domain(chain).b;
+        memcpy(t->parameters, at, ((size_t)t->count + t->options->closed) * sizeof *at);
+        status = sample(t, chain, NULL);
+    }
+    batten_chain_unref(chain);
+    bat_release(at);
+    return *found || status == BATTEN_OUT_OF_MEMORY ? status : BATTEN_OK;
+}
+
+/* A cubic spline by chord lengths. */
+static batten_status start_of_cubic(task *t)
 {
     batten_interpolate_options options = batten_interpolate_defaults();
     const bool natural = t->options->energy == BATTEN_ENERGY_BENDING;
@@ -139,18 +218,8 @@ static batten_status start(task *t)
     batten_curve *curve = NULL;
     batten_status status =
         batten_curve_interpolate(t->d, t->count, t->points, &options, NULL, &curve);
-    const int pieces = t->options->pieces, d = t->d;
-    for (int i = 0; i < t->nodes.count && status == BATTEN_OK; i++) {
-        const int j = i / pieces, part = i % pieces;
-        const double a = t->parameters[j], h = part ? t->parameters[j + 1] - a : 0;
-        double *x = t->nodes.x + (size_t)i * 3 * (size_t)d;
-        status = batten_curve_evaluate(curve, a + h * part / pieces, 2, x);
-        /* The points are the points. */
-        if (part == 0)
-            memcpy(x, t->points + (size_t)j * (size_t)d, (size_t)d * sizeof *x);
-    }
-    for (int j = 0; j < t->nodes.spans; j++)
-        t->nodes.step[j] = (t->parameters[j / pieces + 1] - t->parameters[j / pieces]) / pieces;
+    if (status == BATTEN_OK)
+        status = sample(t, NULL, curve);
     batten_curve_unref(curve);
     return status;
 }
@@ -224,10 +293,10 @@ static batten_status make_curve(const task *t, batten_curve **out)
     double *breaks = bat_array(spans + 1, sizeof *breaks);
     batten_status status = points && breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int j = 0; j < nodes->spans && status == BATTEN_OK; j++) {
-        const int pieces = t->options->pieces, i = j / pieces, part = j % pieces;
         bat_energy_bezier(nodes, j, points + (size_t)j * 5 * d);
-        breaks[j] = t->unit * (t->parameters[i] + nodes->step[j] * part);
-        breaks[j + 1] = t->unit * t->parameters[i + 1];
+        breaks[j + 1] = breaks[j] + t->unit * nodes->step[j];
+        if ((j + 1) % t->options->pieces == 0)
+            t->parameters[(j + 1) / t->options->pieces] = breaks[j + 1];
     }
     for (size_t i = 0; i < (spans * 5 + 1) * d && status == BATTEN_OK; i++) {
         points[i] = points[i] * t->unit + t->given[i % d];
@@ -258,28 +327,108 @@ static void scale_report(const task *t, batten_energy_report *report)
     report->length *= unit;
 }
 
-static batten_status find(task *t, batten_energy_report *report, batten_curve **out)
+/* Make the parameter the arc length, unless so few quintics then have much more energy than
+ * `energy`; false when it stays as it was. */
+static batten_status go_by_length(task *t, bat_energy_task what, double energy, bool *changed)
+{
+    const bat_energy_curve *nodes = &t->nodes;
+    const size_t count = (size_t)nodes->count * 3 * (size_t)nodes->d;
+    double *x = bat_array(count, sizeof *x);
+    double *step = bat_array((size_t)nodes->spans, sizeof *step);
+    batten_status status = x && step ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        batten_energy_report now = {0};
+        bat_energy_end end;
+        memcpy(x, nodes->x, count * sizeof *x);
+        memcpy(step, nodes->step, (size_t)nodes->spans * sizeof *step);
+        what.max_steps = 0;
+        *changed = bat_energy_by_length(&t->nodes);
+        status = bat_energy_minimise(&what, &t->nodes, &now, &end);
+        *changed = *changed && now.before <= 1.05 * energy;
+    }
+    if (status == BATTEN_OK && !*changed) {
+        memcpy(nodes->x, x, count * sizeof *x);
+        memcpy(nodes->step, step, (size_t)nodes->spans * sizeof *step);
+    }
+    bat_release(x);
+    bat_release(step);
+    return status;
+}
+
+/* Search, make the parameter the arc length, and search again, until that lowers the energy no
+ * more. */
+static batten_status search(task *t, bat_energy_task *what, batten_energy_report *report)
+{
+    enum { ROUNDS = 10 };
+    const int most = what->max_steps;
+    bool least = false, changed = true;
+    for (int round = 0; round < ROUNDS && changed; round++) {
+        const batten_energy_report last = *report;
+        bat_energy_end end;
+        what->max_steps = most - last.steps;
+        batten_status status = bat_energy_minimise(what, &t->nodes, report, &end);
+        if (status != BATTEN_OK)
+            return status;
+        report->steps += last.steps;
+        report->before = round > 0 ? last.before : report->before;
+        /* Where no step helps any more, so small a rest is that of derivatives that cancel. */
+        least = end == BAT_ENERGY_LEAST ||
+                (end == BAT_ENERGY_STUCK && report->remaining <= 1e-9 * report->after);
+        if (end == BAT_ENERGY_UNDERWAY ||
+            (least && round > 0 && last.after - report->after <= 1e-9 * report->after))
+            break;
+        status = go_by_length(t, *what, report->after, &changed);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return least ? BATTEN_OK
+                 : bat_fail(BATTEN_INCOMPLETE,
+                            "%d steps took the energy from %g to %g, and it could fall by %g "
+                            "more: give directions at the ends, a tension, or more points",
+                            report->steps, report->before, report->after, report->remaining);
+}
+
+/* From the curve that stands at the nodes. */
+static batten_status search_from_here(task *t, batten_energy_report *report)
 {
     const batten_energy_options *o = t->options;
-    batten_status status = task_begin(t);
-    if (status == BATTEN_OK)
-        status = normalise(t);
-    if (status == BATTEN_OK)
-        status = start(t);
-    if (status != BATTEN_OK)
-        return status;
+    /* A tension is a force; energies are by the unit or its cube. */
+    const double tension = o->energy == BATTEN_ENERGY_BENDING
+                               ? t->unit * t->unit
+                               : t->unit * t->unit * t->unit * t->unit;
+    bat_energy_task what = {o->energy, o->scale_invariant, o->tension * tension, o->max_steps,
+                            10 * bat_energy_length(&t->nodes)};
+    *report = (batten_energy_report){0};
+    memset(t->nodes.unknown, 0,
+           (size_t)t->nodes.count * 3 * (size_t)t->d * sizeof *t->nodes.unknown);
+    t->nodes.unknown_count = t->nodes.band = 0;
     if (!o->closed) {
         fix_end(t, 0, o->start_tangent, o->start_curvature);
         fix_end(t, 1, o->end_tangent, o->end_curvature);
     }
     number_unknowns(t);
-    /* A tension is a force; energies are by the unit or its cube. */
-    const double tension = o->energy == BATTEN_ENERGY_BENDING
-                               ? t->unit * t->unit
-                               : t->unit * t->unit * t->unit * t->unit;
-    const bat_energy_task what = {o->energy, o->scale_invariant, o->tension * tension,
-                                  o->max_steps};
-    status = bat_energy_minimise(&what, &t->nodes, report);
+    return search(t, &what, report);
+}
+
+/* From a plane spline of its kind where there is one, and where that leads nowhere from the
+ * cubic spline. */
+static batten_status find(task *t, batten_energy_report *report, batten_curve **out)
+{
+    bool found = false;
+    batten_status status = task_begin(t);
+    if (status == BATTEN_OK)
+        status = normalise(t);
+    if (status == BATTEN_OK)
+        status = start_of_chain(t, &found);
+    if (status == BATTEN_OK && found)
+        status = search_from_here(t, report);
+    if (status == BATTEN_OK ? !found : status == BATTEN_INCOMPLETE && found) {
+        status = normalise(t);
+        if (status == BATTEN_OK)
+            status = start_of_cubic(t);
+        if (status == BATTEN_OK)
+            status = search_from_here(t, report);
+    }
     if (status == BATTEN_OK)
         status = make_curve(t, out);
     if (status == BATTEN_OK)
@@ -305,7 +454,7 @@ batten_status batten_curve_minimum_energy(int dimension, int count, const double
         status = find(&t, &found, &curve);
     if (status == BATTEN_OK) {
         for (int i = 0; i < count && parameters; i++)
-            parameters[i] = t.unit * t.parameters[i];
+            parameters[i] = t.parameters[i];
         if (report)
             *report = found;
         *out = curve;

@@ -47,11 +47,26 @@ typedef struct {
     bool scale_invariant;
     double tension;
     int max_steps;
+    double longest; /* a curve beyond this length is growing without end */
 } bat_energy_task;
 
-/* Lower the energy to its least near x. */
+/* Where a search ended. */
+typedef enum {
+    BAT_ENERGY_LEAST,    /* at the least, to rounding */
+    BAT_ENERGY_UNDERWAY, /* after max_steps */
+    BAT_ENERGY_STUCK     /* no step lowers the energy, though its derivatives say so */
+} bat_energy_end;
+
+/* Lower the energy towards its least near x. */
 batten_status bat_energy_minimise(const bat_energy_task *task, bat_energy_curve *curve,
-                                  batten_energy_report *report);
+                                  batten_energy_report *report, bat_energy_end *end);
+
+/* ---- the parameter ---- */
+
+double bat_energy_length(const bat_energy_curve *curve);
+/* Make the parameter the arc length, as near as quintics with the same points, tangents and
+ * curvatures at the nodes come to it; false where the curve stands still. */
+bool bat_energy_by_length(bat_energy_curve *curve);
 
 /* The six Bernstein coefficients [6][d] of span j. */
 void bat_energy_bezier(const bat_energy_curve *curve, int j, double *points);

@@ -57,31 +57,47 @@ static void speed_at(double v2, int n, double out[3])
     out[2] = (n / 2.0 - 1) * out[1] / v2;
 }
 
-/* The product of all factors, of which i and j stand as their derivatives. */
-static double derivative_of(double factors[PRODUCTS][3], int i, int j)
+/* The factors of a monomial that are not 1: which products they are powers of, and their values
+ * and derivatives. */
+typedef struct {
+    int count, of[PRODUCTS];
+    double at[PRODUCTS][3];
+} factors;
+
+static void find_factors(const monomial *m, const double *products, factors *out)
+{
+    out->count = 1;
+    out->of[0] = 0;
+    speed_at(products[0], m->speed, out->at[0]);
+    for (int i = 1; i < PRODUCTS; i++) {
+        if (m->power[i - 1] == 0)
+            continue;
+        factor_at(products[i], m->power[i - 1], out->at[out->count]);
+        out->of[out->count++] = i;
+    }
+}
+
+/* The product of all factors, of which a and b stand as their derivatives. */
+static double derivative_of(const factors *f, int a, int b)
 {
     double product = 1;
-    for (int k = 0; k < PRODUCTS; k++)
-        product *= factors[k][(k == i) + (k == j)];
+    for (int k = 0; k < f->count; k++)
+        product *= f->at[k][(k == a) + (k == b)];
     return product;
 }
 
 static void add_monomial(const monomial *m, const double *products, double weight, bool all,
                          polynomial *sum)
 {
-    double factors[PRODUCTS][3];
-    speed_at(products[0], m->speed, factors[0]);
-    for (int i = 1; i < PRODUCTS; i++)
-        factor_at(products[i], m->power[i - 1], factors[i]);
-    const double value = m->factor * derivative_of(factors, -1, -1);
+    factors f;
+    find_factors(m, products, &f);
+    const double value = m->factor * derivative_of(&f, -1, -1);
     sum->value += value;
     sum->size += fabs(value);
-    for (int i = 0; i < PRODUCTS && all; i++) {
-        if (i > 0 && m->power[i - 1] == 0)
-            continue;
-        sum->gradient[i] += weight * m->factor * derivative_of(factors, i, -1);
-        for (int j = 0; j <= i; j++)
-            sum->hessian[i][j] += weight * m->factor * derivative_of(factors, i, j);
+    for (int a = 0; a < f.count && all; a++) {
+        sum->gradient[f.of[a]] += weight * m->factor * derivative_of(&f, a, -1);
+        for (int b = 0; b <= a; b++)
+            sum->hessian[f.of[a]][f.of[b]] += weight * m->factor * derivative_of(&f, a, b);
     }
 }
 
@@ -101,21 +117,29 @@ static void change_of(int d, const double *P, int i, double *out)
 static void chain_rule(int d, const double *P, const polynomial *p, bat_energy_density *out)
 {
     const int n = 3 * d;
-    double changes[PRODUCTS][9];
+    double changes[PRODUCTS][9], full[PRODUCTS][PRODUCTS];
     memset(out->gradient, 0, sizeof out->gradient);
     memset(out->hessian, 0, sizeof out->hessian);
-    for (int i = 0; i < PRODUCTS; i++)
+    for (int i = 0; i < PRODUCTS; i++) {
         change_of(d, P, i, changes[i]);
+        for (int j = 0; j <= i; j++)
+            full[i][j] = full[j][i] = p->hessian[i][j];
+    }
     for (int i = 0; i < PRODUCTS; i++) {
         double mixed[9] = {0};
         for (int j = 0; j < PRODUCTS; j++)
             for (int k = 0; k < n; k++)
-                mixed[k] += p->hessian[bat_max_int(i, j)][bat_min_int(i, j)] * changes[j][k];
+                mixed[k] += full[i][j] * changes[j][k];
         for (int k = 0; k < n; k++) {
             out->gradient[k] += p->gradient[i] * changes[i][k];
-            for (int l = 0; l < n; l++)
+            for (int l = 0; l <= k; l++)
                 out->hessian[k * n + l] += changes[i][k] * mixed[l];
         }
+    }
+    for (int k = 0; k < n; k++)
+        for (int l = 0; l < k; l++)
+            out->hessian[l * n + k] = out->hessian[k * n + l];
+    for (int i = 0; i < PRODUCTS; i++) {
         const int a = pairs[i][0] * d, b = pairs[i][1] * d;
         for (int c = 0; c < d; c++) {
             out->hessian[(a + c) * n + b + c] += p->gradient[i];

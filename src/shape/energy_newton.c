@@ -148,28 +148,46 @@ static void scaled_basis(const search *s, int q, double h, double out[3][CORNERS
     }
 }
 
+/* One pair of coordinates, c >= e: Bt H B of the three derivatives. */
+static void add_block(int d, int c, int e, double weight, double B[3][CORNERS],
+                      const double *hessian, local *sum)
+{
+    const int n = 3 * d, m = CORNERS * d;
+    double half[3][CORNERS];
+    for (int k = 0; k < 3; k++) {
+        const double *h = hessian + (k * d + c) * n + e;
+        for (int j = 0; j < CORNERS; j++)
+            half[k][j] = weight * (h[0] * B[0][j] + h[d] * B[1][j] + h[2 * d] * B[2][j]);
+    }
+    for (int i = 0; i < CORNERS; i++) {
+        double *row = sum->hessian + (i * d + c) * m + e;
+        for (int j = 0; j < CORNERS; j++)
+            row[j * d] += B[0][i] * half[0][j] + B[1][i] * half[1][j] + B[2][i] * half[2][j];
+    }
+}
+
+/* The hessian only where the coordinate of the row is not below that of the column. */
 static void add_density(int d, double weight, double B[3][CORNERS],
                         const bat_energy_density *density, local *sum)
 {
-    const int n = 3 * d, m = CORNERS * d;
-    double half[9 * MOST];
-    for (int r = 0; r < n; r++)
+    for (int c = 0; c < d; c++) {
+        const double *g = density->gradient + c;
+        for (int e = 0; e <= c; e++)
+            add_block(d, c, e, weight, B, density->hessian, sum);
         for (int i = 0; i < CORNERS; i++)
-            for (int c = 0; c < d; c++) {
-                double value = 0;
-                for (int k = 0; k < 3; k++)
-                    value += density->hessian[r * n + k * d + c] * B[k][i];
-                half[r * m + i * d + c] = weight * value;
-            }
-    for (int i = 0; i < CORNERS; i++)
-        for (int c = 0; c < d; c++) {
-            const int row = i * d + c;
-            for (int k = 0; k < 3; k++) {
-                sum->gradient[row] += weight * B[k][i] * density->gradient[k * d + c];
-                for (int col = 0; col < m; col++)
-                    sum->hessian[row * m + col] += B[k][i] * half[(k * d + c) * m + col];
-            }
-        }
+            sum->gradient[i * d + c] +=
+                weight * (B[0][i] * g[0] + B[1][i] * g[d] + B[2][i] * g[2 * d]);
+    }
+}
+
+/* The rest of the hessian, which is symmetric. */
+static void mirror(int d, local *sum)
+{
+    const int m = CORNERS * d;
+    for (int row = 0; row < m; row++)
+        for (int col = 0; col < m; col++)
+            if (row % d < col % d)
+                sum->hessian[row * m + col] = sum->hessian[col * m + row];
 }
 
 /* ---- the axes of the nodes ---- */
@@ -299,6 +317,7 @@ static void assemble(search *s, const bat_energy_weights *weights, double *gradi
             scaled_basis(s, q, h, B);
             add_density(d, s->basis.weights[q] * h, B, &at, s->span);
         }
+        mirror(d, s->span);
         turn_local(s->curve, j, s->span);
         scatter(s, j, s->span, gradient, matrix);
     }
@@ -448,8 +467,8 @@ static double rounding(const search *s)
     return 64 * DBL_EPSILON * objective(s, s->size, s->length);
 }
 
-/* One step down from x. `done`: it promises no more than 1e-12 of the first energy. */
-static batten_status descend(search *s, double *damping, double *remaining, bool *done)
+/* One step down from x. LEAST when it promises no more than 1e-12 of the first energy. */
+static batten_status descend(search *s, double *damping, double *remaining, bat_energy_end *end)
 {
     differentiate(s);
     for (int tries = 0; tries < 60; tries++) {
@@ -460,56 +479,52 @@ static batten_status descend(search *s, double *damping, double *remaining, bool
             solve(s);
             *remaining = promise(s);
             const double small = 1e-12 * s->first + rounding(s) + STRAIGHT * s->curve->spans;
-            *done = *remaining <= small && *damping < 1e-2;
+            const bool done = *remaining <= small && *damping < 1e-2;
+            *end = done ? BAT_ENERGY_LEAST : BAT_ENERGY_UNDERWAY;
             if (try_step(s)) {
                 *damping = *damping < 1e-9 ? 0 : *damping / 10;
                 return BATTEN_OK;
             }
-            if (*done || *remaining <= rounding(s)) {
-                *done = true;
+            if (done || *remaining <= rounding(s)) {
+                *end = BAT_ENERGY_LEAST;
                 return BATTEN_OK;
             }
         }
         *damping = bat_max(1e-8, 10 * *damping);
     }
-    return bat_fail(BATTEN_INCOMPLETE, "no step lowers the energy %g, which could fall by %g",
-                    objective(s, s->energy, s->length), *remaining);
+    *end = BAT_ENERGY_STUCK;
+    return BATTEN_OK;
 }
 
-static batten_status minimise(search *s, batten_energy_report *report)
+static batten_status minimise(search *s, batten_energy_report *report, bat_energy_end *end)
 {
     measure(s, &s->energy, &s->length, &s->size);
-    const double start = s->length;
     double damping = 1e-4;
-    bool done = s->curve->unknown_count == 0;
+    *end = s->curve->unknown_count == 0 ? BAT_ENERGY_LEAST : BAT_ENERGY_UNDERWAY;
     report->before = s->first = objective(s, s->energy, s->length);
-    for (report->steps = 0; report->steps < s->task->max_steps && !done; report->steps++) {
-        const batten_status status = descend(s, &damping, &report->remaining, &done);
+    for (report->steps = 0; report->steps < s->task->max_steps && *end == BAT_ENERGY_UNDERWAY;
+         report->steps++) {
+        const batten_status status = descend(s, &damping, &report->remaining, end);
         if (status != BATTEN_OK)
             return status;
-        if (s->length > 10 * start)
-            return bat_fail(
-                BATTEN_INCOMPLETE,
-                "the curve grows without end: it is %.3g times as long as at first; "
-                "give a tension",
-                s->length / start);
+        if (s->length > s->task->longest)
+            return bat_fail(BATTEN_INCOMPLETE,
+                            "the curve grows without end: it is %.3g times as long as a mean "
+                            "chord; give directions at the ends or a tension",
+                            s->length);
     }
     report->after = objective(s, s->energy, s->length);
     report->length = s->length;
-    if (!done)
-        return bat_fail(BATTEN_INCOMPLETE,
-                        "%d steps took the energy from %g to %g, and it could fall by %g more",
-                        report->steps, report->before, report->after, report->remaining);
     return BATTEN_OK;
 }
 
 batten_status bat_energy_minimise(const bat_energy_task *task, bat_energy_curve *curve,
-                                  batten_energy_report *report)
+                                  batten_energy_report *report, bat_energy_end *end)
 {
     search s = {.task = NULL};
     batten_status status = search_begin(task, curve, &s);
     if (status == BATTEN_OK)
-        status = minimise(&s, report);
+        status = minimise(&s, report, end);
     search_end(&s);
     return status;
 }

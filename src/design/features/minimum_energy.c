@@ -32,8 +32,9 @@ const bat_feature bat_feature_minimum_energy = {
     .shown =
         {"minimum-energy", "The curve that bends least, in the plane or in space",
          "Quintics with continuous curvature whose integral of curvature squared is the least "
-         "near the cubic\n"
-         "spline through the points. In the plane 'elastica' is the same curve exactly; this "
+         "near the elastica\n"
+         "or the cubic spline through the points. In the plane 'elastica' is the same curve "
+         "exactly; this "
          "one also knows\n"
          "space and tension. Where a curve could bend less and less by growing, no least "
          "exists: the feature\n"
