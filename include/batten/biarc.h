@@ -170,14 +170,15 @@ typedef struct batten_sequential_report {
  *
  * @param points      [count][2], 2 or more, neighbours apart
  * @param start_angle radians; NAN: the one that makes the sum of the squared jumps of curvature
- *                    least. Two points have the chord then
+ *                    least while no arc turns by more than pi, if there is one. Two points have
+ *                    the chord then
  * @param[out] angles     [count] directions at the points, radians; may be NULL
  * @param[out] parameters [count], arc lengths from the start; may be NULL
  * @param[out] report may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE (points; a start angle that is infinite);
  * COINCIDENT, OVERFLOW naming the points; SINGULAR_HERE naming the arc that would be a full
  * circle, as its direction points back along the chord
- * Cost: 64 sums over the points without a start angle, then one. Source: [SL] VI.6.
+ * Cost: 256 sums over the points without a start angle, then one. Source: [SL] VI.6.
  */
 BATTEN_API batten_status batten_chain_sequential_arcs(int count, const double *points,
                                                       double start_angle, double *angles,

@@ -21,8 +21,10 @@ static double curvature_of(const chords *c, int i, double x, double *rate)
     return -2 * sin(lean) / c->length[i];
 }
 
-/* Lengths by the longest chord: the sum is for comparing alone. */
-static double sum_of_jumps(const chords *c, double unit, double x, double *slope, double *bend)
+/* Lengths by the longest chord: the sum is for comparing alone. Infinity where an arc leans
+ * from its chord by more than `most`. */
+static double sum_of_jumps(const chords *c, double unit, double most, double x, double *slope,
+                           double *bend)
 {
     double sum = 0, before = 0, rate_before = 0;
     *slope = *bend = 0;
@@ -30,6 +32,8 @@ static double sum_of_jumps(const chords *c, double unit, double x, double *slope
         double rate = 0;
         const double k = unit * curvature_of(c, i, x, &rate);
         rate *= unit;
+        if (fabs(remainder(c->base[i] + (i % 2 == 0 ? x : -x), 2 * BAT_PI)) > most)
+            return HUGE_VAL;
         if (i > 0) {
             const double jump = k - before, change = rate - rate_before;
             sum += jump * jump;
@@ -43,32 +47,39 @@ static double sum_of_jumps(const chords *c, double unit, double x, double *slope
     return sum;
 }
 
-/* The best of many, mended by Newton's rule while that helps. */
-static double best_start(const chords *c)
+/* The best of many, mended by Newton's rule while that helps. NAN when all lean too much. */
+static double best_within(const chords *c, double most)
 {
-    enum { TRIALS = 64, STEPS = 20 };
-    double unit = 0, best = HUGE_VAL, x = 0, slope = 0, bend = 0;
+    enum { TRIALS = 256, STEPS = 20 };
+    double unit = 0, best = HUGE_VAL, x = (double)NAN, slope = 0, bend = 0;
     for (int i = 0; i < c->count; i++)
         unit = bat_max(unit, c->length[i]);
     /* The chord itself first, then to both sides of it. */
     for (int i = 0; i < TRIALS; i++) {
         const double y = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * (2 * BAT_PI / TRIALS);
-        const double sum = sum_of_jumps(c, unit, y, &slope, &bend);
+        const double sum = sum_of_jumps(c, unit, most, y, &slope, &bend);
         if (sum < best) {
             best = sum;
             x = y;
         }
     }
-    for (int i = 0; i < STEPS; i++) {
-        sum_of_jumps(c, unit, x, &slope, &bend);
+    for (int i = 0; i < STEPS && best < HUGE_VAL; i++) {
+        sum_of_jumps(c, unit, most, x, &slope, &bend);
         const double y = bend > 0 ? x - slope / bend : x;
-        const double sum = sum_of_jumps(c, unit, y, &slope, &bend);
+        const double sum = sum_of_jumps(c, unit, most, y, &slope, &bend);
         if (!(sum < best))
             break;
         best = sum;
         x = y;
     }
     return x;
+}
+
+/* Large loops may have small jumps, so arcs of more than half a circle come last. */
+static double best_start(const chords *c)
+{
+    const double x = best_within(c, BAT_PI / 2);
+    return isnan(x) ? best_within(c, BAT_PI * (1 - 1e-9)) : x;
 }
 
 static batten_status find_chords(const double *points, const chords *c)
