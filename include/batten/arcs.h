@@ -81,8 +81,9 @@ typedef struct batten_arcs_report {
  *
  * Cost: PLAIN and BIARCS about 15 trials for each, each of some 30 evaluations; with `spread`
  * and few arcs up to ten times that. SMOOTH 10,000 trial arcs for each, around a closed curve
- * up to 24 times; 7 KB for each arc. Source: [MW95], [Bolton75]; [DRS08] for the search from
- * place to place; the leans as its second coordinate and the measure of the error are our own.
+ * up to 24 times; 10 KB for each arc. Where more than 10,000 are needed from corner to corner
+ * it takes biarcs. Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the
+ * leans as its second coordinate and the measure of the error are our own.
  */
 BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
                                               const batten_arcs_options *options,

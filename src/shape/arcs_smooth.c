@@ -22,7 +22,8 @@ enum {
     FINE = 96,   /* places along each plain arc */
     LEANS = 65,  /* ranges of leans */
     AHEAD = 250, /* places that are tried, beyond what any arc reaches */
-    LOOKS = 24   /* at the curve along an arc */
+    LOOKS = 24,  /* at the curve along an arc */
+    MOST_ARCS = 10000
 };
 
 /* Steadily going on, a lean is sqrt 3 / 6 * 36 = 10.4 half bands by the length of an arc. The
@@ -479,8 +480,9 @@ static batten_status try_starts(search *s, int count, const state *starts, int l
  * tried at first. */
 static batten_status run_around(search *s, bat_arcs_list *list)
 {
-    enum { TRIES = 24, FEW = 12, MANY_ARCS = 32 };
-    const bool thorough = s->task->guide->count <= MANY_ARCS;
+    enum { TRIES = 24, WORK = 1200 };
+    /* With many arcs one more does not matter, and each try takes long. */
+    const int room = bat_max_int(1, bat_min_int(TRIES, WORK / s->task->guide->count));
     state starts[TRIES] = {s->start};
     const int before = s->start_arcs, first = list->count;
     int found = -1, arcs = 0, least = 0;
@@ -491,7 +493,7 @@ static batten_status run_around(search *s, bat_arcs_list *list)
         return status;
     list->count = first;
     status = run(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
-    const int tries = find_starts(s, thorough ? TRIES : FEW, starts, &least);
+    const int tries = find_starts(s, room, starts, &least);
     if (status == BATTEN_OK)
         status = try_starts(s, tries, starts, bat_max_int(least, s->task->enough), list);
     return status;
@@ -539,6 +541,8 @@ batten_status bat_arcs_smooth_run(const bat_arcs_smooth *task, bat_arcs_list *li
                 .held = band->middle != 0 && !task->path->smooth_seam,
                 .around = task->path->smooth_seam};
     const int first = list->count;
+    if (task->guide->count > MOST_ARCS)
+        return BATTEN_OK;
     batten_status status = make_rows(&s);
     if (status == BATTEN_OK)
         status = search_with(&s, 30, list);

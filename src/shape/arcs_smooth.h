@@ -15,7 +15,8 @@ typedef struct {
     bat_samples *samples; /* room for them */
 } bat_arcs_smooth;
 
-/* Adds the arcs to the list; none when the search found none. The last part of a closed curve
+/* Adds the arcs to the list; none when the search found none, or there would be
+ * more than 10,000. The last part of a closed curve
  * is a biarc, and the first may begin anywhere: then one part goes on beyond its end. */
 batten_status bat_arcs_smooth_run(const bat_arcs_smooth *task, bat_arcs_list *list);
 
