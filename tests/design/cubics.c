@@ -185,3 +185,28 @@ TEST(affine_lengths_divide_a_curve)
                "  d: {divide: l, count: 4, by: affine}\n",
                BATTEN_SINGULAR_HERE, "straight");
 }
+
+TEST(a_match_within_a_bound_that_is_not_found_does_not_hold)
+{
+    static const char two[] =
+        QUINTIC "  q: {points: [[0, 0], [1, 2], [3, 1], [4, 5]]}\n"
+                "  d: {bezier: q}\n"
+                "outputs:\n  a.txt: {affine-match: [c, d], within: 1 mm}\n"
+                "  b.txt: {affine-match: [c, d]}\n";
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(5, &notes));
+    CHECK_OK(batten_design_parse(two, strlen(two), NULL, NULL, &design));
+    for (int i = 0; i < 2; i++) {
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_OK(batten_design_output(design, i, NULL, notes, &data, &size));
+        CHECK_INT(batten_design_output_holds(design, i), i == 1);
+        const int last = batten_notes_count(notes) - 1; /* may be lost where memory fails */
+        if (i == 0 && last >= 0 && batten_notes_dropped(notes) == 0)
+            CHECK_CONTAINS(batten_notes_at(notes, last)->text, "is no affine image of 'c'");
+        batten_release(data);
+    }
+    batten_design_free(design);
+    batten_notes_free(notes);
+}

@@ -115,7 +115,11 @@ static batten_status compare(bat_run *run, const batten_object *from, const batt
         return status;
     if (status != BATTEN_OK)
         return bat_fail(status, "%s and %s: %s", from->name, to->name, batten_message());
-    run->unmet |= bat_has(run, "within") && !match.found;
+    if (bat_has(run, "within") && !match.found) {
+        run->unmet = true;
+        bat_note(run, "'%s' is no affine image of '%s' within %g", to->name, from->name,
+                 within);
+    }
     if (json)
         json_match(out, from->name, to->name, &match);
     else
