@@ -46,7 +46,7 @@ typedef struct batten_region {
     double principal[2]; /**< the larger second moment and the smaller one, by size; the moment
                               about an axis is that across it */
     double angle; /**< of the direction of the larger one, radians from x, (-pi/2, pi/2] */
-    double error; /**< of each integral, as a share of the integral of its absolute value */
+    double error; /**< of each integral, as a share of the integral of the sizes of its terms */
 } batten_region;
 /**
  * Area and moments by Green's theorem. Polynomial curves are integrated exactly but for

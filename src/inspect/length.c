@@ -33,7 +33,7 @@ static ruler ruler_for(const batten_curve *curve)
 static batten_status rule(const batten_curve *curve, const gauss *g, int n, double a, double b,
                           double *sum)
 {
-    double u[LONG], values[LONG * 2 * 3], lengths = 0;
+    double u[LONG] = {0}, values[LONG * 2 * 3], lengths = 0;
     const int d = curve->dimension;
     for (int i = 0; i < n; i++)
         u[i] = a + (b - a) * (0.5 + 0.5 * g->nodes[i]);

@@ -37,6 +37,7 @@ typedef struct {
 typedef struct {
     const batten_curve *curve;
     double origin[2];
+    double rounding; /* of coordinates relative to the origin, as a share of the extent */
     int count;
     double nodes[BAT_MAX_GAUSS], weights[BAT_MAX_GAUSS];
 } ruler;
@@ -44,12 +45,12 @@ typedef struct {
 static void add_place(const double *origin, const double *place, double weight, sums *s)
 {
     const double x = place[0] - origin[0], y = place[1] - origin[1];
+    const double factors[INTEGRALS] = {1 / 2.0, x / 3, y / 3, x * x / 4, x * y / 4, y * y / 4};
     const double w = weight * (x * place[3] - y * place[2]);
-    const double parts[INTEGRALS] = {w / 2,         x * w / 3,     y * w / 3,
-                                     x * x * w / 4, x * y * w / 4, y * y * w / 4};
+    const double size = fabs(weight) * (fabs(x * place[3]) + fabs(y * place[2]));
     for (int k = 0; k < INTEGRALS; k++) {
-        s->value[k] += parts[k];
-        s->size[k] += fabs(parts[k]);
+        s->value[k] += factors[k] * w;
+        s->size[k] += fabs(factors[k]) * size;
     }
 }
 
@@ -66,17 +67,6 @@ static batten_status rule(const ruler *r, double a, double b, sums *out)
     return status;
 }
 
-/* Are both halves what the whole is, to a share of the sizes? */
-static bool agree(const sums *whole, const sums *both, double precision, double *error)
-{
-    double worst = 0;
-    for (int k = 0; k < INTEGRALS; k++)
-        if (both->size[k] > 0)
-            worst = bat_max(worst, fabs(both->value[k] - whole->value[k]) / both->size[k]);
-    *error = worst;
-    return worst <= precision;
-}
-
 static void add_sums(sums *a, const sums *b)
 {
     for (int k = 0; k < INTEGRALS; k++) {
@@ -85,24 +75,38 @@ static void add_sums(sums *a, const sums *b)
     }
 }
 
+/* What is wanted of a part: a share of the sizes of the integrals of the whole curve. */
+typedef struct {
+    sums all;                 /* by one rule for each span */
+    double precision, domain; /* of all; the width of the domain */
+    double rounding;          /* of values, as a share of their sizes */
+    double error[INTEGRALS];
+} goal;
+
+/* Are both halves what the whole is, or does only rounding differ? */
+static bool agree(const goal *g, const sums *whole, const sums *both, double width)
+{
+    for (int k = 0; k < INTEGRALS; k++) {
+        const double wanted = g->precision * g->all.size[k] * (width / g->domain);
+        const double miss = fabs(both->value[k] - whole->value[k]);
+        if (miss > wanted && miss > g->rounding * both->size[k])
+            return false;
+    }
+    return true;
+}
+
 typedef struct {
     double a, b;
     int depth;
     sums sums;
 } part;
 
-/* One span: at once when it is polynomial, else halved until both halves agree with the whole.
- */
-static batten_status integrate_span(const ruler *r, double a, double b, double precision,
-                                    sums *all, double *error)
+/* One span, halved until both halves agree with the whole. */
+static batten_status halve_span(const ruler *r, double a, double b, goal *g, sums *all)
 {
     part stack[DEPTH + 2] = {{.a = a, .b = b}};
     int waiting = 1;
     batten_status status = rule(r, a, b, &stack[0].sums);
-    if (status == BATTEN_OK && !r->curve->weights) {
-        add_sums(all, &stack[0].sums);
-        return BATTEN_OK;
-    }
     while (status == BATTEN_OK && waiting > 0) {
         const part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
@@ -113,15 +117,15 @@ static batten_status integrate_span(const ruler *r, double a, double b, double p
         if (status == BATTEN_OK)
             status = rule(r, right->a, right->b, &right->sums);
         sums both = left->sums;
-        double miss;
         add_sums(&both, &right->sums);
-        if (!agree(&whole.sums, &both, bat_max(precision, 64 * DBL_EPSILON), &miss) &&
-            whole.depth < DEPTH) {
+        if (status == BATTEN_OK && whole.depth < DEPTH &&
+            !agree(g, &whole.sums, &both, whole.b - whole.a)) {
             waiting += 2;
             continue;
         }
         add_sums(all, &both);
-        *error = bat_max(*error, miss);
+        for (int k = 0; k < INTEGRALS; k++)
+            g->error[k] += fabs(both.value[k] - whole.sums.value[k]);
     }
     return status;
 }
@@ -164,9 +168,13 @@ static batten_status integrate(const batten_curve *curve, double precision, sums
 {
     const int p = curve->degree, breaks = batten_curve_spans(curve, NULL);
     const batten_box box = batten_curve_box(curve);
+    const double extent = bat_max(box.high.x - box.low.x, box.high.y - box.low.y);
     *r = (ruler){.curve = curve,
                  .origin = {box.low.x + (box.high.x - box.low.x) / 2,
                             box.low.y + (box.high.y - box.low.y) / 2},
+                 .rounding = 64 * DBL_EPSILON *
+                             bat_max(1, bat_largest(2 * curve->count, curve->points) /
+                                            bat_max(extent, DBL_MIN)),
                  .count = curve->weights ? 16 : 2 * p}; /* exact to degree 4 p - 1 */
     bat_gauss(r->count, r->nodes, r->weights);
     double *knots = bat_array((size_t)breaks, sizeof *knots);
@@ -174,9 +182,22 @@ static batten_status integrate(const batten_curve *curve, double precision, sums
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(curve, knots);
     batten_status status = BATTEN_OK;
-    *error = 16 * p * DBL_EPSILON;
-    for (int i = 0; status == BATTEN_OK && i + 1 < breaks; i++)
-        status = integrate_span(r, knots[i], knots[i + 1], precision, all, error);
+    goal g = {.precision = precision,
+              .domain = knots[breaks - 1] - knots[0],
+              .rounding = r->rounding};
+    for (int i = 0; status == BATTEN_OK && i + 1 < breaks; i++) {
+        sums one;
+        status = rule(r, knots[i], knots[i + 1], &one);
+        add_sums(&g.all, &one);
+    }
+    for (int i = 0; status == BATTEN_OK && curve->weights && i + 1 < breaks; i++)
+        status = halve_span(r, knots[i], knots[i + 1], &g, all);
+    if (status == BATTEN_OK && !curve->weights)
+        *all = g.all;
+    *error = p * r->rounding / 4;
+    for (int k = 0; k < INTEGRALS; k++)
+        if (all->size[k] > 0)
+            *error = bat_max(*error, g.error[k] / all->size[k]);
     if (status == BATTEN_OK)
         status = add_gap(r, batten_curve_domain(curve), all);
     bat_release(knots);
@@ -196,7 +217,7 @@ batten_status batten_curve_region(const batten_curve *curve, double closed, doub
         status = integrate(curve, precision, &all, &r, &made.error);
     if (status != BATTEN_OK)
         return status;
-    if (made.error > bat_max(precision, 64 * curve->degree * DBL_EPSILON))
+    if (made.error > bat_max(precision, curve->degree * r.rounding))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "the integrals are known to %g, %g is asked for", made.error,
                         precision);

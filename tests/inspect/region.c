@@ -96,6 +96,45 @@ TEST(the_area_of_a_closed_spline_is_that_of_its_polygon_far_from_the_origin_too)
     }
 }
 
+TEST(rational_curves_have_the_area_of_a_fine_polyline)
+{
+    /* Weights within a ratio of 100, and once the same curve far from the origin. */
+    test_random random = test_random_begin("rational areas");
+    for (int n = test_cases(12); n > 0; n--) {
+        const int degree = 1 + n % 6;
+        double points[16], weights[8], knots[16], area = 0, first[2], before[2], here[2];
+        batten_curve *curve = NULL, *moved = NULL;
+        batten_region r, far;
+        for (int i = 0; i < 8; i++) {
+            const double angle = 2 * PI * i / 7, radius = test_random_in(&random, 1, 2);
+            points[2 * i] = i == 7 ? points[0] : radius * cos(angle);
+            points[2 * i + 1] = i == 7 ? points[1] : radius * sin(angle);
+            weights[i] = pow(10, test_random_in(&random, -1, 1));
+        }
+        for (int i = 0; i < 8 + degree + 1; i++)
+            knots[i] = fmin(8 - degree, fmax(0, i - degree));
+        CHECK_OK(batten_curve_create(2, degree, 8, points, weights, knots, &curve));
+        CHECK_OK(batten_curve_region(curve, 1e-12, 1e-11, &r));
+        CHECK(r.error <= 1e-11);
+        CHECK_OK(batten_curve_evaluate(curve, 0, 0, first));
+        memcpy(before, first, sizeof first);
+        for (int i = 1; i <= 8000 * (8 - degree); i++) {
+            CHECK_OK(batten_curve_evaluate(curve, i / 8000.0, 0, here));
+            area += ((before[0] - first[0]) * (here[1] - first[1]) -
+                     (before[1] - first[1]) * (here[0] - first[0])) /
+                    2;
+            memcpy(before, here, sizeof here);
+        }
+        CHECK_NEAR(r.area, area, 1e-5);
+        const batten_affine away = batten_affine_translation(1e7, 1e7, 0);
+        CHECK_OK(batten_curve_transform(curve, &away, &moved));
+        CHECK_OK(batten_curve_region(moved, 1e-6, 1e-11, &far));
+        CHECK_NEAR(far.area, r.area, 1e-6);
+        batten_curve_unref(moved);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(curves_that_enclose_nothing_are_refused)
 {
     const double open[8] = {0, 0, 1, 1, 2, 1, 3, 0}, back[6] = {0, 0, 2, 1, 0, 0};

@@ -82,13 +82,12 @@ static batten_status measure(const batten_object *object, double within, facts *
 {
     const batten_curve *curve = object->curve;
     batten_curve *flat = NULL;
-    const double size = 1e-12;
     *f = (facts){.name = object->name, .closed = batten_curve_is_closed(curve, within)};
     batten_status status = bat_curve_flattened(curve, &f->axis, &flat);
     if (status == BATTEN_OK && batten_curve_dimension(curve) == 2)
         f->axis = 2;
     if (status == BATTEN_OK)
-        status = batten_curve_length(curve, within * size, &f->length, &f->error);
+        status = batten_curve_length(curve, 1e-12 * within, &f->length, &f->error);
     if (status == BATTEN_OK)
         status = batten_curve_bounds(curve, &f->box);
     if (status == BATTEN_OK)
