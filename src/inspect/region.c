@@ -28,7 +28,7 @@ batten_status bat_closed_check(const batten_curve *curve, double closed)
 
 /* With w = x dy - y dx the integrals of 1, x, y, x x, x y, y y over the inside are those of
  * w/2, x w/3, y w/3, x x w/4, x y w/4, y y w/4 along the curve: Green's theorem. */
-enum { INTEGRALS = 6, DEPTH = 16 };
+enum { INTEGRALS = 6, DEPTH = 16, PARTS = 4096 };
 
 typedef struct {
     double value[INTEGRALS], size[INTEGRALS]; /* of the integrands, and of their sizes */
@@ -107,7 +107,7 @@ static batten_status halve_span(const ruler *r, double a, double b, goal *g, sum
     part stack[DEPTH + 2] = {{.a = a, .b = b}};
     int waiting = 1;
     batten_status status = rule(r, a, b, &stack[0].sums);
-    while (status == BATTEN_OK && waiting > 0) {
+    for (int budget = PARTS; status == BATTEN_OK && waiting > 0; budget--) {
         const part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
         part *left = &stack[waiting], *right = left + 1;
@@ -118,7 +118,7 @@ static batten_status halve_span(const ruler *r, double a, double b, goal *g, sum
             status = rule(r, right->a, right->b, &right->sums);
         sums both = left->sums;
         add_sums(&both, &right->sums);
-        if (status == BATTEN_OK && whole.depth < DEPTH &&
+        if (status == BATTEN_OK && whole.depth < DEPTH && budget > 0 &&
             !agree(g, &whole.sums, &both, whole.b - whole.a)) {
             waiting += 2;
             continue;

@@ -199,23 +199,26 @@ static batten_status add_point(const tracer *t, line *l, const double *p)
 }
 
 /* From the last point to b: halves as long as the point of the curve over the middle of a chord
- * is farther from it than the tolerance. */
+ * is farther from it than the tolerance. A point that would go nearer to an end than a tenth of
+ * the chord belongs to another branch. */
 static batten_status go_on(const tracer *t, line *l, const double *b)
 {
     double ends[DEPTH + 2][2];
-    int waiting = 1;
+    int depth[DEPTH + 2] = {0}, waiting = 1;
     batten_status status = BATTEN_OK;
     memcpy(ends[0], b, sizeof ends[0]);
     while (status == BATTEN_OK && waiting > 0) {
-        const double *from = l->points + 3 * (size_t)(l->count - 1), *to = ends[waiting - 1];
+        const int top = waiting - 1;
+        const double *from = l->points + 3 * (size_t)(l->count - 1), *to = ends[top];
         const double middle[2] = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
         double place[2] = {middle[0], middle[1]};
         const double chord = hypot(to[0] - from[0], to[1] - from[1]);
-        const bool bent = waiting <= DEPTH && chord > t->tolerance &&
-                          correct(t, chord / 2, place) &&
+        const bool bent = depth[top] < DEPTH && chord > t->tolerance &&
+                          correct(t, 0.4 * chord, place) &&
                           bat_distance(2, place, middle) > t->tolerance / 2;
         if (bent) {
-            memcpy(ends[waiting++], place, sizeof place);
+            memcpy(ends[waiting], place, sizeof place);
+            depth[waiting++] = ++depth[top];
         } else {
             status = add_point(t, l, to);
             waiting--;

@@ -219,6 +219,32 @@ TEST(singular_points_are_flagged_with_their_kind)
     }
 }
 
+/* Nearly two lines beside each other, 1e-7 apart: corrected points may jump between them. */
+static double beside(const void *context, double x, double y, double *g)
+{
+    const double h = *(const double *)context, a = y - 0.3 * x, b = a - h * cos(40 * x);
+    g[0] = -0.3 * b + a * (-0.3 + 40 * h * sin(40 * x));
+    g[1] = a + b;
+    return a * b;
+}
+
+TEST(branches_closer_than_the_grid_end_the_work)
+{
+    const double apart[] = {1e-1, 1e-3, 1e-5, 1e-7, 0};
+    for (int i = 0; i < COUNT(apart); i++) {
+        const batten_box window = {{-1, -1, 0}, {1, 1.1, 0}};
+        batten_trace trace = {{0, NULL}, 0, NULL};
+        CHECK_OK(batten_trace_field(beside, &apart[i], window, 30, 1e-6, &trace));
+        for (int k = 0; k < trace.lines.count; k++)
+            for (int j = 0; j < trace.lines.lines[k].count; j++) {
+                double g[2];
+                const double *p = trace.lines.lines[k].points + 3 * j;
+                CHECK(fabs(beside(&apart[i], p[0], p[1], g)) <= 1e-6);
+            }
+        batten_trace_release(&trace);
+    }
+}
+
 static double broken(const void *context, double x, double y, double *g)
 {
     (void)context;
