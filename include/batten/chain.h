@@ -38,7 +38,8 @@ typedef struct batten_span {
     double curvature[4]; /**< ARC [0]. SPIRAL: at the start, and its first to third derivative
                               by arc length. ELASTICA: [0], and [1] the derivative. GEOMETRIC:
                               [0] at the start, [1] for each unit of the abscissa */
-    double chord;        /**< GEOMETRIC: direction of the chord, radians */
+    double chord;        /**< GEOMETRIC: direction of the chord, radians; of a part that of the
+                              whole */
     double end[3];       /**< TENSION: the last point */
     double bend[2][3];   /**< TENSION: second derivatives at start and end */
     double tension;      /**< TENSION: sigma >= 0, one by the unit of the parameter */
@@ -99,6 +100,20 @@ BATTEN_API batten_status batten_chain_evaluate(const batten_chain *chain, double
  * axes); else BAD_ARGUMENT. A plane chain must stay in its plane. The breaks stay. */
 BATTEN_API batten_status batten_chain_transform(const batten_chain *chain,
                                                 const batten_affine *map, batten_chain **out);
+
+/** The part from a to b inside the domain, a < b: open, with the parameters it had; a span that
+ * is cut stays of its kind. @return also OUT_OF_DOMAIN, NOT_FINITE */
+BATTEN_API batten_status batten_chain_subrange(const batten_chain *chain, double a, double b,
+                                               batten_chain **out);
+/** The chain run backwards: the domain [a, b] becomes [-b, -a], the point at u is found at -u.
+ */
+BATTEN_API batten_status batten_chain_reverse(const batten_chain *chain, batten_chain **out);
+/** Join end to start. Both are open, of one dimension and, when placed, in the same frame bit
+ * for bit; the ends are within `tolerance`, and stay where they are. The second domain is moved
+ * to follow the first. @return also NOT_COMPATIBLE */
+BATTEN_API batten_status batten_chain_join(const batten_chain *first,
+                                           const batten_chain *second, double tolerance,
+                                           batten_chain **out);
 
 /**
  * The NURBS curve of a chain, with the same breaks.

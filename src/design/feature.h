@@ -108,6 +108,9 @@ batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface
  * false. */
 batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
                                  const batten_object *like, bool keep_data);
+/* The same of a curve that is a chain, or NULL, in truth; both references are given back. */
+batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curve *curve,
+                                 batten_chain *chain, const batten_object *like);
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
                                    const batten_object *like);
 
@@ -117,6 +120,8 @@ typedef struct {
     batten_status (*curve)(const bat_run *run, const batten_curve *curve, batten_curve **out);
     batten_status (*surface)(const bat_run *run, const batten_surface *surface,
                              batten_surface **out);
+    /* Beside `curve`, of a chain; NULL: the curve is none any more. */
+    batten_status (*chain)(const bat_run *run, const batten_chain *chain, batten_chain **out);
     bool keeps_data; /* the points that a curve was made from still belong to it */
     /* Instead of these: nearly the same shape, and how far it is from the given one. */
     batten_status (*near_curve)(const bat_run *run, const batten_curve *curve, double *error,

@@ -164,13 +164,13 @@ batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface
     return bat_put_surface_like(run, status, surface, &like);
 }
 
-batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
-                                 const batten_object *like, bool keep_data)
+static batten_status put_curve(bat_run *run, batten_status status, batten_curve *curve,
+                               batten_chain *chain, const batten_object *like, bool keep_data)
 {
     batten_object object = *like;
     object.kind = BATTEN_OBJECT_CURVE;
     object.curve = curve;
-    object.chain = NULL; /* of the curve that it was made from */
+    object.chain = chain; /* not that of the curve that it was made from */
     object.surface = NULL;
     if (!keep_data) {
         object.point_count = 0;
@@ -178,8 +178,21 @@ batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curv
     }
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &object);
+    batten_chain_unref(chain);
     batten_curve_unref(curve);
     return status;
+}
+
+batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curve *curve,
+                                 const batten_object *like, bool keep_data)
+{
+    return put_curve(run, status, curve, NULL, like, keep_data);
+}
+
+batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curve *curve,
+                                 batten_chain *chain, const batten_object *like)
+{
+    return put_curve(run, status, curve, chain, like, false);
 }
 
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
@@ -203,13 +216,16 @@ static batten_status change_curve(bat_run *run, const bat_change *change,
                                   const batten_object *object)
 {
     batten_curve *curve = NULL;
+    batten_chain *chain = NULL;
     double error = 0;
-    const batten_status status = change->curve
-                                     ? change->curve(run, object->curve, &curve)
-                                     : change->near_curve(run, object->curve, &error, &curve);
+    batten_status status = change->curve
+                               ? change->curve(run, object->curve, &curve)
+                               : change->near_curve(run, object->curve, &error, &curve);
     if (status == BATTEN_OK && !change->curve)
         bat_report_error(run, error, error);
-    return bat_put_curve_like(run, status, curve, object, change->keeps_data);
+    if (status == BATTEN_OK && object->chain && change->chain)
+        status = change->chain(run, object->chain, &chain);
+    return put_curve(run, status, curve, chain, object, change->keeps_data);
 }
 
 static batten_status change_surface(bat_run *run, const bat_change *change,

@@ -144,3 +144,47 @@ TEST(sharp_turns_are_noted)
     CHECK(noted);
     batten_notes_free(notes);
 }
+
+TEST(parts_of_chains_stay_chains)
+{
+    static const char *const features[] = {
+        "{part: c, from: 0.5, to: 2}",
+        "{reverse: c}",
+        "{split: c, parameter: 1.2}",
+        "{join: [c, d]}",
+    };
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_design *design = NULL;
+        char before[1000];
+        snprintf(before, sizeof before,
+                 "%s  c: {euler-spiral: p}\n  far: {move: p, by: [4, 0]}\n"
+                 "  d: {elastica: far}\n",
+                 ducks);
+        CHECK_OK(evaluate(before, features[i], &design, NULL));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        for (int n = 0; n < batten_model_count(model); n++) {
+            const batten_object *object = batten_model_object(model, n);
+            CHECK(object->chain != NULL);
+            const batten_interval domain = batten_curve_domain(object->curve);
+            CHECK_NEAR(batten_chain_domain(object->chain).a, domain.a, 1e-12);
+            CHECK_NEAR(batten_chain_domain(object->chain).b, domain.b, 1e-12);
+            for (int k = 0; k <= 20; k++) {
+                const double u = domain.a + (domain.b - domain.a) * k / 20;
+                double p[3], q[3];
+                CHECK_OK(batten_curve_evaluate(object->curve, u, 0, p));
+                CHECK_OK(batten_chain_evaluate(object->chain, u, 0, q));
+                for (int c = 0; c < 3; c++)
+                    CHECK_NEAR(p[c], q[c], 1e-6);
+            }
+        }
+        batten_design_free(design);
+    }
+    /* A chain and a curve that is none join as curves. */
+    batten_design *design = NULL;
+    char before[1000];
+    snprintf(before, sizeof before,
+             "%s  c: {euler-spiral: p}\n  l: {line: [[4, 0, 2], [5, 0, 2]]}\n", ducks);
+    CHECK_OK(evaluate(before, "{join: [c, l]}", &design, NULL));
+    CHECK(batten_model_object(batten_design_result(design, "a")->value, 0)->chain == NULL);
+    batten_design_free(design);
+}

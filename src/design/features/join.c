@@ -7,9 +7,30 @@ static const batten_parameter parameters[] = {
     {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
 };
 
+/* As one chain, when all curves are chains that fit together; else none. */
+static batten_status join_chains(const bat_objects *all, double within, batten_chain **out)
+{
+    batten_chain *joined = NULL;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < all->count && status == BATTEN_OK; i++) {
+        batten_chain *longer = NULL;
+        if (!all->at[i]->chain)
+            status = BATTEN_NOT_COMPATIBLE;
+        else if (i == 0)
+            longer = batten_chain_ref(all->at[i]->chain);
+        else
+            status = batten_chain_join(joined, all->at[i]->chain, within, &longer);
+        batten_chain_unref(joined);
+        joined = longer;
+    }
+    *out = joined;
+    return status == BATTEN_NOT_COMPATIBLE ? BATTEN_OK : status;
+}
+
 static batten_status join_curves(bat_run *run, const bat_objects *all, double within)
 {
     batten_curve *joined = batten_curve_ref(all->at[0]->curve);
+    batten_chain *chain = NULL;
     batten_status status = BATTEN_OK;
     for (int i = 1; i < all->count && status == BATTEN_OK; i++) {
         batten_curve *longer = NULL;
@@ -19,7 +40,10 @@ static batten_status join_curves(bat_run *run, const bat_objects *all, double wi
             joined = longer;
         }
     }
-    return bat_put_curve(run, status, joined);
+    if (status == BATTEN_OK)
+        status = join_chains(all, within, &chain);
+    const batten_object like = {.name = run->name, .layer = ""};
+    return bat_put_chain_like(run, status, joined, chain, &like);
 }
 
 static batten_status join_surfaces(bat_run *run, const bat_objects *all, double within)

@@ -13,6 +13,11 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return batten_curve_subrange(given, bat_number(run, "from"), bat_number(run, "to"), out);
 }
 
+static batten_status chain(const bat_run *run, const batten_chain *given, batten_chain **out)
+{
+    return batten_chain_subrange(given, bat_number(run, "from"), bat_number(run, "to"), out);
+}
+
 static batten_status surface(const bat_run *run, const batten_surface *given,
                              batten_surface **out)
 {
@@ -22,14 +27,16 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){.curve = curve, .surface = surface});
+    return bat_change_all(run,
+                          &(bat_change){.curve = curve, .chain = chain, .surface = surface});
 }
 
-const bat_feature bat_feature_part = {.shown = {"part", "The part between two parameters",
-                                                "Exact; the part keeps its parameters.",
-                                                "features:\n"
-                                                "  keel: {line: [[0, 0], [3 m, 0]]}\n"
-                                                "  fore: {part: keel, from: 0.5, to: 1}\n",
-                                                "[PT97]", "batten_curve_subrange",
-                                                BAT_PARAMETERS(parameters), false},
-                                      .run = run};
+const bat_feature bat_feature_part = {
+    .shown = {"part", "The part between two parameters",
+              "Exact; the part keeps its parameters. Of curves made of arcs, spirals and\n"
+              "elastica the part is made of them too.",
+              "features:\n"
+              "  keel: {line: [[0, 0], [3 m, 0]]}\n"
+              "  fore: {part: keel, from: 0.5, to: 1}\n",
+              "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
+    .run = run};

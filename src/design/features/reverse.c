@@ -11,6 +11,12 @@ static batten_status curve(const bat_run *run, const batten_curve *given, batten
     return batten_curve_reverse(given, out);
 }
 
+static batten_status chain(const bat_run *run, const batten_chain *given, batten_chain **out)
+{
+    (void)run;
+    return batten_chain_reverse(given, out);
+}
+
 static batten_status surface(const bat_run *run, const batten_surface *given,
                              batten_surface **out)
 {
@@ -19,7 +25,8 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
 
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(run, &(bat_change){.curve = curve, .surface = surface});
+    return bat_change_all(run,
+                          &(bat_change){.curve = curve, .chain = chain, .surface = surface});
 }
 
 const bat_feature bat_feature_reverse = {

@@ -40,21 +40,34 @@ static batten_status split_in_pieces(bat_run *run, const batten_object *object)
     batten_status status = bat_pieces_divide(run, object, &at);
     for (int i = 0; status == BATTEN_OK && i + 1 < at.count; i++) {
         batten_curve *part = NULL;
+        batten_chain *chain = NULL;
         batten_object like = *object;
         char name[220];
         snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
         if (at.count > 2)
             like.name = name;
         status = batten_curve_subrange(object->curve, at.at[i], at.at[i + 1], &part);
-        status = bat_put_curve_like(run, status, part, &like, false);
+        if (status == BATTEN_OK && object->chain)
+            status = batten_chain_subrange(object->chain, at.at[i], at.at[i + 1], &chain);
+        status = bat_put_chain_like(run, status, part, chain, &like);
     }
     bat_release(at.at);
     return status;
 }
 
+/* The halves of what a curve truly is, when that is a chain. */
+static batten_status split_chain(const batten_chain *chain, double at, batten_chain *halves[2])
+{
+    const batten_interval domain = batten_chain_domain(chain);
+    const batten_status status = batten_chain_subrange(chain, domain.a, at, &halves[0]);
+    return status == BATTEN_OK ? batten_chain_subrange(chain, at, domain.b, &halves[1])
+                               : status;
+}
+
 static batten_status split_object(bat_run *run, const batten_object *object)
 {
     batten_curve *curves[2] = {NULL, NULL};
+    batten_chain *chains[2] = {NULL, NULL};
     batten_surface *surfaces[2] = {NULL, NULL};
     const double at = bat_number(run, "parameter");
     const bool is_curve = object->kind == BATTEN_OBJECT_CURVE;
@@ -63,12 +76,14 @@ static batten_status split_object(bat_run *run, const batten_object *object)
                  : batten_surface_split(object->surface,
                                         (batten_direction)bat_word(run, "direction"), at,
                                         &surfaces[0], &surfaces[1]);
+    if (status == BATTEN_OK && object->chain)
+        status = split_chain(object->chain, at, chains);
     for (int i = 0; i < 2; i++) {
         batten_object half = *object;
         char name[220];
         snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
         half.name = name;
-        status = is_curve ? bat_put_curve_like(run, status, curves[i], &half, false)
+        status = is_curve ? bat_put_chain_like(run, status, curves[i], chains[i], &half)
                           : bat_put_surface_like(run, status, surfaces[i], &half);
     }
     return status;
