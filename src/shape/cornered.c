@@ -80,19 +80,20 @@ static void direction_of_line(const work *w, const run *r, int end, double *out)
         out[k] = (point(w, a + 1)[k] - point(w, a)[k]) / length;
 }
 
-/* Direction and second derivative 0 where straight runs are met. */
+/* Direction and second derivative 0 where straight runs are met; NATURAL at the other end. */
 static batten_status make_flat(const work *w, const run *r, const double *t, batten_curve **out)
 {
     const int count = r->last - r->first + 1;
     batten_derivative conditions[4];
     int n = 0;
     for (int end = 0; end < 2; end++) {
-        if (!r->meets[end])
-            continue;
         const int index = end ? count - 1 : 0;
-        conditions[n] = (batten_derivative){.index = index, .order = 1};
-        direction_of_line(w, r, end, conditions[n++].value);
-        conditions[n++] = (batten_derivative){.index = index, .order = 2};
+        if (r->meets[end]) {
+            conditions[n] = (batten_derivative){.index = index, .order = 1};
+            direction_of_line(w, r, end, conditions[n++].value);
+        }
+        if (r->meets[end] || w->options->ends == BATTEN_END_NATURAL)
+            conditions[n++] = (batten_derivative){.index = index, .order = 2};
     }
     batten_interpolate_options o = batten_interpolate_defaults();
     o.parameters = BATTEN_GIVEN;

@@ -164,3 +164,27 @@ TEST(g1_coincident_points_are_named_by_cornered_splines)
     batten_curve *made = NULL;
     CHECK_STATUS(batten_curve_cornered(2, 3, points, NULL, NULL, &made), BATTEN_COINCIDENT);
 }
+
+TEST(a_free_end_behind_a_flat_transition_is_natural_when_asked)
+{
+    const double points[] = {0, 0, 1, 0, 2, 0.3, 3, 1.2, 3.5, 2.5};
+    const int lines[] = {0};
+    for (int natural = 0; natural < 2; natural++) {
+        batten_cornered_options o = batten_cornered_defaults();
+        batten_curve *curve = NULL;
+        double c[6], start[6], t[5];
+        o.lines = lines;
+        o.line_count = 1;
+        o.transition = BATTEN_TRANSITION_CURVATURE;
+        o.ends = natural ? BATTEN_END_NATURAL : BATTEN_END_NOT_A_KNOT;
+        CHECK_OK(batten_curve_cornered(2, 5, points, &o, t, &curve));
+        CHECK_OK(batten_curve_evaluate(curve, t[4], 2, c));
+        CHECK_OK(batten_curve_evaluate_side(curve, t[1], BATTEN_FROM_RIGHT, 2, start));
+        CHECK_NEAR(hypot(start[4], start[5]), 0, 1e-12);
+        if (natural)
+            CHECK_NEAR(hypot(c[4], c[5]), 0, 1e-12);
+        else
+            CHECK(hypot(c[4], c[5]) > 1e-3);
+        batten_curve_unref(curve);
+    }
+}

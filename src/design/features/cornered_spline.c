@@ -55,7 +55,9 @@ const bat_feature bat_feature_cornered_spline = {
          "'lines'\n"
          "the curve is straight to the next point, and the runs beside it begin with the\n"
          "direction of the line. 'transition: curvature' also lets curvature begin with 0\n"
-         "there, as a fair curve does. A point between two straight runs is a corner. Points\n"
+         "there, as a fair curve does; a free end of such a run can be 'natural', while the "
+         "other\n"
+         "'ends' leave it as it comes. A point between two straight runs is a corner. Points\n"
          "are counted from 0. Where corners stand close together a smooth run has few points\n"
          "and little reason to bend: one span alone between two corners is straight.",
          "features:\n"
