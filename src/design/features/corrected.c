@@ -67,7 +67,10 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
                  "points are needed there",
                  report.incurable, report.first_incurable + 1);
     if (options.joins == BATTEN_CORRECT_CURVATURE && report.broken > 0)
-        bat_note(run, "curvature could not be brought together at %d joins", report.broken);
+        bat_note(run,
+                 "curvature could not be brought together at %d joins; mostly because the "
+                 "directions there bend the spans to opposite sides",
+                 report.broken);
     return BATTEN_OK;
 }
 
@@ -85,8 +88,10 @@ const bat_feature bat_feature_corrected = {
          "or a loop that nobody asked for. Here such tangents are shortened, to the part\n"
          "'within' of what is allowed; points and directions stay, and the other spans. The\n"
          "joins keep their tangents but lose the equal speed, and mostly the equal curvature;\n"
-         "with 'joins: curvature' the lengths on both sides are chosen such that curvatures\n"
-         "agree again, where there is a solution. Spans that turn by half a circle or more\n"
+         "with 'joins: curvature' the lengths of these spans and of their neighbours are "
+         "chosen\n"
+         "together such that curvatures agree at as many joins as they can: not where the\n"
+         "directions bend both sides oppositely. Spans that turn by half a circle or more\n"
          "cannot be cured by lengths; a note counts them. Better parameters ('chord',\n"
          "'centripetal') often make the correction needless.",
          "features:\n"
