@@ -22,7 +22,8 @@ typedef enum batten_beta_use {
 
 /**
  * A Beta-spline near or through points, of one Bezier piece for each step from point to point;
- * point i belongs to the parameter i. At the ends of an open curve there is no curvature.
+ * point i belongs to the parameter i. At the ends of an open curve there is no curvature; a
+ * closed one comes back as a periodic curve.
  *
  * Larger beta2 draws the curve to its polygon; beta1 above 1 makes it leave each joint faster
  * than it comes, so that it leans to the later points, below 1 to the earlier ones: the

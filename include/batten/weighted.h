@@ -46,8 +46,7 @@ BATTEN_API batten_weighted_options batten_weighted_defaults(void);
  * There w P'' after the point less w P'' before it is nu P'. So equal weights give continuous
  * curvature; unequal ones make it jump. With very large nu everywhere it becomes the polygon,
  * with one large nu a point gets a corner, where P' comes to 0. Negative nu loosen the point
- * and are allowed while there is a least. A closed curve comes back as a clamped one that
- * closes.
+ * and are allowed while there is a least. A closed curve comes back as a periodic one.
  *
  * @param dimension  1..3
  * @param points     [count][dimension], at least two; closed: at least three, each once

@@ -138,6 +138,19 @@ typedef struct {
     double *cage, *bezier, *breaks;
 } arrays;
 
+/* Breaks 0, 1 .. pieces; of a ring the knots of a period, on which all but the first stand
+ * three times, so that the Bezier points are its control points. */
+static batten_status make_curve(int d, int pieces, bool closed, const arrays *a,
+                                batten_curve **out)
+{
+    const int times = closed ? 3 : 1;
+    for (int i = 0; i <= times * pieces; i++)
+        a->breaks[i] = (i + times - 1) / times;
+    return closed
+               ? batten_curve_create_periodic(d, 3, 3 * pieces, a->bezier, NULL, a->breaks, out)
+               : batten_curve_from_bezier(d, 3, pieces, a->bezier, NULL, a->breaks, out);
+}
+
 static batten_status make(int d, int count, const double *points, batten_beta_use use,
                           double b1, double b2, bool closed, arrays *a, batten_curve **out)
 {
@@ -162,11 +175,7 @@ static batten_status make(int d, int count, const double *points, batten_beta_us
         memcpy(a->bezier, points, (size_t)d * sizeof *points);
         memcpy(a->bezier + 3 * pieces * d, points + pieces * d, (size_t)d * sizeof *points);
     }
-    for (int i = 0; i <= pieces; i++)
-        a->breaks[i] = i;
-    if (status == BATTEN_OK)
-        status = batten_curve_from_bezier(d, 3, pieces, a->bezier, NULL, a->breaks, out);
-    return status;
+    return status == BATTEN_OK ? make_curve(d, pieces, closed, a, out) : status;
 }
 
 batten_status batten_curve_beta(int dimension, int count, const double *points,
@@ -186,7 +195,7 @@ batten_status batten_curve_beta(int dimension, int count, const double *points,
         return bat_fail(BATTEN_BAD_ARGUMENT, "beta2 is %g, not 0 or more", beta2);
     const size_t n = (size_t)count, d = (size_t)dimension;
     arrays a = {bat_array3(n + 3, d, sizeof(double)), bat_array3(3 * n + 1, d, sizeof(double)),
-                bat_array(n + 1, sizeof(double))};
+                bat_array(3 * n + 1, sizeof(double))};
     status = BATTEN_OUT_OF_MEMORY;
     if (a.cage && a.bezier && a.breaks)
         status = make(dimension, count, points, use, beta1, beta2, closed, &a, out);

@@ -1,6 +1,7 @@
 /* Weighted splines and nu-splines: one symmetric system for the slopes. */
 #include "numeric/vector.h"
 #include "shape/shape.h"
+#include <batten/local.h>
 #include <batten/weighted.h>
 
 #include <float.h>
@@ -266,14 +267,16 @@ static batten_status solve(task *t, const batten_weighted_options *o)
 static batten_status make_curve(const task *t, batten_curve **out)
 {
     const int d = t->dimension, count = t->spans + 1;
+    if (t->closed)
+        return batten_curve_from_tangents(d, t->count, t->points, t->u, t->slopes, NULL, true,
+                                          out);
     double *values = bat_array3((size_t)count, (size_t)(2 * d), sizeof *values);
     if (!values)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++) {
-        const int from = i % t->count;
         for (int k = 0; k < d; k++) {
-            values[2 * i * d + k] = t->points[from * d + k];
-            values[(2 * i + 1) * d + k] = t->slopes[from * d + k];
+            values[2 * i * d + k] = t->points[i * d + k];
+            values[(2 * i + 1) * d + k] = t->slopes[i * d + k];
         }
     }
     const batten_status status = batten_curve_from_hermite(d, count, 2, t->u, values, out);

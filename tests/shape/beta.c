@@ -40,6 +40,7 @@ TEST(joints_of_a_beta_spline_obey_its_law)
         const bool closed = c / 12 % 2;
         batten_curve *curve =
             spline(2, 6, cage, (batten_beta_use)(c / 24), bias, tension, closed);
+        CHECK(batten_curve_is_periodic(curve) == closed);
         for (int i = closed ? 0 : 1; i < (closed ? 6 : 5); i++) {
             double p[6], q[6];
             CHECK_OK(batten_curve_evaluate_side(curve, i ? i : 6, BATTEN_FROM_LEFT, 2, p));

@@ -98,6 +98,30 @@ TEST(the_ends_of_a_weighted_spline_are_as_asked)
     }
 }
 
+TEST(closed_weighted_splines_are_periodic_however_tight)
+{
+    const double points[] = {0, 0, 3, 0.2, 4, 3, 1, 4}, nus[] = {0, 50, 1e9};
+    for (int c = 0; c < 3; c++) {
+        batten_weighted_options o = batten_weighted_defaults();
+        o.closed = true;
+        o.nu = nus[c];
+        double u[4], p[2], q[2];
+        batten_curve *curve = NULL;
+        CHECK_OK(batten_curve_weighted(2, 4, points, &o, u, &curve));
+        CHECK(batten_curve_is_periodic(curve));
+        const batten_interval domain = batten_curve_domain(curve);
+        for (int i = 0; i < 4; i++) {
+            CHECK_OK(batten_curve_evaluate(curve, u[i], 0, p));
+            CHECK_OK(batten_curve_evaluate(curve, u[i] + domain.b - domain.a, 0, q));
+            for (int k = 0; k < 2; k++) {
+                CHECK_NEAR(p[k], points[2 * i + k], 1e-14);
+                CHECK_NEAR(q[k], p[k], 1e-13);
+            }
+        }
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(without_nu_and_weights_it_is_the_cubic_spline)
 {
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4, 5, 3, 7, 7};
