@@ -62,13 +62,14 @@ typedef struct batten_arcs_report {
  * allowed half the tolerance beside it; along a curve with the curvature k, s the arc length,
  * their number goes to the integral of |dk/ds|^(1/3) ds divided by (72 sqrt 3 tolerance)^(1/3),
  * and smooth arcs cannot be fewer. Where curvature has an extreme, or a closed curve must
- * close, SMOOTH takes about half an arc more than PLAIN. PLAIN and BIARCS make each arc, each
- * biarc as long as the tolerance allows, within a thousandth; biarcs have the directions of the
- * curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number. With one side
- * allowed the tolerance counts by half. A circle, or an arc of it, is one arc (two when it is
- * closed), a line one line. Corners and ends of the curve are kept exactly as points; SMOOTH
- * and PLAIN turn there by a little more or less than the curve. SMOOTH arcs of a closed curve
- * without corners may begin anywhere on it.
+ * close, SMOOTH takes about half an arc more than PLAIN. Its arcs bend to no side to which the
+ * curve does not, and are not sharper than 1.4 times its sharpest place. PLAIN and BIARCS make
+ * each arc, each biarc as long as the tolerance allows, within a thousandth; biarcs have the
+ * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
+ * With one side allowed the tolerance counts by half. A circle, or an arc of it, is one arc
+ * (two when it is closed), a line one line. Corners and ends of the curve are kept exactly as
+ * points; SMOOTH and PLAIN turn there by a little more or less than the curve. SMOOTH arcs of a
+ * closed curve without corners may begin anywhere on it.
  *
  * @param curve   dimension 2
  * @param options with the tolerance

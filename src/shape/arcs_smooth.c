@@ -44,9 +44,10 @@ typedef struct {
 
 typedef struct {
     const bat_arcs_smooth *task;
-    double half, middle, shrink; /* of the band; the share of it that samples may take */
-    double excess;               /* by how much arcs may bend otherwise than the curve */
-    bool held;                   /* the ends stay on the curve, beside the middle of the band */
+    double half, middle, shrink;  /* of the band; the share of it that samples may take */
+    double excess;                /* by how much arcs may bend otherwise than the curve */
+    double least_bend, most_bend; /* the curvatures that arcs may have at all */
+    bool held; /* the ends stay on the curve, beside the middle of the band */
     bool around;
     int count; /* of steps between the rows */
     row *rows; /* [count + 1] */
@@ -91,6 +92,26 @@ static batten_status make_row(search *s, int i, double u, double reach)
     return BATTEN_OK;
 }
 
+/* No arc bends much more sharply than the curve does anywhere, and none to a side to which the
+ * curve never turns. */
+static void find_bends(search *s)
+{
+    static const double more = 1.4;
+    double left = 0, right = 0, turned[2] = {0, 0};
+    for (int i = 0; i < s->count; i++) {
+        const double turn = s->rows[i + 1].angle - s->rows[i].angle;
+        const double k = turn / bat_distance(2, s->rows[i].point, s->rows[i + 1].point);
+        turned[turn > 0] += fabs(turn);
+        left = isfinite(k) ? bat_max(left, k) : left;
+        right = isfinite(k) ? bat_min(right, k) : right;
+    }
+    /* What turns less than this is rounding. */
+    static const double rounding = 1e-9;
+    const double most = more * bat_max(left, -right);
+    s->most_bend = turned[1] > rounding * turned[0] ? most : rounding * most;
+    s->least_bend = turned[0] > rounding * turned[1] ? -most : -rounding * most;
+}
+
 /* As fine along each plain arc: so the rows are dense where arcs will be short. */
 static batten_status make_rows(search *s)
 {
@@ -107,10 +128,17 @@ static batten_status make_rows(search *s)
             i == s->count ? s->task->to : part->from + (part->to - part->from) * share;
         status = make_row(s, i, u, part->biarc.arcs[0].length);
     }
+    if (status == BATTEN_OK)
+        find_bends(s);
     return status;
 }
 
 /* ---- arcs ---- */
+
+static bool may_bend(const search *s, double curvature)
+{
+    return curvature >= s->least_bend && curvature <= s->most_bend;
+}
 
 static batten_status add_state(search *s, const state *from, int *index)
 {
@@ -174,7 +202,8 @@ static bool make_arc(const search *s, const leg *l, batten_biarc *out)
     const double least = s->task->least_radius;
     *out = (batten_biarc){.count = 1, .place = 0.5, .turn = {2 * l->half}};
     bat_arc_span(l->from->node, l->length, l->angle + l->half, l->half, &out->arcs[0]);
-    return !(least > 0 && fabs(out->arcs[0].curvature[0]) * least > 1 + 1e-12);
+    const double k = out->arcs[0].curvature[0];
+    return may_bend(s, k) && !(least > 0 && fabs(k) * least > 1 + 1e-12);
 }
 
 static double beside_middle(const search *s, const bat_arcs_probe *probe, int place)
@@ -279,6 +308,9 @@ static bool both_bend_alike(const search *s, const batten_biarc *biarc, const st
 {
     const batten_span *arc = biarc->arcs;
     const row to = row_at(s, end);
+    for (int i = 0; i < biarc->count; i++)
+        if (!may_bend(s, arc[i].curvature[0]))
+            return false;
     if (biarc->count == 1)
         return bends_alike(s, a->lean, &to, lean, arc[0].length);
     const double share = arc[0].length / (arc[0].length + arc[1].length);
