@@ -104,9 +104,9 @@ static int read_aerofoil(const char *path, double *points)
     return count;
 }
 
-/* Models for wind tunnels are made within 7 ten-thousandths of the chord after Kulfan and
- * Bussoletti; 29 control points are enough for that. */
-TEST(aerofoils_are_fitted_within_what_is_built)
+/* With 29 control points 12 sections of all kinds come within 4e-5 to 5.5e-4 of the chord, as
+ * measured here: no publication gives a figure. */
+TEST(aerofoils_are_fitted_as_closely_as_before)
 {
     static const char *const names[] = {"ag35",  "clarky",     "e423",    "naca0012_sharp",
                                         "s1223", "naca643618", "sc20410", "tp29-5",
