@@ -39,6 +39,13 @@ static void point_of(const piece *p, int i, double *out)
     out[1] = row[1] / row[2];
 }
 
+/* Of the angle between two vectors with these lengths; their products may be too small for
+ * numbers. */
+static double cosine_of(const double *a, double a_length, const double *b, double b_length)
+{
+    return a[0] / a_length * (b[0] / b_length) + a[1] / a_length * (b[1] / b_length);
+}
+
 static void measure(piece *p)
 {
     double first[2], last[2], before[2], here[2];
@@ -56,7 +63,7 @@ static void measure(piece *p)
         const double size = bat_norm(2, leg);
         if (size > 0)
             p->cosine =
-                bat_min(p->cosine, length > 0 ? bat_dot(2, leg, chord) / (size * length) : -1);
+                bat_min(p->cosine, length > 0 ? cosine_of(leg, size, chord, length) : -1);
         for (int k = 0; k < 2; k++) {
             p->low[k] = bat_min(p->low[k], here[k]);
             p->high[k] = bat_max(p->high[k], here[k]);
@@ -384,8 +391,8 @@ static void merge(const search *s, bat_crossings *out)
     out->count = kept;
 }
 
-batten_status bat_crossings_find(int count, const batten_curve *const *curves, bool closed,
-                                 bat_crossings *out)
+static batten_status find(int count, const batten_curve *const *curves, bool closed,
+                          bat_crossings *out)
 {
     search s = {.curves = curves, .curve_count = count, .closed = closed};
     bat_crossings found = {0};
@@ -412,6 +419,39 @@ batten_status bat_crossings_find(int count, const batten_curve *const *curves, b
     bat_release(s.pieces);
     bat_release(s.stack);
     return status;
+}
+
+/* The curves in a size that is a power of two away, exactly. */
+static batten_status find_scaled(int count, const batten_curve *const *curves, double scale,
+                                 bool closed, bat_crossings *out)
+{
+    const batten_affine map = {.m = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}}};
+    batten_curve **scaled = bat_array((size_t)count, sizeof *scaled);
+    batten_status status = scaled ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    int made = 0;
+    for (; status == BATTEN_OK && made < count; made += status == BATTEN_OK)
+        status = batten_curve_transform(curves[made], &map, &scaled[made]);
+    if (status == BATTEN_OK)
+        status = find(count, (const batten_curve *const *)scaled, closed, out);
+    while (made > 0)
+        batten_curve_unref(scaled[--made]);
+    bat_release(scaled);
+    return status;
+}
+
+/* Far from 1 products of coordinates would leave the numbers. */
+batten_status bat_crossings_find(int count, const batten_curve *const *curves, bool closed,
+                                 bat_crossings *out)
+{
+    enum { FAR = 200 };
+    double largest = 0;
+    int exponent;
+    for (int i = 0; i < count; i++)
+        largest = bat_max(largest, bat_largest(2 * curves[i]->count, curves[i]->points));
+    frexp(largest, &exponent);
+    if (abs(exponent) <= FAR)
+        return find(count, curves, closed, out);
+    return find_scaled(count, curves, ldexp(1, bat_min_int(1000, -exponent)), closed, out);
 }
 
 batten_status batten_curve_self_crossings(const batten_curve *curve, batten_parameters *out)
