@@ -153,7 +153,8 @@ const bat_feature bat_feature_trim = {
         {"trim", "What is left of curves between two places, or beside a plane",
          "Between two parameters, two lengths along the curve, the places nearest to two\n"
          "points, or on one side of a plane, which may leave several parts ('rail 1', 'rail\n"
-         "2') or none. What is left is exact and keeps its parameters. The first place may\n"
+         "2'); curves with none are noted. What is left is exact and keeps its parameters. The "
+         "first place may\n"
          "lie behind the second one on a closed curve only: the part then goes over its seam.\n"
          "A plane that touches without crossing cuts nothing.",
          "features:\n"
