@@ -98,9 +98,13 @@ static bool add_list(comparison *c, const char *list)
     return c->count > 0;
 }
 
-/* Does the feature need nothing but its points? */
-static bool needs_points_alone(const batten_feature *f)
+/* Does the feature make curves through points, and need nothing else? */
+static bool needs_points_alone(int index)
 {
+    static const char group[] = "Curves through points";
+    const batten_feature *f = batten_feature_at(index);
+    if (strncmp(batten_feature_group(index), group, sizeof group - 1) != 0)
+        return false;
     for (int k = 1; k < f->parameter_count; k++)
         if (f->parameters[k].required)
             return false;
@@ -111,8 +115,7 @@ static void add_all(comparison *c)
 {
     for (int i = 0; i < batten_feature_count() && c->count < MAX_METHODS; i++) {
         const batten_feature *f = batten_feature_at(i);
-        if (strcmp(batten_feature_group(i), "Curves through points") == 0 &&
-            needs_points_alone(f))
+        if (needs_points_alone(i))
             read_method(f->name, strlen(f->name), &c->methods[c->count++]);
     }
 }

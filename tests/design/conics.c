@@ -35,8 +35,9 @@ TEST(features_of_conics_pass_their_points_exactly)
         "{local-conics: p}",
         "{local-conics: ring, closed: yes, weight: 0.7}",
         "{conic-pair: gap, start-angle: 50 deg, end-angle: -20 deg}",
-        "{conic-pair: gap, start-angle: 50 deg, end-angle: -20 deg, start-curvature: -1, "
-        "end-curvature: -0.1}",
+        /* parentheses: one string, not a forgotten comma */
+        ("{conic-pair: gap, start-angle: 50 deg, end-angle: -20 deg, start-curvature: -1, "
+         "end-curvature: -0.1}"),
     };
     for (int i = 0; i < COUNT(features); i++) {
         batten_design *design = NULL;
