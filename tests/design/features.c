@@ -126,6 +126,53 @@ TEST(every_feature_is_described_whole)
     CHECK(batten_feature_find("nothing") == NULL);
 }
 
+static char *read_whole(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    CHECK(file != NULL);
+    CHECK(fseek(file, 0, SEEK_END) == 0);
+    const long size = ftell(file);
+    CHECK(size > 0);
+    rewind(file);
+    char *text = test_array((size_t)size + 1, 1);
+    CHECK(fread(text, 1, (size_t)size, file) == (size_t)size);
+    text[size] = '\0';
+    fclose(file);
+    return text;
+}
+
+static int times_in(const char *text, const char *word)
+{
+    int times = 0;
+    for (const char *at = text; (at = strstr(at, word)); at++)
+        times++;
+    return times;
+}
+
+/* All keys in square brackets of one line of sources. */
+static void check_keys(const char *bibliography, const char *feature, const char *source)
+{
+    for (const char *at = source; (at = strchr(at, '[')); at++) {
+        char entry[60];
+        snprintf(entry, sizeof entry, "{%.*s,", (int)strcspn(at + 1, "]"), at + 1);
+        if (times_in(bibliography, entry) != 1)
+            printf("%s: %s\n", feature, entry);
+        CHECK_INT(times_in(bibliography, entry), 1);
+    }
+}
+
+TEST(every_source_is_in_the_bibliography_once)
+{
+    const char *bibliography = read_whole(test_source("docs/bibliography.bib"));
+    CHECK_INT(times_in(bibliography, "{"), times_in(bibliography, "}"));
+    CHECK_INT(times_in(bibliography, "\n@"), times_in(bibliography, "}\n\n@"));
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const batten_feature *f = batten_feature_at(i);
+        if (f->source)
+            check_keys(bibliography, f->name, f->source);
+    }
+}
+
 TEST(a_misspelt_operation_has_a_nearest_name)
 {
     CHECK_TEXT(batten_feature_nearest("pointz"), "points");

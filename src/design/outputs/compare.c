@@ -245,5 +245,5 @@ const bat_feature bat_feature_compare = {
          "outputs:\n"
          "  curves.svg: {compare: [chord, natural]}\n"
          "  curves.txt: {compare: [chord, natural]}\n",
-         "[SL89]", "batten_draw_panels", BAT_PARAMETERS(parameters), true},
+         "[SL] ch. VI", "batten_draw_panels", BAT_PARAMETERS(parameters), true},
     .run = run};
