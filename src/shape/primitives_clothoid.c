@@ -57,8 +57,9 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         double *s = t->lengths + i, point[2], u[3], v[3];
         *s = t->kept[i]; /* a step that was refused leaves no trace */
         const double *q = t->points + 2 * (size_t)i;
-        /* No span of a clothoid turns so far between data that are near it. */
-        if (!(fabs(x[CURVATURE] * *s) + fabs(x[RATE] * *s * *s) < 1e4))
+        /* A clothoid that goes around between all data is not what they show; and the farther it
+         * turns, the longer takes each of its points. */
+        if (!(fabs(x[CURVATURE] * *s) + fabs(x[RATE] * *s * *s) < 50 + 7.0 * t->count))
             return false;
         find_foot(x, q, s);
         if (!(fabs(*s) < 1e4))

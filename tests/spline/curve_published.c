@@ -288,7 +288,7 @@ TEST(curves_of_pyspline_with_given_knots_are_reproduced)
     const char *text = json_file("peer_tests/pyspline_curves.json");
     const char *expected = json_key(text, "expected");
     for (int k = 2; k <= 4; k++) { /* its order */
-        char name[16], full[48];
+        char name[20], full[48];
         double U[16], P[16], wanted[3];
         snprintf(name, sizeof name, "2D k=%d", k);
         const char *input = json_key(json_key(text, "inputs"), name);
@@ -317,7 +317,7 @@ TEST(bezier_curves_fulfil_their_implicit_equations)
     int checked = 0;
     curves = nested ? nested : curves;
     for (int c = 1; c <= 80; c++) {
-        char key[8];
+        char key[12];
         double xy[32], P[32], terms[64];
         snprintf(key, sizeof key, "%d", c);
         const char *one = json_try(curves, key);
