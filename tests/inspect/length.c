@@ -133,3 +133,74 @@ TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
     CHECK_NEAR(u[0], 9, 0);
     batten_curve_unref(circle);
 }
+
+/* The helix (5 cos t, 5 sin t, t / 5) by quintics with its value, first and second derivative
+ * at 65 places: 5.003998401278721 long per radian. */
+TEST(the_helix_of_the_notes_has_its_length_per_radian)
+{
+    enum { KNOTS = 65 };
+    double at[KNOTS], values[KNOTS * 9], length;
+    for (int i = 0; i < KNOTS; i++) {
+        const double t = at[i] = 2 * PI * i / (KNOTS - 1);
+        const double rows[9] = {5 * cos(t),  5 * sin(t),  t / 5, -5 * sin(t), 5 * cos(t), 0.2,
+                                -5 * cos(t), -5 * sin(t), 0};
+        memcpy(values + 9 * (size_t)i, rows, sizeof rows);
+    }
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_from_hermite(3, KNOTS, 3, at, values, &curve));
+    CHECK_INT(batten_curve_degree(curve), 5);
+    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_NEAR(length / (2 * PI), 5.003998401278721, 1e-9);
+    for (int i = 1; i <= 6; i++) {
+        CHECK_OK(batten_curve_length_between(curve, 0, i, 1e-12, &length, NULL));
+        CHECK_NEAR(length / i, 5.0039984, 1.3e-9);
+        CHECK_NEAR(length / i, sqrt(25.04), 1e-9);
+    }
+    batten_curve_unref(curve);
+}
+
+/* The indefinite integral of sqrt(q), q = a t^2 + b t + c > 0. */
+static double root_integral(double a, double b, double c, double t)
+{
+    const double root = sqrt((a * t + b) * t + c), slope = 2 * a * t + b;
+    return slope * root / (4 * a) +
+           (4 * a * c - b * b) / (8 * pow(a, 1.5)) * log(fabs(slope + 2 * sqrt(a) * root));
+}
+
+TEST(parabolas_have_the_length_of_the_closed_form_between_chord_and_polygon)
+{
+    test_random random = test_random_begin("parabolas");
+    for (int n = test_cases(300); n > 0; n--) {
+        double P[3][2], a = 0, b = 0, c = 0, length;
+        for (int i = 0; i < 6; i++)
+            (&P[0][0])[i] = test_random_in(&random, -1, 1);
+        for (int k = 0; k < 2; k++) { /* P' = 2 (e + t f) */
+            const double e = P[1][k] - P[0][k], f = P[2][k] - 2 * P[1][k] + P[0][k];
+            a += 4 * f * f;
+            b += 8 * e * f;
+            c += 4 * e * e;
+        }
+        if (a < 1e-2 || 4 * a * c - b * b < 1e-4) /* there the closed form cancels */
+            continue;
+        batten_curve *curve = NULL;
+        CHECK_OK(shape_bezier(2, 2, P[0], &curve));
+        CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+        CHECK_NEAR(length, root_integral(a, b, c, 1) - root_integral(a, b, c, 0), 1e-10);
+        CHECK(length >= hypot(P[2][0] - P[0][0], P[2][1] - P[0][1]));
+        CHECK(length <= hypot(P[1][0] - P[0][0], P[1][1] - P[0][1]) +
+                            hypot(P[2][0] - P[1][0], P[2][1] - P[1][1]));
+        batten_curve_unref(curve);
+    }
+}
+
+/* Where q is a square the point turns back on a line: the pieces count as they are. */
+TEST(a_parabola_that_turns_back_on_a_line_is_as_long_as_both_ways)
+{
+    const double points[] = {0, 0, 3, 4, 0, 0}; /* to (1.5, 2) and back */
+    batten_curve *curve = NULL;
+    double length;
+    CHECK_OK(shape_bezier(2, 2, points, &curve));
+    CHECK_OK(batten_curve_length(curve, 1e-12, &length, NULL));
+    CHECK_NEAR(length, 5, 1e-12);
+    batten_curve_unref(curve);
+}
