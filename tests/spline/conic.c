@@ -52,6 +52,46 @@ TEST(three_forms_of_a_circle_are_circles)
     CHECK_STATUS(batten_curve_circle(0, BATTEN_CIRCLE_SQUARE_9, &none), BATTEN_BAD_ARGUMENT);
 }
 
+/* The tables of the notes: points, weights and knots of the three forms, radius 1. */
+TEST(three_forms_of_a_circle_have_their_tables)
+{
+    const double s = sqrt(0.5), r = sqrt(3), h = 0.5, third = 1.0 / 3;
+    const struct {
+        int count;
+        double points[9][2], weights[9], knots[12];
+    } tables[] = {
+        {9,
+         {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}},
+         {1, s, 1, s, 1, s, 1, s, 1},
+         {0, 0, 0, .25, .25, .5, .5, .75, .75, 1, 1, 1}},
+        {7,
+         {{r / 2, .5}, {0, 2}, {-r / 2, .5}, {-r, -1}, {0, -1}, {r, -1}, {r / 2, .5}},
+         {1, h, 1, h, 1, h, 1},
+         {0, 0, 0, third, third, 2 * third, 2 * third, 1, 1, 1}},
+        {7,
+         {{1, 0}, {1, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {1, -1}, {1, 0}},
+         {1, h, h, 1, h, h, 1},
+         {0, 0, 0, .25, .5, .5, .75, 1, 1, 1}},
+    };
+    const batten_circle_form forms[] = {BATTEN_CIRCLE_SQUARE_9, BATTEN_CIRCLE_TRIANGLE_7,
+                                        BATTEN_CIRCLE_SQUARE_7};
+    for (int i = 0; i < COUNT(forms); i++) {
+        batten_curve *circle = NULL;
+        CHECK_OK(batten_curve_circle(1, forms[i], &circle));
+        CHECK_INT(batten_curve_point_count(circle), tables[i].count);
+        for (int k = 0; k < tables[i].count; k++) {
+            CHECK_NEAR(batten_curve_points(circle)[2 * k], tables[i].points[k][0], 5e-16);
+            CHECK_NEAR(batten_curve_points(circle)[2 * k + 1], tables[i].points[k][1], 5e-16);
+            CHECK_NEAR(batten_curve_weights(circle)[k], tables[i].weights[k], 2e-16);
+        }
+        const batten_interval domain = batten_curve_domain(circle);
+        for (int k = 0; k < tables[i].count + 3; k++)
+            CHECK_NEAR((batten_curve_knots(circle)[k] - domain.a) / (domain.b - domain.a),
+                       tables[i].knots[k], 2e-16);
+        batten_curve_unref(circle);
+    }
+}
+
 TEST(arcs_refuse_what_is_no_arc)
 {
     batten_curve *none = NULL;

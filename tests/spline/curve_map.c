@@ -119,6 +119,54 @@ TEST(a_moebius_change_of_the_parameter_keeps_the_shape)
     }
 }
 
+/* The weights become w_i / ((c u_{i+1} + d) ... (c u_{i+p} + d)), but for a common factor. */
+TEST(a_moebius_change_has_the_weights_of_the_notes)
+{
+    const double points[] = {0, 0, 1, 2, 3, 1, 4, -1, 6, 0, 7, 2}, w[] = {1, 2, 0.5, 3, 1, 0.7},
+                 knots[] = {0, 0, 0, 0, 1, 1.5, 2, 2, 2, 2}, a = 3, b = 1, c = 0.4, d = 0.5;
+    batten_curve *curve = NULL, *mapped = NULL;
+    CHECK_OK(batten_curve_create(2, 3, 6, points, w, knots, &curve));
+    CHECK_OK(batten_curve_moebius(curve, a, b, c, d, &mapped));
+    double factor = 0;
+    for (int i = 0; i < 6; i++) {
+        double expected = w[i];
+        for (int j = 1; j <= 3; j++)
+            expected /= c * knots[i + j] + d;
+        factor = i ? factor : batten_curve_weights(mapped)[0] / expected;
+        CHECK_NEAR(batten_curve_weights(mapped)[i] / (factor * expected), 1, 1e-14);
+    }
+    for (int i = 0; i < 10; i++)
+        CHECK_NEAR(batten_curve_knots(mapped)[i], (a * knots[i] + b) / (c * knots[i] + d),
+                   1e-14);
+    batten_curve_unref(mapped);
+    batten_curve_unref(curve);
+}
+
+/* Weights scaled in common are the same curve. */
+TEST(a_common_factor_of_the_weights_changes_no_point)
+{
+    test_random random = test_random_begin(__func__);
+    const test_wish wish = {.rational = TEST_ALWAYS, .tame = true};
+    for (int i = 0; i < test_cases(100); i++) {
+        batten_curve *curve = test_curve(&random, &wish), *scaled = NULL;
+        const int n = batten_curve_point_count(curve);
+        double weights[TEST_MOST_POINTS];
+        const double factor = pow(10, test_random_in(&random, -100, 100));
+        for (int k = 0; k < n; k++)
+            weights[k] = factor * batten_curve_weights(curve)[k];
+        CHECK_OK(batten_curve_create(batten_curve_dimension(curve), batten_curve_degree(curve),
+                                     n, batten_curve_points(curve), weights,
+                                     batten_curve_knots(curve), &scaled));
+        for (int k = 0; k < 20; k++) {
+            const double u = test_parameter(&random, curve);
+            CHECK_NEAR(test_curve_distance(curve, u, scaled, u, test_curve_size(curve)), 0,
+                       1e-13);
+        }
+        batten_curve_unref(scaled);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(a_moebius_change_with_a_pole_is_refused)
 {
     const double points[] = {0, 1}, knots[] = {0, 0, 1, 1};

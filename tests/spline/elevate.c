@@ -1,3 +1,4 @@
+#include "numeric/dense.h"
 #include "spline/spline.h"
 
 #include "support/test.h"
@@ -37,4 +38,43 @@ TEST(knots_outside_an_unclamped_domain_are_kept_as_far_as_needed)
     for (int i = 0; i < COUNT(expected); i++)
         CHECK_BITS(made[i], expected[i]);
     bat_release(made);
+}
+
+/* The entries of the matrix that raises a Bernstein polynomial from degree n - 1 to n. */
+static double elevation(int n, int i, int j)
+{
+    return j == i ? 1 - i / (double)n : j == i - 1 ? i / (double)n : 0;
+}
+
+/* The product of two Bernstein polynomials of degree n, integrated over [0, 1]. */
+static double gram(int n, int i, int j)
+{
+    return bat_binomials[n][i] * bat_binomials[n][j] /
+           ((2 * n + 1) * bat_binomials[2 * n][i + j]);
+}
+
+/* Lutterkort, Peters and Reif: the least squares of coefficients, E x near b, are the least
+ * squares of functions: what is left stands at right angles to all of lower degree. */
+TEST(the_best_coefficients_of_a_lower_degree_are_the_best_polynomial)
+{
+    test_random random = test_random_begin(__func__);
+    for (int n = 1; n <= 9; n++) {
+        double a[10 * 9], b[10], rest[10];
+        for (int i = 0; i <= n; i++) {
+            rest[i] = b[i] = test_random_in(&random, -1, 1);
+            for (int j = 0; j < n; j++)
+                a[i * n + j] = elevation(n, i, j);
+        }
+        CHECK_OK(bat_dense_least_squares(n + 1, n, a, 1, b));
+        for (int i = 0; i <= n; i++)
+            for (int j = 0; j < n; j++)
+                rest[i] -= elevation(n, i, j) * b[j];
+        for (int k = 0; k < n; k++) { /* against each Bernstein polynomial of degree n - 1 */
+            double product = 0;
+            for (int i = 0; i <= n; i++)
+                for (int j = 0; j <= n; j++)
+                    product += rest[i] * gram(n, i, j) * elevation(n, j, k);
+            CHECK_NEAR(product, 0, 1e-15);
+        }
+    }
 }

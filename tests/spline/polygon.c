@@ -225,3 +225,88 @@ TEST(N6_arcs_of_cubics_refuse_what_is_none)
     CHECK_STATUS(batten_curve_arc_cubic(1, NAN, 1, NULL, &curve), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_arc_cubic(1, 1, 1e-300, NULL, &curve), BATTEN_TOLERANCE_NOT_MET);
 }
+
+/* Radii of a Bezier cubic from (1, 0) to the angle w with legs k, less 1: the extremes. */
+static void off_circle(double w, double k, double *least, double *largest)
+{
+    const double c = cos(w), s = sin(w), points[] = {1, 0, 1, k, c + k * s, s - k * c, c, s};
+    batten_curve *curve = NULL;
+    *least = 1, *largest = -1;
+    CHECK_OK(batten_curve_bezier(2, 3, points, NULL, &curve));
+    for (int i = 0; i <= 20000; i++) {
+        double at[2];
+        CHECK_OK(batten_curve_evaluate(curve, i / 20000.0, 0, at));
+        *least = fmin(*least, hypot(at[0], at[1]) - 1);
+        *largest = fmax(*largest, hypot(at[0], at[1]) - 1);
+    }
+    batten_curve_unref(curve);
+}
+
+/* The notes have (2 / 27) sin^6(w / 4) / cos^2(w / 4) for legs (4 / 3) tan(w / 4): e + e^2 / 2
+ * of the true e, one-sided; the sixth order in w. */
+TEST(cubics_near_arcs_are_off_by_the_formula_of_the_notes_in_the_sixth_order)
+{
+    double before = 0;
+    for (double w = pi / 2; w > 0.3; w /= 2) {
+        double least, largest, error;
+        batten_curve *curve = NULL;
+        off_circle(w, 4.0 / 3 * tan(w / 4), &least, &largest);
+        const double e = 2.0 / 27 * pow(sin(w / 4), 6) / pow(cos(w / 4), 2);
+        CHECK_NEAR(largest + largest * largest / 2, e, 1e-7 * e + 1e-15);
+        CHECK(least > -1e-15);
+        CHECK_OK(batten_curve_arc_cubic(1, w, 1, &error, &curve));
+        CHECK_NEAR(error, largest, 1e-7 * e + 1e-15);
+        batten_curve_unref(curve);
+        if (before > 0)
+            CHECK_NEAR(log2(before / largest), 6, 0.1);
+        before = largest;
+    }
+}
+
+TEST(the_best_legs_for_a_right_angle_leave_the_known_number_on_both_sides)
+{
+    double least, largest;
+    off_circle(pi / 2, 0.5519150244935106, &least, &largest);
+    CHECK_NEAR(largest, 1.96076e-4, 5e-10);
+    CHECK_NEAR(least, -1.96076e-4, 5e-10);
+}
+
+/* Value, slope and second derivative 1 at one place and 0 at the other: three spans each. */
+TEST(uniform_cubics_blend_as_in_the_notes)
+{
+    static const struct {
+        double V[6], rows[3][4], share; /* rows: s^3 .. 1, times share */
+    } blends[] = {
+        {{1, 1, 1, 0, 0, 0}, {{-1, 0, 0, 6}, {2, -3, -3, 5}, {-1, 3, -3, 1}}, 1 / 6.0},
+        {{-1 / 3.0, 0, 1 / 3.0, 0, 0, 0},
+         {{-2, 0, 6, 0}, {3, -6, 0, 4}, {-1, 3, -3, 1}},
+         1 / 18.0},
+    };
+    for (int which = 0; which < 4; which++) {
+        const int mirrored = which % 2; /* F1(u) = F0(1 - u), G1(u) = -G0(1 - u) */
+        const double sign = which == 3 ? -1 : 1;
+        double V[6], at[3];
+        for (int i = 0; i < 6; i++)
+            V[i] = sign * blends[which / 2].V[mirrored ? 5 - i : i];
+        batten_curve *uniform = NULL, *curve = NULL;
+        CHECK_OK(batten_curve_uniform(1, 3, 6, V, NULL, BATTEN_POLYGON_FREE, &uniform));
+        CHECK_OK(batten_curve_set_domain(uniform, 0, 1, &curve));
+        for (int i = 0; i <= 30; i++) {
+            const double u = mirrored ? 1 - i / 30.0 : i / 30.0;
+            const int span = u >= 1 ? 2 : (int)(3 * u);
+            const double s = 3 * u - span, *r = blends[which / 2].rows[span];
+            CHECK_OK(batten_curve_evaluate(curve, i / 30.0, 0, at));
+            CHECK_NEAR(at[0],
+                       sign * blends[which / 2].share *
+                           (((r[0] * s + r[1]) * s + r[2]) * s + r[3]),
+                       1e-15);
+        }
+        for (int end = 0; end < 2; end++) {
+            CHECK_OK(batten_curve_evaluate(curve, end, 2, at));
+            for (int k = 0; k < 3; k++)
+                CHECK_NEAR(at[k], k == which / 2 && end == mirrored, 1e-14);
+        }
+        batten_curve_unref(uniform);
+        batten_curve_unref(curve);
+    }
+}
