@@ -90,6 +90,24 @@ BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
                                               const batten_arcs_options *options,
                                               batten_arcs_report *report, batten_chain **out);
 
+/**
+ * The chain of arcs and lines that a curve is already, if it is one: every Bezier piece is a line
+ * (of any degree, with any speed that does not turn back) or a rational arc of a circle, within
+ * 1e-12 of the size of the curve, or its rounding if that is more.
+ *
+ * Neighbours that go on along one line, or one circle up to half of it, become one span. A curve
+ * in space must lie in a plane x, y or z = constant; its chain is placed there.
+ *
+ * @param curve any curve
+ * @param[out] out NULL when the curve is no such chain; else its breaks are knots of the curve,
+ *             and middles of spans that turn by more than half a circle. Between two breaks
+ *             the chain goes by arc length, as the curve may not
+ * @return BATTEN_OK, OUT_OF_MEMORY
+ * Cost: 4 p + 1 evaluations for each piece of degree p, or 8 p + 2 when it is no line.
+ * Source: the identity |C - c|^2 = r^2, of degree 2 p, at the places of [EZ64].
+ */
+BATTEN_API batten_status batten_arcs_exact(const batten_curve *curve, batten_chain **out);
+
 /** The same for a plane chain that is not placed: it is converted within a hundredth of the
  * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain. */
 BATTEN_API batten_status batten_arcs_of_chain(const batten_chain *chain,

@@ -27,8 +27,9 @@ BATTEN_API batten_gcode_options batten_gcode_defaults(void);
  * The program that follows the paths of a model in their order: G0 above, G1 down, then G1, G2
  * and G3.
  *
- * Paths are chains of arcs and lines, and polylines, each in a plane z = constant; other curves
- * are left out with a note (make arcs of them first). Inches (G20) when the unit of the model
+ * Paths are chains of arcs and lines, polylines, and NURBS curves that are arcs and lines
+ * exactly (batten_arcs_exact), each in a plane z = constant; other curves are left out with a
+ * note (make arcs of them first). Inches (G20) when the unit of the model
  * is the inch, else millimetres (G21), into which other units are converted. Coordinates are
  * rounded to `decimals`; centres are computed from the rounded ends, so that both ends of an
  * arc lie on its circle within the last place. An arc sweeps at most a half circle. Relative

@@ -1,6 +1,7 @@
 #include "exchange/path.h"
 #include "numeric/vector.h"
 #include "spline/chain.h"
+#include <batten/arcs.h>
 
 static const double pi = 3.14159265358979323846;
 
@@ -98,8 +99,15 @@ batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *
     if (object->curve && batten_curve_degree(object->curve) == 1 &&
         batten_curve_is_clamped(object->curve) && level(object->curve, &z))
         return path_of_polyline(object->curve, z, out);
-    *is_path = false;
-    return BATTEN_OK;
+    batten_chain *exact = NULL;
+    batten_status status = BATTEN_OK;
+    if (object->curve && !object->chain)
+        status = batten_arcs_exact(object->curve, &exact);
+    *is_path = exact != NULL;
+    if (status == BATTEN_OK && exact)
+        status = path_of_chain(exact, out);
+    batten_chain_unref(exact);
+    return status;
 }
 
 void bat_path_release(bat_path *path)

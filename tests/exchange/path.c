@@ -73,7 +73,7 @@ TEST(a_polyline_in_a_level_plane_is_a_path_and_other_curves_are_none)
     bat_path_release(&path);
     batten_curve_unref(curve);
 
-    CHECK_OK(batten_curve_arc(1, 1, &curve));
+    CHECK_OK(batten_curve_ellipse(2, 1, 0, 1, &curve));
     object.curve = curve;
     CHECK_OK(bat_path_of(&object, &is_path, &path));
     CHECK(!is_path);

@@ -3,6 +3,8 @@
 #define TESTS_PATHS_H
 #include "support/test.h"
 #include <batten/exchange.h>
+#include <batten/fillet.h>
+#include <batten/standard.h>
 
 /* A stadium, closed: two lines of 80 and two half circles of radius 10, counter-clockwise. */
 static inline batten_chain *stadium(void)
@@ -57,6 +59,33 @@ static inline batten_model *model_of(const char *name, batten_chain *chain)
     batten_model *model = NULL;
     CHECK_OK(batten_model_create(0.001, &model));
     add_chain(model, name, "", chain);
+    return model;
+}
+
+/* A rectangle of 80 by 50 at height z from (0, 0), its corners rounded by 10: one NURBS curve.
+ */
+static inline batten_curve *filleted(double z, int raise)
+{
+    const double points[5][3] = {{0, 0, z}, {80, 0, z}, {80, 50, z}, {0, 50, z}, {0, 0, z}};
+    const double radius = 10;
+    batten_curve *polyline = NULL, *round = NULL, *raised = NULL;
+    CHECK_OK(batten_curve_polyline(3, 5, points[0], &polyline));
+    CHECK_OK(batten_curve_fillet(polyline, 1, &radius, 1e-9, NULL, &round));
+    CHECK_OK(batten_curve_elevate(round, raise, &raised));
+    batten_curve_unref(polyline);
+    batten_curve_unref(round);
+    return raised;
+}
+
+/* Put a curve into a model, and give its reference back. */
+static inline batten_model *model_of_curve(batten_curve *curve, const char *name)
+{
+    batten_model *model = NULL;
+    const batten_object object = {
+        .name = name ? name : "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_model_add(model, &object));
+    batten_curve_unref(curve);
     return model;
 }
 

@@ -6,7 +6,7 @@ typedef enum { CENTRES_RELATIVE, CENTRES_ABSOLUTE } centres;
 
 static const batten_parameter parameters[] = {
     {"g-code", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "chains of arcs, and polylines; each is cut in the order in which it stands here"},
+     "curves of lines and arcs; each is cut in the order in which it stands here"},
     {"depth", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "height at which is cut; that of each path by default"},
     {"clearance", BATTEN_VALUE_LENGTH, false, false, "5 mm", NULL,
@@ -45,9 +45,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gcode = {
     .shown =
         {"g-code", "A program for a machine that cuts",
-         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve "
-         "must be made of arcs\n"
-         "and lines first; 'arcs' does that within a tolerance. Inches when the design is in "
+         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. Curves that "
+         "are lines and\n"
+         "arcs exactly are found to be: polylines and circles, rounded, joined and offset. "
+         "Others must be made\n"
+         "of arcs first; 'arcs' does that within a tolerance. Inches when the design is in "
          "inches, else\n"
          "millimetres.",
          "units: mm\n"

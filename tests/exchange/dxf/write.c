@@ -55,15 +55,33 @@ TEST(a_chain_of_arcs_is_a_polyline_with_bulges)
     batten_model_unref(model);
 }
 
+TEST(nurbs_curves_of_lines_and_arcs_are_polylines_with_bulges)
+{
+    batten_model *model = model_of_curve(filleted(3, 1), "frame");
+    const char *text = written(model, BATTEN_FORMAT_DXF), *at = entity(text, "LWPOLYLINE");
+    double x[9], y[9], bulge[9], z;
+    CHECK(strstr(text, "\nSPLINE\n") == NULL);
+    CHECK_INT(numbers(at, 10, x, 9), 8);
+    CHECK_INT(numbers(at, 20, y, 9), 8);
+    CHECK_INT(numbers(at, 42, bulge, 9), 4);
+    CHECK_INT(numbers(at, 38, &z, 1), 1);
+    CHECK_NEAR(z, 3, 0);
+    for (int i = 0; i < 4; i++)
+        CHECK_NEAR(bulge[i], tan(acos(-1) / 8), 1e-12);
+    CHECK_NEAR(x[1], 70, 1e-11);
+    CHECK_NEAR(y[2], 10, 1e-11);
+    batten_model_unref(model);
+}
+
 TEST(other_curves_are_splines_to_the_bit)
 {
     batten_model *model = NULL;
     batten_curve *curve = NULL;
     double knots[32], weights[32];
     CHECK_OK(batten_model_create(1, &model));
-    CHECK_OK(batten_curve_arc(1.25, 2, &curve));
+    CHECK_OK(batten_curve_ellipse(1.25, 1, 0, 2, &curve));
     const batten_object object = {
-        .name = "arc", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+        .name = "ellipse", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));
     const char *at = entity(written(model, BATTEN_FORMAT_DXF), "SPLINE");
     CHECK_INT(numbers(at, 40, knots, 32), batten_curve_knot_count(curve));

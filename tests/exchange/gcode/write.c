@@ -118,6 +118,20 @@ TEST(inches_stay_inches_and_metres_become_millimetres)
     batten_model_unref(model);
 }
 
+TEST(a_filleted_polyline_is_cut_as_lines_and_arcs_though_it_is_a_nurbs_curve)
+{
+    for (int raise = 0; raise < 3; raise++) {
+        batten_model *model = model_of_curve(filleted(3, raise), NULL);
+        const machine m = follow(program(model, NULL));
+        CHECK_INT(m.arcs, 4);
+        CHECK_INT(m.lines, 4);
+        CHECK_NEAR(m.length, 260 - 80 + 20 * acos(-1), 1e-3);
+        CHECK(m.worst <= 1.5e-4);
+        CHECK_CONTAINS(program(model, NULL), "G1 Z3.0000");
+        batten_model_unref(model);
+    }
+}
+
 TEST(curves_that_are_no_paths_are_refused)
 {
     batten_model *model = NULL;
@@ -125,7 +139,7 @@ TEST(curves_that_are_no_paths_are_refused)
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(batten_model_create(0.001, &model));
-    CHECK_OK(batten_curve_arc(1, 1, &curve));
+    CHECK_OK(batten_curve_ellipse(2, 1, 0, 1, &curve));
     const batten_object object = {.name = "a", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));
     CHECK_STATUS(batten_write_gcode(model, NULL, NULL, &data, &size), BATTEN_UNSUPPORTED);

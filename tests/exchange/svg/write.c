@@ -28,6 +28,21 @@ static int coordinates(const char *text, double *out, int room)
     return count;
 }
 
+TEST(svg_of_a_nurbs_curve_of_lines_and_arcs_has_arcs)
+{
+    batten_model *model = model_of_curve(filleted(0, 0), "frame");
+    const char *text = written(model, BATTEN_FORMAT_SVG);
+    CHECK(strchr(strstr(text, " d=\"M"), 'C') == NULL);
+    CHECK_CONTAINS(text, " 0 0 0 ");
+    double x, y, rx, ry;
+    CHECK(sscanf(strchr(strstr(text, " d=\"M"), 'L'), "L%lf %lfA%lf %lf", &x, &y, &rx, &ry) ==
+          4);
+    CHECK_NEAR(x, 75, 1e-11);
+    CHECK_NEAR(y, 55, 1e-11);
+    CHECK_NEAR(rx, 10, 1e-11);
+    batten_model_unref(model);
+}
+
 TEST(svg_of_a_curve_is_within_the_tolerance)
 {
     batten_model *model = NULL;
@@ -36,16 +51,16 @@ TEST(svg_of_a_curve_is_within_the_tolerance)
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(batten_model_create(0.001, &model));
-    CHECK_OK(batten_curve_circle(30, BATTEN_CIRCLE_SQUARE_9, &curve));
+    CHECK_OK(batten_curve_ellipse(30, 20, 0, 2 * acos(-1), &curve));
     const batten_object object = {
-        .name = "circle", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
+        .name = "ellipse", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));
     options.format = BATTEN_FORMAT_SVG;
     options.tolerance = 1e-3;
     CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
     double c[2000];
     const int count = coordinates(data, c, 2000) / 2;
-    /* The sheet begins 5 mm left of the box of the control points, the square of side 60. */
+    /* The sheet begins 5 mm left of the box of the control points, of 60 by 40. */
     for (int i = 0; i + 3 < count; i += 3)
         for (int k = 0; k <= 20; k++) {
             const double t = k / 20.0, s = 1 - t;
@@ -53,7 +68,10 @@ TEST(svg_of_a_curve_is_within_the_tolerance)
             for (int a = 0; a < 2; a++)
                 at[a] = s * s * s * c[2 * i + a] + 3 * s * s * t * c[2 * i + 2 + a] +
                         3 * s * t * t * c[2 * i + 4 + a] + t * t * t * c[2 * i + 6 + a];
-            CHECK_NEAR(hypot(at[0] - 35, at[1] - 35), 30, 1.1e-3);
+            /* The distance from the ellipse, to first order. */
+            const double x = (at[0] - 35) / 30, y = (at[1] - 25) / 20;
+            const double off = (x * x + y * y - 1) / (2 * hypot(x / 30, y / 20));
+            CHECK_NEAR(off, 0, 1.1e-3);
         }
     batten_release(data);
     batten_curve_unref(curve);
