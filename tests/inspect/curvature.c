@@ -143,6 +143,33 @@ TEST(the_teeth_of_a_circle_end_on_a_circle)
     batten_curve_unref(circle);
 }
 
+/* A span from 0 to q with end tangents a T0, b T1 on [0, 1] has the curvatures
+ * (6 T0 x q - 2 b T0 x T1) / a^2 and (6 q x T1 - 2 a T0 x T1) / b^2. */
+TEST(the_ends_of_a_cubic_have_the_curvatures_of_their_tangents)
+{
+    test_random random = test_random_begin("ends of cubics");
+    for (int n = test_cases(200); n > 0; n--) {
+        const double a = test_random_in(&random, 0.2, 3), b = test_random_in(&random, 0.2, 3),
+                     alpha = test_random_in(&random, -3, 3),
+                     beta = test_random_in(&random, -3, 3);
+        const double q[2] = {test_random_in(&random, -1, 1), test_random_in(&random, -1, 1)};
+        const double ends[] = {0, 1}, T0[] = {cos(alpha), sin(alpha)},
+                     T1[] = {cos(beta), sin(beta)};
+        const double values[] = {0, 0, a * T0[0], a * T0[1], q[0], q[1], b * T1[0], b * T1[1]};
+        const double turn = T0[0] * T1[1] - T0[1] * T1[0];
+        batten_curve *curve = NULL;
+        batten_curve_local at;
+        CHECK_OK(batten_curve_from_hermite(2, 2, 2, ends, values, &curve));
+        CHECK_OK(batten_curve_local_at(curve, 0, BATTEN_FROM_RIGHT, &at));
+        CHECK_NEAR(at.curvature * a * a, 6 * (T0[0] * q[1] - T0[1] * q[0]) - 2 * b * turn,
+                   1e-12);
+        CHECK_OK(batten_curve_local_at(curve, 1, BATTEN_FROM_LEFT, &at));
+        CHECK_NEAR(at.curvature * b * b, 6 * (q[0] * T1[1] - q[1] * T1[0]) - 2 * a * turn,
+                   1e-12);
+        batten_curve_unref(curve);
+    }
+}
+
 /* ---- the examples of the notes ---- */
 
 /* Value and three derivatives at t, row by row. */

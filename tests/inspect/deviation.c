@@ -49,10 +49,11 @@ TEST(I1_no_scan_finds_a_nearer_point)
         batten_deviation found;
         CHECK_OK(batten_curve_deviation(curve, 1, q, n % 3 ? u : NULL, NULL, NULL, &found));
         double at[3];
+        const int scans = n % 8 ? 4000 : test_cases(100000);
         CHECK_OK(batten_curve_evaluate(curve, found.at[0], 0, at));
-        for (int k = 0; k <= 4000; k++) {
+        for (int k = 0; k <= scans; k++) {
             double square = 0;
-            CHECK_OK(batten_curve_evaluate(curve, k / 4000.0, 0, at));
+            CHECK_OK(batten_curve_evaluate(curve, k / (double)scans, 0, at));
             for (int j = 0; j < d; j++)
                 square += (at[j] - q[j]) * (at[j] - q[j]);
             CHECK(found.max <= sqrt(square) * (1 + 1e-14));
@@ -128,4 +129,25 @@ TEST(of_many_spans_the_nearest_is_found)
             CHECK_NEAR(all[i], least[i], 1e-12);
         batten_curve_unref(curve);
     }
+}
+
+/* Within the least radius of curvature, and on the inner side of a convex curve, the foot of a
+ * point on the normal is where the normal begins. */
+TEST(points_on_a_normal_within_reach_have_its_foot)
+{
+    test_random random = test_random_begin("normals");
+    batten_curve *ellipse = NULL;
+    CHECK_OK(shape_ellipse(3, 2, 5, -1, &ellipse)); /* the least radius is 4 / 3 */
+    for (int n = test_cases(300); n > 0; n--) {
+        const double u = test_random_in(&random, 0.001, 0.999),
+                     d = test_random_in(&random, -4, 1.3);
+        batten_curve_local at;
+        batten_deviation found;
+        CHECK_OK(batten_curve_local_at(ellipse, u, BATTEN_FROM_RIGHT, &at));
+        const double q[2] = {at.point.x + d * at.normal.x, at.point.y + d * at.normal.y};
+        CHECK_OK(batten_curve_deviation(ellipse, 1, q, NULL, NULL, NULL, &found));
+        CHECK_NEAR(found.max, fabs(d), 1e-13);
+        CHECK_NEAR(found.at[0], u, 1e-9);
+    }
+    batten_curve_unref(ellipse);
 }

@@ -204,3 +204,57 @@ TEST(curves_in_space_have_no_inflections)
     CHECK_STATUS(batten_curve_inflections(curve, &found), BATTEN_NOT_COMPATIBLE);
     batten_curve_unref(curve);
 }
+
+/* Value and three derivatives of (cos t, sin t) exp(c t), which bends ever less. */
+static void logarithmic(double c, double t, double out[4][2])
+{
+    double x = exp(c * t) * cos(t), y = exp(c * t) * sin(t);
+    for (int k = 0; k < 4; k++) {
+        out[k][0] = x;
+        out[k][1] = y;
+        const double turned = c * x - y; /* times c + i */
+        y = c * y + x;
+        x = turned;
+    }
+}
+
+/* The same of the clothoid with curvature k + s. */
+static void clothoid(double k, double s, double out[4][2])
+{
+    const double T[2] = {cos(k * s + s * s / 2), sin(k * s + s * s / 2)}, bend = k + s;
+    out[0][0] = out[0][1] = 0;
+    for (int i = 0; i < 64; i++) /* the integral of the direction, by Simpson's rule */
+        for (int j = 0; j <= 2; j++) {
+            const double u = s * (i + j / 2.0) / 64, w = (j == 1 ? 4 : 1) * s / (6 * 64);
+            out[0][0] += w * cos(k * u + u * u / 2);
+            out[0][1] += w * sin(k * u + u * u / 2);
+        }
+    out[1][0] = T[0], out[1][1] = T[1];
+    out[2][0] = -bend * T[1], out[2][1] = bend * T[0];
+    out[3][0] = -T[1] - bend * bend * T[0], out[3][1] = T[0] - bend * bend * T[1];
+}
+
+/* As septics with exact third derivatives, so that the rate of curvature is continuous. */
+TEST(logarithmic_and_euler_spirals_have_no_vertices)
+{
+    enum { KNOTS = 17 };
+    for (int kind = 0; kind < 2; kind++) {
+        double at[KNOTS], values[KNOTS][4][2];
+        for (int i = 0; i < KNOTS; i++) {
+            at[i] = 3.0 * i / (KNOTS - 1);
+            (kind ? clothoid : logarithmic)(kind ? -1 : 0.3, at[i], values[i]);
+        }
+        batten_curve *curve = NULL;
+        batten_parameters found = {0};
+        CHECK_OK(batten_curve_from_hermite(2, KNOTS, 4, at, &values[0][0][0], &curve));
+        CHECK_OK(batten_curve_curvature_extrema(curve, &found));
+        CHECK_INT(found.count, 0);
+        batten_release(found.at);
+        CHECK_OK(batten_curve_inflections(curve, &found));
+        CHECK_INT(found.count, kind);
+        if (kind)
+            CHECK_NEAR(found.at[0], 1, 1e-6); /* of k = s - 1 */
+        batten_release(found.at);
+        batten_curve_unref(curve);
+    }
+}
