@@ -220,3 +220,110 @@ TEST(folds_that_cannot_be_are_refused_with_the_place)
     batten_curve_unref(line);
     batten_curve_unref(curve);
 }
+
+/* ---- what differences of the samples say ---- */
+
+/* The derivative by the sample number, of sixth order, d numbers a sample. */
+static void difference(const double *values, int d, int i, double *out)
+{
+    static const double weights[3] = {45 / 60.0, -9 / 60.0, 1 / 60.0};
+    for (int c = 0; c < d; c++) {
+        out[c] = 0;
+        for (int k = 1; k <= 3; k++)
+            out[c] += weights[k - 1] * (values[(i + k) * d + c] - values[(i - k) * d + c]);
+    }
+}
+
+static void cross(const double *a, const double *b, double *out)
+{
+    for (int c = 0; c < 3; c++)
+        out[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+}
+
+static double dot(int d, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int c = 0; c < d; c++)
+        sum += a[c] * b[c];
+    return sum;
+}
+
+/* Along ruling r the regression is where X' + v r' is parallel to r; at right angles to the
+ * crease. */
+static double regression_at(const double *T, const double *r, const double *turn)
+{
+    double a[3], b[3];
+    cross(T, r, a);
+    cross(turn, r, b);
+    const double v = -dot(3, a, b) / dot(3, b, b), along = dot(3, T, r) / sqrt(dot(3, T, T));
+    return v > 0 ? v * sqrt(1 - along * along) : HUGE_VAL;
+}
+
+/* det(T, r, r') = 0 and the same metric in space and flat, along arc length; returns the least
+ * distance of the regression. */
+static double check_sheet(const batten_fold *fold, const batten_fold_sheet *sheet)
+{
+    const double step = fold->length / (fold->count - 1);
+    double least = HUGE_VAL;
+    for (int i = 3; i + 3 < fold->count; i++) {
+        double T[3], turn[3], T_flat[2], turn_flat[2], normal[3];
+        const double *r = sheet->rulings + 3 * i, *flat = sheet->flat_rulings + 2 * i;
+        difference(fold->points, 3, i, T);
+        difference(sheet->rulings, 3, i, turn);
+        difference(fold->flat, 2, i, T_flat);
+        difference(sheet->flat_rulings, 2, i, turn_flat);
+        cross(T, r, normal);
+        CHECK_NEAR(dot(3, normal, turn) / (step * step), 0, 3e-7);
+        CHECK_NEAR(dot(3, T, T) / dot(2, T_flat, T_flat), 1, 5e-8);
+        CHECK_NEAR(dot(3, T, r) / step, dot(2, T_flat, flat) / step, 5e-8);
+        CHECK_NEAR(dot(3, T, turn) / (step * step), dot(2, T_flat, turn_flat) / (step * step),
+                   3e-7);
+        CHECK_NEAR(dot(3, turn, turn) / (step * step),
+                   dot(2, turn_flat, turn_flat) / (step * step), 3e-7);
+        least = fmin(least, regression_at(T, r, turn));
+    }
+    return least;
+}
+
+TEST(sheets_are_developable_isometric_and_end_at_the_regression_of_their_rulings)
+{
+    const double angles[2][3] = {{0.4, 0.4, 0.4}, {0.3, 0.5, 0.35}};
+    for (int k = 0; k < 2; k++) {
+        batten_curve *curve = k ? twisted() : helix(0.2, 3);
+        batten_fold_options options = options_of(angles[k], 0.15);
+        batten_fold fold;
+        options.count = 3;
+        CHECK_OK(batten_fold_create(curve, &options, &fold));
+        for (int side = 0; side < 2; side++) {
+            const batten_fold_sheet *sheet = side ? &fold.right : &fold.left;
+            const double least = check_sheet(&fold, sheet);
+            if (isinf(least))
+                CHECK(sheet->regression > 1e3);
+            else if (sheet->regression_at > 0.02 * fold.length &&
+                     sheet->regression_at < 0.98 * fold.length)
+                CHECK_NEAR(sheet->regression / least, 1, 1e-4);
+            else
+                CHECK(sheet->regression <= least * (1 + 1e-6));
+            CHECK(fold.stretch < 5e-8);
+        }
+        batten_fold_release(&fold);
+        batten_curve_unref(curve);
+    }
+}
+
+/* Across a plane crease the rulings of the flat sheet go straight on. */
+TEST(the_rulings_of_a_plane_crease_go_straight_on_in_the_flat_sheet)
+{
+    const batten_frame world = batten_frame_world();
+    const double angles[3] = {0.3, 0.5, 0.35};
+    batten_fold_options options = options_of(angles, 0.15);
+    batten_curve *circle = NULL;
+    batten_fold fold;
+    options.count = 3;
+    CHECK_OK(batten_curve_arc_in(&world, 2, 0, 3, &circle));
+    CHECK_OK(batten_fold_create(circle, &options, &fold));
+    for (int i = 0; i < 2 * fold.count; i++)
+        CHECK_NEAR(fold.left.flat_rulings[i] + fold.right.flat_rulings[i], 0, 1e-9);
+    batten_fold_release(&fold);
+    batten_curve_unref(circle);
+}

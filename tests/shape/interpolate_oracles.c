@@ -152,30 +152,37 @@ TEST(the_energy_of_moments_is_the_integral)
     }
 }
 
-/* A hundred C2 curves through the same points, with bumps between them: each has the energy of
- * the natural spline and that of the difference (the first integral identity). */
-TEST(bumps_between_the_points_add_their_energy_to_that_of_the_natural_spline)
+/* A hundred C2 curves through the same points with bumps between them, and with any ends or the
+ * same end slopes: each has the energy of the natural or clamped spline and that of the
+ * difference (the first integral identity). */
+TEST(bumps_between_the_points_add_their_energy_to_that_of_natural_and_clamped_splines)
 {
     test_random random = test_random_begin("bumps");
-    for (int c = 0; c < test_cases(100); c++) {
+    for (int c = 0; c < test_cases(200); c++) {
         nodes s;
-        batten_curve *natural = random_spline(&random, BATTEN_END_NATURAL, &s), *other = NULL;
+        const bool clamped = c % 2;
+        batten_curve *best =
+            random_spline(&random, clamped ? BATTEN_END_CLAMPED : BATTEN_END_NATURAL, &s);
+        batten_curve *other = NULL;
         double t[2 * N - 1], y[2 * N - 1];
         for (int i = 0; i < 2 * N - 1; i++) {
             const int k = i / 2;
             double at[4];
             t[i] = i % 2 ? (s.t[k] + s.t[k + 1]) / 2 : s.t[k];
-            derivatives(natural, t[i], BATTEN_FROM_LEFT, at);
+            derivatives(best, t[i], BATTEN_FROM_LEFT, at);
             y[i] = i % 2 ? at[0] + test_random_in(&random, -0.2, 0.2) : s.y[k];
         }
         batten_interpolate_options options = given(t);
-        options.start.kind =
-            (batten_end_kind)(c % 2 ? BATTEN_END_PARABOLIC : BATTEN_END_NATURAL);
+        options.start.kind = c % 4 ? BATTEN_END_PARABOLIC : BATTEN_END_NATURAL;
+        if (clamped) {
+            options.start = (batten_end){BATTEN_END_CLAMPED, {s.m[0]}};
+            options.end = (batten_end){BATTEN_END_CLAMPED, {s.m[N - 1]}};
+        }
         CHECK_OK(batten_curve_interpolate(1, 2 * N - 1, y, &options, NULL, &other));
-        const double least = energy(NULL, natural), more = energy(NULL, other);
+        const double least = energy(NULL, best), more = energy(NULL, other);
         CHECK(least <= more);
-        CHECK_NEAR((least + energy(natural, other)) / more, 1, 1e-11);
-        batten_curve_unref(natural);
+        CHECK_NEAR((least + energy(best, other)) / more, 1, 1e-11);
+        batten_curve_unref(best);
         batten_curve_unref(other);
     }
 }
