@@ -101,14 +101,29 @@ static batten_status make_output(batten_design *design, int index, const char *f
     batten_status status = batten_design_output(design, index, job_get(), notes, &data, &size);
     batten_text path = BATTEN_TEXT;
     batten_text_add(&path, "%s%s", folder, batten_design_output_name(design, index));
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
         status = path.failed ? BATTEN_OUT_OF_MEMORY : batten_save_file(path.bytes, data, size);
+        if (status != BATTEN_OK)
+            batten_notes_add(notes, "", 0, "", "%s", batten_message());
+    }
     batten_text_free(&path);
     batten_release(data);
     return status;
 }
 
-/* Make every output; `names` receives those that were made. */
+static bool is_failure(batten_status status)
+{
+    return status != BATTEN_OK && status != BATTEN_PARTLY_READ;
+}
+
+/* Does a failure end all the work, and not only that of one output? */
+static bool ends_all(batten_status status)
+{
+    return status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY;
+}
+
+/* Make every output that can be made; `names` receives them. What failed is in the notes, and
+ * the first failure is returned. */
 static batten_status make_outputs(batten_design *design, const arguments *given,
                                   batten_notes *notes, const char **names, int *made)
 {
@@ -116,10 +131,17 @@ static batten_status make_outputs(batten_design *design, const arguments *given,
     batten_status status = folder ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && arguments_has(given, "output"))
         status = make_folder(folder);
-    for (int i = 0; status == BATTEN_OK && i < batten_design_output_count(design); i++) {
-        status = make_output(design, i, folder, notes);
-        if (status == BATTEN_OK)
+    if (status != BATTEN_OK) {
+        batten_notes_add(notes, "", 0, "", "%s", batten_message());
+        batten_release(folder);
+        return status;
+    }
+    for (int i = 0; !ends_all(status) && i < batten_design_output_count(design); i++) {
+        const batten_status one = make_output(design, i, folder, notes);
+        if (one == BATTEN_OK)
             names[(*made)++] = batten_design_output_name(design, i);
+        else if (status == BATTEN_OK || ends_all(one))
+            status = one;
     }
     batten_release(folder);
     return status;
@@ -153,6 +175,28 @@ static int report(const arguments *given, const batten_design *design, const cha
     return output_print(&text);
 }
 
+/* Evaluate all features and make the outputs; the first failure. */
+static batten_status make_all(batten_design *design, const arguments *given,
+                              batten_notes *notes, const char **names, int *made)
+{
+    const batten_status features = batten_design_evaluate(design, NULL, job_get(), notes);
+    if (ends_all(features))
+        return features;
+    const batten_status outputs = make_outputs(design, given, notes, names, made);
+    return ends_all(outputs) || !is_failure(features) ? outputs : features;
+}
+
+/* Say what failed: one thing that ended the work, or in all notes what was not made. */
+static int say_failure(const batten_design *design, batten_status status, bool in_notes,
+                       int made)
+{
+    if (!in_notes)
+        return output_failed("build", status);
+    complain("batten build: failed; %d of %d outputs were made", made,
+             batten_design_output_count(design));
+    return EXIT_FAILED;
+}
+
 static int build(batten_design *design, const arguments *given, batten_notes *notes)
 {
     const int output_count = batten_design_output_count(design);
@@ -160,22 +204,21 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     const char *only = arguments_get(given, "only");
     int made = 0;
     batten_status status = names ? set_values(design, given, notes) : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK)
+    const bool all = status == BATTEN_OK && !only;
+    if (all)
+        status = make_all(design, given, notes, names, &made);
+    else if (status == BATTEN_OK)
         status = batten_design_evaluate(design, only, job_get(), notes);
-    if ((status == BATTEN_OK || status == BATTEN_PARTLY_READ) && !only)
-        status = make_outputs(design, given, notes, names, &made);
 
-    int exit = status == BATTEN_OK || status == BATTEN_PARTLY_READ ? EXIT_DONE : EXIT_FAILED;
-    if (exit == EXIT_DONE && !bounds_hold(design))
-        exit = EXIT_FAILED;
+    const bool failed = is_failure(status), in_notes = all && !ends_all(status);
+    int exit = failed || !bounds_hold(design) ? EXIT_FAILED : EXIT_DONE;
     if (exit == EXIT_DONE && was_partly_read(design))
         exit = EXIT_PARTLY;
-    const bool failed = status != BATTEN_OK && status != BATTEN_PARTLY_READ;
     if (!arguments_has(given, "json"))
-        failed ? failed_show(notes) : notes_show(notes);
+        failed && !in_notes ? failed_show(notes) : notes_show(notes);
     const int reported = report(given, design, names, made, notes);
     if (failed)
-        exit = output_failed("build", status);
+        exit = say_failure(design, status, in_notes, made);
     batten_release(names);
     return reported == EXIT_DONE ? exit : reported;
 }
@@ -206,7 +249,9 @@ const command command_build = {
     .summary = "make everything that a design file describes: the main job",
     .manual = "Evaluates the features of DESIGN and writes its outputs, each to a temporary "
               "file that is then\n"
-              "renamed. The report says how long each feature took, how far its result is from "
+              "renamed. What cannot be made is reported, and the status is 1; everything else "
+              "is made all the same.\n"
+              "The report says how long each feature took, how far its result is from "
               "the data, how far\n"
               "fairing moved any point. 'batten help design' describes design files.",
     .least_files = 1,

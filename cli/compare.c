@@ -1,4 +1,4 @@
-#include "command.h"
+#include "values.h"
 
 #include <batten/picture.h>
 #include <string.h>
@@ -53,9 +53,11 @@ static bool read_method(const char *word, size_t length, method *out)
     batten_text_add(&name, "%s", copy);
     for (char *at = settings; at; at = settings) {
         char *equals = strchr(at, '=');
-        settings = strchr(at, ':');
-        if (settings)
+        settings = at + value_span(at, ":");
+        if (*settings)
             *settings++ = '\0';
+        else
+            settings = NULL;
         if (!equals || (settings && equals > settings))
             equals = at + strlen(at);
         batten_text_add(&name, " %s", at);
@@ -77,7 +79,7 @@ static bool read_method(const char *word, size_t length, method *out)
 static bool add_list(comparison *c, const char *list)
 {
     for (const char *at = list; *at;) {
-        const size_t length = strcspn(at, ",");
+        const size_t length = value_span(at, ",");
         method *m = &c->methods[c->count];
         if (c->count == MAX_METHODS || !read_method(at, length, m)) {
             complain("batten compare: '%.60s' is no method", at);
@@ -144,13 +146,8 @@ static void put_output(const comparison *c, const char *name, bool is_picture,
             separator = ", ";
         }
     batten_text_add(text, "]");
-    for (int k = 1; is_picture && k < feature->parameter_count; k++) {
-        const char *value = arguments_get(c->given, feature->parameters[k].name);
-        if (value) {
-            batten_text_add(text, ", %s: ", feature->parameters[k].name);
-            batten_text_json(text, value);
-        }
-    }
+    for (int k = 1; is_picture && k < feature->parameter_count; k++)
+        values_add(text, c->given, &feature->parameters[k]);
     batten_text_add(text, "}\n");
 }
 
@@ -301,9 +298,10 @@ const command command_compare = {
         "the largest\n"
         "curvature, length and time. A method is the name of a feature, with settings behind "
         "colons:\n"
-        "--methods interpolate:parameters=chord,tension:amount=8,elastica. 'batten help "
-        "features' lists\n"
-        "them; --methods all takes every one that needs nothing but points. A method that "
+        "--methods interpolate:parameters=chord,tension:amount=8,elastica; a list stands in "
+        "brackets:\n"
+        "'spiro:curvature=[3, 4]'. 'batten help features' lists them; --methods all takes "
+        "every one that needs nothing but points. A method that "
         "fails is left\n"
         "out, and says why.",
     .least_files = 1,

@@ -59,7 +59,9 @@ option *command_options(const command *c, const char *method, int *count)
     /* The first parameter is the input, which is a word of the command line. */
     for (int i = 1; i < more; i++) {
         const batten_parameter *p = &feature->parameters[i];
-        const option_kind kind = p->kind == BATTEN_VALUE_YES_NO ? OPTION_SWITCH : OPTION_VALUE;
+        const option_kind kind = p->kind == BATTEN_VALUE_YES_NO ? OPTION_SWITCH
+                                 : p->is_list                   ? OPTION_MANY
+                                                                : OPTION_VALUE;
         if (!has_own_option(c, p->name))
             all[(*count)++] =
                 (option){p->name, 0, kind, p->words ? p->words : "VALUE", p->summary};

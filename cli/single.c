@@ -1,24 +1,14 @@
 #include "single.h"
+#include "values.h"
 
 #include <string.h>
-
-/* A YAML string: JSON's form is one. */
-static void add_entry(batten_text *text, const char *key, const char *value)
-{
-    batten_text_add(text, ", %s: ", key);
-    batten_text_json(text, value);
-}
 
 /* The given options that are parameters of the operation. */
 static void add_parameters(batten_text *text, const char *operation, const arguments *given)
 {
     const batten_feature *feature = batten_feature_find(operation);
-    for (int i = 0; feature && i < given->given_count; i++) {
-        const char *name = given->options[given->given[i].option].name;
-        for (int k = 1; k < feature->parameter_count; k++)
-            if (strcmp(feature->parameters[k].name, name) == 0)
-                add_entry(text, name, given->given[i].value);
-    }
+    for (int k = 1; feature && k < feature->parameter_count; k++)
+        values_add(text, given, &feature->parameters[k]);
 }
 
 static const char *output_name(const single *s)

@@ -294,8 +294,10 @@ static batten_status add_section(void *context, const bat_row *row)
     const batten_polyline *line = longest(&lines);
     if (line && line->count >= 4)
         status = judge(line, axis, row, bat_tolerance(c->check->run), section);
-    if (section->found)
+    if (section->found) {
         c->check->fair &= section->excess == 0;
+        c->check->judged_count++;
+    }
     batten_polylines_release(&lines);
     return status;
 }
@@ -421,8 +423,10 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
         status = batten_curve_fairness(curve, object->point_count,
                                        object->point_count ? data : NULL, &checked->fairness);
     checked->has_fairness = status == BATTEN_OK;
-    if (checked->has_fairness && axis >= 0)
+    if (checked->has_fairness && axis >= 0) {
         check->fair &= checked->fairness.excess_inflections == 0;
+        check->judged_count++;
+    }
     bat_release(data);
     batten_curve_unref(curve);
     if (status == BATTEN_OK)

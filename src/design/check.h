@@ -71,7 +71,8 @@ typedef struct {
     int bounded_count; /* distances of points given that were measured */
     bool
         ok; /* no point given is farther than the bound, which was measured when there is one */
-    bool fair; /* no curve has inflections in excess, no section visible ones */
+    int judged_count; /* plane curves through points, and sections, that were judged */
+    bool fair;        /* none of them has inflections in excess, no section visible ones */
 } bat_check;
 
 /* Look at everything in the argument `parameter` of the run. Release it, also after a failure.

@@ -417,9 +417,24 @@ static batten_status run_wanted(state *s, const bat_graph *graph, const bool *wa
     return first == BATTEN_OK ? first : bat_fail(first, "%s", message);
 }
 
-/* @param roots [count] features; NULL: all */
-static batten_status evaluate(state *s, const int *roots, int count, const batten_job *job,
-                              batten_notes *notes)
+/* A feature that is wanted and failed since the last edit, as it would again; or -1. */
+static int find_failed(const state *s, const bool *wanted)
+{
+    for (int k = 0; k < s->document.feature_count; k++) {
+        const int i = s->document.order[k];
+        const bat_result *r = &s->results[i];
+        const bool was_ended =
+            r->shown.status == BATTEN_CANCELLED || r->shown.status == BATTEN_OUT_OF_MEMORY;
+        if (wanted[i] && r->shown.name && !r->done && !was_ended)
+            return i;
+    }
+    return -1;
+}
+
+/* @param roots [count] features; NULL: all
+ * @param failed  receives a feature that failed before, or -1; NULL: all are tried again */
+static batten_status evaluate(state *s, const int *roots, int count, int *failed,
+                              const batten_job *job, batten_notes *notes)
 {
     bat_graph graph;
     const int features = s->document.feature_count;
@@ -431,7 +446,9 @@ static batten_status evaluate(state *s, const int *roots, int count, const batte
         status = BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < (roots ? count : features) && status == BATTEN_OK; i++)
         status = bat_graph_mark(&graph, roots ? roots[i] : i, wanted);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && failed)
+        *failed = find_failed(s, wanted);
+    if (status == BATTEN_OK && (!failed || *failed < 0))
         status = run_wanted(s, &graph, wanted, job, notes);
     bat_release(wanted);
     bat_graph_release(&graph);
@@ -442,11 +459,11 @@ batten_status batten_design_evaluate(batten_design *design, const char *feature,
                                      const batten_job *job, batten_notes *notes)
 {
     if (!feature)
-        return evaluate(&design->now, NULL, 0, job, notes);
+        return evaluate(&design->now, NULL, 0, NULL, job, notes);
     const int i = bat_document_feature(&design->now.document, feature);
     if (i < 0)
         return bat_fail(BATTEN_NOT_FOUND, "no feature of the design is named '%s'", feature);
-    return evaluate(&design->now, &i, 1, job, notes);
+    return evaluate(&design->now, &i, 1, NULL, job, notes);
 }
 
 /* ---- results ---- */
@@ -519,8 +536,15 @@ static batten_status evaluate_inputs(state *s, const bat_entry *entry, const bat
         return BATTEN_OUT_OF_MEMORY;
     roots.count = 0;
     bat_entry_inputs(entry, add_root, &roots);
-    const batten_status status = evaluate(s, roots.at, roots.count, job, notes);
+    int failed = -1;
+    batten_status status = evaluate(s, roots.at, roots.count, &failed, job, notes);
     bat_release(roots.at);
+    if (status == BATTEN_OK && failed >= 0)
+        status =
+            fail_at(&s->document, entry,
+                    bat_fail(s->results[failed].shown.status, "it needs '%s', which failed",
+                             s->document.features[failed].name),
+                    notes);
     return status;
 }
 

@@ -206,7 +206,10 @@ void bat_report_json(const bat_check *check, batten_text *out)
 {
     const bat_document *d = check->run->document;
     batten_text_add(out, "{\n  \"ok\": %s, \"fair\": %s, \"unit\": \"%s\", ",
-                    check->ok ? "true" : "false", check->fair ? "true" : "false",
+                    check->ok ? "true" : "false",
+                    check->judged_count == 0 ? "null"
+                    : check->fair            ? "true"
+                                             : "false",
                     unit_of(check));
     json_number(out, "within", check->within);
     batten_text_add(out, ",\n  \"features\": [");
@@ -394,6 +397,23 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
     batten_text_add(out, "\n");
 }
 
+/* Without a curve that was judged there is no verdict, but what would make one. */
+static void text_verdict(batten_text *out, const bat_check *check)
+{
+    bool has_shape = false;
+    for (int i = 0; i < check->object_count; i++)
+        has_shape |= check->objects[i].object->curve || check->objects[i].object->surface;
+    if (check->judged_count)
+        batten_text_add(out, "\nVerdict: %s",
+                        check->fair ? "fair" : "there are inflections in excess");
+    else if (has_shape)
+        batten_text_add(out, "\nNo verdict: fairness is judged of curves through points in a "
+                             "plane x, y or z = constant, and of surfaces with their points");
+    else
+        batten_text_add(out, "\nNo verdict: points alone are not judged; 'batten fair' makes "
+                             "them fair, 'batten fit' a curve or a surface through them");
+}
+
 void bat_report_text(const bat_check *check, batten_text *out)
 {
     const bat_document *d = check->run->document;
@@ -410,8 +430,7 @@ void bat_report_text(const bat_check *check, batten_text *out)
         batten_text_add(out, "\nWhat meets\n");
     for (int i = 0; i < check->join_count; i++)
         text_join(out, check, &check->joins[i]);
-    batten_text_add(out, "\nVerdict: %s",
-                    check->fair ? "fair" : "there are inflections in excess");
+    text_verdict(out, check);
     if (isfinite(check->within)) {
         batten_text_add(out, "; the points given %s ",
                         check->ok              ? "lie within"

@@ -29,6 +29,16 @@ TEST(compare_takes_settings_behind_colons)
     CHECK_CONTAINS(run.out, "\"energy\": ");
 }
 
+TEST(compare_takes_lists_in_brackets)
+{
+    const char *points = write_points(), *picture = test_scratch("lists.svg");
+    const test_process run = RUN("batten", "compare", points, "-o", picture, "-m",
+                                 "spiro:curvature=[3,4],interpolate", "--json");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "\"name\": \"spiro curvature=[3,4]\"");
+    CHECK_CONTAINS(run.out, "\"name\": \"interpolate\"");
+}
+
 TEST(compare_leaves_out_what_fails_and_says_why)
 {
     const char *points = test_scratch("two.xyz"), *picture = test_scratch("curves.svg");

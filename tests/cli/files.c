@@ -99,6 +99,64 @@ TEST(info_tells_what_is_in_a_file)
         CHECK_CONTAINS(run.out, keys[i]);
 }
 
+TEST(build_makes_the_other_outputs_when_one_fails)
+{
+    const char *path = test_scratch("some.yaml");
+    test_write(path, "batten: 1\nfeatures:\n  a: {points: [[0, 0], [1, 1], [0, 2], [0.5, 1]]}\n"
+                     "  bad: {tension: a, as: function}\n  good: {interpolate: a, degree: 2}\n"
+                     "outputs:\n  bad.igs: bad\n  worse.igs: bad\n  good.igs: good\n");
+    const test_process run = RUN("batten", "build", path);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "some.yaml:4: bad: ");
+    CHECK_CONTAINS(run.errors, "some.yaml:7: bad.igs: write: it needs 'bad', which failed");
+    CHECK_CONTAINS(run.errors, "some.yaml:8: worse.igs: ");
+    CHECK_CONTAINS(run.errors, "1 of 3 outputs were made");
+    CHECK(strstr(run.errors, "good.igs") == NULL);
+    CHECK_CONTAINS(run.out, "wrote good.igs");
+    CHECK_CONTAINS(test_content(test_scratch("good.igs")), "S      1");
+    CHECK(test_content(test_scratch("bad.igs")) == NULL);
+}
+
+TEST(lists_and_vectors_can_be_given_as_options)
+{
+    const char *points = test_scratch("listed.xyz");
+    test_write(points, "0 0\n1 .6\n2 .1\n3 .9\n3.2 2\n2 2.5\n");
+    static const char *const pairs[][3] = {{"--start-vector=[1, 0, 0]", "interpolate", NULL},
+                                           {"--start-vector=1,0,0", "interpolate", NULL},
+                                           {"--start-vector=x", "interpolate", NULL},
+                                           {"--curvature=[3, 4]", "spiro", NULL},
+                                           {"--curvature=3,4", "spiro", NULL},
+                                           {"--curvature=3", "spiro", "--curvature=4"}};
+    const char *content[COUNT(pairs)];
+    const char *curve = test_scratch("listed.igs");
+    for (int i = 0; i < COUNT(pairs); i++) {
+        const bool is_spiro = i >= 3;
+        const test_process run =
+            RUN("batten", "fit", points, "-o", curve, "--method", pairs[i][1], pairs[i][0],
+                is_spiro ? (pairs[i][2] ? pairs[i][2] : "--ends=free") : "--start=direction");
+        CHECK_INT(run.exit, 0);
+        content[i] = test_content(curve);
+        if (i % 3)
+            CHECK_TEXT(content[i], content[i - 1]);
+    }
+    CHECK_INT(RUN("batten", "fit", points, "-o", curve, "--start=direction",
+                  "--start-vector=[1, 0, 0], degree: [2]")
+                  .exit,
+              1);
+}
+
+TEST(points_alone_have_no_verdict)
+{
+    const char *points = test_scratch("alone.xyz");
+    test_write(points, "0 0\n1 1\n2 0\n3 2\n4 0\n5 1\n");
+    const test_process run = RUN("batten", "check", points);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "No verdict: ");
+    CHECK_CONTAINS(run.out, "'batten fit'");
+    CHECK_CONTAINS(RUN("batten", "check", points, "--json").out, "\"fair\": null");
+    CHECK_CONTAINS(RUN("batten", "check", write_table("alone.csv")).out, "No verdict: ");
+}
+
 TEST(what_was_fitted_can_be_evaluated)
 {
     const char *points = test_scratch("points.xyz"), *curve = test_scratch("curve.igs");
