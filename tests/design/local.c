@@ -126,7 +126,9 @@ TEST(splines_of_points_in_line_are_not_blamed_for_rounding)
         batten_design *design = NULL;
         CHECK_OK(batten_notes_create(4, &notes));
         CHECK_OK(evaluate(features[i], &design, notes));
-        CHECK_INT(batten_notes_count(notes), 0);
+        /* Where memory failed there is another note. */
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            CHECK(strstr(batten_notes_at(notes, k)->text, "bends back") == NULL);
         batten_design_free(design);
         batten_notes_free(notes);
     }

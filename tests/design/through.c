@@ -30,6 +30,8 @@ static batten_status evaluate(const char *operation, const char *points, bool cl
                               batten_design **out)
 {
     char text[1000];
+    batten_design_free(*out); /* of a first call that found no memory */
+    *out = NULL;
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n  p: {points: %s}\n  a: {%s: p%s}\n",
              points, operation, closed ? ", closed: yes" : "");
     batten_design_options options = batten_design_defaults();
