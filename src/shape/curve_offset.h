@@ -3,6 +3,7 @@
 #ifndef BAT_CURVE_OFFSET_H
 #define BAT_CURVE_OFFSET_H
 #include "base/base.h"
+#include "inspect/self_crossings.h"
 #include <batten/curve_offset.h>
 
 /* A smooth part of the offset: a whole curve, that begins where the one before it ends unless
@@ -35,6 +36,10 @@ batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *
  * before, `t`, to that behind (curve_offset_corners.c). */
 batten_status bat_offset_corner(bat_offset *o, const double *p, const double *t, double turn,
                                 const double *q, const double *r);
+/* Where runs cross the rest of the rim of all that is nearer than the distance: the offset on
+ * the other side and the round caps of the ends. Each is added with the passage of the run in
+ * both places (curve_offset_entries.c). */
+batten_status bat_offset_entries(const bat_offset *o, bat_crossings *out);
 /* What is far enough from the curve, in one curve for each unbroken part
  * (curve_offset_trim.c). */
 batten_status bat_offset_trim(bat_offset *o, batten_curves *out);

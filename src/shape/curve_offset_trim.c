@@ -3,7 +3,7 @@
  *
  * The distance of the offset from the curve is at most |d|, and falls below it only where the
  * offset crosses itself, the offset on the other side, or the round cap of an end. So runs are
- * cut at their crossings, parts are judged at points inside them, and where the judgement
+ * cut at all these crossings, parts are judged at points inside them, and where the judgement
  * changes within a part the place is found by halving.
  */
 #include "inspect/self_crossings.h"
@@ -132,6 +132,16 @@ static batten_status add_samples(samples *s, int run, double a, double b, int br
     return status == BATTEN_OK ? add_sample(s, run, a, b, b) : status;
 }
 
+/* A cut, or the break that it means: subranges have no knots that rounding alone parts. */
+static double snapped(double cut, int count, const double *breaks)
+{
+    const double near = 1e-12 * (breaks[count - 1] - breaks[0]);
+    for (int i = 0; i < count; i++)
+        if (fabs(cut - breaks[i]) <= near)
+            return breaks[i];
+    return cut;
+}
+
 /* Cuts of a run, its ends included, rise. */
 static batten_status sample_run(const trim *t, int run, int count, const double *cuts,
                                 samples *s)
@@ -142,10 +152,12 @@ static batten_status sample_run(const trim *t, int run, int count, const double 
     batten_status status = at ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         batten_curve_spans(plan, at);
-    for (int i = 0; status == BATTEN_OK && i + 1 < count; i++)
+    for (int i = 0; status == BATTEN_OK && i + 1 < count; i++) {
+        const double a = snapped(cuts[i], breaks, at), b = snapped(cuts[i + 1], breaks, at);
         /* What rounding leaves between two cuts at one place is no part. */
-        if (cuts[i + 1] - cuts[i] > 1e-12 * (at[breaks - 1] - at[0]))
-            status = add_samples(s, run, cuts[i], cuts[i + 1], breaks, at);
+        if (b - a > 1e-12 * (at[breaks - 1] - at[0]))
+            status = add_samples(s, run, a, b, breaks, at);
+    }
     bat_release(at);
     return status;
 }
@@ -499,10 +511,12 @@ batten_status bat_offset_trim(bat_offset *o, batten_curves *out)
         plans[i] = o->runs[i].plan;
     if (status == BATTEN_OK)
         status = bat_crossings_find(o->count, plans, o->closed, &crossings);
+    o->report.crossings = crossings.count;
+    if (status == BATTEN_OK)
+        status = bat_offset_entries(o, &crossings);
     if (status == BATTEN_OK)
         status = judge_all(&t, &crossings);
     if (status == BATTEN_OK) {
-        o->report.crossings = crossings.count;
         o->report.removed = t.removed;
         status = link_parts(&t);
     }

@@ -401,6 +401,47 @@ TEST(the_sides_of_a_loop_narrower_than_the_error_of_the_pieces_are_joined)
     }
 }
 
+TEST(what_comes_near_another_part_of_the_curve_is_removed)
+{
+    /* Long lines that the rest of the curve crosses, or comes near with a corner or an end:
+     * without a crossing of the offset with itself. */
+    static const struct {
+        int count;
+        double points[12];
+    } rows[] = {
+        {5, {0, 0, 4, 3, 4, 0, 0, 3, 0, 0}},
+        {4, {0, 0, 4, 3, 4, 0, 0, 3}},
+        {5, {0, 0, 40, 0, 60, 20, 7.3, 0.15, -10, 20}},
+        {4, {0, 0, 40, 0, 40, 5, 7.3, 0.15}},
+        {4, {0, 0, 1, 0, 0, 0, 2, 0.5}}, /* turns back on itself */
+    };
+    for (int row = 0; row < COUNT(rows); row++) {
+        for (int side = -1; side <= 1; side += 2) {
+            batten_curve *curve = NULL;
+            batten_curves made = {0, NULL};
+            const batten_offset_options o =
+                options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+            CHECK_OK(batten_curve_polyline(2, rows[row].count, rows[row].points, &curve));
+            CHECK_OK(batten_curve_offset(curve, 0.1 * side, &o, NULL, &made));
+            CHECK(made.count > 0);
+            for (int i = 0; i < made.count; i++) {
+                double far[2001], points[2 * 2001];
+                const batten_interval domain = batten_curve_domain(made.at[i]);
+                batten_deviation all;
+                for (int k = 0; k <= 2000; k++)
+                    CHECK_OK(batten_curve_evaluate(
+                        made.at[i], domain.a + (domain.b - domain.a) * (k / 2000.0), 0,
+                        points + 2 * k));
+                CHECK_OK(batten_curve_deviation(curve, 2001, points, NULL, NULL, far, &all));
+                for (int k = 0; k <= 2000; k++)
+                    CHECK_NEAR(far[k], 0.1, 1e-5);
+            }
+            batten_curves_release(&made);
+            batten_curve_unref(curve);
+        }
+    }
+}
+
 TEST(N6_distances_and_tolerances_that_mean_nothing_are_refused)
 {
     batten_curve *curve = NULL, *point = NULL, *function = NULL;
