@@ -20,6 +20,7 @@ typedef struct batten_gcode_options {
     double depth;        /**< height Z at which is cut; NaN: that of each path */
     double clearance;    /**< how far above the highest path the tool travels; 0: 5 mm */
     int decimals;        /**< 0..9; -1: 4 for millimetres, 5 for inches */
+    double greatest_radius; /**< of an arc, which the control takes; infinity: any; 0: 10 m */
 } batten_gcode_options;
 BATTEN_API batten_gcode_options batten_gcode_defaults(void);
 
@@ -32,13 +33,15 @@ BATTEN_API batten_gcode_options batten_gcode_defaults(void);
  * note (make arcs of them first). Inches (G20) when the unit of the model
  * is the inch, else millimetres (G21), into which other units are converted. Coordinates are
  * rounded to `decimals`; centres are computed from the rounded ends, so that both ends of an
- * arc lie on its circle within the last place. An arc sweeps at most a half circle. Relative
- * moves begin at the machine's origin.
+ * arc lie on its circle within the last place. An arc sweeps at most a half circle. One
+ * that is less than half the last place beside its chord is a line; one of a larger radius
+ * than the control takes is lines that are no more than the last place beside it, with a note.
+ * Relative moves begin at the machine's origin.
  *
  * @param notes may be NULL
  * @param[out] data, size the text; release with batten_release
- * @return BATTEN_OK, BAD_ARGUMENT (options), UNSUPPORTED when the model has no path, TOO_LARGE,
- * OVERFLOW (coordinates of 1e9 and more), OUT_OF_MEMORY
+ * @return BATTEN_OK, BAD_ARGUMENT (options), UNSUPPORTED when the model has no path, TOO_LARGE
+ * (a million lines for one arc), OVERFLOW (coordinates of 1e9 and more), OUT_OF_MEMORY
  * Source: ISO 6983-1 for the words.
  */
 BATTEN_API batten_status batten_write_gcode(const batten_model *model,

@@ -3,6 +3,8 @@
 #include "spline/chain.h"
 #include <batten/arcs.h>
 
+#include <float.h>
+
 static const double pi = 3.14159265358979323846;
 
 /* Into how many parts an arc is cut, so that none is more than a half circle. */
@@ -38,6 +40,19 @@ static void add_span(const batten_span *span, bat_path *path)
     }
 }
 
+/* An arc that is beside its chord by the rounding of coordinates has no radius to speak of. */
+static void straighten(bat_path *path)
+{
+    for (int i = 0; i + 1 < path->count + path->closed; i++) {
+        bat_vertex *a = &path->vertices[i];
+        const bat_vertex *b = &path->vertices[(i + 1) % path->count];
+        const double largest =
+            bat_max(bat_max(fabs(a->x), fabs(a->y)), bat_max(fabs(b->x), fabs(b->y)));
+        if (bat_path_sagitta(a, b->x, b->y) <= 4 * DBL_EPSILON * largest)
+            a->bulge = 0;
+    }
+}
+
 static batten_status path_of_chain(const batten_chain *chain, bat_path *out)
 {
     int count = 0;
@@ -57,6 +72,7 @@ static batten_status path_of_chain(const batten_chain *chain, bat_path *out)
     bat_arc_at(last, last->length, end);
     if (!path.closed)
         path.vertices[path.count++] = (bat_vertex){end[0], end[1], 0};
+    straighten(&path);
     *out = path;
     return BATTEN_OK;
 }
@@ -114,6 +130,11 @@ void bat_path_release(bat_path *path)
 {
     bat_release(path->vertices);
     *path = (bat_path){0};
+}
+
+double bat_path_sagitta(const bat_vertex *from, double x, double y)
+{
+    return fabs(from->bulge) * (hypot(x - from->x, y - from->y) / 2);
 }
 
 void bat_path_centre(const bat_vertex *from, double x, double y, double *cx, double *cy,

@@ -6,7 +6,8 @@
 #include <batten/model.h>
 
 /* One vertex, and how the path goes on from it: the bulge is tan(sweep / 4), positive to the
- * left, 0 for a line. No arc sweeps more than a half circle. */
+ * left, 0 for a line and what is one but for rounding. No arc sweeps more than a half circle.
+ */
 typedef struct {
     double x, y, bulge;
 } bat_vertex;
@@ -19,10 +20,13 @@ typedef struct {
 } bat_path;
 
 /* The path of a curve that is one: a chain of arcs and lines, a polyline in a plane
- * z = constant, or a NURBS curve that batten_arcs_exact finds to be arcs and lines. *is_path is false, and nothing is made, for other objects. */
+ * z = constant, or a NURBS curve that batten_arcs_exact finds to be arcs and lines. *is_path is
+ * false, and nothing is made, for other objects. */
 batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *out);
 void bat_path_release(bat_path *path);
 
+/* How far the arc from vertex `from` to the point (x, y) is beside its chord. */
+double bat_path_sagitta(const bat_vertex *from, double x, double y);
 /* The arc from vertex `from` to the point (x, y): its centre and radius; the bulge is not 0. */
 void bat_path_centre(const bat_vertex *from, double x, double y, double *cx, double *cy,
                      double *radius);

@@ -58,6 +58,24 @@ TEST(arcs_beyond_a_half_circle_are_cut_and_stay_on_their_circle)
     batten_model_unref(model);
 }
 
+TEST(an_arc_that_is_beside_its_chord_by_rounding_has_no_bulge)
+{
+    const double curvatures[3] = {1e-19, 1e-17, 1e-12};
+    for (int k = 0; k < 3; k++) {
+        const batten_span arc = {.kind = BATTEN_SPAN_ARC,
+                                 .length = 100,
+                                 .start = {1000, 0},
+                                 .curvature = {-curvatures[k]}};
+        batten_chain *chain = NULL;
+        CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+        batten_model *model = model_of("flat", chain);
+        bat_path path = path_of(model);
+        CHECK((path.vertices[0].bulge != 0) == (k == 2));
+        bat_path_release(&path);
+        batten_model_unref(model);
+    }
+}
+
 TEST(a_polyline_in_a_level_plane_is_a_path_and_other_curves_are_none)
 {
     const double points[4][3] = {{0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 0, 2}};

@@ -91,9 +91,10 @@ const bat_feature bat_feature_offset = {
         {"offset", "Curves at a distance from curves",
          "Each point goes by the distance across the curve, in the plane across 'normal'. "
          "Lines and\n"
-         "arcs give lines and arcs; other curves are followed 'within' a tolerance by pieces "
-         "of degree\n"
-         "5, with cusps where the radius of the curve equals the distance. What then comes "
+         "arcs give lines and arcs, which DXF and G-code then have as such; other curves are "
+         "followed\n"
+         "'within' a tolerance by pieces of degree 5, with cusps where the radius of the curve "
+         "equals the distance. What then comes "
          "nearer to\n"
          "the curve than the distance is removed, so a narrow curve may fall into several or "
          "nothing;\n"

@@ -20,6 +20,8 @@ static const batten_parameter parameters[] = {
      "positions (G90), or steps from where the tool is (G91)"},
     {"decimals", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
      "4 for millimetres, 5 for inches by default"},
+    {"greatest-radius", BATTEN_VALUE_LENGTH, false, false, "10 m", NULL,
+     "of an arc that the control takes; larger ones become lines within the last decimal"},
 };
 
 static batten_status run(bat_run *run)
@@ -32,6 +34,7 @@ static batten_status run(bat_run *run)
         options.decimals = bat_count(run, "decimals");
     options.clearance = bat_number(run, "clearance");
     options.feed = bat_number(run, "feed");
+    options.greatest_radius = bat_number(run, "greatest-radius");
     options.plunge = bat_has(run, "plunge") ? bat_number(run, "plunge") : 0;
     options.absolute_centres = bat_word(run, "centres") == CENTRES_ABSOLUTE;
     options.relative_moves = bat_word(run, "moves") == 1;
@@ -45,12 +48,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gcode = {
     .shown =
         {"g-code", "A program for a machine that cuts",
-         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. Curves that "
-         "are lines and\n"
-         "arcs exactly are found to be: polylines and circles, rounded, joined and offset. "
-         "Others must be made\n"
-         "of arcs first; 'arcs' does that within a tolerance. Inches when the design is in "
-         "inches, else\n"
+         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve that "
+         "is lines and\n"
+         "arcs exactly is cut so: circles, polylines, what 'fillet', 'join' and 'offset' make "
+         "of them.\n"
+         "Any other must be made of arcs first; 'arcs' does that within a tolerance. An arc "
+         "that is flatter\n"
+         "than half the last decimal is a line. Inches when the design is in inches, else "
          "millimetres.",
          "units: mm\n"
          "features:\n"

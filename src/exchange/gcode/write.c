@@ -19,6 +19,7 @@ typedef struct {
     double top;   /* height at which the tool travels */
     double at[3];
     int paths;
+    int flat;       /* arcs of the path that are written as lines, for their radius */
     double largest; /* number written */
 } program;
 
@@ -70,24 +71,74 @@ static void plunge(program *p, double z)
     batten_text_add(&p->text, "\n");
 }
 
-/* From where the tool is; the centre belongs to the rounded ends. */
-static void cut(program *p, double x, double y, double bulge, bool first)
+static void put_feed(program *p, bool first)
 {
-    const bat_vertex from = {p->at[0], p->at[1], bulge};
-    if (x == from.x && y == from.y)
-        return;
-    batten_text_add(&p->text, bulge == 0 ? "G1" : bulge > 0 ? "G3" : "G2");
-    put_axis(p, 'X', 0, x);
-    put_axis(p, 'Y', 1, y);
-    if (bulge != 0) {
-        double cx, cy, radius;
-        bat_path_centre(&from, x, y, &cx, &cy, &radius);
-        put_word(p, 'I', p->options.absolute_centres ? cx : cx - from.x);
-        put_word(p, 'J', p->options.absolute_centres ? cy : cy - from.y);
-    }
     if (first)
         put_word(p, 'F', p->options.feed);
     batten_text_add(&p->text, "\n");
+}
+
+static void cut_line(program *p, double x, double y, bool first)
+{
+    batten_text_add(&p->text, "G1");
+    put_axis(p, 'X', 0, x);
+    put_axis(p, 'Y', 1, y);
+    put_feed(p, first);
+}
+
+/* The centre belongs to the rounded ends. */
+static void cut_arc(program *p, const bat_vertex *from, double x, double y, bool first)
+{
+    double cx, cy, radius;
+    bat_path_centre(from, x, y, &cx, &cy, &radius);
+    batten_text_add(&p->text, from->bulge > 0 ? "G3" : "G2");
+    put_axis(p, 'X', 0, x);
+    put_axis(p, 'Y', 1, y);
+    put_word(p, 'I', p->options.absolute_centres ? cx : cx - from->x);
+    put_word(p, 'J', p->options.absolute_centres ? cy : cy - from->y);
+    put_feed(p, first);
+}
+
+/* So many chords that each is beside the arc by no more than `off`. */
+static batten_status cut_chords(program *p, const bat_vertex *from, double x, double y,
+                                double off, bool first)
+{
+    const double dx = x - from->x, dy = y - from->y, half = 2 * atan(from->bulge);
+    const double count = ceil(sqrt(bat_path_sagitta(from, x, y) / off));
+    if (!(count <= 1e6))
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "an arc from (%g, %g) to (%g, %g) has a larger radius than %g, and "
+                        "would be %.0f lines within %g: allow a greater radius, or fewer "
+                        "decimals",
+                        from->x, from->y, x, y, p->options.greatest_radius, count, off);
+    const double chord = hypot(dx, dy) / sin(half), angle = atan2(dy, dx) - half;
+    for (int i = 1; i < (int)count; i++) {
+        const double part = half * (i / count), length = chord * sin(part);
+        cut_line(p, rounded(p, from->x + length * cos(angle + part)),
+                 rounded(p, from->y + length * sin(angle + part)), first && i == 1);
+    }
+    cut_line(p, x, y, first && count <= 1);
+    p->flat++;
+    return BATTEN_OK;
+}
+
+/* From where the tool is. What the decimals do not show of an arc is a line. */
+static batten_status cut(program *p, double x, double y, double bulge, bool first)
+{
+    const bat_vertex from = {p->at[0], p->at[1], bulge};
+    const double place = pow(10, -p->options.decimals);
+    const double off = bat_path_sagitta(&from, x, y);
+    /* chord^2 / (8 off) + off / 2, without a square that overflows. */
+    const double radius = off / 2 + hypot(x - from.x, y - from.y) / (4 * fabs(bulge));
+    if (x == from.x && y == from.y)
+        return BATTEN_OK;
+    if (bulge == 0 || off < place / 2)
+        cut_line(p, x, y, first);
+    else if (radius > p->options.greatest_radius)
+        return cut_chords(p, &from, x, y, place, first);
+    else
+        cut_arc(p, &from, x, y, first);
+    return BATTEN_OK;
 }
 
 /* ---- paths ---- */
@@ -115,8 +166,19 @@ static void put_comment(program *p, const char *name)
     batten_text_add(&p->text, ")\n");
 }
 
-static void put_path(program *p, const batten_object *object, const bat_path *path)
+static void note_flat(const program *p, const batten_object *object, batten_notes *notes)
 {
+    if (p->flat > 0)
+        batten_notes_add(notes, "", 0, object->name,
+                         "lines within %g in the place of %d arcs with radii above %g, the "
+                         "greatest radius that the control takes",
+                         pow(10, -p->options.decimals), p->flat, p->options.greatest_radius);
+}
+
+static batten_status put_path(program *p, const batten_object *object, const bat_path *path,
+                              batten_notes *notes)
+{
+    batten_status status = BATTEN_OK;
     const double z = rounded(
         p, p->scale * (isnan(p->options.depth) ? path->frame.origin.z : p->options.depth));
     const bat_vertex start = vertex_of(p, path, 0);
@@ -125,13 +187,16 @@ static void put_path(program *p, const batten_object *object, const bat_path *pa
     travel(p, start.x, start.y);
     plunge(p, z);
     double bulge = start.bulge;
-    for (int i = 1; i <= moves; i++) {
+    p->flat = 0;
+    for (int i = 1; i <= moves && status == BATTEN_OK; i++) {
         const bat_vertex to = vertex_of(p, path, i);
-        cut(p, to.x, to.y, bulge, i == 1);
+        status = cut(p, to.x, to.y, bulge, i == 1);
         bulge = to.bulge;
     }
+    note_flat(p, object, notes);
     move_up(p);
     p->paths++;
+    return status;
 }
 
 static bool is_level(const bat_path *path)
@@ -183,12 +248,14 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
         const batten_object *object = batten_model_object(model, i);
         bool use = false;
         bat_path path = {0};
-        const batten_status status = path_of(object, notes, &use, &path);
+        batten_status status = path_of(object, notes, &use, &path);
+        if (status == BATTEN_OK && use)
+            status = put_path(p, object, &path, notes);
+        bat_path_release(&path);
+        if (status == BATTEN_TOO_LARGE)
+            return bat_fail(status, "%s: %s", object->name, batten_message());
         if (status != BATTEN_OK)
             return status;
-        if (use)
-            put_path(p, object, &path);
-        bat_path_release(&path);
     }
     if (p->paths == 0)
         return bat_fail(BATTEN_UNSUPPORTED, "G-code holds chains of arcs and polylines in "
@@ -207,6 +274,9 @@ static batten_status check_options(const batten_gcode_options *o)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "feed %g, plunge %g and clearance %g must be 0 or more", o->feed,
                         o->plunge, o->clearance);
+    if (!(o->greatest_radius >= 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the greatest radius is %g; it must be 0 or more",
+                        o->greatest_radius);
     if (o->decimals < -1 || o->decimals > 9)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d decimals; there may be 0 to 9", o->decimals);
     return BATTEN_OK;
@@ -222,6 +292,8 @@ static void settle(program *p, double unit_metres)
     o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * millimetre;
     o->plunge = o->plunge > 0 ? o->plunge * p->scale : o->feed / 4;
     o->clearance = o->clearance > 0 ? o->clearance * p->scale : 5 * millimetre;
+    o->greatest_radius =
+        o->greatest_radius > 0 ? o->greatest_radius * p->scale : 1e4 * millimetre;
     if (o->decimals < 0)
         o->decimals = inches ? 5 : 4;
     batten_text_add(&p->text, "%%\n%s (%s)\nG17\n%s\n%s\n", inches ? "G20" : "G21",
@@ -245,8 +317,11 @@ batten_status bat_write_gcode(const batten_model *model, const batten_gcode_opti
     if (status == BATTEN_OK)
         status = put_paths(&p, model, notes);
     if (status == BATTEN_OK && !(p.largest < 1e9))
-        status = bat_fail(BATTEN_OVERFLOW, "a coordinate of %g is more than controls take",
-                          p.largest);
+        status =
+            bat_fail(BATTEN_OVERFLOW,
+                     "a coordinate of %g is more than controls take: look at the unit of the "
+                     "design, or scale and move what is cut",
+                     p.largest);
     batten_text_add(&p.text, "M2\n%%\n");
     if (status == BATTEN_OK)
         *text = p.text;

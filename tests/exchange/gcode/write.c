@@ -132,6 +132,88 @@ TEST(a_filleted_polyline_is_cut_as_lines_and_arcs_though_it_is_a_nurbs_curve)
     }
 }
 
+/* A chain of one arc of 100 with this rise in its middle. */
+static batten_model *shallow(double rise)
+{
+    const double half = 2 * atan(rise / 50), radius = 50 / sin(half);
+    const batten_span arc = {.kind = BATTEN_SPAN_ARC,
+                             .length = 2 * half * radius,
+                             .start = {3, 4},
+                             .angle = 0.3 - half,
+                             .curvature = {1 / radius}};
+    batten_chain *chain = NULL;
+    CHECK_OK(batten_chain_create(2, 1, &arc, NULL, false, 0, &chain));
+    return model_of("shallow", chain);
+}
+
+TEST(an_arc_that_the_decimals_do_not_show_is_a_line)
+{
+    const double rises[4] = {1e-200, 1e-18, 1e-9, 4e-5};
+    for (int k = 0; k < 4; k++) {
+        batten_model *model = shallow(rises[k]);
+        const machine m = follow(program(model, NULL));
+        CHECK_INT(m.arcs, 0);
+        CHECK_INT(m.lines, 1);
+        CHECK_NEAR(m.length, 100, 1e-3);
+        batten_model_unref(model);
+    }
+}
+
+/* The largest distance of the ends and middles of lines from a circle about (cx, cy). */
+static double farthest(const char *text, double cx, double cy, double radius)
+{
+    double x = 3, y = 4, largest = 0;
+    for (const char *line = strstr(text, "\nG1 X"); line; line = strstr(line + 1, "\nG1 X")) {
+        double to[2];
+        CHECK(sscanf(line, "\nG1 X%lf Y%lf", &to[0], &to[1]) == 2);
+        const double middle = hypot((x + to[0]) / 2 - cx, (y + to[1]) / 2 - cy);
+        largest = fmax(largest, fabs(middle - radius));
+        largest = fmax(largest, fabs(hypot(to[0] - cx, to[1] - cy) - radius));
+        x = to[0];
+        y = to[1];
+    }
+    return largest;
+}
+
+TEST(an_arc_of_a_larger_radius_than_the_control_takes_is_lines_within_the_last_place)
+{
+    const double rise = 0.05, half = 2 * atan(rise / 50), radius = 50 / sin(half);
+    const double cx = 3 - radius * sin(0.3 - half), cy = 4 + radius * cos(0.3 - half);
+    batten_model *model = shallow(rise);
+    batten_gcode_options options = batten_gcode_defaults();
+    const machine lines = follow(program(model, NULL));
+    CHECK_INT(lines.arcs, 0);
+    CHECK_INT(lines.lines, 23); /* the root of 0.05 / 0.0001, and up */
+    CHECK_NEAR(lines.length, 2 * half * radius, 1e-3);
+    CHECK(farthest(program(model, NULL), cx, cy, radius) <= 1.8e-4);
+    options.greatest_radius = 30e3;
+    CHECK_INT(follow(program(model, &options)).arcs, 1);
+    batten_model_unref(model);
+    model = shallow(1);
+    CHECK_INT(follow(program(model, NULL)).arcs, 1);
+    options.greatest_radius = 100;
+    options.decimals = 9;
+    CHECK_INT(follow(program(model, &options)).arcs, 0);
+    batten_model_unref(model);
+}
+
+TEST(too_many_lines_are_refused_with_a_cure)
+{
+    batten_chain *chain = hook(), *large = NULL;
+    const batten_affine map = {{{1e7, 0, 0}, {0, 1e7, 0}, {0, 0, 1e7}}, {0, 0, 0}};
+    CHECK_OK(batten_chain_transform(chain, &map, &large));
+    batten_model *model = model_of("hook", large);
+    batten_gcode_options options = batten_gcode_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.decimals = 9;
+    CHECK_STATUS(batten_write_gcode(model, &options, NULL, &data, &size), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("hook: an arc from (0, 0)");
+    CHECK_MESSAGE("allow a greater radius, or fewer decimals");
+    batten_chain_unref(chain);
+    batten_model_unref(model);
+}
+
 TEST(curves_that_are_no_paths_are_refused)
 {
     batten_model *model = NULL;
@@ -153,11 +235,13 @@ TEST(n1_n6_options_that_are_no_numbers_are_refused)
     batten_model *model = model_of("hook", hook());
     char *data = NULL;
     size_t size = 0;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 5; k++) {
         batten_gcode_options options = batten_gcode_defaults();
         *(k == 0   ? &options.feed
           : k == 1 ? &options.plunge
                    : &options.clearance) = k == 1 ? NAN : -1;
+        if (k == 4)
+            options.greatest_radius = NAN;
         if (k == 3)
             options = (batten_gcode_options){.size = sizeof options, .decimals = 10};
         CHECK_STATUS(batten_write_gcode(model, &options, NULL, &data, &size),
