@@ -61,8 +61,8 @@ static batten_status take_entries(const bat_offset *o, const bat_crossings *foun
 
 batten_status bat_offset_entries(const bat_offset *o, bat_crossings *out)
 {
-    if (o->count == 0)
-        return BATTEN_OK;
+    if (o->count == 0 || o->distance == 0)
+        return BATTEN_OK; /* nothing is nearer than 0 */
     bat_offset rim = {.full = o->plan,
                       .plan = o->plan,
                       .distance = -o->distance,

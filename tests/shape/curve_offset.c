@@ -442,6 +442,18 @@ TEST(what_comes_near_another_part_of_the_curve_is_removed)
     }
 }
 
+TEST(the_offset_at_distance_zero_is_the_curve)
+{
+    batten_curve *curve = NULL;
+    batten_curves made = {0, NULL};
+    parabola(&curve);
+    CHECK_OK(batten_curve_offset(curve, 0, NULL, NULL, &made));
+    CHECK_INT(made.count, 1);
+    CHECK(distance_error(curve, &made, 0) <= 1e-6);
+    batten_curves_release(&made);
+    batten_curve_unref(curve);
+}
+
 TEST(N6_distances_and_tolerances_that_mean_nothing_are_refused)
 {
     batten_curve *curve = NULL, *point = NULL, *function = NULL;
