@@ -479,3 +479,28 @@ TEST(batches_have_the_same_bits_on_any_number_of_threads)
         CHECK_BITS(one[i].p, three[i].p);
     }
 }
+
+/* (5 t^2 - 3 t, 5 t^3 - 3 t^2) is at the origin with t = 0 and 0.6. When it begins there it
+ * returns through its first point, and A^2 - A B + B^2 - 3 A C vanishes; so backwards. */
+TEST(a_loop_may_close_at_an_end)
+{
+    const double points[8] = {0, 0, -1, 0, -1 / 3.0, -1, 2, 2};
+    const double ends[] = {0, 1}, powers[] = {0, 0, -3, 0, 5, -3, 0, 5};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_from_power(2, 3, 1, ends, powers, 0, &curve));
+    for (int i = 0; i < 8; i++)
+        CHECK_NEAR(batten_curve_points(curve)[i], points[i], 1e-15);
+    batten_curve_unref(curve);
+    for (int back = 0; back < 2; back++) {
+        double p[8];
+        batten_cubic cubic;
+        for (int i = 0; i < 4; i++)
+            memcpy(p + 2 * (size_t)i, points + 2 * (size_t)(back ? 3 - i : i), 2 * sizeof *p);
+        CHECK_OK(batten_cubic_classify(2, p, 0, &cubic));
+        const double a = back ? cubic.c : cubic.a, b = cubic.b, c = back ? cubic.a : cubic.c;
+        CHECK_NEAR(a * a - a * b + b * b - 3 * a * c, 0, 1e-13);
+        CHECK_INT(cubic.whole, BATTEN_CUBIC_LOOP);
+        CHECK_NEAR(cubic.crossing[0], back ? 0.4 : 0, 1e-14);
+        CHECK_NEAR(cubic.crossing[1], back ? 1 : 0.6, 1e-14);
+    }
+}

@@ -143,3 +143,26 @@ TEST(g9_what_has_no_place_says_so)
     CHECK_STATUS(batten_cubic_look_up(NAN, 1, &place), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_cubic_look_up(1, INFINITY, &place), BATTEN_NOT_FINITE);
 }
+
+/* On the line lambda = 1 the curve is flat at its end, on mu = 1 at its start. */
+TEST(lengths_that_reach_the_corner_make_an_end_flat)
+{
+    for (double other = -2; other <= 3; other += 0.25) {
+        double points[8];
+        if (other == 0 || other == 1)
+            continue;
+        for (int end = 0; end < 2; end++) {
+            batten_curve *curve = NULL;
+            batten_curve_local at;
+            batten_cubic_of_lengths(end ? 1 : other, end ? other : 1, points);
+            CHECK_OK(shape_bezier(2, 3, points, &curve));
+            CHECK_OK(batten_curve_local_at(curve, end,
+                                           end ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));
+            CHECK_NEAR(at.curvature, 0, 1e-14);
+            CHECK_OK(batten_curve_local_at(curve, 1 - end,
+                                           end ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &at));
+            CHECK(fabs(at.curvature) > 1e-3);
+            batten_curve_unref(curve);
+        }
+    }
+}

@@ -1,4 +1,5 @@
 #include "inspect/shapes.h"
+#include <batten/standard.h>
 
 TEST(a_circle_is_two_pi_long)
 {
@@ -13,6 +14,20 @@ TEST(a_circle_is_two_pi_long)
     CHECK_OK(batten_curve_length_between(circle, NAN, NAN, 1e-12, &length, NULL));
     CHECK_NEAR(length, 2 * PI, 1e-12);
     batten_curve_unref(circle);
+}
+
+TEST(all_forms_of_a_circle_are_two_pi_long)
+{
+    const batten_circle_form forms[] = {BATTEN_CIRCLE_SQUARE_9, BATTEN_CIRCLE_TRIANGLE_7,
+                                        BATTEN_CIRCLE_SQUARE_7};
+    for (int i = 0; i < COUNT(forms); i++) {
+        batten_curve *circle = NULL;
+        double length;
+        CHECK_OK(batten_curve_circle(1, forms[i], &circle));
+        CHECK_OK(batten_curve_length(circle, 1e-12, &length, NULL));
+        CHECK_NEAR(length, 2 * PI, 1e-12);
+        batten_curve_unref(circle);
+    }
 }
 
 TEST(parabola_and_ellipse_have_their_known_lengths)
