@@ -116,6 +116,18 @@ TEST(the_error_of_a_quadratic_spline_falls_with_the_third_power)
         CHECK_NEAR(log2(error_of(which, 130) / error_of(which, 258)), 3, 0.15);
 }
 
+/* Inside an even mesh the error is K h^3 / 6 s (1/4 - s^2), s from -1/2 to 1/2 over a span, for
+ * a third derivative K: largest at s^2 = 1/12, K h^3 sqrt(3) / 216. */
+TEST(the_constant_of_a_quadratic_spline_is_stable_over_three_halvings)
+{
+    for (int which = 0; which < 2; which++)
+        for (int spans = 32; spans <= 256; spans *= 2) {
+            const double h = 2.0 / spans, K = 27;
+            CHECK_NEAR(error_of(which, spans + 2) / (K * h * h * h), sqrt(3) / 216,
+                       spans == 32 ? 1e-4 : 2e-5);
+        }
+}
+
 TEST(the_uniform_quadratic_spline_is_the_system_1_6_1)
 {
     const double points[] = {1, 3, -2, 0.5, 4, 2}; /* knots 0 .. 4 */

@@ -206,6 +206,17 @@ TEST(a_conic_satisfies_its_equation_in_barycentric_coordinates)
         batten_curve_unref(again);
         batten_curve_unref(curve);
     }
+    /* With any weights w1^2 / (w0 w2) stands for w^2. */
+    const double points[] = {0, 0, 1, 0, 0, 1}, general[] = {2, 3, 0.5},
+                 knots[] = {0, 0, 0, 1, 1, 1};
+    batten_curve *other = NULL;
+    CHECK_OK(batten_curve_create(2, 2, 3, points, general, knots, &other));
+    for (int k = 0; k <= 50; k++) {
+        double p[2];
+        CHECK_OK(batten_curve_evaluate(other, k / 50.0, 0, p));
+        CHECK_NEAR(p[0] * p[0], 4 * 9 * (1 - p[0] - p[1]) * p[1], 1e-14);
+    }
+    batten_curve_unref(other);
     const double out[] = {2, 2}, far[] = {NAN, 0};
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_conic_through(a, b, c, out, &none), BATTEN_BAD_ARGUMENT);
