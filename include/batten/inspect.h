@@ -105,7 +105,14 @@ typedef struct batten_tooth {
     batten_vec3 foot, tip; /**< tip = foot - scale * curvature * normal */
     double curvature;
 } batten_tooth;
-/** @param[out] teeth [spans * per_span + 1] with spans = batten_curve_spans(curve, NULL) - 1 */
+/**
+ * The teeth of a comb, from the beginning of the curve to its end. At a knot inside there are
+ * two: the first from the left, the second from the right. So the line through the tips steps
+ * where curvature does.
+ *
+ * @param per_span parts of each span
+ * @param[out] teeth [spans * (per_span + 1)] with spans = batten_curve_spans(curve, NULL) - 1
+ */
 BATTEN_API batten_status batten_curve_comb(const batten_curve *curve, int per_span,
                                            double scale, batten_tooth *teeth);
 

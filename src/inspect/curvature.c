@@ -116,11 +116,11 @@ batten_status batten_curve_local_at(const batten_curve *curve, double u, batten_
 
 /* ---- combs ---- */
 
-static batten_status tooth(const batten_curve *curve, double size, double u, double scale,
-                           batten_tooth *out)
+static batten_status tooth(const batten_curve *curve, double size, double u, batten_side side,
+                           double scale, batten_tooth *out)
 {
     batten_curve_local at;
-    const batten_status status = bat_curve_local_at(curve, size, u, BATTEN_FROM_RIGHT, &at);
+    const batten_status status = bat_curve_local_at(curve, size, u, side, &at);
     if (status != BATTEN_OK && status != BATTEN_SINGULAR_HERE)
         return status;
     *out = (batten_tooth){.u = u,
@@ -139,7 +139,7 @@ batten_status batten_curve_comb(const batten_curve *curve, int per_span, double 
     if (!isfinite(scale))
         return bat_fail(BATTEN_NOT_FINITE, "the scale of the comb is %g", scale);
     const int spans = batten_curve_spans(curve, NULL) - 1;
-    const size_t count = (size_t)spans * (size_t)per_span + 1;
+    const size_t each = (size_t)per_span + 1, count = (size_t)spans * each;
     const double size = bat_curve_size(curve);
     double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
     batten_tooth *made = bat_array(count, sizeof *made);
@@ -147,10 +147,12 @@ batten_status batten_curve_comb(const batten_curve *curve, int per_span, double 
     if (status == BATTEN_OK)
         batten_curve_spans(curve, breaks);
     for (size_t k = 0; status == BATTEN_OK && k < count; k++) {
-        const size_t span = k / (size_t)per_span, part = k % (size_t)per_span;
-        const double next = part == 0 ? breaks[span] : breaks[span + 1];
-        const double u = breaks[span] + (next - breaks[span]) * ((double)part / per_span);
-        status = tooth(curve, size, u, scale, &made[k]);
+        const size_t span = k / each, part = k % each;
+        const bool last = part + 1 == each;
+        const double a = breaks[span], b = breaks[span + 1];
+        const double u = last ? b : a + (b - a) * ((double)part / per_span);
+        status =
+            tooth(curve, size, u, last ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, scale, &made[k]);
     }
     for (size_t k = 0; status == BATTEN_OK && k < count; k++)
         teeth[k] = made[k];

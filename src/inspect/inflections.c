@@ -1,5 +1,6 @@
 #include "inspect/inflections.h"
 #include "inspect/forms.h"
+#include "inspect/singular.h"
 #include "numeric/vector.h"
 
 #include <float.h>
@@ -211,13 +212,18 @@ static batten_status walk_curve(const batten_curve *curve, const question *ask,
     bat_walk walk = {0};
     bat_forms forms = {0};
     bat_span_forms span;
+    /* Control points come of sums and rotations at the size of the whole curve, and are right
+     * to a few of its roundings, also where a coordinate is nearly 0: what those can make is
+     * none.
+     */
+    const double uncertainty = ask->uncertainty + 4 * DBL_EPSILON * bat_curve_size(curve);
     double *rows = bat_array3((size_t)p + 1, bat_curve_width(curve), sizeof *rows);
     batten_status status =
         rows ? bat_forms_begin(FORMS, highest_degree(curve), &forms) : BATTEN_OUT_OF_MEMORY;
     for (int k = p;
          status == BATTEN_OK && bat_span_forms_next(curve, &k, rows, NULL, &forms, &span);) {
         for (int j = 0; j < curve->dimension; j++)
-            span.x[j].error += ask->uncertainty;
+            span.x[j].error += uncertainty;
         status = walk_span(&walk, &forms, curve->dimension, ask, &span);
     }
     if (status == BATTEN_OK && curve->periodic && !ask->touching)

@@ -364,6 +364,8 @@ void bat_canvas_take(bat_canvas *canvas, bat_rectangle place)
 bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                       double x, double y, const char *text)
 {
+    if (!*text)
+        return true; /* its ground would be a white spot on what is drawn there */
     const double width = bat_canvas_text_width(canvas, size, text), margin = 0.3 * size;
     const bat_rectangle place = {x - 0.5 * (double)anchor * width - margin, y - 0.5 * size,
                                  width + 2 * margin, size};

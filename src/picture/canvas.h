@@ -77,7 +77,8 @@ void bat_canvas_bold(bat_canvas *canvas, bat_colour colour, double size, bat_anc
 /* Turned a quarter to the left, centred on (x, y). */
 void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, double x, double y,
                         const char *text);
-/* A text on a white ground, when it lies within the sheet and covers no earlier label. */
+/* A text on a white ground, when it lies within the sheet and covers no earlier label; an empty
+ * one is nothing. */
 bool bat_canvas_label(bat_canvas *canvas, bat_colour colour, double size, bat_anchor anchor,
                       double x, double y, const char *text);
 /* Keep labels away from here. */

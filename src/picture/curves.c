@@ -17,7 +17,7 @@ static batten_status gather_comb(bat_shape *s)
     const batten_curve *curve = s->object->curve;
     const int spans = batten_curve_spans(curve, NULL) - 1;
     const int per_span = bat_max_int(4, 160 / bat_max_int(spans, 1));
-    const int count = spans * per_span + 1;
+    const int count = spans * (per_span + 1);
     batten_tooth *teeth = bat_array((size_t)count, sizeof *teeth);
     if (!teeth)
         return BATTEN_OUT_OF_MEMORY;
@@ -357,12 +357,33 @@ static bat_pen point_pen(const bat_shape *s)
                      BAT_SOLID};
 }
 
+/* Do crosses with such arms run together: more than a quarter of them into the next one? */
+static bool is_crowded(const bat_drawing *d, const bat_shape *s, double arm)
+{
+    const int count = s->object->point_count;
+    int close = 0;
+    for (int i = 1; i < count; i++) {
+        double from[2], to[2];
+        to_sheet(d, s->object->points + 3 * (size_t)(i - 1), from);
+        to_sheet(d, s->object->points + 3 * (size_t)i, to);
+        close += hypot(to[0] - from[0], to[1] - from[1]) < 2 * arm;
+    }
+    return 4 * close > count;
+}
+
+/* Crosses, or dots where crosses would bury the curve. */
 static void draw_points(bat_canvas *canvas, const bat_drawing *d, const bat_shape *s)
 {
+    const double arm = BAT_CROSS * canvas->em;
+    const bool crowded = is_crowded(d, s, arm);
+    const bat_pen pen = point_pen(s);
     for (int i = 0; i < s->object->point_count; i++) {
         double xy[2];
         to_sheet(d, s->object->points + 3 * (size_t)i, xy);
-        bat_canvas_cross(canvas, point_pen(s), xy[0], xy[1], 0.25 * canvas->em);
+        if (crowded)
+            bat_canvas_disc(canvas, pen.colour, xy[0], xy[1], BAT_DOT * canvas->em);
+        else
+            bat_canvas_cross(canvas, pen, xy[0], xy[1], arm);
     }
 }
 
@@ -417,30 +438,41 @@ static const char *unit_of(const bat_drawing *d)
     return unit ? unit : "units";
 }
 
-static void add_name(const bat_drawing *d, const bat_shape *s, bat_legend *legend)
+static bat_sample mark_of(const bat_drawing *d, const bat_shape *s, double em)
+{
+    return is_crowded(d, s, BAT_CROSS * em) ? BAT_SAMPLE_DOT : BAT_SAMPLE_CROSS;
+}
+
+static void add_name(const bat_drawing *d, const bat_shape *s, double em, bat_legend *legend)
 {
     const bool is_points = s->object->kind == BATTEN_OBJECT_POINTS;
-    const bat_sample sample = is_points ? BAT_SAMPLE_CROSS : BAT_SAMPLE_LINE;
+    const bat_sample sample = is_points ? mark_of(d, s, em) : BAT_SAMPLE_LINE;
     const bat_pen pen = {s->colour, is_points ? 1 : 1.8, BAT_SOLID};
+    const char *name = s->object->name;
     char number[BATTEN_NUMBER_SIZE];
     bat_digits_text(s->sharpest, 3, number);
     if (d->comb_scale > 0 && s->tooth_count > 0)
-        bat_legend_add(legend, sample, pen, "%.48s: max |\u03ba| %s 1/%s", s->object->name,
-                       number, unit_of(d));
-    else
-        bat_legend_add(legend, sample, pen, "%.64s", s->object->name);
+        bat_legend_add(legend, sample, pen, "%.48s%smax |\u03ba| %s 1/%s", name,
+                       *name ? ": " : "", number, unit_of(d));
+    else if (*name)
+        bat_legend_add(legend, sample, pen, "%.64s", name);
 }
 
-static void fill_legend(const bat_drawing *d, bat_legend *legend)
+static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
 {
     bool polygon = false, data = false, comb = false;
+    bat_sample mark = BAT_SAMPLE_DOT;
     for (int i = 0; i < d->shape_count; i++) {
         const bat_shape *s = &d->shapes[i];
         polygon |= shows_polygon(d, s->object);
-        data |= shows_points(d, s->object) && s->object->kind == BATTEN_OBJECT_CURVE;
+        if (shows_points(d, s->object) && s->object->kind == BATTEN_OBJECT_CURVE) {
+            data = true;
+            if (mark_of(d, s, em) == BAT_SAMPLE_CROSS)
+                mark = BAT_SAMPLE_CROSS;
+        }
         comb |= s->tooth_count > 0 && d->comb_scale > 0;
         if (d->shape_count <= COLOURED)
-            add_name(d, s, legend);
+            add_name(d, s, em, legend);
     }
     char length[BATTEN_NUMBER_SIZE];
     bat_digits_text(d->comb_scale, 3, length);
@@ -448,8 +480,7 @@ static void fill_legend(const bat_drawing *d, bat_legend *legend)
         bat_legend_add(legend, BAT_SAMPLE_POLYGON, (bat_pen){bat_grey, 0.7, BAT_DASHED},
                        "control polygon");
     if (data)
-        bat_legend_add(legend, BAT_SAMPLE_CROSS, (bat_pen){bat_ink, 1, BAT_SOLID},
-                       "data points");
+        bat_legend_add(legend, mark, (bat_pen){bat_ink, 1, BAT_SOLID}, "data points");
     if (comb)
         bat_legend_add(legend, BAT_SAMPLE_LINE,
                        (bat_pen){lighter(palette[0], 0.35), 1, BAT_SOLID},
@@ -516,10 +547,12 @@ static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
         return status;
 
     bat_legend legend = {0};
-    fill_legend(d, &legend);
+    fill_legend(d, em, &legend);
     const double width = canvas.width - 4 * em;
     const double height = bat_legend_height(&canvas, &legend, width);
     place_plot(&canvas, d, height);
+    legend.count = 0; /* again, for only now it is known how close the points stand */
+    fill_legend(d, em, &legend);
     bat_canvas_bold(&canvas, bat_ink, 1.25 * em, BAT_MIDDLE, 0.5 * canvas.width, 1.6 * em,
                     o->title);
     draw_axes(&canvas, d);

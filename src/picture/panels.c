@@ -17,7 +17,7 @@ typedef struct {
 
 /* ---- one scale for all ---- */
 
-static int compare_scales(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
     const double one = *(const double *)a, other = *(const double *)b;
     return (one > other) - (one < other);
@@ -32,7 +32,7 @@ static double common_comb(const sheet *s)
     for (int i = 0; i < s->count; i++)
         if (s->drawings[i].comb_scale > 0)
             scales[count++] = s->drawings[i].comb_scale;
-    qsort(scales, (size_t)count, sizeof *scales, compare_scales);
+    qsort(scales, (size_t)count, sizeof *scales, compare_numbers);
     return count ? scales[count / 2] : 0;
 }
 
@@ -53,7 +53,8 @@ static bool data_extent(const bat_drawing *d, double low[2], double high[2])
     return any;
 }
 
-static void find_range(sheet *s)
+/* All curves, as far as they stay near the data of the first. */
+static void find_curve_range(sheet *s)
 {
     double low[2] = {0, 0}, high[2] = {0, 0};
     const bool any = data_extent(&s->drawings[0], low, high);
@@ -72,6 +73,34 @@ static void find_range(sheet *s)
     }
 }
 
+/* And the combs of at least half of them: the longest teeth of a wild curve are cut off, and do
+ * not make the others small. */
+static void add_comb_range(sheet *s)
+{
+    double low[MAX_PANELS], high[MAX_PANELS];
+    for (int axis = 0; axis < 2; axis++) {
+        for (int i = 0; i < s->count; i++) {
+            low[i] = s->drawings[i].low[axis];
+            high[i] = s->drawings[i].high[axis];
+        }
+        qsort(low, (size_t)s->count, sizeof *low, compare_numbers);
+        qsort(high, (size_t)s->count, sizeof *high, compare_numbers);
+        s->low[axis] = bat_min(s->low[axis], low[(s->count - 1) / 2]);
+        s->high[axis] = bat_max(s->high[axis], high[s->count / 2]);
+    }
+}
+
+/* Every drawing with combs of this scale. */
+static batten_status find_ranges(sheet *s, double comb_scale)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < s->count && status == BATTEN_OK; i++) {
+        s->drawings[i].comb_scale = comb_scale;
+        status = bat_drawing_find_range(&s->drawings[i]);
+    }
+    return status;
+}
+
 static batten_status prepare(sheet *s)
 {
     batten_status status = BATTEN_OK;
@@ -82,12 +111,14 @@ static batten_status prepare(sheet *s)
         s->lines = bat_max_int(s->lines, s->panels[i].line_count);
     }
     const double scale = common_comb(s);
-    for (int i = 0; i < s->count && status == BATTEN_OK; i++) {
-        s->drawings[i].comb_scale = scale;
-        status = bat_drawing_find_range(&s->drawings[i]);
+    if (status == BATTEN_OK)
+        status = find_ranges(s, 0);
+    if (status == BATTEN_OK) {
+        find_curve_range(s);
+        status = find_ranges(s, scale);
     }
     if (status == BATTEN_OK)
-        find_range(s);
+        add_comb_range(s);
     return status;
 }
 

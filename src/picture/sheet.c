@@ -162,7 +162,9 @@ static void draw_sample(bat_canvas *canvas, const bat_entry *entry, double x, do
         bat_canvas_disc(canvas, entry->pen.colour, x + 2.2 * em, y, 0.2 * em);
     }
     if (entry->sample == BAT_SAMPLE_CROSS)
-        bat_canvas_cross(canvas, entry->pen, x + 1.1 * em, y, 0.25 * em);
+        bat_canvas_cross(canvas, entry->pen, x + 1.1 * em, y, BAT_CROSS * em);
+    if (entry->sample == BAT_SAMPLE_DOT)
+        bat_canvas_disc(canvas, entry->pen.colour, x + 1.1 * em, y, BAT_DOT * em);
     if (entry->sample == BAT_SAMPLE_DISC)
         bat_canvas_disc(canvas, entry->pen.colour, x + 1.1 * em, y, 0.25 * em);
 }

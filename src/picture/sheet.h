@@ -45,10 +45,15 @@ double bat_plot_numbers_width(bat_canvas *canvas, const bat_plot *plot);
 
 /* ---- legend ---- */
 
+/* The arms of a cross and the radius of a dot, which mark points, in letters. */
+#define BAT_CROSS 0.25
+#define BAT_DOT 0.1
+
 typedef enum {
     BAT_SAMPLE_LINE,
     BAT_SAMPLE_POLYGON,
     BAT_SAMPLE_CROSS,
+    BAT_SAMPLE_DOT,
     BAT_SAMPLE_DISC
 } bat_sample;
 

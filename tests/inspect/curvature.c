@@ -130,11 +130,11 @@ TEST(a_straight_line_in_space_has_no_normal)
 TEST(the_teeth_of_a_circle_end_on_a_circle)
 {
     batten_curve *circle = NULL;
-    batten_tooth teeth[4 * 5 + 1];
+    batten_tooth teeth[4 * 6];
     CHECK_OK(shape_ellipse(2, 2, 0, 0, &circle));
     CHECK_OK(batten_curve_comb(circle, 5, 3, teeth));
     for (int k = 0; k < COUNT(teeth); k++) {
-        CHECK_NEAR(teeth[k].u, k / 20.0, 1e-15);
+        CHECK_NEAR(teeth[k].u, (k / 6 * 5 + k % 6) / 20.0, 1e-15);
         CHECK_NEAR(vec3_size(teeth[k].foot), 2, 1e-12);
         CHECK_NEAR(vec3_size(teeth[k].tip), 2 + 3 * 0.5, 1e-11);
     }
@@ -168,6 +168,24 @@ TEST(the_ends_of_a_cubic_have_the_curvatures_of_their_tangents)
                    1e-12);
         batten_curve_unref(curve);
     }
+}
+
+TEST(a_comb_steps_where_curvature_does)
+{
+    /* Two parabolas that leave the origin along x: y = x^2 / 4 before it, y = x^2 behind it. */
+    static const double knots[] = {0, 0, 0, 1, 1, 2, 2, 2};
+    static const double points[] = {-2, 1, -1, 0, 0, 0, 1, 0, 2, 4};
+    batten_curve *curve = NULL;
+    batten_tooth teeth[2 * 3];
+    CHECK_OK(batten_curve_create(2, 2, 5, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_comb(curve, 2, 3, teeth));
+    CHECK_NEAR(teeth[2].u, 1, 0);
+    CHECK_NEAR(teeth[3].u, 1, 0);
+    CHECK_NEAR(teeth[2].curvature, 0.5, 1e-15);
+    CHECK_NEAR(teeth[3].curvature, 2, 1e-15);
+    CHECK_NEAR(teeth[2].tip.y, -1.5, 1e-14);
+    CHECK_NEAR(teeth[3].tip.y, -6, 1e-14);
+    batten_curve_unref(curve);
 }
 
 /* ---- the examples of the notes ---- */

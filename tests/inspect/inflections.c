@@ -42,6 +42,24 @@ TEST(circles_and_lines_have_neither)
     }
 }
 
+/* Right turn, a side along y, right turn. The middle of the side stands off by what a sum of
+ * coordinates leaves, though that is no rounding of the side's own x; then by more. */
+TEST(a_side_that_is_straight_but_for_the_rounding_of_its_points_is_not_inflected)
+{
+    static const double knots[10] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, ends[2] = {1, 2};
+    static const double off[2] = {1.7763568394002505e-15, 1e-11};
+    for (int k = 0; k < 2; k++) {
+        const double points[14] = {200, 0, 0, 0, 0, 50, off[k], 75, 0, 100, 0, 150, 200, 150};
+        batten_curve *curve = NULL;
+        batten_parameters found = {0};
+        CHECK_OK(batten_curve_create(2, 2, 7, points, NULL, knots, &curve));
+        CHECK_OK(batten_curve_inflections(curve, &found));
+        check_parameters(&found, k == 0 ? 0 : 2, ends, 1e-12);
+        batten_release(found.at);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(the_cubic_graph_is_inflected_at_its_centre)
 {
     /* y = x^3 - x on [-1, 2]: Bezier ordinates of the cubic, abscissae equally spaced */

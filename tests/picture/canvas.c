@@ -126,6 +126,21 @@ TEST(labels_never_cover_each_other_or_leave_the_sheet)
     bat_canvas_end(&canvas);
 }
 
+TEST(an_empty_label_covers_nothing)
+{
+    bat_canvas canvas;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(bat_canvas_begin(BATTEN_PICTURE_PNG, 200, 100, 10, "", &canvas));
+    bat_canvas_box(&canvas, ink, (bat_rectangle){0, 0, 200, 100});
+    CHECK(bat_canvas_label(&canvas, ink, 20, BAT_LEFT, 50, 50, ""));
+    CHECK_OK(bat_canvas_finish(&canvas, &data, &size));
+    const scene_image image = scene_decode(data, size);
+    for (int x = 0; x < 200; x++)
+        CHECK_INT(scene_pixel(&image, x, 50), 0);
+    batten_release(data);
+}
+
 TEST(many_labels_find_memory_or_say_so)
 {
     bat_canvas canvas;

@@ -153,6 +153,48 @@ TEST(many_curves_are_named_where_they_end)
     batten_model_unref(model);
 }
 
+/* How many pixels of an arc with so many data points are nearly black: those of their marks. */
+static int mark_ink(int count)
+{
+    batten_model *model = scene_empty();
+    double *points = test_array((size_t)count, 3 * sizeof *points);
+    for (int i = 0; i < count; i++) {
+        points[3 * i] = 3 * cos(2.0 * i / count);
+        points[3 * i + 1] = 3 * sin(2.0 * i / count);
+        points[3 * i + 2] = 0;
+    }
+    batten_curve *curve = scene_circle(3);
+    const batten_object object = {.name = "arc",
+                                  .layer = "",
+                                  .kind = BATTEN_OBJECT_CURVE,
+                                  .curve = curve,
+                                  .has_colour = true,
+                                  .colour = {1, 0, 0},
+                                  .point_count = count,
+                                  .points = points};
+    CHECK_OK(batten_model_add(model, &object));
+    batten_curve_unref(curve);
+    batten_picture_options options = batten_picture_defaults();
+    options.data_points = true;
+    const scene_image image = image_of(model, options);
+    int ink = 0;
+    for (int y = 0; y < image.height * 8 / 10; y++)
+        for (int x = image.width / 4; x < image.width; x++) {
+            const uint32_t pixel = scene_pixel(&image, x, y);
+            ink += scene_red(pixel) < 60 && scene_green(pixel) < 60;
+        }
+    batten_model_unref(model);
+    return ink;
+}
+
+TEST(points_that_stand_close_are_dots)
+{
+    const int loose = mark_ink(20), close = mark_ink(200);
+    CHECK(loose > 20 * 4);
+    CHECK(close > 200);
+    CHECK(close < 5 * loose);
+}
+
 /* A model with every kind of object. */
 static batten_model *everything(void)
 {

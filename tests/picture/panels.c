@@ -87,6 +87,31 @@ TEST(all_panels_have_the_same_scale)
     CHECK_NEAR(ink_width(&image, 130, 260) / (double)ink_width(&image, 0, 130), 0.5, 0.02);
 }
 
+TEST(the_teeth_of_one_wild_curve_do_not_make_the_others_small)
+{
+    /* Low waves, and one with a narrow peak whose comb is far the longest. */
+    batten_model *low = wave(0.1), *wild = scene_empty();
+    static const double peak[] = {0, 0, 0, 2, 0, 0, 2, 0.1, 0, 2, 0, 0, 4, 0, 0};
+    scene_add_curve(wild, "wild", scene_curve(3, 3, 5, peak));
+    const batten_panel panels[] = {{"", low, 0, NULL}, {"", low, 0, NULL}, {"", wild, 0, NULL}};
+    batten_picture_options options = batten_picture_defaults();
+    int width[2];
+    options.comb = true;
+    options.width = 1000;
+    options.height = 1200;
+    for (int k = 0; k < 2; k++) {
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_OK(batten_draw_panels(2 + k, panels, &options, &data, &size));
+        const scene_image image = scene_decode(data, size);
+        batten_release(data);
+        width[k] = ink_width(&image, 0, 1200 / (2 + k));
+    }
+    CHECK_NEAR(width[1], width[0], 0.03 * width[0]);
+    batten_model_unref(low);
+    batten_model_unref(wild);
+}
+
 TEST(panels_that_cannot_be_are_refused)
 {
     batten_model *model = wave(1), *empty = scene_empty();
