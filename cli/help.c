@@ -65,20 +65,30 @@ static void add_command(batten_text *text, const command *c)
     batten_release(options);
 }
 
+static int widest_name(void)
+{
+    size_t widest = 0;
+    for (int i = 0; i < batten_feature_count(); i++)
+        if (strlen(batten_feature_at(i)->name) > widest)
+            widest = strlen(batten_feature_at(i)->name);
+    return (int)widest;
+}
+
 static void add_features(batten_text *text)
 {
+    const int width = widest_name();
     batten_text_add(text, "Operations of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (!batten_feature_at(i)->is_output) {
             if (i == 0 || strcmp(batten_feature_group(i), batten_feature_group(i - 1)) != 0)
                 batten_text_add(text, "%s%s\n\n", i ? "\n" : "", batten_feature_group(i));
-            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name,
+            batten_text_add(text, "  %-*s %s\n", width, batten_feature_at(i)->name,
                             batten_feature_at(i)->summary);
         }
     batten_text_add(text, "\nOutputs of a design file:\n\n");
     for (int i = 0; i < batten_feature_count(); i++)
         if (batten_feature_at(i)->is_output)
-            batten_text_add(text, "  %-18s %s\n", batten_feature_at(i)->name,
+            batten_text_add(text, "  %-*s %s\n", width, batten_feature_at(i)->name,
                             batten_feature_at(i)->summary);
 }
 

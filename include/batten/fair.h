@@ -18,17 +18,22 @@ typedef struct batten_fairness {
     int excess_inflections; /**< beyond those that the data themselves require */
     int curvature_extrema;
     double jumps;     /**< sum of squares of the jumps of the third derivative at the knots */
-    double energy;    /**< integral of curvature^2 ds (functions: of the second derivative^2) */
-    double variation; /**< integral of (d curvature / ds)^2 ds */
+    double energy;    /**< integral of curvature^2 ds (functions: of the second derivative^2);
+                           HUGE_VAL when there are corners */
+    double variation; /**< integral of (d curvature / ds)^2 ds; HUGE_VAL when there are corners
+                         or curvature jumps */
     double max_curvature;
-    bool fair; /**< the default verdict: no excess inflections */
+    bool fair;           /**< the default verdict: no excess inflections */
+    int corners;         /**< joints at which the direction turns by more than 1e-6 */
+    int curvature_jumps; /**< other joints at which curvature differs by more than 1e-6 of it */
 } batten_fairness;
 
 /**
  * Judge a curve. Of a function (dimension 1) the second derivative stands for curvature.
  *
  * Inflections and extrema are found exactly, by the roots of polynomials; energy and variation
- * are integrals with 16 Gauss-Legendre nodes on each span.
+ * are integrals with 16 Gauss-Legendre nodes on each span. Joints are the knots inside; the
+ * seam is one of a periodic curve only.
  *
  * @param points its data [count][dimension], from which the required inflections are counted:
  * the changes of side to which the polygon turns; of a function the values at its distinct

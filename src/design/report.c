@@ -41,7 +41,8 @@ static void json_fairness(batten_text *out, const batten_fairness *f)
     json_number(out, "variation", f->variation);
     batten_text_add(out, ", ");
     json_number(out, "max_curvature", f->max_curvature);
-    batten_text_add(out, "}");
+    batten_text_add(out, ", \"corners\": %d, \"curvature_jumps\": %d}", f->corners,
+                    f->curvature_jumps);
 }
 
 static void json_moves(batten_text *out, const batten_feature_result *r)
@@ -299,7 +300,17 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
     batten_text_add(out, "curvature extrema %d, largest curvature ", f->curvature_extrema);
     add_rounded(out, f->max_curvature);
     batten_text_add(out, ", energy ");
-    add_rounded(out, f->energy);
+    if (isfinite(f->energy)) {
+        add_rounded(out, f->energy);
+    } else {
+        batten_text_add(out, "infinite: ");
+        add_plural(out, f->corners, "corner");
+    }
+    if (f->curvature_jumps > 0) {
+        batten_text_add(out, ", ");
+        add_plural(out, f->curvature_jumps, "jump");
+        batten_text_add(out, " of curvature");
+    }
 }
 
 static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)

@@ -108,9 +108,12 @@ static double pace(const batten_chain *chain, int i)
     return chain->spans[i].length / (chain->breaks[i + 1] - chain->breaks[i]);
 }
 
-static batten_status add_jumps(const batten_chain *chain, double *sum)
+static batten_status add_joints(const batten_chain *chain, double largest, double length,
+                                batten_fairness *out)
 {
     const int d = batten_chain_dimension(chain), n = chain->count;
+    /* Slopes of a function have no size of their own. */
+    const bat_joint_scale scale = {largest, d == 1 ? 1e-9 * largest * length : 0, 0};
     batten_status status = BATTEN_OK;
     for (int i = !chain->closed; i < n && status == BATTEN_OK; i++) {
         double before[4 * 3], after[4 * 3];
@@ -120,8 +123,10 @@ static batten_status add_jumps(const batten_chain *chain, double *sum)
             status = batten_chain_evaluate_side(chain, chain->breaks[i], BATTEN_FROM_RIGHT, 3,
                                                 after);
         if (status == BATTEN_OK)
-            *sum += bat_third_jump(d, before, after);
+            bat_add_joint(d, before, after, &scale, out);
     }
+    if (status == BATTEN_OK)
+        bat_judge_joints(out);
     return status;
 }
 
@@ -248,7 +253,7 @@ batten_status batten_chain_fairness(const batten_chain *chain, int n, const doub
     if (status == BATTEN_OK)
         status = add_spans(chain, &p, &length, &found);
     if (status == BATTEN_OK)
-        status = add_jumps(chain, &found.jumps);
+        status = add_joints(chain, p.largest, length, &found);
     if (status == BATTEN_OK) {
         count(chain, &p, length, &found);
         found.excess_inflections = bat_max_int(0, found.inflections - required);

@@ -1,5 +1,6 @@
 #include "fair/criteria.h"
 #include "inspect/inflections.h"
+#include "inspect/singular.h"
 #include "numeric/quadrature.h"
 
 #include <float.h>
@@ -66,7 +67,7 @@ static batten_status note_curvature(const batten_curve *curve, double u, batten_
     return BATTEN_OK;
 }
 
-/* ---- jumps of the third derivative ---- */
+/* ---- joints ---- */
 
 /*
  * The derivative of the curvature vector with respect to arc length, across the tangent; of a
@@ -84,27 +85,89 @@ static void third_across(int d, const double *c, double out[3])
     }
 }
 
-double bat_third_jump(int d, const double *before, const double *after)
+/* Direction and curvature vector; of a function its first and second derivative. */
+static bool bend_across(int d, const double *c, double direction[3], double curvature[3])
 {
-    double a[3], b[3], sum = 0;
+    const double v2 = d == 1 ? 1 : bat_dot(d, c + d, c + d), v = sqrt(v2);
+    const double a = d == 1 ? 0 : bat_dot(d, c + d, c + 2 * d);
+    for (int k = 0; k < d && v2 > 0; k++) {
+        direction[k] = c[d + k] / v;
+        curvature[k] = (c[2 * d + k] - a / v2 * c[d + k]) / v2;
+    }
+    return v2 > 0;
+}
+
+/* What differs by less than this part is the same: constructions join their spans to some 1e-9.
+ */
+#define SAME 1e-6
+
+static void add_step(int d, const double *before, const double *after,
+                     const bat_joint_scale *scale, batten_fairness *out)
+{
+    double t[2][3], k[2][3];
+    if (!bend_across(d, before, t[0], k[0]) || !bend_across(d, after, t[1], k[1]))
+        return;
+    const double steepest = d == 1 ? bat_max(fabs(t[0][0]), fabs(t[1][0])) : 1;
+    const double bent = bat_max(bat_norm(d, k[0]), bat_norm(d, k[1]));
+    if (bat_distance(d, t[0], t[1]) > SAME * steepest + scale->direction_noise)
+        out->corners++;
+    else if (bat_distance(d, k[0], k[1]) >
+             SAME * bent + 1e-9 * scale->largest + scale->curvature_noise)
+        out->curvature_jumps++;
+}
+
+void bat_add_joint(int d, const double *before, const double *after,
+                   const bat_joint_scale *scale, batten_fairness *out)
+{
+    double a[3], b[3];
     third_across(d, before, a);
     third_across(d, after, b);
     for (int k = 0; k < d; k++)
-        sum += (b[k] - a[k]) * (b[k] - a[k]);
-    return sum;
+        out->jumps += (b[k] - a[k]) * (b[k] - a[k]);
+    add_step(d, before, after, scale, out);
+}
+
+void bat_judge_joints(batten_fairness *out)
+{
+    if (out->corners > 0)
+        out->energy = HUGE_VAL;
+    if (out->corners > 0 || out->curvature_jumps > 0)
+        out->variation = HUGE_VAL;
 }
 
 /* `left` and `right` are the parameters that stand for the two sides: the same, but for the
  * seam of a closed curve. */
-static batten_status add_jump(const batten_curve *curve, double left, double right, double *sum)
+static batten_status add_joint(const batten_curve *curve, double left, double right,
+                               batten_fairness *out)
 {
     const int d = batten_curve_dimension(curve);
     double before[4 * 3], after[4 * 3];
     batten_status status = batten_curve_evaluate_side(curve, left, BATTEN_FROM_LEFT, 3, before);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate_side(curve, right, BATTEN_FROM_RIGHT, 3, after);
+    if (status != BATTEN_OK)
+        return status;
+    const double h = bat_min(bat_span_width(curve, left, BATTEN_FROM_LEFT),
+                             bat_span_width(curve, right, BATTEN_FROM_RIGHT));
+    const double size = bat_curve_size(curve);
+    const double v = d == 1 ? 1 : bat_min(bat_norm(d, before + d), bat_norm(d, after + d));
+    const bat_joint_scale scale = {out->max_curvature,
+                                   2 * bat_derivative_roundoff(curve, 1, size, h) / v,
+                                   2 * bat_derivative_roundoff(curve, 2, size, h) / (v * v)};
+    bat_add_joint(d, before, after, &scale, out);
+    return BATTEN_OK;
+}
+
+static batten_status add_joints(const batten_curve *curve, int count, const double *knots,
+                                batten_fairness *out)
+{
+    batten_status status = BATTEN_OK;
+    for (int k = 1; status == BATTEN_OK && k + 1 < count; k++)
+        status = add_joint(curve, knots[k], knots[k], out);
+    if (status == BATTEN_OK && batten_curve_is_periodic(curve))
+        status = add_joint(curve, knots[count - 1], knots[0], out);
     if (status == BATTEN_OK)
-        *sum += bat_third_jump(d, before, after);
+        bat_judge_joints(out);
     return status;
 }
 
@@ -122,11 +185,9 @@ static batten_status add_spans(const batten_curve *curve, batten_fairness *out)
         status = note_curvature(curve, knots[k], out);
         if (status == BATTEN_OK && k + 1 < count)
             status = add_span(curve, &gauss, knots[k], knots[k + 1], out);
-        if (status == BATTEN_OK && k > 0 && k + 1 < count)
-            status = add_jump(curve, knots[k], knots[k], &out->jumps);
     }
-    if (status == BATTEN_OK && batten_curve_is_periodic(curve))
-        status = add_jump(curve, knots[count - 1], knots[0], &out->jumps);
+    if (status == BATTEN_OK)
+        status = add_joints(curve, count, knots, out);
     bat_release(knots);
     return status;
 }
@@ -195,6 +256,8 @@ void bat_fairness_add(batten_fairness *sum, const batten_fairness *one)
     sum->variation += one->variation;
     sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
     sum->fair = sum->fair && one->fair;
+    sum->corners += one->corners;
+    sum->curvature_jumps += one->curvature_jumps;
 }
 
 /* ---- any curve ---- */

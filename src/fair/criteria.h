@@ -17,10 +17,19 @@ batten_status bat_required_inflections(int width, int count, const double *t,
 batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
                                  batten_fairness *out);
 
-/* The square of the jump of the derivative of the curvature vector by arc length, across the
- * tangent; of a function of the third derivative. From the point and three derivatives [4][d]
- * on both sides. */
-double bat_third_jump(int d, const double *before, const double *after);
+/* What joints are measured by: the largest curvature of the whole, and what rounding alone may
+ * make of the direction and of the curvature on both sides. */
+typedef struct {
+    double largest, direction_noise, curvature_noise;
+} bat_joint_scale;
+
+/* Add a joint: the square of the jump of the derivative of the curvature vector by arc length,
+ * across the tangent (of a function of the third derivative), and whether it is a corner or a
+ * jump of curvature. From the point and three derivatives [4][d] on both sides. */
+void bat_add_joint(int d, const double *before, const double *after,
+                   const bat_joint_scale *scale, batten_fairness *out);
+/* After all joints: energy and variation are infinite where these make them so. */
+void bat_judge_joints(batten_fairness *out);
 
 /* Of a batten through z; required is what the points within their bounds require. */
 batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,

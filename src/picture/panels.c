@@ -73,10 +73,11 @@ static void find_curve_range(sheet *s)
     }
 }
 
-/* And the combs of at least half of them: the longest teeth of a wild curve are cut off, and do
+/* And their combs, but for one in five: the longest teeth of wild curves are cut off, and do
  * not make the others small. */
 static void add_comb_range(sheet *s)
 {
+    const int wild = s->count / 5;
     double low[MAX_PANELS], high[MAX_PANELS];
     for (int axis = 0; axis < 2; axis++) {
         for (int i = 0; i < s->count; i++) {
@@ -85,8 +86,8 @@ static void add_comb_range(sheet *s)
         }
         qsort(low, (size_t)s->count, sizeof *low, compare_numbers);
         qsort(high, (size_t)s->count, sizeof *high, compare_numbers);
-        s->low[axis] = bat_min(s->low[axis], low[(s->count - 1) / 2]);
-        s->high[axis] = bat_max(s->high[axis], high[s->count / 2]);
+        s->low[axis] = bat_min(s->low[axis], low[wild]);
+        s->high[axis] = bat_max(s->high[axis], high[s->count - 1 - wild]);
     }
 }
 

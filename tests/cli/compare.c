@@ -18,6 +18,31 @@ TEST(compare_draws_a_picture_and_prints_a_table)
     CHECK_CONTAINS(test_content(picture), "<svg");
 }
 
+TEST(compare_calls_the_variation_of_arcs_infinite)
+{
+    const char *points = write_points(), *picture = test_scratch("arcs.svg");
+    const test_process run =
+        RUN("batten", "compare", points, "-o", picture, "--methods", "interpolate,biarcs");
+    CHECK_CONTAINS(strstr(run.out, "\nbiarcs "), " inf ");
+    CHECK_CONTAINS(run.out, "\ninf: ");
+    const test_process json = RUN("batten", "compare", points, "-o", picture, "--methods",
+                                  "interpolate,biarcs", "--json");
+    const char *biarcs = strstr(json.out, "\"biarcs\"");
+    CHECK(biarcs != NULL);
+    CHECK_CONTAINS(biarcs, "\"variation\": null, \"corners\": 0, \"curvature_jumps\": ");
+    CHECK(strstr(json.out, "\"variation\": null") > biarcs);
+}
+
+TEST(compare_keeps_its_columns_with_long_names)
+{
+    const char *points = write_points(), *picture = test_scratch("long.svg");
+    const test_process run = RUN("batten", "compare", points, "-o", picture, "--methods",
+                                 "interpolate:parameters=chord:ends=natural,akima");
+    const char *head = strstr(run.out, "feature "), *row = strstr(run.out, "\nakima ");
+    CHECK(head && row);
+    CHECK_INT(strstr(row + 2, " akima ") - row, strstr(head, "operation") - head);
+}
+
 TEST(compare_takes_settings_behind_colons)
 {
     const char *points = write_points(), *picture = test_scratch("curves.png");

@@ -29,6 +29,8 @@ TEST(the_energies_of_the_nonlinear_splines_are_the_published_ones)
         CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
         CHECK_NEAR(fairness.energy, cases[i].energy, cases[i].digits);
         CHECK_INT(fairness.inflections, 0);
+        CHECK_INT(fairness.corners + fairness.curvature_jumps, 0);
+        CHECK(isfinite(fairness.variation));
         batten_chain_unref(chain);
     }
 }
@@ -64,6 +66,9 @@ TEST(steps_of_curvature_over_zero_are_inflections)
     CHECK_OK(batten_chain_create(2, 2, spans, NULL, false, 1e-12, &chain));
     CHECK_OK(batten_chain_fairness(chain, 0, NULL, &fairness));
     CHECK_INT(fairness.inflections, 1);
+    CHECK_INT(fairness.corners, 0);
+    CHECK_INT(fairness.curvature_jumps, 1);
+    CHECK(!isfinite(fairness.variation));
     CHECK_NEAR(fairness.energy, 2 * pi, 1e-14);
     batten_chain_unref(chain);
 }

@@ -120,7 +120,8 @@ TEST(G4_a_curve_with_a_cusp_is_judged_with_finite_numbers)
 TEST(a_family_has_sums_and_maxima_and_is_fair_when_all_are)
 {
     batten_fairness sum = {.fair = true};
-    const batten_fairness a = {1, 0, 2, 3, 4, 5, 6, true}, b = {1, 1, 1, 1, 1, 1, 1, false};
+    const batten_fairness a = {1, 0, 2, 3, 4, 5, 6, true, 1, 2};
+    const batten_fairness b = {1, 1, 1, 1, 1, 1, 1, false, 2, 3};
     bat_fairness_add(&sum, &a);
     CHECK(sum.fair);
     bat_fairness_add(&sum, &b);
@@ -132,4 +133,52 @@ TEST(a_family_has_sums_and_maxima_and_is_fair_when_all_are)
     CHECK_NEAR(sum.energy, 5, 0);
     CHECK_NEAR(sum.variation, 6, 0);
     CHECK_NEAR(sum.max_curvature, 6, 0);
+    CHECK_INT(sum.corners, 3);
+    CHECK_INT(sum.curvature_jumps, 5);
+}
+
+/* Pieces of degree 2 that meet at the origin: along x, as parabolas of curvatures k and 2; or
+ * with a turn. Both halves alone have a finite energy. */
+static void judge_joint(double k, double turn, int corners, int jumps)
+{
+    static const double knots[] = {0, 0, 0, 1, 1, 2, 2, 2};
+    const double points[] = {-2, 2 * k, -1, 0, 0, 0, 1, turn, 2, 4 + 2 * turn};
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(batten_curve_create(2, 2, 5, points, NULL, knots, &curve));
+    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_INT(found.corners, corners);
+    CHECK_INT(found.curvature_jumps, jumps);
+    CHECK_INT(isfinite(found.energy), corners == 0);
+    CHECK_INT(isfinite(found.variation), corners + jumps == 0);
+    batten_curve_unref(curve);
+}
+
+TEST(corners_make_the_energy_infinite_and_jumps_of_curvature_the_variation)
+{
+    judge_joint(2, 0, 0, 0);
+    judge_joint(2 * (1 + 1e-8), 0, 0, 0);
+    judge_joint(2 * (1 + 1e-5), 0, 0, 1);
+    judge_joint(0.5, 0, 0, 1);
+    judge_joint(-2, 0, 0, 1);
+    judge_joint(2, 1e-8, 0, 0);
+    judge_joint(2, 1e-3, 1, 0);
+}
+
+/* y = |x|, then with a step of the second derivative alone. */
+TEST(functions_are_judged_by_their_first_and_second_derivative)
+{
+    static const double knots[] = {-1, -1, -1, 0, 0, 1, 1, 1};
+    static const double values[2][5] = {{1, 0.5, 0, 0.5, 1}, {1, 0.5, 0, -0.5, 0}};
+    for (int k = 0; k < 2; k++) {
+        batten_curve *curve = NULL;
+        batten_fairness found;
+        CHECK_OK(batten_curve_create(1, 2, 5, values[k], NULL, knots, &curve));
+        CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+        CHECK_INT(found.corners, k == 0);
+        CHECK_INT(found.curvature_jumps, k == 1);
+        CHECK_INT(isfinite(found.energy), k == 1);
+        CHECK(!isfinite(found.variation));
+        batten_curve_unref(curve);
+    }
 }

@@ -93,19 +93,23 @@ TEST(the_teeth_of_one_wild_curve_do_not_make_the_others_small)
     batten_model *low = wave(0.1), *wild = scene_empty();
     static const double peak[] = {0, 0, 0, 2, 0, 0, 2, 0.1, 0, 2, 0, 0, 4, 0, 0};
     scene_add_curve(wild, "wild", scene_curve(3, 3, 5, peak));
-    const batten_panel panels[] = {{"", low, 0, NULL}, {"", low, 0, NULL}, {"", wild, 0, NULL}};
+    const batten_panel panels[] = {{"", low, 0, NULL},
+                                   {"", low, 0, NULL},
+                                   {"", low, 0, NULL},
+                                   {"", low, 0, NULL},
+                                   {"", wild, 0, NULL}};
     batten_picture_options options = batten_picture_defaults();
     int width[2];
     options.comb = true;
     options.width = 1000;
-    options.height = 1200;
+    options.height = 2000;
     for (int k = 0; k < 2; k++) {
         char *data = NULL;
         size_t size = 0;
-        CHECK_OK(batten_draw_panels(2 + k, panels, &options, &data, &size));
+        CHECK_OK(batten_draw_panels(4 + k, panels, &options, &data, &size));
         const scene_image image = scene_decode(data, size);
         batten_release(data);
-        width[k] = ink_width(&image, 0, 1200 / (2 + k));
+        width[k] = ink_width(&image, 0, 2000 / (4 + k));
     }
     CHECK_NEAR(width[1], width[0], 0.03 * width[0]);
     batten_model_unref(low);

@@ -46,6 +46,8 @@ static void add_fairness(batten_fairness *sum, const batten_fairness *one, bool 
     sum->variation += one->variation;
     sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
     sum->fair = one->fair && (first || sum->fair);
+    sum->corners += one->corners;
+    sum->curvature_jumps += one->curvature_jumps;
 }
 
 static batten_status append_moves(batten_fair_move **all, int *count,

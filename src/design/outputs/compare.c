@@ -4,6 +4,7 @@
 #include <batten/inspect.h>
 #include <batten/number.h>
 #include <batten/text.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -21,10 +22,10 @@ static const batten_parameter parameters[] = {
 /* What the curves of one feature add up to. */
 typedef struct {
     const batten_feature_result *feature;
-    int curves, inflections, extrema;
+    int curves, inflections, extrema, corners, jumps;
     bool in_space; /* inflections and extrema have no meaning for one of them */
     double length, energy, variation, sharpest;
-    char lines[3][120];
+    char lines[3][160];
     const char *shown[3];
 } column;
 
@@ -35,6 +36,8 @@ static void add(const batten_fairness *fairness, double length, bool in_space, c
     c->curves++;
     c->inflections += fairness->inflections;
     c->extrema += fairness->curvature_extrema;
+    c->corners += fairness->corners;
+    c->jumps += fairness->curvature_jumps;
     c->in_space = c->in_space || in_space;
     c->length += length;
     c->energy += fairness->energy;
@@ -89,13 +92,29 @@ static void count_text(const column *c, int count, char *text, size_t size)
         snprintf(text, size, "%d", count);
 }
 
+/* "energy 5.5 1/m   variation 3 1/m^3", or why they are infinite. */
+static void describe_bending(column *c, const char *unit)
+{
+    char energy[64], variation[64];
+    if (c->corners > 0)
+        snprintf(energy, sizeof energy, "infinite (corners: %d)", c->corners);
+    else
+        snprintf(energy, sizeof energy, "%.5g 1/%s", c->energy, unit);
+    if (c->jumps > 0)
+        snprintf(variation, sizeof variation, "infinite (jumps of curvature: %d)", c->jumps);
+    else if (c->corners > 0)
+        snprintf(variation, sizeof variation, "infinite");
+    else
+        snprintf(variation, sizeof variation, "%.4g 1/%s\xC2\xB3", c->variation, unit);
+    snprintf(c->lines[0], sizeof c->lines[0], "energy %s   variation %s", energy, variation);
+}
+
 static void describe(column *c, const char *unit)
 {
     char inflections[16], extrema[16];
     count_text(c, c->inflections, inflections, sizeof inflections);
     count_text(c, c->extrema, extrema, sizeof extrema);
-    snprintf(c->lines[0], sizeof c->lines[0], "energy %.5g 1/%s   variation %.4g 1/%s\xC2\xB3",
-             c->energy, unit, c->variation, unit);
+    describe_bending(c, unit);
     snprintf(c->lines[1], sizeof c->lines[1],
              "inflections %s   extrema of curvature %s   max \xCE\xBA %.3g 1/%s", inflections,
              extrema, c->sharpest, unit);
@@ -125,31 +144,58 @@ static batten_status measure(const bat_run *run, column *columns)
 
 /* ---- as a table, as JSON, as a picture ---- */
 
+static const char *name_of(const column *c)
+{
+    return c->feature->name;
+}
+
+static const char *kind_of(const column *c)
+{
+    return c->feature->operation;
+}
+
+static int widest(int count, const column *columns, const char *(*text_of)(const column *c))
+{
+    size_t widest = 18;
+    for (int i = 0; i < count; i++)
+        if (strlen(text_of(&columns[i])) > widest)
+            widest = strlen(text_of(&columns[i]));
+    return (int)widest;
+}
+
 static void put_table(const bat_run *run, int count, const column *columns, batten_text *text)
 {
     const char *unit = batten_unit_name(bat_unit_metres(run));
-    batten_text_add(text, "%-18s %-18s %12s %12s %11s %8s %10s %12s %9s\n", "feature",
-                    "operation", "energy", "variation", "inflections", "extrema", "max curv",
-                    "length", "ms");
+    bool infinite = false;
+    const int names = widest(count, columns, name_of), kinds = widest(count, columns, kind_of);
+    batten_text_add(text, "%-*s %-*s %12s %12s %11s %8s %10s %12s %9s\n", names, "feature",
+                    kinds, "operation", "energy", "variation", "inflections", "extrema",
+                    "max curv", "length", "ms");
     for (int i = 0; i < count; i++) {
         const column *c = &columns[i];
         char inflections[16], extrema[16];
         count_text(c, c->inflections, inflections, sizeof inflections);
         count_text(c, c->extrema, extrema, sizeof extrema);
-        batten_text_add(text, "%-18s %-18s %12.6g %12.6g %11s %8s %10.4g %12.8g %9.3f\n",
-                        c->feature->name, c->feature->operation, c->energy, c->variation,
-                        inflections, extrema, c->sharpest, c->length,
-                        1e3 * c->feature->seconds);
+        infinite |= c->corners + c->jumps > 0;
+        batten_text_add(text, "%-*s %-*s %12.6g %12.6g %11s %8s %10.4g %12.8g %9.3f\n", names,
+                        name_of(c), kinds, kind_of(c), c->energy, c->variation, inflections,
+                        extrema, c->sharpest, c->length, 1e3 * c->feature->seconds);
     }
     batten_text_add(
         text, "\nenergy: integral of curvature^2; variation: of (d curvature / ds)^2; in %s\n",
         unit ? unit : "the unit of the design");
+    if (infinite)
+        batten_text_add(text, "inf: of a curve with corners both are infinite, of one whose "
+                              "curvature jumps the variation\n");
 }
 
 static void put_number(batten_text *text, const char *key, double value)
 {
     batten_text_add(text, ", \"%s\": ", key);
-    batten_text_number(text, value);
+    if (isfinite(value))
+        batten_text_number(text, value);
+    else
+        batten_text_add(text, "null");
 }
 
 static void put_json(int count, const column *columns, batten_text *text)
@@ -163,6 +209,8 @@ static void put_json(int count, const column *columns, batten_text *text)
         batten_text_json(text, c->feature->operation);
         put_number(text, "energy", c->energy);
         put_number(text, "variation", c->variation);
+        batten_text_add(text, ", \"corners\": %d, \"curvature_jumps\": %d", c->corners,
+                        c->jumps);
         if (!c->in_space)
             batten_text_add(text, ", \"inflections\": %d, \"curvature_extrema\": %d",
                             c->inflections, c->extrema);
