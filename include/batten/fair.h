@@ -31,7 +31,9 @@ typedef struct batten_fairness {
 /**
  * Judge a curve. Of a function (dimension 1) the second derivative stands for curvature.
  *
- * Inflections and extrema are found exactly, by the roots of polynomials; energy and variation
+ * Inflections and extrema are found exactly, by the roots of polynomials; extrema between which
+ * curvature changes by less than 1e-6 of the largest are not counted, for a search leaves such
+ * waves on what should be an arc. Energy and variation
  * are integrals with 16 Gauss-Legendre nodes on each span. Joints are the knots inside; the
  * seam is one of a periodic curve only.
  *

@@ -156,44 +156,17 @@ static batten_status add_spans(const batten_chain *chain, profile *p, double *le
 
 /* ---- counting ---- */
 
-typedef struct {
-    int sign, direction; /* of the last curvature that was not 0, of the last change */
-    double from;         /* the curvature from which changes are measured */
-    int inflections, extrema;
-} scan;
-
-/* Changes of up to `flat` and curvatures up to `zero` are none. */
-static void walk(const profile *p, double zero, double flat, scan *s)
-{
-    for (int i = 0; i < p->count; i++) {
-        const double k = p->curvature[i];
-        const int sign = (k > zero) - (k < -zero);
-        if (sign * s->sign < 0)
-            s->inflections++;
-        if (sign != 0)
-            s->sign = sign;
-        const double change = k - s->from;
-        const int direction = (change > flat) - (change < -flat);
-        if (direction * s->direction < 0)
-            s->extrema++;
-        if (direction != 0)
-            s->direction = direction;
-        if (direction != 0 || change * s->direction > 0)
-            s->from = k;
-    }
-}
-
 static void count(const batten_chain *chain, const profile *p, double length,
                   batten_fairness *out)
 {
     const double small = 1e-9 * p->largest;
     /* A turn of 1e-14 over the whole length is rounding. */
     const double zero = chain->dimension > 1 ? bat_max(small, 1e-14 / length) : small;
-    scan s = {.from = p->curvature[0]};
-    walk(p, zero, zero, &s);
+    bat_scan s = {.from = p->curvature[0]};
+    bat_scan_walk(p->count, p->curvature, zero, zero, &s);
     if (chain->closed) { /* once more around, now knowing where it came from */
         s.inflections = s.extrema = 0;
-        walk(p, zero, zero, &s);
+        bat_scan_walk(p->count, p->curvature, zero, zero, &s);
     }
     out->inflections = chain->dimension < 3 ? s.inflections : 0;
     out->curvature_extrema = s.extrema;

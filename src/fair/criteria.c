@@ -192,6 +192,56 @@ static batten_status add_spans(const batten_curve *curve, batten_fairness *out)
     return status;
 }
 
+/* ---- counting ---- */
+
+void bat_scan_walk(int count, const double *curvature, double zero, double flat, bat_scan *s)
+{
+    for (int i = 0; i < count; i++) {
+        const double k = curvature[i];
+        const int sign = (k > zero) - (k < -zero);
+        if (sign * s->sign < 0)
+            s->inflections++;
+        if (sign != 0)
+            s->sign = sign;
+        const double change = k - s->from;
+        const int direction = (change > flat) - (change < -flat);
+        if (direction * s->direction < 0)
+            s->extrema++;
+        if (direction != 0)
+            s->direction = direction;
+        if (direction != 0 || change * s->direction > 0)
+            s->from = k;
+    }
+}
+
+/* Of the extrema found, those between which curvature changes by more than `flat`. */
+static batten_status count_waves(const batten_curve *curve, const batten_parameters *extrema,
+                                 double flat, int *out)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const int n = extrema->count;
+    double *k = bat_array((size_t)n + 2, sizeof *k);
+    batten_status status = k ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < n + 2; i++) {
+        bend at = {0};
+        const double u = i == 0 ? domain.a : i <= n ? extrema->at[i - 1] : domain.b;
+        status = bend_at(curve, u, i <= n ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &at);
+        if (status == BATTEN_OK)
+            k[i] = at.curvature;
+    }
+    if (status == BATTEN_OK) {
+        bat_scan scan = {.from = k[0]};
+        bat_scan_walk(n + 2, k, 0, flat, &scan);
+        if (batten_curve_is_periodic(curve)) { /* once more, knowing where it came from */
+            scan.extrema = 0;
+            bat_scan_walk(n + 2, k, 0, flat, &scan);
+        }
+        *out = bat_min_int(n, scan.extrema);
+    }
+    bat_release(k);
+    return status;
+}
+
 /* ---- the verdict ---- */
 
 static batten_status count_turns(const batten_curve *curve, int required, double uncertainty,
@@ -207,6 +257,10 @@ static batten_status count_turns(const batten_curve *curve, int required, double
     out->fair = out->excess_inflections == 0;
     for (int k = 0; status == BATTEN_OK && k < extrema.count; k++)
         status = note_curvature(curve, extrema.at[k], out);
+    /* Where curvature jumps, it may come back to the same value without a turn. */
+    if (status == BATTEN_OK && out->corners + out->curvature_jumps == 0)
+        status =
+            count_waves(curve, &extrema, SAME * out->max_curvature, &out->curvature_extrema);
     batten_release(extrema.at);
     batten_release(inflections.at);
     return status;
@@ -216,9 +270,9 @@ batten_status bat_curve_fairness(const batten_curve *curve, int required, double
                                  batten_fairness *out)
 {
     batten_fairness found = {0};
-    batten_status status = count_turns(curve, required, uncertainty, &found);
+    batten_status status = add_spans(curve, &found);
     if (status == BATTEN_OK)
-        status = add_spans(curve, &found);
+        status = count_turns(curve, required, uncertainty, &found);
     if (status == BATTEN_OK)
         *out = found;
     return status;

@@ -31,6 +31,16 @@ void bat_add_joint(int d, const double *before, const double *after,
 /* After all joints: energy and variation are infinite where these make them so. */
 void bat_judge_joints(batten_fairness *out);
 
+/* Curvatures along a curve, walked through in order. Begins with {.from = the first}. */
+typedef struct {
+    int sign, direction; /* of the last curvature that was not 0, of the last change */
+    double from;         /* the curvature from which changes are measured */
+    int inflections, extrema;
+} bat_scan;
+/* Changes of up to `flat` and curvatures up to `zero` are none. */
+void bat_scan_walk(int count, const double *curvature, double zero, double flat,
+                   bat_scan *scan);
+
 /* Of a batten through z; required is what the points within their bounds require. */
 batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
                                   const double *within, const double *z, batten_fairness *out);

@@ -165,6 +165,37 @@ TEST(corners_make_the_energy_infinite_and_jumps_of_curvature_the_variation)
     judge_joint(2, 1e-3, 1, 0);
 }
 
+/* A function with the second derivatives 6, 6 + wave, 6, 6 + wave ... at its knots, and linear
+ * between them: each knot inside is an extremum. */
+static int waves_of(double wave)
+{
+    enum { SPANS = 6 };
+    double powers[SPANS][4] = {{0}}, breaks[SPANS + 1] = {0};
+    for (int i = 0; i < SPANS; i++) {
+        const double *last = powers[i > 0 ? i - 1 : 0];
+        const double k = i % 2 ? 6 + wave : 6, rate = i % 2 ? -wave : wave;
+        breaks[i + 1] = i + 1;
+        powers[i][0] = i ? last[0] + last[1] + last[2] + last[3] : 0;
+        powers[i][1] = i ? last[1] + 2 * last[2] + 3 * last[3] : 0;
+        powers[i][2] = k / 2;
+        powers[i][3] = rate / 6;
+    }
+    batten_curve *curve = NULL;
+    batten_fairness found;
+    CHECK_OK(batten_curve_from_power(1, 3, SPANS, breaks, &powers[0][0], 1e-12, &curve));
+    CHECK_OK(batten_curve_fairness(curve, 0, NULL, &found));
+    CHECK_INT(found.corners + found.curvature_jumps, 0);
+    batten_curve_unref(curve);
+    return found.curvature_extrema;
+}
+
+TEST(waves_of_a_millionth_of_the_curvature_are_no_extrema)
+{
+    CHECK_INT(waves_of(1), 5);
+    CHECK_INT(waves_of(1e-4), 5);
+    CHECK_INT(waves_of(1e-7), 0);
+}
+
 /* y = |x|, then with a step of the second derivative alone. */
 TEST(functions_are_judged_by_their_first_and_second_derivative)
 {
