@@ -71,7 +71,7 @@ static int run_design(const arguments *given)
     int exit = EXIT_FAILED;
     if (status == BATTEN_OK)
         exit = check_design(design, arguments_has(given, "json"), notes);
-    notes_show(notes);
+    exit == EXIT_FAILED ? failed_show(notes) : notes_show(notes);
     if (status != BATTEN_OK)
         exit = output_failed("check", status);
     batten_design_free(design);

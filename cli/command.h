@@ -40,6 +40,8 @@ option *command_options(const command *c, const char *method, int *count);
 
 /* Catch the signals and say whether progress may be shown. */
 void job_begin(bool quiet);
+/* Was that asked for? Remarks are not shown then either, but warnings are. */
+bool job_is_quiet(void);
 /* The job to hand to the library. */
 const batten_job *job_get(void);
 /* Wipe the progress line. */
@@ -49,7 +51,8 @@ int job_exit(int otherwise);
 
 /* ---- input and output ---- */
 
-/* A place of a message: show all notes on standard error. */
+/* Show all notes on standard error, remarks unless that is quiet. Notes of a design that the
+ * command made itself have no file, and no place. */
 void notes_show(const batten_notes *notes);
 /* Of a failure: without the note that the message, which output_failed prints, says again. */
 void failed_show(const batten_notes *notes);
@@ -66,7 +69,9 @@ batten_status input_split(const char *argument, char **file, const char **name);
 int output_print(batten_text *text);
 /* Save bytes to a file, or print them for "-". */
 int output_save(const char *path, const char *data, size_t size);
-/* Say why something failed: the library's message. */
+/* The library's message, without the place ":5:39: " in a design that has no file. */
+const char *message_shown(void);
+/* Say why something failed: that message. */
 int output_failed(const char *name, batten_status status);
 
 #endif

@@ -175,7 +175,6 @@ static batten_status open_design(const comparison *c, batten_design **design)
 {
     batten_text text = BATTEN_TEXT;
     batten_design_options o = batten_design_defaults();
-    o.file_name = "compare";
     o.allow_outside = true;
     o.provided_file = c->given->files[0];
     o.provided = c->model;
@@ -200,7 +199,7 @@ static batten_status find_working(comparison *c, batten_design *design, int *wor
         m->works = one == BATTEN_OK || one == BATTEN_PARTLY_READ;
         *working += m->works;
         if (!m->works)
-            complain("left out: %s", batten_message());
+            complain("left out: %s", message_shown());
     }
     return *working > 0
                ? BATTEN_OK
@@ -259,7 +258,7 @@ static int run_on(comparison *c)
         const int compared = compare(c);
         exit = compared == EXIT_DONE ? exit : compared;
     }
-    notes_show(c->notes);
+    exit == EXIT_FAILED ? failed_show(c->notes) : notes_show(c->notes);
     batten_model_unref(model);
     return exit;
 }

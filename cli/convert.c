@@ -3,6 +3,7 @@
 #include <string.h>
 
 static const option options[] = {
+    {"output", 'o', OPTION_VALUE, "OUT", "the file to write, instead of the second word"},
     {"unit", 0, OPTION_VALUE, "UNIT",
      "the unit of the result: m, mm, in, ft ... (that of the input)"},
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
@@ -59,23 +60,38 @@ static batten_status change_unit(double from, double to, batten_model **model)
     return status;
 }
 
-static int report(const arguments *given, const batten_model *model, const batten_notes *notes)
+static int report(const arguments *given, const char *output, const batten_model *model,
+                  const batten_notes *notes)
 {
     batten_text text = BATTEN_TEXT;
     const char *unit = batten_unit_name(batten_model_unit_metres(model));
     if (!arguments_has(given, "json")) {
         notes_show(notes);
-        return EXIT_DONE;
+        if (!arguments_has(given, "quiet"))
+            batten_text_add(&text, "wrote %s\n", output);
+        return output_print(&text);
     }
     batten_text_add(&text, "{\"from\": ");
     batten_text_json(&text, given->files[0]);
     batten_text_add(&text, ", \"to\": ");
-    batten_text_json(&text, given->files[1]);
+    batten_text_json(&text, output);
     batten_text_add(&text, ", \"objects\": %d, \"unit\": \"%s\",\n  \"messages\": ",
                     batten_model_count(model), unit ? unit : "");
     notes_json(&text, notes);
     batten_text_add(&text, "}\n");
     return output_print(&text);
+}
+
+/* OUT, as second word or by -o; NULL with a complaint when it is given twice or not at all. */
+static const char *output_of(const arguments *given)
+{
+    const char *chosen = arguments_get(given, "output");
+    const char *second = given->file_count > 1 ? given->files[1] : NULL;
+    if (chosen && second)
+        complain("batten convert: both -o %s and '%s' say what to write", chosen, second);
+    else if (!chosen && !second)
+        complain("batten convert: another file is missing; see 'batten help convert'");
+    return chosen && second ? NULL : chosen ? chosen : second;
 }
 
 static int run(const arguments *given)
@@ -85,9 +101,12 @@ static int run(const arguments *given)
     if (!unit_option(given, "from-unit", &from) || !unit_option(given, "unit", &to) ||
         !arguments_number("convert", given, "tolerance", &write.tolerance))
         return EXIT_USAGE;
-    if (batten_format_of_name(given->files[1]) == BATTEN_FORMAT_AUTO) {
+    const char *output = output_of(given);
+    if (!output)
+        return EXIT_USAGE;
+    if (batten_format_of_name(output) == BATTEN_FORMAT_AUTO) {
         complain("batten convert: the ending of '%s' names no format that can be written",
-                 given->files[1]);
+                 output);
         return EXIT_USAGE;
     }
     batten_notes *notes = NULL;
@@ -98,12 +117,14 @@ static int run(const arguments *given)
     if (exit != EXIT_FAILED) {
         batten_status status = change_unit(from, to, &model);
         if (status == BATTEN_OK)
-            status = batten_write_file(model, given->files[1], &write, notes);
-        const int reported = report(given, model, notes);
-        if (status != BATTEN_OK)
+            status = batten_write_file(model, output, &write, notes);
+        if (status == BATTEN_OK) {
+            const int reported = report(given, output, model, notes);
+            exit = reported == EXIT_DONE ? exit : reported;
+        } else {
+            failed_show(notes);
             exit = output_failed("convert", status);
-        else if (reported != EXIT_DONE)
-            exit = reported;
+        }
     }
     batten_model_unref(model);
     batten_notes_free(notes);
@@ -112,7 +133,7 @@ static int run(const arguments *given)
 
 const command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--unit UNIT]",
+    .usage = "IN OUT [--unit UNIT] or IN -o OUT",
     .summary = "write what is in one file into another format",
     .manual = "OUT ends in .step or .igs; for curves also in .dxf or .svg (true scale) or .nc "
               "(G-code), for points\n"
@@ -120,7 +141,7 @@ const command command_convert = {
               "reported; "
               "exit status 3\n"
               "when only a part of IN could be read.",
-    .least_files = 2,
+    .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],
     .options = options,

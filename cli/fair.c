@@ -34,9 +34,11 @@ const command command_fair = {
     .name = "fair",
     .usage = "IN -o OUT --within TOL",
     .summary = "fair a curve or a table of offsets, moving no point farther than allowed",
-    .manual = "IN is a table of offsets, points, or a file of curves. The report says how far "
-              "points were moved and\n"
-              "how many excess inflections there were before and after.",
+    .manual = "IN is a table of offsets, or points, through which a curve is interpolated. "
+              "Curves of IGES\n"
+              "files do not say through which points they go, and cannot be made fair. The "
+              "report says how far\n"
+              "points were moved and how many excess inflections there were before and after.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

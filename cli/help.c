@@ -193,6 +193,8 @@ static const char files_manual[] =
     "tables (.csv),\n"
     "reports (.txt, .json), pictures (.svg, .pdf, .png), and drawings at true "
     "scale (.svg).\n"
+    "In a design 'plan.svg: plan' is a picture on a page, 'plan.svg: {write: plan}' the "
+    "drawing at true scale.\n"
     "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads "
     "it.\n";
 
@@ -221,6 +223,28 @@ static int print_as(const char *form)
     return output_print(&text);
 }
 
+/* Are two names the same but for hyphens? */
+static bool same_letters(const char *a, const char *b)
+{
+    do {
+        a += *a == '-';
+        b += *b == '-';
+        if (*a != *b)
+            return false;
+    } while (*a++ && *b++);
+    return true;
+}
+
+/* The feature of that name, or the one that is spelt so but for hyphens: "gcode". */
+static const batten_feature *find_feature(const char *topic)
+{
+    const batten_feature *found = batten_feature_find(topic);
+    for (int i = 0; !found && i < batten_feature_count(); i++)
+        if (same_letters(topic, batten_feature_at(i)->name))
+            found = batten_feature_at(i);
+    return found;
+}
+
 static int run(const arguments *given)
 {
     batten_text text = BATTEN_TEXT;
@@ -229,7 +253,7 @@ static int run(const arguments *given)
         return print_as(form);
     const char *topic = given->file_count ? given->files[0] : NULL;
     const command *c = topic ? command_find(topic) : NULL;
-    const batten_feature *f = topic ? batten_feature_find(topic) : NULL;
+    const batten_feature *f = topic ? find_feature(topic) : NULL;
     if (!topic)
         add_commands(&text);
     else if (strcmp(topic, "features") == 0)

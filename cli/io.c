@@ -20,14 +20,13 @@ static void show(const batten_notes *notes, const char *message)
     job_end();
     for (int i = 0; i < batten_notes_count(notes); i++) {
         const batten_note *note = batten_notes_at(notes, i);
-        if (message && ends(message, note->text))
+        if ((message && ends(message, note->text)) || (note->is_remark && job_is_quiet()))
             continue;
         char place[32] = "";
-        if (note->line > 0)
+        if (*note->file && note->line > 0)
             snprintf(place, sizeof place, "%d:", note->line);
         complain("%s%s%s%s%s%s%s", note->file, *note->file ? ":" : "", place,
-                 *note->file || *place ? " " : "", note->entity, *note->entity ? ": " : "",
-                 note->text);
+                 *note->file ? " " : "", note->entity, *note->entity ? ": " : "", note->text);
     }
     if (batten_notes_dropped(notes) > 0)
         complain("and %d more messages", batten_notes_dropped(notes));
@@ -54,7 +53,7 @@ void notes_json(batten_text *text, const batten_notes *notes)
         batten_text_json(text, note->entity);
         batten_text_add(text, ", \"text\": ");
         batten_text_json(text, note->text);
-        batten_text_add(text, "}");
+        batten_text_add(text, ", \"remark\": %s}", note->is_remark ? "true" : "false");
     }
     batten_text_add(text, "%s]", batten_notes_count(notes) ? "\n  " : "");
 }
@@ -142,7 +141,7 @@ int input_read(const char *argument, batten_notes *notes, batten_model **model)
         status = select_object(name, &made);
     batten_release(file);
     if (status != BATTEN_OK && status != BATTEN_PARTLY_READ) {
-        notes_show(notes);
+        failed_show(notes);
         complain("batten: %s", batten_message());
         batten_model_unref(made);
         return EXIT_FAILED;
@@ -185,12 +184,20 @@ int output_save(const char *path, const char *data, size_t size)
     return EXIT_FAILED;
 }
 
+const char *message_shown(void)
+{
+    const char *message = batten_message(), *at = message;
+    for (int i = 0; i < 2 && *at == ':'; i++)
+        at += 1 + strspn(at + 1, "0123456789");
+    return at > message && at[0] == ':' && at[1] == ' ' ? at + 2 : message;
+}
+
 int output_failed(const char *name, batten_status status)
 {
     job_end();
     if (status == BATTEN_CANCELLED)
         complain("batten %s: cancelled; what was being written is as it was before", name);
     else
-        complain("batten %s: %s", name, batten_message());
+        complain("batten %s: %s", name, message_shown());
     return job_exit(EXIT_FAILED);
 }

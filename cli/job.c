@@ -8,7 +8,7 @@
 
 /* The signal that came, or 0. The only thing a handler touches. */
 static volatile sig_atomic_t caught;
-static bool shows_progress, line_is_open;
+static bool shows_progress, line_is_open, is_quiet;
 
 static void catch_signal(int number)
 {
@@ -41,7 +41,13 @@ void job_begin(bool quiet)
     sigaction(SIGTERM, &action, NULL);
     /* A closed pipe is a failed write, which every writer reports. */
     signal(SIGPIPE, SIG_IGN);
+    is_quiet = quiet;
     shows_progress = !quiet && isatty(STDERR_FILENO);
+}
+
+bool job_is_quiet(void)
+{
+    return is_quiet;
 }
 
 const batten_job *job_get(void)

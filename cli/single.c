@@ -50,7 +50,6 @@ static batten_status open_design(const single *s, const arguments *given,
         unit = batten_unit_name(batten_model_unit_metres(model));
     batten_text text = BATTEN_TEXT;
     batten_design_options options = batten_design_defaults();
-    options.file_name = s->command;
     options.allow_outside = true;
     options.provided_file = given->files[0];
     options.provided = model;
@@ -90,7 +89,7 @@ static int apply(const single *s, const arguments *given, const batten_model *mo
     if (exit == EXIT_DONE && !batten_design_output_holds(design, 0))
         exit = EXIT_FAILED;
     if (!arguments_has(given, "json"))
-        notes_show(notes);
+        status == BATTEN_OK ? notes_show(notes) : failed_show(notes);
     if (status != BATTEN_OK)
         exit = output_failed(s->command, status);
     batten_release(data);

@@ -15,6 +15,7 @@ typedef struct batten_note {
     int line;           /**< from 1; 0 when it has no place */
     const char *entity; /**< "#317 B_SPLINE_CURVE", "station 4"; may be "" */
     const char *text;   /**< what is wrong, with the numbers, and what was done */
+    bool is_remark;     /**< nothing is wrong: it says what was found or done */
 } batten_note;
 
 /** A list of notes, at most `limit`, then counted. */
@@ -28,6 +29,11 @@ BATTEN_API void batten_notes_free(batten_notes *notes);
  * @param file, entity  copied; NULL counts as "" */
 BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
                                  const char *entity, const char *format, ...)
+    BATTEN_PRINTF(5, 6);
+
+/** The same, as a remark: something worth knowing that is no warning. */
+BATTEN_API void batten_notes_remark(batten_notes *notes, const char *file, int line,
+                                    const char *entity, const char *format, ...)
     BATTEN_PRINTF(5, 6);
 
 BATTEN_API int batten_notes_count(const batten_notes *notes);   /**< those that are kept */

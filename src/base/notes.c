@@ -59,7 +59,7 @@ static const char *put(char **place, const char *text)
 }
 
 static bool keep(batten_notes *notes, const char *file, int line, const char *entity,
-                 const char *text)
+                 const char *text, bool is_remark)
 {
     if (notes->count >= notes->limit || !make_room(notes))
         return false;
@@ -71,22 +71,38 @@ static bool keep(batten_notes *notes, const char *file, int line, const char *en
     note->line = line;
     note->entity = put(&place, entity);
     note->text = put(&place, text);
+    note->is_remark = is_remark;
     return true;
+}
+
+static void add(batten_notes *notes, const char *file, int line, const char *entity,
+                bool is_remark, const char *format, va_list arguments)
+{
+    char text[1024];
+    if (!notes)
+        return;
+    bat_format(text, sizeof text, format, arguments);
+    if (!keep(notes, file ? file : "", line, entity ? entity : "", text, is_remark) &&
+        notes->dropped < INT_MAX)
+        notes->dropped++;
 }
 
 void batten_notes_add(batten_notes *notes, const char *file, int line, const char *entity,
                       const char *format, ...)
 {
-    if (!notes)
-        return;
-    char text[1024];
     va_list arguments;
     va_start(arguments, format);
-    bat_format(text, sizeof text, format, arguments);
+    add(notes, file, line, entity, false, format, arguments);
     va_end(arguments);
-    if (!keep(notes, file ? file : "", line, entity ? entity : "", text) &&
-        notes->dropped < INT_MAX)
-        notes->dropped++;
+}
+
+void batten_notes_remark(batten_notes *notes, const char *file, int line, const char *entity,
+                         const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    add(notes, file, line, entity, true, format, arguments);
+    va_end(arguments);
 }
 
 int batten_notes_count(const batten_notes *notes)

@@ -300,7 +300,9 @@ static batten_status fail_at(const bat_document *d, const bat_entry *entry,
     snprintf(said, sizeof said, "%s", batten_message());
     const bat_node *key = &d->tree.nodes[entry->key];
     const char *operation = entry->feature->shown.name;
-    batten_notes_add(notes, d->file_name, key->line, entry->name, "%s: %s", operation, said);
+    char where[200];
+    snprintf(where, sizeof where, "%s (%s)", entry->name, operation);
+    batten_notes_add(notes, d->file_name, key->line, where, "%s", said);
     return bat_fail(status, "%s:%d:%d: %s (%s): %s", d->file_name, key->line, key->column,
                     entry->name, operation, said);
 }

@@ -77,6 +77,9 @@ const char *bat_file_name(const bat_run *run);
  */
 #define bat_note(run, ...) \
     batten_notes_add((run)->notes, bat_file_name(run), (run)->line, (run)->name, __VA_ARGS__)
+/* The same of what is not odd: what was found, how many there are. */
+#define bat_remark(run, ...) \
+    batten_notes_remark((run)->notes, bat_file_name(run), (run)->line, (run)->name, __VA_ARGS__)
 
 /* ---- objects ---- */
 

@@ -31,6 +31,20 @@ static inline batten_status bat_smooth_options(const bat_run *run, const bat_dat
     return bat_check_closed(run, data);
 }
 
+/* What cross validation chose; it is blind where points are few or all follow one curve. */
+static inline void bat_note_validation(const bat_run *run, const bat_data *data,
+                                       const batten_fit_report *report)
+{
+    bat_remark(run,
+               "'%s': cross validation chose lambda %.3g: mean distance %.3g, largest %.3g",
+               data->name, report->lambda, report->rms, report->max);
+    if (report->freedom > 0.99 * data->count)
+        bat_note(run,
+                 "'%s': the curve goes through the points as if they had no errors: of %d "
+                 "points cross validation learns no better; give 'rms' to smooth them",
+                 data->name, data->count);
+}
+
 /* The smoothing spline and its like. */
 typedef batten_status bat_smoother(int dimension, int count, const double *points,
                                    const batten_smooth_options *options, double *parameters,
@@ -47,6 +61,8 @@ static inline batten_status bat_make_smooth(const bat_run *run, const bat_data *
     if (status == BATTEN_OK)
         status = smoother(data->dimension, data->count, data->points, options, made->parameters,
                           &report, &made->curve);
+    if (status == BATTEN_OK && options->by == BATTEN_SMOOTH_BY_VALIDATION)
+        bat_note_validation(run, data, &report);
     return bat_made_near(&report, status, made);
 }
 

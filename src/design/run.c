@@ -100,6 +100,20 @@ static bool is_wanted(const batten_object *object, unsigned kinds)
             object->point_count && !(kinds & BAT_CURVES));
 }
 
+/* What to do when curves are wanted and there are only points. */
+static const char *advice(const bat_run *run, const bat_argument *argument, unsigned kinds)
+{
+    bool has_points = false;
+    for (int i = 0; i < argument->count; i++) {
+        const batten_model *model = run->results[argument->items[i].count].value;
+        for (int k = 0; k < batten_model_count(model); k++)
+            has_points |= is_wanted(batten_model_object(model, k), BAT_POINTS | BAT_OFFSETS);
+    }
+    return has_points && (kinds & BAT_CURVES)
+               ? "; 'interpolate' ('batten fit') makes curves through its points"
+               : "";
+}
+
 batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
                          bat_objects *out)
 {
@@ -123,8 +137,9 @@ batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kin
     bat_release(found);
     char names[80];
     name_kinds(kinds, names, sizeof names);
-    return bat_fail(BATTEN_BAD_ARGUMENT, "%s are needed, and '%s' has none", names,
-                    argument->count ? argument->items[0].text : "the input");
+    return bat_fail(BATTEN_BAD_ARGUMENT, "%s are needed, and '%s' has none%s", names,
+                    argument->count ? argument->items[0].text : "the input",
+                    advice(run, argument, kinds));
 }
 
 void bat_objects_release(bat_objects *objects)

@@ -435,7 +435,8 @@ batten_status batten_curve_census(const batten_curve *curve, double tolerance, i
     if (batten_curve_is_rational(curve))
         return bat_fail(
             BATTEN_UNSUPPORTED,
-            "special points are counted of polynomial curves, not of rational ones");
+            "spans are classified of polynomial curves, and this one is rational, as circles "
+            "and conics are");
     batten_curve *bezier = NULL;
     batten_census *found = NULL;
     double *breaks = NULL;

@@ -345,11 +345,14 @@ batten_status batten_curve_classify(const batten_curve *curve, double tolerance,
 {
     const int degree = batten_curve_degree(curve);
     batten_curve *cubic = NULL, *bezier = NULL;
-    if (degree > 3 || batten_curve_is_rational(curve))
+    if (batten_curve_is_rational(curve))
+        return bat_fail(
+            BATTEN_UNSUPPORTED,
+            "spans are classified of polynomial curves, and this one is rational, as circles "
+            "and conics are");
+    if (degree > 3)
         return bat_fail(BATTEN_UNSUPPORTED,
-                        "spans are classified of polynomial curves of degree 3 at most, not of "
-                        "a %s curve of degree %d",
-                        batten_curve_is_rational(curve) ? "rational" : "polynomial", degree);
+                        "cubic spans are of degree 3 at most, not of degree %d", degree);
     batten_status status = check_arguments(batten_curve_dimension(curve), tolerance);
     if (status == BATTEN_OK)
         status = batten_curve_elevate(curve, 3 - degree, &cubic);

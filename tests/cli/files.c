@@ -107,9 +107,9 @@ TEST(build_makes_the_other_outputs_when_one_fails)
                      "outputs:\n  bad.igs: bad\n  worse.igs: bad\n  good.igs: good\n");
     const test_process run = RUN("batten", "build", path);
     CHECK_INT(run.exit, 1);
-    CHECK_CONTAINS(run.errors, "some.yaml:4: bad: ");
-    CHECK_CONTAINS(run.errors, "some.yaml:7: bad.igs: write: it needs 'bad', which failed");
-    CHECK_CONTAINS(run.errors, "some.yaml:8: worse.igs: ");
+    CHECK_CONTAINS(run.errors, "some.yaml:4: bad (tension): ");
+    CHECK_CONTAINS(run.errors, "some.yaml:7: bad.igs (write): it needs 'bad', which failed");
+    CHECK_CONTAINS(run.errors, "some.yaml:8: worse.igs (write): ");
     CHECK_CONTAINS(run.errors, "1 of 3 outputs were made");
     CHECK(strstr(run.errors, "good.igs") == NULL);
     CHECK_CONTAINS(run.out, "wrote good.igs");
@@ -155,6 +155,93 @@ TEST(points_alone_have_no_verdict)
     CHECK_CONTAINS(run.out, "'batten fit'");
     CHECK_CONTAINS(RUN("batten", "check", points, "--json").out, "\"fair\": null");
     CHECK_CONTAINS(RUN("batten", "check", write_table("alone.csv")).out, "No verdict: ");
+}
+
+static const char *write_wavy(const char *name)
+{
+    const char *path = test_scratch(name);
+    test_write(path, "0 0\n1 1.9\n2 3.1\n3 4.4\n4 4.3\n5 4.1\n6 3\n7 1.9\n8 0.1\n");
+    return path;
+}
+
+TEST(fair_takes_points_as_the_curve_through_them)
+{
+    const char *points = write_wavy("bumpy.xyz"), *faired = test_scratch("faired.xyz");
+    const char *design = test_scratch("faired.yaml");
+    CHECK_INT(RUN("batten", "fair", points, "-o", faired, "--within", "20 cm").exit, 0);
+    const char *alone = test_content(faired);
+    CHECK_CONTAINS(alone, "\n");
+    test_write(
+        design,
+        "batten: 1\nfeatures:\n  input: {read: bumpy.xyz}\n  curve: {interpolate: input}\n"
+        "  result: {fair: curve, within: 20 cm}\noutputs:\n  faired.xyz: result\n");
+    CHECK_INT(RUN("batten", "build", design).exit, 0);
+    CHECK_TEXT(test_content(faired), alone);
+
+    const char *curve = test_scratch("pointless.igs");
+    CHECK_INT(RUN("batten", "fit", points, "-o", curve).exit, 0);
+    const test_process run = RUN("batten", "fair", curve, "-o", faired, "--within", "1 cm");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "is a curve without the points it was made from");
+}
+
+TEST(measure_says_why_there_is_no_area)
+{
+    const char *points = test_scratch("profile.xyz"), *curve = test_scratch("profile.igs");
+    test_write(points, "10 0.1\n5 1\n1 0.8\n0 0\n1 -0.8\n5 -1\n10 -0.1\n");
+    CHECK_INT(RUN("batten", "fit", points, "-o", curve).exit, 0);
+    const test_process open = RUN("batten", "measure", curve);
+    CHECK_INT(open.exit, 0);
+    CHECK_CONTAINS(open.out, "no area: open by 0.2; 'within' (--within)");
+    CHECK_CONTAINS(RUN("batten", "measure", curve, "--json").out, "\"gap\": 0.2");
+    CHECK_CONTAINS(RUN("batten", "measure", curve, "--within", "0.3 m").out, "\n  area ");
+    CHECK_CONTAINS(RUN("batten", "measure", points).errors,
+                   "'interpolate' ('batten fit') makes curves through its points");
+}
+
+TEST(smoothing_says_what_cross_validation_chose)
+{
+    const char *noisy = test_scratch("noisy.xyz"), *curve = test_scratch("noisy.igs");
+    char text[1000] = "";
+    size_t used = 0;
+    for (int i = 0; i < 40; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%d %d\n", i,
+                                 (i * 7919) % 11 % 3);
+    test_write(noisy, text);
+    static const char chose[] = "cross validation chose lambda ";
+    CHECK_CONTAINS(RUN("batten", "fit", noisy, "-o", curve, "--method", "smooth").errors,
+                   chose);
+    CHECK_TEXT(RUN("batten", "fit", noisy, "-o", curve, "--method", "smooth", "-q").errors, "");
+    CHECK(!strstr(
+        RUN("batten", "fit", noisy, "-o", curve, "--method", "smooth", "--rms", "1").errors,
+        chose));
+}
+
+TEST(a_failure_is_said_once_and_without_a_place_in_no_file)
+{
+    const char *points = write_wavy("once.xyz"), *curve = test_scratch("once.igs");
+    test_process run = RUN("batten", "fit", points, "-o", curve, "--start-vector=up");
+    CHECK_INT(run.exit, 1);
+    CHECK(strncmp(run.errors, "batten fit: 'start-vector' of", 29) == 0);
+    const char *end = strchr(run.errors, '\n');
+    CHECK(end && !end[1]);
+    run = RUN("batten", "fit", points, "-o", curve, "--method", "circle");
+    CHECK_INT(run.exit, 1);
+    end = strchr(run.errors, '\n');
+    CHECK(end && !end[1]);
+}
+
+TEST(convert_takes_its_output_either_way)
+{
+    const char *points = write_wavy("either.xyz"), *output = test_scratch("either.csv");
+    test_process run = RUN("batten", "convert", points, "-o", output);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "wrote ");
+    CHECK_CONTAINS(run.out, output);
+    run = RUN("batten", "convert", points, output, "-q");
+    CHECK_INT(run.exit, 0);
+    CHECK_TEXT(run.out, "");
+    CHECK_INT(RUN("batten", "convert", points, output, "-o", output).exit, 2);
 }
 
 TEST(what_was_fitted_can_be_evaluated)

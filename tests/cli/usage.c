@@ -101,6 +101,12 @@ TEST(help_shows_the_tables_that_are_read)
     CHECK_CONTAINS(RUN("batten", "help", "files").out, "2-8-6");
 }
 
+TEST(help_finds_names_without_their_hyphens)
+{
+    CHECK_CONTAINS(RUN("batten", "help", "gcode").out, "g-code: ");
+    CHECK_INT(RUN("batten", "help", "gcod").exit, 2);
+}
+
 TEST(help_about_nothing_known_names_the_nearest)
 {
     check_usage(RUN("batten", "help", "skinn"), "did you mean 'skin'");

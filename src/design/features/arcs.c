@@ -36,11 +36,12 @@ static batten_arcs_options options_of(const bat_run *run)
 
 static void tell(bat_run *run, const char *name, const batten_arcs_report *report)
 {
-    bat_note(run,
-             "'%s': %d arcs and %d lines, %g beside it to the left and %g to the right; least "
-             "radius %g, largest corner %.3g degrees",
-             name, report->arcs, report->lines, report->left, report->right,
-             report->least_radius, report->largest_turn * 180 / 3.14159265358979323846);
+    bat_remark(
+        run,
+        "'%s': %d arcs and %d lines, %g beside it to the left and %g to the right; least "
+        "radius %g, largest corner %.3g degrees",
+        name, report->arcs, report->lines, report->left, report->right, report->least_radius,
+        report->largest_turn * 180 / 3.14159265358979323846);
 }
 
 /* ---- points ---- */

@@ -34,8 +34,8 @@ static batten_status blend(bat_run *run, const batten_curve *const curves[2],
         batten_curves_blend(curves[0], &ends[0], curves[1], &ends[1], &report, &made);
     if (status != BATTEN_OK)
         return status;
-    bat_note(run, "joins with G%d and G%d", report.joins[0].geometric,
-             report.joins[1].geometric);
+    bat_remark(run, "joins with G%d and G%d", report.joins[0].geometric,
+               report.joins[1].geometric);
     const double u[2] = {batten_curve_domain(curves[0]).b, batten_curve_domain(curves[1]).a};
     if (bat_yes(run, "whole"))
         status = bat_pair_join(curves, u, made, bat_tolerance(run), out);

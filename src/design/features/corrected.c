@@ -60,7 +60,7 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
     if (status != BATTEN_OK)
         return status;
     if (report.corrected > 0)
-        bat_note(run, "%d of %d spans corrected", report.corrected, report.span_count);
+        bat_remark(run, "%d of %d spans corrected", report.corrected, report.span_count);
     if (report.incurable > 0)
         bat_note(run,
                  "%d spans turn too far to be corrected, the first of them span %d; more "

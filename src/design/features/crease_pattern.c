@@ -152,9 +152,10 @@ const bat_feature bat_feature_crease_pattern = {
          "crease on\n"
          "'mountain' or 'valley' by the sign of the angle, and some rulings on 'rulings', "
          "along which the\n"
-         "sheets stay straight. Write it as .dxf or .svg, both at true scale. The parameters "
-         "are those of\n"
-         "'fold'.",
+         "sheets stay straight. Write it as .dxf, or as 'sheet.svg: {write: sheet}', both at "
+         "true\n"
+         "scale; 'sheet.svg: sheet' alone is a page with a picture. The parameters are those "
+         "of 'fold'.",
          "features:\n"
          "  edge: {arc: 1 m, angle: 120 deg}\n"
          "  sheet: {crease-pattern: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n"

@@ -45,8 +45,8 @@ static batten_status change(bat_run *run, const batten_object *object)
         status = extend(run, object->name, (batten_curve_end)k, curve, &report, &longer);
         if (status != BATTEN_OK)
             break;
-        bat_note(run, "%s: the %s joins with G%d", object->name, names[k][0],
-                 report.join.geometric);
+        bat_remark(run, "%s: the %s joins with G%d", object->name, names[k][0],
+                   report.join.geometric);
         bat_report_error(run, report.error, report.error);
         batten_curve_unref(curve);
         curve = longer;

@@ -10,7 +10,7 @@
 
 static const batten_parameter parameters[] = {
     {"fair", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
-     "a table of offsets, or curves that have points"},
+     "a table of offsets, points, or curves that have points"},
     {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "no point moves farther than this"},
     {"families", BATTEN_VALUE_WORD, false, false, "both", "stations lines both",
@@ -173,6 +173,31 @@ static batten_status fair_curve(bat_run *run, const batten_object *object, int s
     return status;
 }
 
+/* Points alone: those of the curve through them, which is made first. */
+static batten_status fair_row(bat_run *run, const batten_object *object, int set)
+{
+    const int count = object->point_count;
+    batten_object through = *object;
+    batten_curve *curve = NULL;
+    if (count < 2)
+        return batten_model_add(run->model, object);
+    double *parameters_of = bat_array((size_t)count, sizeof *parameters_of);
+    batten_status status = parameters_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_interpolate(3, count, object->points, &run->result->fit,
+                                          parameters_of, &curve);
+    through.kind = BATTEN_OBJECT_CURVE;
+    through.curve = curve;
+    through.parameters = parameters_of;
+    if (status == BATTEN_OK)
+        status = fair_curve(run, &through, set);
+    else if (status != BATTEN_OUT_OF_MEMORY)
+        status = bat_fail(status, "%s: %s", object->name, batten_message());
+    bat_release(parameters_of);
+    batten_curve_unref(curve);
+    return status;
+}
+
 /* ---- the whole input ---- */
 
 /* The options with which an input was interpolated, or the standard ones. */
@@ -191,10 +216,15 @@ static batten_status fair_curves(bat_run *run, const bat_objects *curves)
     for (int i = 0; i < curves->count && status == BATTEN_OK; i++) {
         const batten_object *object = curves->at[i];
         point_count += object->point_count;
-        if (object->kind != BATTEN_OBJECT_CURVE || object->point_count == 0)
-            status = bat_fail(BATTEN_BAD_ARGUMENT,
-                              "'%s' is no curve through points; interpolate points first",
-                              object->name);
+        if (object->kind == BATTEN_OBJECT_POINTS)
+            status = fair_row(run, object, i);
+        else if (object->kind != BATTEN_OBJECT_CURVE || object->point_count == 0)
+            status =
+                bat_fail(BATTEN_BAD_ARGUMENT,
+                         "'%s' is a %s without the points it was made from, and fairing "
+                         "moves points: make those fair, or points of it that 'divide' "
+                         "takes",
+                         object->name, object->kind == BATTEN_OBJECT_CURVE ? "curve" : "shape");
         else
             status = fair_curve(run, object, i);
     }
@@ -266,7 +296,10 @@ const bat_feature bat_feature_fair = {
          "a\n"
          "table; curves are interpolated anew through the moved points, with the parameters "
          "and\n"
-         "ends they had. Points that look like blunders are reported, not repaired.",
+         "ends they had; points alone get a curve as 'interpolate' makes it. Curves of IGES "
+         "and STEP\n"
+         "files have no points to move. Points that look like blunders are reported, not "
+         "repaired.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

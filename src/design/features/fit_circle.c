@@ -19,9 +19,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     if (status == BATTEN_OK) {
         const bool whole = bat_yes(run, "whole");
         made->has_parameters = false;
-        bat_note(run, "'%s': a circle of radius %.9g about [%.9g, %.9g, %.9g]", data->name,
-                 circle.radius, circle.frame.origin.x, circle.frame.origin.y,
-                 circle.frame.origin.z);
+        bat_remark(run, "'%s': a circle of radius %.9g about [%.9g, %.9g, %.9g]", data->name,
+                   circle.radius, circle.frame.origin.x, circle.frame.origin.y,
+                   circle.frame.origin.z);
         status = batten_curve_arc_in(&circle.frame, circle.radius, circle.start,
                                      whole ? BAT_TURN : circle.angle, &made->curve);
     }

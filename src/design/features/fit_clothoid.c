@@ -15,9 +15,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     if (status == BATTEN_OK) {
         for (int i = 0; i < data->count; i++)
             made->parameters[i] = bat_max(0, bat_min(span.length, made->parameters[i]));
-        bat_note(run, "'%s': a clothoid of length %.9g, curvature %.9g to %.9g", data->name,
-                 span.length, span.curvature[0],
-                 span.curvature[0] + span.length * span.curvature[1]);
+        bat_remark(run, "'%s': a clothoid of length %.9g, curvature %.9g to %.9g", data->name,
+                   span.length, span.curvature[0],
+                   span.curvature[0] + span.length * span.curvature[1]);
         status = batten_chain_create(2, 1, &span, NULL, false, 0, &made->chain);
     }
     return bat_made_primitive(&report, status, made);

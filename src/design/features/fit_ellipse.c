@@ -46,8 +46,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     batten_status status = batten_ellipse_fit(data->count, data->points, &ellipse, &report);
     if (status == BATTEN_OK) {
         made->has_parameters = false;
-        bat_note(run, "'%s': an ellipse with the half axes %.9g and %.9g", data->name,
-                 ellipse.a, ellipse.b);
+        bat_remark(run, "'%s': an ellipse with the half axes %.9g and %.9g", data->name,
+                   ellipse.a, ellipse.b);
         status = draw(&ellipse, bat_yes(run, "whole"), &made->curve);
     }
     return bat_made_primitive(&report, status, made);

@@ -49,7 +49,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     bat_release(corners);
     if (status != BATTEN_OK)
         return status;
-    bat_note(
+    bat_remark(
         run,
         "'%s': %d control points for %d points, %d corner%s; between points the curve is up "
         "to %.3g from their polygon",

@@ -92,7 +92,7 @@ static batten_status run(bat_run *run)
         fold.crease = NULL;
         status = bat_put_curve(run, status, crease);
     }
-    bat_note(
+    bat_remark(
         run,
         "%d samples along %.6g; the sheets may be %.4g (left) and %.4g (right) wide; lengths "
         "differ by %.1e from those of the flat sheet",

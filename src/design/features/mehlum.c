@@ -23,9 +23,9 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     const batten_status status = batten_chain_mehlum(data->count, data->points, &options, NULL,
                                                      made->parameters, &report, &made->chain);
     if (status == BATTEN_OK)
-        bat_note(run,
-                 "'%s': %d arcs, %g from the elastica at most; curvature steps by up to %g",
-                 data->name, report.arcs, report.deviation, report.jump);
+        bat_remark(run,
+                   "'%s': %d arcs, %g from the elastica at most; curvature steps by up to %g",
+                   data->name, report.arcs, report.deviation, report.jump);
     return status;
 }
 

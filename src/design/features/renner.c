@@ -27,8 +27,9 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_renner = {
     .shown = {"renner", "Cubics that keep straight runs straight, with nearly even speed",
-              "For outlines with straight parts and rounded ones in one row of points: three "
-              "points in line\n"
+              "For outlines with straight parts and rounded ones in one row of points; "
+              "corners stay only\n"
+              "with 'corners: keep'. Three points in line\n"
               "give an exactly straight piece, without the waves of a spline beside it. "
               "Tangents weigh both\n"
               "chords by the areas of the triangles beyond them, as Akima does with slopes; "

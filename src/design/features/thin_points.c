@@ -33,7 +33,7 @@ static batten_status thin(bat_run *run, const char *name, int of, const double *
                    ? status
                    : bat_fail(status, "%s: %s", name, batten_message());
     }
-    bat_note(run, "'%s': %d of %d points stay", name, *count, of);
+    bat_remark(run, "'%s': %d of %d points stay", name, *count, of);
     bat_report_error(run, report.max, report.rms);
     *points = made;
     return BATTEN_OK;

@@ -2,6 +2,7 @@
 #include <batten/measure.h>
 #include <batten/text.h>
 
+#include <math.h>
 #include <string.h>
 
 static const batten_parameter parameters[] = {
@@ -29,7 +30,7 @@ typedef struct {
     const char *name;
     int axis; /* across its plane; 2 for xy; -1: in space */
     bool closed, encloses, turns;
-    double length, error;
+    double length, error, gap; /* between the ends */
     batten_box box;
     batten_oriented_box oriented;
     batten_region region;
@@ -44,6 +45,17 @@ static void facts_end(facts *f)
 }
 
 /* ---- measuring ---- */
+
+static batten_status measure_gap(const batten_curve *curve, double *gap)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    double a[3] = {0}, b[3] = {0};
+    batten_status status = batten_curve_evaluate(curve, domain.a, 0, a);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate(curve, domain.b, 0, b);
+    *gap = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+    return status;
+}
 
 static batten_status measure_plane(const batten_curve *flat, double within, facts *f)
 {
@@ -89,6 +101,8 @@ static batten_status measure(const batten_object *object, double within, facts *
     if (status == BATTEN_OK)
         status = batten_curve_length(curve, 1e-12 * within, &f->length, &f->error);
     if (status == BATTEN_OK)
+        status = measure_gap(curve, &f->gap);
+    if (status == BATTEN_OK)
         status = batten_curve_bounds(curve, &f->box);
     if (status == BATTEN_OK)
         status = batten_curve_oriented_box(curve, within, &f->oriented);
@@ -129,6 +143,15 @@ static void text_region(batten_text *out, const facts *f)
     batten_text_add(out, " at %.9g degrees\n", degrees);
 }
 
+/* Why there is no area; ends that nearly meet may be meant to. */
+static void text_open(batten_text *out, const facts *f)
+{
+    batten_text_add(out, "  no area: open by %.9g", f->gap);
+    if (f->gap < f->length / 20)
+        batten_text_add(out, "; 'within' (--within), when it is more, closes it");
+    batten_text_add(out, "\n");
+}
+
 static void text_curve(batten_text *out, const facts *f)
 {
     const batten_vec3 low = f->box.low, high = f->box.high, c = f->oriented.centre;
@@ -144,6 +167,8 @@ static void text_curve(batten_text *out, const facts *f)
     batten_text_add(out, "\n");
     if (f->encloses)
         text_region(out, f);
+    else if (!f->closed && f->axis >= 0)
+        text_open(out, f);
     if (f->turns)
         batten_text_add(out, "  turning number %.9g\n", f->turning);
     for (int k = 0; k < LISTS; k++)
@@ -218,6 +243,7 @@ static void json_curve(batten_text *out, const facts *f)
     batten_text_add(out, ", \"type\": \"curve\", \"closed\": %s", f->closed ? "true" : "false");
     json_number(out, "length", f->length);
     json_number(out, "error", f->error);
+    json_number(out, "gap", f->gap);
     json_boxes(out, f);
     if (f->encloses)
         json_region(out, f);

@@ -38,7 +38,10 @@ const bat_feature bat_feature_write = {
          ".dxf with arcs as bulges, .svg at true scale for cutting, .nc for G-code with the "
          "usual settings\n"
          "('g-code' has the others).\n"
-         "'hull.step: hull' is short for 'hull.step: {write: hull}'.",
+         "'hull.step: hull' is short for 'hull.step: {write: hull}'. Not so of .svg, .pdf and "
+         ".png: there\n"
+         "'plan.svg: plan' is a page with a picture, and '{write: plan}' the drawing at true "
+         "scale.",
          "features:\n"
          "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
          "outputs:\n"

@@ -4,6 +4,13 @@
 #include <batten/units.h>
 #include <string.h>
 
+/* Curves count as the points they were made from, when they have them. */
+static bool is_of_kind(const batten_object *object, batten_object_kind kind)
+{
+    return object->kind == kind || (kind == BATTEN_OBJECT_POINTS &&
+                                    object->kind == BATTEN_OBJECT_CURVE && object->point_count);
+}
+
 /* A note for each object that a format with one kind of object cannot hold. */
 static void note_left_out(const batten_model *model, batten_notes *notes,
                           batten_object_kind kind, bool only_first)
@@ -11,8 +18,12 @@ static void note_left_out(const batten_model *model, batten_notes *notes,
     bool first = true;
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        const bool fits = object->kind == kind && (first || !only_first);
-        first &= object->kind != kind;
+        const bool fits = is_of_kind(object, kind) && (first || !only_first);
+        first &= !is_of_kind(object, kind);
+        if (fits && object->kind != kind)
+            batten_notes_add(
+                notes, "", 0, object->name,
+                "the format has no curves; the points it was made from are written");
         if (!fits)
             batten_notes_add(notes, "", 0, object->name,
                              "the format cannot hold this; left out");
@@ -22,7 +33,7 @@ static void note_left_out(const batten_model *model, batten_notes *notes,
 static const batten_object *first_of_kind(const batten_model *model, batten_object_kind kind)
 {
     for (int i = 0; i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == kind)
+        if (is_of_kind(batten_model_object(model, i), kind))
             return batten_model_object(model, i);
     return NULL;
 }
@@ -172,7 +183,7 @@ batten_status bat_write_points(const batten_model *model, batten_notes *notes,
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        if (object->kind != BATTEN_OBJECT_POINTS || object->point_count == 0)
+        if (!is_of_kind(object, BATTEN_OBJECT_POINTS) || object->point_count == 0)
             continue;
         if (!first)
             batten_text_bytes(text, "\n", 1);
