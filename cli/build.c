@@ -16,7 +16,7 @@ static const option options[] = {
      "evaluate this feature and what it needs; make no outputs"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
 /* Is there a parameter of that name? A misspelt one would be added, and change nothing. */

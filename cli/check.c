@@ -8,7 +8,7 @@ static const option options[] = {
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
 };
 
 static bool ends_in(const char *name, const char *ending)

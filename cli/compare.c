@@ -27,7 +27,7 @@ static const option options[] = {
      "names with commas between them, each with settings: tension:amount=5,akima; or all"},
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the table as JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no table"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no table, no remarks"},
 };
 
 /* What most designers want to see beside each other. */
@@ -300,9 +300,8 @@ const command command_compare = {
         "--methods interpolate:parameters=chord,tension:amount=8,elastica; a list stands in "
         "brackets:\n"
         "'spiro:curvature=[3, 4]'. 'batten help features' lists them; --methods all takes "
-        "every one that needs nothing but points. A method that "
-        "fails is left\n"
-        "out, and says why.",
+        "every\n"
+        "one that needs nothing but points. A method that fails is left out, and says why.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -10,7 +10,7 @@ static const option options[] = {
     {"tolerance", 0, OPTION_VALUE, "T",
      "for what the format cannot say exactly, in the result's unit"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
 /* A unit given by option, or 0 when none is; false when it is unknown. */

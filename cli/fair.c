@@ -8,7 +8,7 @@ static const option options[] = {
     {"within", 0, OPTION_VALUE, "TOL", "no point moves farther than this, as 2 mm; required"},
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
 static int run(const arguments *given)

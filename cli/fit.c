@@ -7,7 +7,7 @@ static const option options[] = {
     {"method", 0, OPTION_VALUE, "NAME", "the feature that makes the shape (interpolate)"},
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
 
 static int run(const arguments *given)

@@ -3,7 +3,7 @@
 static const option options[] = {
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
-    {"quiet", 'q', OPTION_FLAG, NULL, "no progress"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
 };
 
 static int run(const arguments *given)

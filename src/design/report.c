@@ -199,7 +199,7 @@ static void json_messages(batten_text *out, const batten_notes *notes)
         batten_text_json(out, note->entity);
         batten_text_add(out, ", \"text\": ");
         batten_text_json(out, note->text);
-        batten_text_add(out, "}");
+        batten_text_add(out, ", \"remark\": %s}", note->is_remark ? "true" : "false");
     }
 }
 

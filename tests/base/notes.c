@@ -45,3 +45,19 @@ TEST(no_notes_are_borne_silently)
     CHECK_STATUS(batten_notes_create(-1, &notes), BATTEN_BAD_ARGUMENT);
     CHECK(notes == NULL);
 }
+
+TEST(remarks_are_told_from_warnings)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(9, &notes));
+    batten_notes_add(notes, "", 0, "", "a point is missing");
+    batten_notes_remark(notes, "a.yaml", 3, "arcs", "%d arcs", 7);
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(!batten_notes_at(notes, 0)->is_remark);
+        CHECK(batten_notes_at(notes, 1)->is_remark);
+        CHECK_TEXT(batten_notes_at(notes, 1)->text, "7 arcs");
+        CHECK_INT(batten_notes_at(notes, 1)->line, 3);
+    }
+    batten_notes_free(notes);
+    batten_notes_remark(NULL, "", 0, "", "nobody listens");
+}

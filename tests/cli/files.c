@@ -1,5 +1,6 @@
 #include "support/process.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -215,6 +216,21 @@ TEST(smoothing_says_what_cross_validation_chose)
     CHECK(!strstr(
         RUN("batten", "fit", noisy, "-o", curve, "--method", "smooth", "--rms", "1").errors,
         chose));
+}
+
+TEST(smoothing_that_goes_through_the_points_is_a_warning)
+{
+    const char *points = test_scratch("few.xyz"), *curve = test_scratch("few.igs");
+    char text[1000] = "";
+    size_t used = 0;
+    for (int i = 0; i < 21; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%d %.6f\n", i,
+                                 3 * sin(i / 3.0) + 0.02 * (i * 7919 % 11 % 3));
+    test_write(points, text);
+    const test_process run = RUN("batten", "fit", points, "-o", curve, "--method=smooth", "-q");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.errors, "goes through the points as if they had no errors");
+    CHECK(!strstr(run.errors, "cross validation chose"));
 }
 
 TEST(a_failure_is_said_once_and_without_a_place_in_no_file)
