@@ -66,8 +66,9 @@ typedef struct batten_arcs_report {
  * curve does not, and are not sharper than 1.4 times its sharpest place. PLAIN and BIARCS make
  * each arc, each biarc as long as the tolerance allows, within a thousandth; biarcs have the
  * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
- * With one side allowed the tolerance counts by half. A circle, or an arc of it, is one arc
- * (two when it is closed), a line one line. Corners and ends of the curve are kept exactly as
+ * With one side allowed the tolerance counts by half. What is lines and arcs exactly from
+ * corner to corner (see batten_arcs_exact) stays as it is, even where fewer arcs would do: a
+ * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends of the curve are kept exactly as
  * points; SMOOTH and PLAIN turn there by a little more or less than the curve. SMOOTH arcs of a
  * closed curve without corners may begin anywhere on it.
  *

@@ -270,7 +270,10 @@ static batten_status run_piece(task *t)
 {
     bool done = false;
     t->first = t->list.count;
-    batten_status status = try_whole(t, &done);
+    batten_status status =
+        bat_arcs_keep(t->path, t->from, t->to, t->options.least_radius, &t->list, &done);
+    if (status == BATTEN_OK && !done)
+        status = try_whole(t, &done);
     if (status != BATTEN_OK || done)
         return status;
     if (t->options.joined == BATTEN_ARCS_SMOOTH)

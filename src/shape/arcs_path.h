@@ -33,6 +33,10 @@ batten_status bat_arcs_take(const bat_arcs_path *p, double a, double b, int inne
 double bat_arcs_turn(const bat_samples *samples);
 /* A part as one or two ranges within the domain: a closed curve goes on beyond its end. */
 int bat_arcs_ranges(const bat_arcs_path *p, const bat_arcs_part *part, double ranges[2][2]);
+/* The run from one corner to the next as its own lines and arcs, when it is nothing else, has
+ * no kinks and no arc below the least radius: then *kept, and they are added to the list. */
+batten_status bat_arcs_keep(const bat_arcs_path *p, double from, double to, double least_radius,
+                            bat_arcs_list *list, bool *kept);
 /* How far a biarc is beside the curve: the extremes among the samples and at all roots of the
  * slope between them. */
 batten_status bat_arcs_measure(const bat_arcs_path *p, const batten_biarc *biarc,

@@ -67,6 +67,20 @@ TEST(biarcs_in_space_go_where_those_in_the_plane_cannot)
     batten_design_free(design);
 }
 
+TEST(arcs_of_a_polyline_with_round_corners_are_its_own)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("  p: {polyline: [[4, 0], [8, 0], [8, 8], [0, 8], [0, 0], [4, 0]]}\n"
+                      "  f: {fillet: p, radius: 1}\n",
+                      "{arcs: f, within: 0.3}", &design));
+    const batten_object *object =
+        batten_model_object(batten_design_result(design, "a")->value, 0);
+    CHECK(object->chain && batten_chain_is_arcs(object->chain));
+    CHECK_INT(batten_chain_span_count(object->chain), 8);
+    CHECK_NEAR(batten_chain_domain(object->chain).b, 32 - 8 + 2 * acos(-1), 1e-12);
+    batten_design_free(design);
+}
+
 TEST(arcs_of_curves_stay_in_their_plane)
 {
     static const char curves[] =

@@ -1,4 +1,5 @@
 #include <batten/arcs.h>
+#include <batten/fillet.h>
 #include <batten/inspect.h>
 
 #include "support/test.h"
@@ -268,6 +269,89 @@ TEST(smooth_arcs_bend_as_the_curve_does)
             batten_chain_unref(chain);
             batten_curve_unref(curve);
         }
+}
+
+/* A square of 8 with round corners, one radius each, the first at the end of the seam's line.
+ */
+static batten_curve *round_square(const double radii[4])
+{
+    const double points[] = {4, 0, 8, 0, 8, 8, 0, 8, 0, 0, 4, 0};
+    batten_curve *polyline = NULL, *round = NULL;
+    CHECK_OK(batten_curve_polyline(2, 6, points, &polyline));
+    CHECK_OK(batten_curve_fillet(polyline, 4, radii, 1e-9, NULL, &round));
+    batten_curve_unref(polyline);
+    return round;
+}
+
+TEST(lines_and_arcs_stay_what_they_are)
+{
+    const double radii[4] = {1, 2, 0.5, 1.5};
+    for (int joined = 0; joined < 3; joined++)
+        for (int side = 0; side < 5; side++) {
+            batten_curve *curve = round_square(radii);
+            batten_chain *chain = NULL;
+            batten_arcs_report report;
+            batten_arcs_options options = within(0.3, (batten_arcs_join)joined);
+            options.side = (batten_arcs_side)side;
+            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_INT(report.arcs, 4);
+            CHECK_INT(report.lines, 4);
+            CHECK_NEAR(report.deviation, 0, 1e-13);
+            CHECK_NEAR(report.least_radius, 0.5, 1e-13);
+            CHECK(batten_chain_is_closed(chain));
+            check_chain(curve, chain, &report, 1e-12);
+            double sum = 0;
+            for (int i = 0; i < batten_chain_span_count(chain); i++) {
+                const double curvature = batten_chain_span(chain, i)->curvature[0];
+                sum += curvature > 0 ? 1 / curvature : 0;
+            }
+            CHECK_NEAR(sum, 5, 1e-12);
+            batten_chain_unref(chain);
+            batten_curve_unref(curve);
+        }
+}
+
+TEST(a_run_that_is_no_arc_is_followed_and_its_neighbours_stay)
+{
+    /* A line, from its corner a quarter circle and a line, then from a corner an ellipse. */
+    const double points[] = {0, 0, 6, 0, 6, 6, 0, 6};
+    const double radii[2] = {0, 2};
+    batten_curve *polyline = NULL, *round = NULL, *part = NULL, *end = NULL, *whole = NULL;
+    CHECK_OK(batten_curve_polyline(2, 4, points, &polyline));
+    CHECK_OK(batten_curve_fillet(polyline, 2, radii, 1e-9, NULL, &round));
+    part = ellipse(3, 1, 0, 2);
+    const batten_affine map = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {-3, 6, 0}};
+    CHECK_OK(batten_curve_transform(part, &map, &end));
+    CHECK_OK(batten_curve_join(round, end, 1e-9, &whole));
+    batten_chain *chain = NULL;
+    batten_arcs_report report;
+    const batten_arcs_options options = within(0.01, BATTEN_ARCS_SMOOTH);
+    CHECK_OK(batten_arcs_of_curve(whole, &options, &report, &chain));
+    CHECK_INT(report.lines, 3);
+    CHECK(report.arcs >= 3);
+    CHECK_NEAR(batten_chain_span(chain, 0)->length, 6, 1e-12);
+    CHECK_NEAR(batten_chain_span(chain, 2)->curvature[0], 0.5, 1e-12);
+    check_chain(whole, chain, &report, 0.01);
+    batten_chain_unref(chain);
+    batten_curve_unref(polyline);
+    batten_curve_unref(round);
+    batten_curve_unref(part);
+    batten_curve_unref(end);
+    batten_curve_unref(whole);
+}
+
+TEST(an_arc_below_the_least_radius_is_not_kept)
+{
+    const double radii[4] = {1, 2, 0.5, 1.5};
+    batten_curve *curve = round_square(radii);
+    batten_chain *chain = NULL;
+    batten_arcs_options options = within(0.01, BATTEN_ARCS_PLAIN);
+    options.least_radius = 0.5;
+    CHECK_OK(batten_arcs_of_curve(curve, &options, NULL, &chain));
+    batten_chain_unref(chain);
+    options.least_radius = 1;
+    CHECK_STATUS(batten_arcs_of_curve(curve, &options, NULL, &chain), BATTEN_TOLERANCE_NOT_MET);
+    batten_curve_unref(curve);
 }
 
 TEST(corners_stay_and_cusps_are_corners)

@@ -94,12 +94,12 @@ const bat_feature bat_feature_offset = {
          "arcs give lines and arcs, which DXF and G-code then have as such; other curves are "
          "followed\n"
          "'within' a tolerance by pieces of degree 5, with cusps where the radius of the curve "
-         "equals the distance. What then comes "
-         "nearer to\n"
-         "the curve than the distance is removed, so a narrow curve may fall into several or "
-         "nothing;\n"
-         "'loops: keep' leaves all in one piece. Where several curves are offset each minds "
-         "itself only.",
+         "equals the\n"
+         "distance. What then comes nearer to the curve than the distance is removed, so a "
+         "narrow curve\n"
+         "may fall into several or nothing; 'loops: keep' leaves all in one piece. Where "
+         "several curves\n"
+         "are offset each minds itself only.",
          "features:\n"
          "  corners: {points: [[0, 0], [4 m, 0], [4 m, 3 m], [0, 3 m]]}\n"
          "  floor: {interpolate: corners, periodic: yes}\n"
