@@ -20,6 +20,15 @@ typedef struct {
     double *lengths; /* [count] of those just tried */
 } task;
 
+/* Is s a length at which a clothoid beside the data may have a foot? One that goes around
+ * between all data is not what they show; a foot that is sought may run away on a curve that
+ * winds up, and the farther it turns, the longer takes each of its points. */
+static bool is_near(const task *t, const double *x, double s)
+{
+    const double turn = 50 + 7.0 * t->count;
+    return fabs(x[CURVATURE] * s) + fabs(x[RATE] * s * s) < turn && fabs(s) < 1e4;
+}
+
 static double angle_at(const double *x, double s)
 {
     return x[ANGLE] + s * (x[CURVATURE] + s * x[RATE] / 2);
@@ -34,11 +43,13 @@ static void evaluate(const double *x, double s, double point[2], double u[3], do
     point[1] = x[Y] + s * v[0];
 }
 
-/* The foot of q near *s. */
-static void find_foot(const double *x, const double *q, double *s)
+/* The foot of q near *s; false when the search leaves the lengths beside the data. */
+static bool find_foot(const task *t, const double *x, const double *q, double *s)
 {
     double point[2], u[3], v[3];
     for (int i = 0; i < 20; i++) {
+        if (!is_near(t, x, *s))
+            return false;
         evaluate(x, *s, point, u, v);
         const double angle = angle_at(x, *s), c = cos(angle), d = sin(angle);
         const double off[2] = {point[0] - q[0], point[1] - q[1]};
@@ -48,6 +59,7 @@ static void find_foot(const double *x, const double *q, double *s)
         if (fabs(step) <= 1e-15 * (1 + fabs(*s)))
             break;
     }
+    return is_near(t, x, *s);
 }
 
 static bool residuals(void *context, const double *x, double *r, double *derivatives)
@@ -57,12 +69,7 @@ static bool residuals(void *context, const double *x, double *r, double *derivat
         double *s = t->lengths + i, point[2], u[3], v[3];
         *s = t->kept[i]; /* a step that was refused leaves no trace */
         const double *q = t->points + 2 * (size_t)i;
-        /* A clothoid that goes around between all data is not what they show; and the farther it
-         * turns, the longer takes each of its points. */
-        if (!(fabs(x[CURVATURE] * *s) + fabs(x[RATE] * *s * *s) < 50 + 7.0 * t->count))
-            return false;
-        find_foot(x, q, s);
-        if (!(fabs(*s) < 1e4))
+        if (!find_foot(t, x, q, s))
             return false;
         evaluate(x, *s, point, u, v);
         const double angle = angle_at(x, *s), n[2] = {-sin(angle), cos(angle)};

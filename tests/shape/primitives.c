@@ -2,6 +2,8 @@
 
 #include "support/test.h"
 
+#include <string.h>
+
 static const double PI = 3.14159265358979323846;
 
 /* ---- lines ---- */
@@ -280,6 +282,27 @@ TEST(lines_and_arcs_are_clothoids)
         CHECK_NEAR(found.curvature[0], c / 3.0, 1e-9);
         CHECK_NEAR(found.curvature[1], 0, 1e-9);
     }
+}
+
+/* Feet run away on a trial that winds up; the rounds go on from a nearer one. */
+TEST(points_far_from_any_clothoid_are_fitted_the_same_in_both_orders)
+{
+    const double q[] = {0, 0, 1, .6, 2, .7, 3, .2, 4, 0, 5, .3, 6, .9};
+    const double stairs[] = {0, 0, 1, 0, 2, 0, 2.001, 1, 3, 1, 4, 1};
+    double back[COUNT(q)];
+    for (int i = 0; i < 7; i++)
+        memcpy(back + 2 * i, q + 2 * (6 - i), 2 * sizeof *q);
+    batten_span found, reversed;
+    batten_primitive_report one, other;
+    CHECK_OK(batten_clothoid_fit(7, q, &found, NULL, &one));
+    CHECK_OK(batten_clothoid_fit(7, back, &reversed, NULL, &other));
+    CHECK_NEAR(one.rms, other.rms, 1e-8);
+    CHECK_NEAR(found.length, reversed.length, 1e-5);
+    CHECK_NEAR(found.curvature[0] + reversed.length * reversed.curvature[1] +
+                   reversed.curvature[0],
+               0, 1e-5);
+    CHECK_OK(batten_clothoid_fit(6, stairs, &found, NULL, &one));
+    CHECK(one.max < 0.5 && found.length > 4);
 }
 
 TEST(N1_what_is_not_finite_is_named_by_fits_of_primitives)
