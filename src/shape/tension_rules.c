@@ -313,8 +313,12 @@ static int failure(const bat_tension *t, int i, const rise *r, double slack, dou
         fails |= 1;
     if ((!r->has_after || s * r->after > 0) && s * r->end < -zero)
         fails |= 2;
-    if (!fails && s * r->M < 0 && s * r->N > 0 && s * r->start > 0 && s * r->end > 0 &&
-        s * extreme_slope(t, i, r) < -zero)
+    /* Where the data are level or turn beside the span its end may fall a little; the dip
+     * inside may not, which is of the size of the slope at the other end. */
+    const double h = t->u[i + 1] - t->u[i], reach = h / bat_max(1, t->sigma[i] * h);
+    const double rounding =
+        16 * DBL_EPSILON * (fabs(r->on) + reach * (fabs(r->M) + fabs(r->N)));
+    if (!fails && s * r->M < 0 && s * r->N > 0 && s * extreme_slope(t, i, r) < -rounding)
         fails |= 4;
     return fails;
 }

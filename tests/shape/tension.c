@@ -519,6 +519,22 @@ TEST(over_level_data_a_monotone_function_stays_nearly_level)
     batten_chain_unref(chain);
 }
 
+/* A long span between a steep and a level one: its end may fall a little, and the dip inside
+ * must not be hidden by that. */
+TEST(a_monotone_function_swings_nowhere_between_steep_and_level_data)
+{
+    const double x[] = {0, 172.2, 172.201, 1062, 1101}, y[] = {0, 0, 58, 59.5, 59.5};
+    batten_tension_options o = function(x, 5, 0);
+    o.rule = BATTEN_TENSION_MONOTONE;
+    batten_chain *chain = through(1, 5, y, &o);
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i <= 400; i++) {
+            const double at = value(chain, x[k] + (x[k + 1] - x[k]) * i / 400, 0);
+            CHECK(at >= -0.01 && at <= 59.51);
+        }
+    batten_chain_unref(chain);
+}
+
 TEST(a_hundred_thousand_points_in_tension_take_well_under_a_second)
 {
     enum { N = 100000 };
