@@ -207,16 +207,19 @@ static batten_status make_span(task *t, mehlum *m, int index)
     return BATTEN_OK;
 }
 
-/* As many arcs as are asked for, or as the tolerance takes. */
+/* As many arcs as are asked for, or as the tolerance takes. Where rounding keeps the deviation
+ * from falling, single arcs would be added for ever: after some rounds, more and more. */
 static batten_status find_span(task *t, mehlum *m, int index)
 {
     const double tolerance = t->options->tolerance;
     m->count = t->options->arcs;
     batten_status status = make_span(t, m, index);
-    while (tolerance > 0 && (status == BATTEN_TOLERANCE_NOT_MET ||
-                             (status == BATTEN_OK && m->deviation > tolerance))) {
+    for (int round = 0; tolerance > 0 && (status == BATTEN_TOLERANCE_NOT_MET ||
+                                          (status == BATTEN_OK && m->deviation > tolerance));
+         round++) {
         const double factor = status == BATTEN_OK ? cbrt(m->deviation / tolerance) : 2;
-        const double more = bat_max(m->count + 1, ceil(0.98 * factor * m->count));
+        const double more = bat_max(m->count + ldexp(1, bat_max_int(0, round - 4)),
+                                    ceil(0.98 * factor * m->count));
         if (more > MOST_ARCS)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "more than %d arcs are needed after point %d for a tolerance of %g",

@@ -137,6 +137,19 @@ TEST(mehlum_arcs_keep_a_tolerance)
     }
 }
 
+/* Near rounding the deviation falls unevenly: single arcs more would take thousands of rounds.
+ */
+TEST(n6_mehlum_reaches_a_tolerance_near_rounding)
+{
+    batten_mehlum_options options = batten_mehlum_defaults();
+    batten_mehlum_report report;
+    batten_chain *chain = NULL;
+    options.tolerance = 1e-12;
+    CHECK_OK(batten_chain_mehlum(5, ducks, &options, NULL, NULL, &report, &chain));
+    CHECK(report.deviation <= 1e-12);
+    batten_chain_unref(chain);
+}
+
 TEST(g2_mehlum_of_a_line_is_the_line_and_of_a_circle_no_circle)
 {
     static const double line[] = {0, 0, 1, 0.5, 4, 2, 5, 2.5};
