@@ -14,6 +14,18 @@ double bat_curve_size(const batten_curve *curve)
     return bat_largest(curve->count * curve->dimension, curve->points);
 }
 
+batten_status bat_curve_check_size(const batten_curve *curve)
+{
+    static const double least = 1e-90, most = 1e90;
+    const double size = bat_curve_size(curve);
+    if (size == 0 || (size >= least && size <= most))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_BAD_ARGUMENT,
+                    "the largest coordinate is %g; from %g to %g can be worked with: choose "
+                    "another unit",
+                    size, least, most);
+}
+
 double bat_span_width(const batten_curve *curve, double u, batten_side side)
 {
     if (bat_curve_place(curve, side, &u) != BATTEN_OK)

@@ -1,4 +1,5 @@
 /* A curve as few arcs: from corner to corner the longest that stays in the band, and again. */
+#include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/arcs_smooth.h"
 #include <batten/inspect.h>
@@ -377,6 +378,9 @@ batten_status batten_arcs_of_curve(const batten_curve *curve,
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the curve has %d dimensions; arcs are for curves in the plane",
                         batten_curve_dimension(curve));
+    status = bat_curve_check_size(curve);
+    if (status != BATTEN_OK)
+        return status;
     bat_arcs_path p;
     batten_arcs_report found = {0};
     status = bat_arcs_path_make(curve, options->corner, &p);

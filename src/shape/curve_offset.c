@@ -88,6 +88,9 @@ static batten_status check(const batten_curve *curve, double distance,
     if (!(o->mitre_limit >= 1 && isfinite(o->mitre_limit)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the limit of mitres is %g, below 1",
                         o->mitre_limit);
+    const batten_status status = bat_curve_check_size(curve);
+    if (status != BATTEN_OK)
+        return status;
     const batten_vec3 n = o->normal;
     if (!(isfinite(n.x) && isfinite(n.y) && isfinite(n.z)) || !(bat_vec3_norm(n) > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the normal of the offset is (%g, %g, %g)", n.x,

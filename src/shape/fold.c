@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { FIRST_SAMPLES = 65, MAX_SAMPLES = 16385 };
+enum { FIRST_SAMPLES = 65, MANY_SAMPLES = 1000, MAX_SAMPLES = 16385 };
 
 batten_fold_options batten_fold_defaults(void)
 {
@@ -317,13 +317,29 @@ static double deviation(const bat_fold_task *t)
     return bat_max(t->made.error, t->made.stretch * t->made.length);
 }
 
+/* Where the crease bends to the other side from one sample to the next, its curvature was 0
+ * between them; with few samples it may only have turned. */
+static batten_status check_bending(const bat_fold_task *t)
+{
+    for (int i = 0; i + 1 < t->count; i++)
+        if (bat_vec3_dot(t->at[i].N, t->at[i + 1].N) < 0)
+            return bat_fail(BATTEN_SINGULAR_HERE,
+                            "the crease bends to the other side near the length %g: no rulings "
+                            "are defined there",
+                            (t->at[i].s + t->at[i + 1].s) / 2);
+    return BATTEN_OK;
+}
+
 static batten_status fold_all(bat_fold_task *t)
 {
     int count = FIRST_SAMPLES;
     batten_status status = fold_with(t, count);
     while (status == BATTEN_OK && deviation(t) > t->options->tolerance && count < MAX_SAMPLES) {
+        if (count > MANY_SAMPLES)
+            status = check_bending(t);
         count = 2 * count - 1;
-        status = fold_with(t, count);
+        if (status == BATTEN_OK)
+            status = fold_with(t, count);
     }
     if (status == BATTEN_OK && deviation(t) > t->options->tolerance)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,

@@ -497,3 +497,20 @@ TEST(G3_an_end_where_the_curve_stands_still_has_its_offset)
     batten_curves_release(&made);
     batten_curve_unref(curve);
 }
+
+TEST(n2_curves_beyond_the_sizes_that_can_be_worked_with_have_no_offset)
+{
+    static const double sizes[] = {1e200, 1e-200};
+    for (int i = 0; i < COUNT(sizes); i++) {
+        const double points[6] = {0, 0, sizes[i], sizes[i], 2 * sizes[i], 0};
+        batten_curve *curve = NULL;
+        batten_curves made;
+        bezier(2, 2, points, &curve);
+        const batten_offset_options options =
+            options_of(sizes[i] * 1e-4, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+        CHECK_STATUS(batten_curve_offset(curve, sizes[i] / 10, &options, NULL, &made),
+                     BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE("choose another unit");
+        batten_curve_unref(curve);
+    }
+}

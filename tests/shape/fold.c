@@ -327,3 +327,16 @@ TEST(the_rulings_of_a_plane_crease_go_straight_on_in_the_flat_sheet)
     batten_fold_release(&fold);
     batten_curve_unref(circle);
 }
+
+TEST(a_crease_that_bends_both_ways_is_refused_where_it_does)
+{
+    const double points[4][3] = {{0, 0, 0}, {1, 1, 0}, {2, -1, 0}, {3.1, 0.2, 0}};
+    const double breaks[2] = {0, 1}, a = 0.4;
+    batten_curve *curve = NULL;
+    batten_fold fold;
+    batten_fold_options options = options_of(&a, 0.1);
+    CHECK_OK(batten_curve_from_bezier(3, 3, 1, &points[0][0], NULL, breaks, &curve));
+    CHECK_STATUS(batten_fold_create(curve, &options, &fold), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("to the other side near the length 1.");
+    batten_curve_unref(curve);
+}
