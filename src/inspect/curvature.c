@@ -16,7 +16,7 @@ double bat_curve_size(const batten_curve *curve)
 
 batten_status bat_curve_check_size(const batten_curve *curve)
 {
-    static const double least = 1e-90, most = 1e90;
+    static const double least = 1e-120, most = 1e120;
     const double size = bat_curve_size(curve);
     if (size == 0 || (size >= least && size <= most))
         return BATTEN_OK;

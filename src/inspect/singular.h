@@ -5,7 +5,7 @@
 
 /* The largest coordinate of the control points. */
 double bat_curve_size(const batten_curve *curve);
-/* Is it between 1e-90 and 1e90, or 0? Products of three lengths then stay numbers; BAD_ARGUMENT
+/* Is it between 1e-120 and 1e120, or 0? Products of lengths then stay numbers; BAD_ARGUMENT
  * when it is not. */
 batten_status bat_curve_check_size(const batten_curve *curve);
 /* batten_curve_local_at, for many places of a curve of which `size` is known. */

@@ -525,10 +525,10 @@ static batten_status run_around(search *s, bat_arcs_list *list)
         return status;
     list->count = first;
     status = run(s, 0, s->count, NULL, INT_MAX, NULL, &arcs, &found);
+    if (status != BATTEN_OK)
+        return status;
     const int tries = find_starts(s, room, starts, &least);
-    if (status == BATTEN_OK)
-        status = try_starts(s, tries, starts, bat_max_int(least, s->task->enough), list);
-    return status;
+    return try_starts(s, tries, starts, bat_max_int(least, s->task->enough), list);
 }
 
 static batten_status find(search *s, bat_arcs_list *list)

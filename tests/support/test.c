@@ -161,14 +161,14 @@ static long greatest_divisor(long a, long b)
  * tried lie evenly over the whole test, the last one among them. */
 static void run_with_faults(const test_entry *test, long count)
 {
-    enum { AT_LEAST = 8 };
     const double limit = fault_seconds(), begin = now();
+    const int at_least = limit < 1 ? 2 : 8;
     long step = (long)(0.6180339887498949 * (double)count), tried = 0;
     while (greatest_divisor(count, step) != 1)
         step++;
     for (long at = count; tried < count;
          at = (at + step) % count ? (at + step) % count : count) {
-        if (limit > 0 && tried >= AT_LEAST && now() - begin > limit)
+        if (limit > 0 && tried >= at_least && now() - begin > limit)
             break;
         run_once(test, ONE_FAULT, at);
         run_once(test, ALL_FAULTS, at);
