@@ -293,15 +293,17 @@ const command command_compare = {
     .manual =
         "Draws each method in a panel of its own with its curvature comb, all at one scale, "
         "and prints a\n"
-        "table: bending energy, variation of curvature, inflections, extrema of curvature, "
-        "the largest\n"
-        "curvature, length and time. A method is the name of a feature, with settings behind "
-        "colons:\n"
-        "--methods interpolate:parameters=chord,tension:amount=8,elastica; a list stands in "
-        "brackets:\n"
-        "'spiro:curvature=[3, 4]'. 'batten help features' lists them; --methods all takes "
-        "every\n"
-        "one that needs nothing but points. A method that fails is left out, and says why.",
+        "table: bending energy (infinite with corners), variation of curvature (infinite where "
+        "it jumps),\n"
+        "inflections, extrema of curvature, the largest curvature, length and time. A method "
+        "is "
+        "the name of\n"
+        "a feature, with settings behind colons:\n"
+        "--methods interpolate:parameters=chord,tension:amount=8,elastica. 'batten help "
+        "features' lists\n"
+        "them; --methods all takes every one that needs nothing but points. A method that "
+        "fails is left\n"
+        "out, and says why.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

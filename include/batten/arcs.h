@@ -68,9 +68,9 @@ typedef struct batten_arcs_report {
  * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
  * With one side allowed the tolerance counts by half. What is lines and arcs exactly from
  * corner to corner (see batten_arcs_exact) stays as it is, even where fewer arcs would do: a
- * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends of the curve are kept exactly as
- * points; SMOOTH and PLAIN turn there by a little more or less than the curve. SMOOTH arcs of a
- * closed curve without corners may begin anywhere on it.
+ * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends
+ * of the curve are kept exactly as points; SMOOTH and PLAIN turn there by a little more or less
+ * than the curve. SMOOTH arcs of a closed curve without corners may begin anywhere on it.
  *
  * @param curve   dimension 2
  * @param options with the tolerance
@@ -92,12 +92,12 @@ BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
                                               batten_arcs_report *report, batten_chain **out);
 
 /**
- * The chain of arcs and lines that a curve is already, if it is one: every Bezier piece is a line
- * (of any degree, with any speed that does not turn back) or a rational arc of a circle, within
- * 1e-12 of the size of the curve, or its rounding if that is more.
+ * The chain of arcs and lines that a curve is already, if it is one: every Bezier piece is a
+ * line (of any degree, with any speed that does not turn back) or a rational arc of a circle,
+ * within 1e-12 of the size of the curve, or its rounding if that is more.
  *
- * Neighbours that go on along one line, or one circle up to half of it, become one span. A curve
- * in space must lie in a plane x, y or z = constant; its chain is placed there.
+ * Neighbours that go on along one line, or one circle up to half of it, become one span. A
+ * curve in space must lie in a plane x, y or z = constant; its chain is placed there.
  *
  * @param curve any curve
  * @param[out] out NULL when the curve is no such chain; else its breaks are knots of the curve,

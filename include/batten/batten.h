@@ -9,11 +9,11 @@
 #include <batten/base.h>
 #include <batten/beta.h>
 #include <batten/biarc.h>
-#include <batten/catmull_rom.h>
 #include <batten/blend.h>
+#include <batten/catmull_rom.h>
 #include <batten/chain.h>
-#include <batten/constrained.h>
 #include <batten/conic.h>
+#include <batten/constrained.h>
 #include <batten/continuity.h>
 #include <batten/cubic.h>
 #include <batten/cubic_spline.h>

@@ -68,8 +68,8 @@ BATTEN_API void batten_curves_release(batten_curves *curves);
  * NOT_FINITE, UNSUPPORTED (dimension 1), SINGULAR_HERE (curve along `normal`, or a point),
  * TOLERANCE_NOT_MET, TOO_LARGE
  *
- * Cost: for each piece the distance of a few points, log n as long as few spans are that near; n
- * log n for crossings. Source: [TH84], [EK91].
+ * Cost: for each piece the distance of a few points, log n as long as few spans are that near;
+ * n log n for crossings. Source: [TH84], [EK91].
  */
 BATTEN_API batten_status batten_curve_offset(const batten_curve *curve, double distance,
                                              const batten_offset_options *options,

@@ -274,8 +274,7 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
                                     batten_directed_report *report, batten_curve **out)
 {
     const batten_directed_options o = options ? *options : batten_directed_defaults();
-    work w = {
-        .dimension = dimension, .count = count, .points = points, .tension = o.tension};
+    work w = {.dimension = dimension, .count = count, .points = points, .tension = o.tension};
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d", dimension);
     if (count < 2)

@@ -85,13 +85,13 @@ batten_status bat_fold_find_place(const bat_fold_task *t, double s, double u, ba
     if (status != BATTEN_OK)
         return status;
     *p = (bat_fold_place){.s = s,
-                 .u = u,
-                 .X = local.point,
-                 .T = local.tangent,
-                 .N = local.normal,
-                 .B = local.binormal,
-                 .k = local.curvature,
-                 .tau = local.torsion};
+                          .u = u,
+                          .X = local.point,
+                          .T = local.tangent,
+                          .N = local.normal,
+                          .B = local.binormal,
+                          .k = local.curvature,
+                          .tau = local.torsion};
     if (!(p->k > 0))
         return straight(s);
     if (t->options->given == BATTEN_FOLD_CURVATURE)

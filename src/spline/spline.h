@@ -102,7 +102,8 @@ batten_status bat_spline_insert(const bat_spline *spline, int count, const doubl
 batten_status bat_spline_remove(const bat_spline *spline, double u, int times, size_t group,
                                 double tolerance, int *removed, double *error, bat_spline *out);
 /* All inner knots that can go while the spline moves by no more than `tolerance`: one by one,
- * movements added up span by span, those that cost least first; then by bat_spline_reduce_knots.
+ * movements added up span by span, those that cost least first; then by
+ * bat_spline_reduce_knots.
  */
 batten_status bat_spline_remove_all(const bat_spline *spline, size_t group, double tolerance,
                                     int *removed, double *error, bat_spline *out);
