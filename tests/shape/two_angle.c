@@ -2,8 +2,6 @@
 
 #include "support/test.h"
 
-#include <stdlib.h>
-
 /* Rounding of the directions alone makes jumps of curvature when spans are short and the points
  * uneven: no step of Newton takes these away, and the spline is none the worse. */
 TEST(short_uneven_spans_do_not_keep_the_driver_from_its_end)
@@ -11,7 +9,7 @@ TEST(short_uneven_spans_do_not_keep_the_driver_from_its_end)
     static const batten_span_family families[] = {
         BATTEN_FAMILY_LOCAL_CUBIC, BATTEN_FAMILY_EULER_SPIRAL, BATTEN_FAMILY_ELASTICA};
     enum { POINTS = 20000 };
-    double *points = malloc(2 * POINTS * sizeof *points);
+    double *points = test_array(2 * POINTS, sizeof *points);
     test_random random = test_random_begin("uneven");
     for (int i = 0; i < POINTS; i++) {
         const double a = 6 * (i + 0.3 * test_random_in(&random, -1, 1)) / POINTS;
@@ -27,5 +25,4 @@ TEST(short_uneven_spans_do_not_keep_the_driver_from_its_end)
         CHECK(report.residual <= 1e-10 * report.curvature);
         batten_chain_unref(chain);
     }
-    free(points);
 }
