@@ -77,6 +77,10 @@ static bool keep(batten_notes *notes, const char *file, int line, const char *en
 
 static void add(batten_notes *notes, const char *file, int line, const char *entity,
                 bool is_remark, const char *format, va_list arguments)
+    __attribute__((format(printf, 6, 0)));
+
+static void add(batten_notes *notes, const char *file, int line, const char *entity,
+                bool is_remark, const char *format, va_list arguments)
 {
     char text[1024];
     if (!notes)
