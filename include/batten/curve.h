@@ -227,6 +227,15 @@ BATTEN_API batten_status batten_curve_to_rational(const batten_curve *curve,
 /** The curve in 1..3 dimensions: coordinates are dropped, or added as 0. */
 BATTEN_API batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
                                                    batten_curve **out);
+/**
+ * A curve in a plane x, y or z = constant as a curve of that plane: the coordinate that is the
+ * same all along, but for the rounding of whatever made it (2^-46 of the largest), is dropped.
+ *
+ * @param[out] axis 0, 1 or 2, the last of several; -1 for none, and when the curve has fewer
+ * than 3 dimensions: then the curve comes back as it is. batten_frame_across is the plane.
+ */
+BATTEN_API batten_status batten_curve_flatten(const batten_curve *curve, int *axis,
+                                              batten_curve **out);
 /** A curve with control point `index` replaced, of a periodic curve with all its copies.
  * @param point [d] */
 BATTEN_API batten_status batten_curve_with_point(const batten_curve *curve, int index,

@@ -20,6 +20,9 @@ typedef struct batten_frame {
 
 /** The world's own frame. */
 BATTEN_API batten_frame batten_frame_world(void);
+/** The plane on which coordinate `axis` (0, 1, 2) is `at`: its axes are the two that are left,
+ * in their order. */
+BATTEN_API batten_frame batten_frame_across(int axis, double at);
 
 /* ---- curves ---- */
 

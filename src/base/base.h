@@ -14,6 +14,8 @@
 #define bat_resize batten_resize
 #define bat_release batten_release
 
+#define BAT_PI 3.14159265358979323846
+
 /* A reference count, the first member of every counted object. */
 typedef struct {
     atomic_int count;

@@ -14,7 +14,7 @@ batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double
 
 static void note(bat_run *run, const bat_data *data, const batten_nonlinear_report *report)
 {
-    const double degree = 3.14159265358979323846 / 180;
+    const double degree = BAT_PI / 180;
     if (report->turn > 120 * degree)
         bat_note(run, "'%s' turns by %.0f degrees at point %d: look at the curve there",
                  data->name, report->turn / degree, report->turn_at);

@@ -151,14 +151,3 @@ batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_cur
     batten_curve_unref(lifted);
     return status;
 }
-
-batten_status bat_curve_flattened(const batten_curve *curve, int *axis, batten_curve **out)
-{
-    *axis = -1;
-    if (batten_curve_dimension(curve) == 3)
-        *axis = bat_flat_axis(batten_curve_point_count(curve), batten_curve_points(curve));
-    if (*axis >= 0)
-        return bat_curve_in_plane(curve, *axis, out);
-    *out = batten_curve_ref(curve);
-    return BATTEN_OK;
-}

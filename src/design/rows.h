@@ -28,8 +28,5 @@ void bat_points_from_plane(int axis, int count, const double *from, double *to);
 /* The same of a curve: its projection along an axis, in the plane; axis -1: the curve in space.
  */
 batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_curve **out);
-/* A curve in space as a plane one where one of its coordinates is the same all along; *axis
- * says which, -1 for none. All other curves as they are. */
-batten_status bat_curve_flattened(const batten_curve *curve, int *axis, batten_curve **out);
 
 #endif

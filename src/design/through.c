@@ -29,11 +29,6 @@ static bool as_function(const bat_run *run, unsigned ways)
 
 /* ---- points in the form that the method wants ---- */
 
-static batten_vec3 unit(int axis)
-{
-    return (batten_vec3){axis == 0, axis == 1, axis == 2};
-}
-
 static batten_status find_plane(task *t)
 {
     const int axis = bat_flat_axis(t->row->count, t->row->points);
@@ -41,14 +36,8 @@ static batten_status find_plane(task *t)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the points must lie in a plane x, y or z = constant for '%s'",
                         t->run->feature->name);
-    const int first = axis == 0, second = axis == 2 ? 1 : 2;
-    const double at = t->row->points[axis];
-    const batten_vec3 x = unit(first), y = unit(second), n = unit(axis);
     t->plane.axis = axis;
-    t->plane.frame =
-        (batten_frame){{at * n.x, at * n.y, at * n.z},
-                       x,
-                       {x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x}};
+    t->plane.frame = batten_frame_across(axis, t->row->points[axis]);
     return BATTEN_OK;
 }
 

@@ -10,8 +10,6 @@
 /* How deep parentheses, signs and functions may nest. */
 #define MOST_PENDING 64
 
-static const double PI = 3.14159265358979323846;
-
 /* ---- characters, the same in every locale ---- */
 
 static bool is_blank(char c)
@@ -117,7 +115,7 @@ static double angle_unit(const char *name)
 {
     for (size_t i = 0; i < sizeof angle_words / sizeof angle_words[0]; i++)
         if (strcmp(name, angle_words[i]) == 0)
-            return i < 3 ? PI / 180 : 1;
+            return i < 3 ? BAT_PI / 180 : 1;
     return 0;
 }
 
@@ -478,7 +476,7 @@ static batten_status take_name(yard *y, bool *wants_value)
     }
     *wants_value = false;
     if (length == 2 && memcmp(name, "pi", 2) == 0)
-        return push_value(y, (bat_quantity){PI, 0, 0});
+        return push_value(y, (bat_quantity){BAT_PI, 0, 0});
     const bat_names *names = y->read.names;
     const bat_quantity *found = names->find ? names->find(names->user, name, length) : NULL;
     return found ? push_value(y, *found) : unknown_name(names, name, length);

@@ -5,12 +5,10 @@
 
 #include <float.h>
 
-static const double pi = 3.14159265358979323846;
-
 /* Into how many parts an arc is cut, so that none is more than a half circle. */
 static int parts_of(const batten_span *span)
 {
-    const double turns = fabs(span->curvature[0]) * span->length / pi;
+    const double turns = fabs(span->curvature[0]) * span->length / BAT_PI;
     return (int)bat_max(1, ceil(turns * (1 - 1e-12)));
 }
 
@@ -19,7 +17,7 @@ static batten_status check_turns(const batten_chain *chain, int *vertices)
     double sum = 0;
     for (int i = 0; i < batten_chain_span_count(chain); i++) {
         const batten_span *span = batten_chain_span(chain, i);
-        const double turns = fabs(span->curvature[0]) * span->length / pi;
+        const double turns = fabs(span->curvature[0]) * span->length / BAT_PI;
         sum += turns < 1e6 ? parts_of(span) : 1e6;
     }
     if (sum >= 1e7)

@@ -166,7 +166,7 @@ static void compare(int d, const bat_side *l, const bat_side *r, double size,
                      : (double)NAN;
     out->singular[0] = l->singular;
     out->singular[1] = r->singular;
-    out->reversed = out->angle >= 3.14159265358979323846 - o->angle;
+    out->reversed = out->angle >= BAT_PI - o->angle;
     fit_betas(l, r, out);
     compare_bending(d, l, r, size > 0 ? gap / (size * size) : 0, size > 0 ? size : 1, out);
     const bool meets = out->gap <= gap + l->roundoff[0] + r->roundoff[0];

@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 enum { DEPTH = 50, MOST_PARTS = 1000000 };
 
 batten_status batten_curve_divide(const batten_curve *curve, int count, double tolerance,
@@ -181,7 +179,7 @@ batten_status batten_curve_divide_turn(const batten_curve *curve, double height,
     const limits l = {height, cos(angle / 2)};
     if (!(height > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the height of chords is %g, not above 0", height);
-    if (!(angle > 0 && angle <= PI))
+    if (!(angle > 0 && angle <= BAT_PI))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of chords is %g, outside 0 to pi",
                         angle);
     return divide(curve, &l, out);

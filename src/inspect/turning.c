@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 /* ---- windings ---- */
 
 /* Where y turns back, and both ends. */
@@ -151,7 +149,7 @@ static batten_status quadrants(const batten_curve *curve, batten_parameters *out
 static batten_status sum_angles(const batten_curve *curve, const batten_parameters *at,
                                 bool closed, double *sum)
 {
-    const double size = bat_curve_size(curve), right = PI / 2 + 1e-6, full = PI - 1e-7;
+    const double size = bat_curve_size(curve), right = BAT_PI / 2 + 1e-6, full = BAT_PI - 1e-7;
     batten_vec3 first = {0, 0, 0}, left, right_side = {0, 0, 0};
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < at->count; i++) {
@@ -186,7 +184,7 @@ batten_status batten_curve_turning(const batten_curve *curve, double closed, dou
     if (status == BATTEN_OK)
         status = sum_angles(curve, &at, batten_curve_is_closed(curve, closed), &sum);
     if (status == BATTEN_OK)
-        *out = sum / (2 * PI);
+        *out = sum / (2 * BAT_PI);
     bat_release(at.at);
     return status;
 }

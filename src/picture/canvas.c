@@ -218,7 +218,7 @@ void bat_canvas_disc(bat_canvas *canvas, bat_colour colour, double x, double y, 
 {
     set_colour(canvas, colour, 1);
     cairo_new_path(canvas->cairo);
-    cairo_arc(canvas->cairo, x, y, radius, 0, 2 * 3.14159265358979323846);
+    cairo_arc(canvas->cairo, x, y, radius, 0, 2 * BAT_PI);
     cairo_fill(canvas->cairo);
 }
 
@@ -324,7 +324,7 @@ void bat_canvas_text_up(bat_canvas *canvas, bat_colour colour, double size, doub
 {
     cairo_save(canvas->cairo);
     cairo_translate(canvas->cairo, x, y);
-    cairo_rotate(canvas->cairo, -0.5 * 3.14159265358979323846);
+    cairo_rotate(canvas->cairo, -0.5 * BAT_PI);
     bat_canvas_text(canvas, colour, size, BAT_MIDDLE, 0, 0, text);
     cairo_restore(canvas->cairo);
 }

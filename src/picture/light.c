@@ -1,7 +1,5 @@
 #include "picture/light.h"
 
-static const double pi = 3.14159265358979323846;
-
 static void normalise(double v[3])
 {
     const double length = sqrt(bat_dot(v, v));
@@ -90,7 +88,7 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
     /* As the normal makes a half turn, its mirror image of the eye goes once around. */
     const double angle =
         atan2(bat_dot(mirrored, scene->third), bat_dot(mirrored, scene->across));
-    const double phase = angle * scene->stripes / (2 * pi);
+    const double phase = angle * scene->stripes / (2 * BAT_PI);
     const bat_light dark = {0.006, 0.012, 0.028}, bright = {0.90, 0.92, 0.94};
     const bat_light stripe = phase - floor(phase) < 0.5 ? dark : bright;
     return times(stripe, 0.55 + 0.45 * diffuse(scene, n));

@@ -12,8 +12,8 @@ batten_picture_options batten_picture_defaults(void)
         .view = BATTEN_VIEW_AUTO,
         /* From ahead of the bow, to port, a little above: both bows show, and little of the
          * inside. */
-        .azimuth = 28 * 3.14159265358979323846 / 180,
-        .elevation = 12 * 3.14159265358979323846 / 180,
+        .azimuth = 28 * BAT_PI / 180,
+        .elevation = 12 * BAT_PI / 180,
         .shading = BATTEN_SHADING_PLAIN,
         .isolines = 10,
         .stripes = 24,

@@ -8,8 +8,6 @@
 #include <batten/biarc.h>
 #include <float.h>
 
-#define BAT_PI 3.14159265358979323846
-
 /* One arc with its first point, by its chord: `half` is half of its turn, |half| < pi. */
 void bat_arc_span(const double start[2], double chord, double direction, double half,
                   batten_span *out);

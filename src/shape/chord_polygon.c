@@ -3,8 +3,6 @@
 
 #include <float.h>
 
-#define PI 3.14159265358979323846
-
 static batten_status find_vectors(const double *points, bat_chord_polygon *out)
 {
     out->size = bat_largest(2 * out->count, points);
@@ -71,7 +69,7 @@ batten_status bat_chord_polygon_check_turn(const bat_chord_polygon *c, int i)
                                              c->length[bat_min_int(i, c->spans - 1)]);
     /* The coordinates and the directions made of them are right to a rounding or two. */
     const double rounding = 4 * DBL_EPSILON * (1 + c->size / shorter);
-    if (PI - fabs(c->turn[i]) > rounding)
+    if (BAT_PI - fabs(c->turn[i]) > rounding)
         return BATTEN_OK;
     return bat_fail(BATTEN_SINGULAR_HERE,
                     "the polygon turns back on itself at point %d: to which side the curve "
@@ -99,7 +97,7 @@ void bat_chord_polygon_directions(const bat_chord_polygon *c, const double *angl
         const double phi = atan2(q[1], q[0]);
         /* The chord as the polygon has turned into it. */
         const double unwrapped = i == 0 ? phi : before + turned;
-        const double near = phi + 2 * PI * round((unwrapped - phi) / (2 * PI));
+        const double near = phi + 2 * BAT_PI * round((unwrapped - phi) / (2 * BAT_PI));
         out[i] = near + angles[i];
         before = near;
         turned = c->turn[(i + 1) % c->count];

@@ -8,16 +8,16 @@
 batten_status batten_tangent_limits(double chord, double alpha, double beta, double *start,
                                     double *end)
 {
-    const double turn = fabs(alpha + beta), pi = 3.14159265358979323846;
+    const double turn = fabs(alpha + beta);
     if (!isfinite(chord) || !isfinite(alpha) || !isfinite(beta))
         return bat_fail(BATTEN_NOT_FINITE, "chord %g, angles %g and %g: all must be finite",
                         chord, alpha, beta);
     if (!(chord > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "a chord of length %g", chord);
-    if (!(alpha * beta > 0) || turn >= pi)
+    if (!(alpha * beta > 0) || turn >= BAT_PI)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "turning by %g and %g there is no simple arc: both must turn to one "
-                        "side, by less than pi together",
+                        "side, by less than BAT_PI together",
                         alpha, beta);
     *start = 3 * chord * fabs(sin(beta)) / sin(turn);
     *end = 3 * chord * fabs(sin(alpha)) / sin(turn);

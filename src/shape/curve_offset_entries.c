@@ -4,13 +4,11 @@
 
 #include <math.h>
 
-static const double pi = 3.14159265358979323846;
-
 /* The half circle about an end of the curve, from the point q of one side to the other side. */
 static batten_status add_cap(const bat_offset *o, const double *p, const double *q,
                              bat_offset *rim)
 {
-    return bat_offset_corner(rim, p, NULL, -copysign(pi, o->distance), q, NULL);
+    return bat_offset_corner(rim, p, NULL, -copysign(BAT_PI, o->distance), q, NULL);
 }
 
 /* Behind the last run, so that caps follow runs end to start: around the end of the curve, the

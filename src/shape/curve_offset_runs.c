@@ -390,7 +390,7 @@ static batten_status add_corner(bat_offset *o, const place *left, const place *r
 {
     const double cross = left->t[0] * right->t[1] - left->t[1] * right->t[0];
     double turn = atan2(cross, bat_dot(2, left->t, right->t));
-    const double half = 3.14159265358979323846 - 1e-9;
+    const double half = BAT_PI - 1e-9;
     if (fabs(turn) > half) /* back the same way: around the tip */
         turn = o->distance > 0 ? -fabs(turn) : fabs(turn);
     if (fabs(turn * o->distance) <= bat_min(o->options.tolerance / 4, 1e-6 * o->size))

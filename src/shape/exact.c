@@ -207,63 +207,16 @@ static batten_status of_plane_curve(const batten_curve *curve, batten_chain **ou
 
 /* ---- curves in space ---- */
 
-/* The axis along which all points have one coordinate, but for the rounding of what made them;
- * -1 for none. */
-static int flat_axis(const batten_curve *curve)
-{
-    const double *points = curve->points;
-    const int n = curve->count;
-    double largest = 0;
-    for (int i = 0; i < 3 * n; i++)
-        largest = bat_max(largest, fabs(points[i]));
-    for (int axis = 2; axis >= 0; axis--) {
-        int i = 0;
-        while (i < n && fabs(points[3 * i + axis] - points[axis]) <= 0x1p-46 * largest)
-            i++;
-        if (i == n)
-            return axis;
-    }
-    return -1;
-}
-
-/* The plane x, y or z = at, its axes those that are left. */
-static batten_frame plane_of(int axis, double at)
-{
-    const bool x = axis == 0, y = axis == 1, z = axis == 2;
-    return (batten_frame){{at * x, at * y, at * z}, {!x, x, 0}, {x, -1.0 * y, z}};
-}
-
-static batten_status drop_axis(const batten_curve *curve, int axis, batten_curve **out)
-{
-    batten_curve *flat = NULL;
-    batten_status status =
-        bat_curve_make(2, curve->degree, curve->count, curve->weights != NULL, &flat);
-    if (status != BATTEN_OK)
-        return status;
-    const int first = axis == 0, second = axis == 2 ? 1 : 2;
-    for (int i = 0; i < curve->count; i++) {
-        flat->points[2 * i] = curve->points[3 * i + first];
-        flat->points[2 * i + 1] = curve->points[3 * i + second];
-        if (curve->weights)
-            flat->weights[i] = curve->weights[i];
-    }
-    memcpy(flat->knots, curve->knots,
-           (size_t)(curve->count + curve->degree + 1) * sizeof *flat->knots);
-    return bat_curve_finish(flat, out);
-}
-
 static batten_status of_space_curve(const batten_curve *curve, batten_chain **out)
 {
-    const int axis = flat_axis(curve);
+    int axis;
     batten_curve *flat = NULL;
     batten_chain *chain = NULL, *placed = NULL;
-    batten_status status = BATTEN_OK;
-    if (axis >= 0)
-        status = drop_axis(curve, axis, &flat);
-    if (status == BATTEN_OK && flat)
+    batten_status status = batten_curve_flatten(curve, &axis, &flat);
+    if (status == BATTEN_OK && axis >= 0)
         status = of_plane_curve(flat, &chain);
     if (status == BATTEN_OK && chain) {
-        const batten_frame frame = plane_of(axis, curve->points[axis]);
+        const batten_frame frame = batten_frame_across(axis, curve->points[axis]);
         status = batten_chain_place(chain, &frame, &placed);
     }
     batten_curve_unref(flat);

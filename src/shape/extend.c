@@ -5,8 +5,6 @@
 
 #include <float.h>
 
-static const double pi = 3.14159265358979323846;
-
 /* ---- pieces ---- */
 
 /* Curvature and rate that rounding alone may make are none; then n is the direction of what is
@@ -64,7 +62,8 @@ static batten_status arc_piece(const bat_tip *tip, double length, double b, batt
 {
     enum { MOST = 4 };
     const double k = tip->curvature, angle = k * length;
-    const int d = tip->dimension, count = bat_max_int(1, (int)ceil(angle / (pi / 2) - 1e-12));
+    const int d = tip->dimension,
+              count = bat_max_int(1, (int)ceil(angle / (BAT_PI / 2) - 1e-12));
     double points[(2 * MOST + 1) * 3], weights[2 * MOST + 1], breaks[MOST + 1];
     if (count > MOST)
         return bat_fail(BATTEN_BAD_ARGUMENT,

@@ -45,7 +45,7 @@ static batten_status spans(double alpha, double beta, double l, double tension,
 
 const bat_span_family bat_family_euler_spiral = {
     .name = "an Euler spiral",
-    .limit = 0.98 * 3.14159265358979323846,
+    .limit = 0.98 * BAT_PI,
     .remedy = "biarcs",
     .curvatures = curvatures,
     .spans = spans,

@@ -1,8 +1,6 @@
 /* Hobby's splines: curvatures as if the angles were small, and his velocities. */
 #include "shape/two_angle.h"
 
-#define PI 3.14159265358979323846
-
 static batten_status curvatures(double alpha, double beta, double l, double tension,
                                 bat_end_curvatures *out)
 {
@@ -50,7 +48,7 @@ static batten_status spans(double alpha, double beta, double l, double tension,
 
 const bat_span_family bat_family_hobby = {
     .name = "a spline of Hobby",
-    .limit = PI,
+    .limit = BAT_PI,
     .remedy = "an Euler spiral",
     .curvatures = curvatures,
     .spans = spans,

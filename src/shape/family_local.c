@@ -2,8 +2,6 @@
 #include "shape/two_angle.h"
 #include "spline/chain.h"
 
-#define PI 3.14159265358979323846
-
 /* Slope and second derivative of a span in tension z = sigma l are bound by a = l A, b = l B:
  * the slopes above the chord are -a M0 - b M1 and b M0 + a M1. */
 typedef struct {
@@ -77,7 +75,7 @@ static batten_status cubic_spans(double alpha, double beta, double l, double ten
 
 const bat_span_family bat_family_local_cubic = {
     .name = "a local cubic",
-    .limit = PI / 2,
+    .limit = BAT_PI / 2,
     .remedy = "an Euler spiral",
     .curvatures = cubic_curvatures,
     .spans = cubic_spans,
@@ -85,7 +83,7 @@ const bat_span_family bat_family_local_cubic = {
 
 const bat_span_family bat_family_local_tension = {
     .name = "a local spline in tension",
-    .limit = PI / 2,
+    .limit = BAT_PI / 2,
     .remedy = "an Euler spiral",
     .curvatures = tension_curvatures,
     .spans = tension_spans,

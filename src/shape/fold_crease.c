@@ -6,7 +6,6 @@
 #include <string.h>
 
 enum { STEPS = 16 };
-static const double pi = 3.14159265358979323846;
 
 /* ---- values along the crease ---- */
 
@@ -41,11 +40,11 @@ batten_status bat_fold_value_at(const batten_curve *function, double s, double o
 
 static batten_status check_angle(double a, double s)
 {
-    if (!(fabs(a) < pi / 2 && a != 0))
+    if (!(fabs(a) < BAT_PI / 2 && a != 0))
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "the angle is %g degrees at the length %g of the crease; it must be "
                         "between 0 and 90, and not 0",
-                        a * 180 / pi, s);
+                        a * 180 / BAT_PI, s);
     return BATTEN_OK;
 }
 

@@ -9,8 +9,6 @@
 #include <float.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 batten_nonlinear_options batten_nonlinear_defaults(void)
 {
     return (batten_nonlinear_options){.size = sizeof(batten_nonlinear_options),
@@ -129,7 +127,7 @@ static batten_status polygon_make(int count, const double *points,
 static double end_value(batten_nonlinear_end kind, double value, double from, double unit)
 {
     if (kind == BATTEN_NONLINEAR_TANGENT)
-        return remainder(value - from, 2 * PI);
+        return remainder(value - from, 2 * BAT_PI);
     return value * unit;
 }
 

@@ -6,8 +6,6 @@
 #include <float.h>
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
-
 /* ---- clouds ---- */
 
 batten_status bat_cloud_make(int dimension, int count, const double *points, bat_cloud *out)
@@ -79,16 +77,16 @@ void bat_angle_range(int count, const double *angles, double *start, double *ang
     double at = angles[0], low = at, high = at;
     for (int i = 1; i < count; i++) {
         double step = angles[i] - angles[i - 1];
-        step -= 2 * PI * round(step / (2 * PI));
+        step -= 2 * BAT_PI * round(step / (2 * BAT_PI));
         at += step;
         low = bat_min(low, at);
         high = bat_max(high, at);
     }
     /* Data that go around leave a gap no larger than the steps between them. */
     const double steps = (high - low) / bat_max_int(count - 1, 1);
-    const bool around = high - low + 2 * steps >= 2 * PI;
+    const bool around = high - low + 2 * steps >= 2 * BAT_PI;
     *start = around ? angles[0] : low;
-    *angle = around ? 2 * PI : high - low;
+    *angle = around ? 2 * BAT_PI : high - low;
 }
 
 /* ---- lines ---- */

@@ -160,7 +160,7 @@ static double place(const bat_cloud *c, const bat_cloud *flat, const double axes
     double turned = 0;
     for (int i = 1; i < flat->count; i++) {
         const double step = angles[i] - angles[i - 1];
-        turned += step - 6.283185307179586477 * round(step / 6.283185307179586477);
+        turned += step - (2 * BAT_PI) * round(step / (2 * BAT_PI));
     }
     const double sign = turned < 0 ? -1 : 1;
     const batten_vec3 u = vec3(axes + 3), v = vec3(axes + 6), w = bat_vec3_cross(u, v);

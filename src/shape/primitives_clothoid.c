@@ -130,7 +130,7 @@ static batten_status guess_angles(const groups *g, double *x)
         double angle = atan2(g->points[2 * k + 3] - g->points[2 * k + 1],
                              g->points[2 * k + 2] - g->points[2 * k]);
         if (k > 0)
-            angle -= 6.283185307179586477 * round((angle - before) / 6.283185307179586477);
+            angle -= (2 * BAT_PI) * round((angle - before) / (2 * BAT_PI));
         before = angle;
         a[3 * k] = 1;
         a[3 * k + 1] = s;

@@ -6,14 +6,12 @@
 
 #include <float.h>
 
-#define PI 3.14159265358979323846
-
 /* A fit of the solution over all angles: it is odd in both, and even under their exchange. */
 static double first_guess(double alpha, double beta)
 {
     static const double c[] = {2.989696028701907,  0.716228953608281, -0.458969738821509,
                                -0.502821153340377, 0.261062141752652, -0.045854475238709};
-    const double x = alpha / PI, y = beta / PI, xy = x * y, z = x * x + y * y;
+    const double x = alpha / BAT_PI, y = beta / BAT_PI, xy = x * y, z = x * x + y * y;
     return (alpha + beta) *
            (c[0] + xy * (c[1] + xy * c[2]) + (c[3] + xy * c[4]) * z + c[5] * z * z);
 }
@@ -64,13 +62,13 @@ batten_status bat_clothoid_solve(double alpha, double beta, bat_clothoid *out)
 /* ---- public ---- */
 
 /* The largest angle at which both ends may stand to the chord. */
-static const double limit = 0.98 * PI;
+static const double limit = 0.98 * BAT_PI;
 
 static double end_error(const batten_span *span, const double *end, double end_angle)
 {
     double at[4];
     bat_span_spiral(2, span, span->length, 1, at);
-    const double turn = remainder(atan2(at[3], at[2]) - end_angle, 2 * PI);
+    const double turn = remainder(atan2(at[3], at[2]) - end_angle, 2 * BAT_PI);
     return bat_max(bat_distance(2, at, end), fabs(turn) * span->length);
 }
 
@@ -88,8 +86,8 @@ batten_status batten_spiral_hermite(const double *start, double start_angle, con
     if (!isfinite(l))
         return bat_fail(BATTEN_OVERFLOW, "start and end are too far apart");
     const double phi = atan2(q[1], q[0]);
-    const double alpha = remainder(start_angle - phi, 2 * PI);
-    const double beta = remainder(end_angle - phi, 2 * PI);
+    const double alpha = remainder(start_angle - phi, 2 * BAT_PI);
+    const double beta = remainder(end_angle - phi, 2 * BAT_PI);
     if (fabs(alpha) > limit && fabs(beta) > limit)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "both directions, %g and %g radians from the chord, lead away from the "

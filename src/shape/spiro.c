@@ -7,8 +7,6 @@
 #include <float.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 enum { N = BAT_SPIRO_UNKNOWNS };
 
 batten_spiro_options batten_spiro_defaults(void)
@@ -90,7 +88,7 @@ static batten_spiro_end relative(const spline *s, const batten_spiro_end *given,
 {
     const double *q = s->chords.vector + 2 * (size_t)span;
     batten_spiro_end end = *given;
-    end.tangent = remainder(given->tangent - atan2(q[1], q[0]), 2 * PI);
+    end.tangent = remainder(given->tangent - atan2(q[1], q[0]), 2 * BAT_PI);
     end.curvature *= s->chords.unit;
     return end;
 }

@@ -11,8 +11,6 @@
 
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 enum { N = BAT_SPIRO_UNKNOWNS, WIDTH = 2 * N, PER_POINT = 4 };
 
 typedef struct {
@@ -327,8 +325,8 @@ static batten_status fail_span(const search *s, bool spirals)
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                     "span %d from point %d to %d bends too much, from %.4g to %.4g degrees "
                     "against its chord, to be joined so smoothly: %s, or put a point between",
-                    j, j, (j + 1) % p->count, at->value[0][0] * 180 / PI,
-                    at->value[1][0] * 180 / PI, remedy_for(s->task, j, spirals));
+                    j, j, (j + 1) % p->count, at->value[0][0] * 180 / BAT_PI,
+                    at->value[1][0] * 180 / BAT_PI, remedy_for(s->task, j, spirals));
 }
 
 /* ---- from Euler spirals to the spline ---- */

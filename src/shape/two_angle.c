@@ -6,8 +6,6 @@
 #include <float.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 void bat_two_angle_span(const bat_two_angle *task, const double *angles, int j, double *alpha,
                         double *beta)
 {
@@ -26,8 +24,8 @@ static batten_status fail_span(const bat_two_angle *task, const double *angles, 
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                     "span %d would leave and reach its chord at %.4g and %.4g degrees; %s goes "
                     "to %.4g at most: use %s, or put a point between",
-                    j, alpha * 180 / PI, beta * 180 / PI, task->family->name,
-                    task->family->limit * 180 / PI, task->family->remedy);
+                    j, alpha * 180 / BAT_PI, beta * 180 / BAT_PI, task->family->name,
+                    task->family->limit * 180 / BAT_PI, task->family->remedy);
 }
 
 /* ---- where Newton begins ---- */
@@ -70,8 +68,8 @@ batten_status bat_two_angle_start(const bat_two_angle *task, double *angles)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "the polygon turns by %.4g degrees at point %d; %s goes to %.4g on "
                             "each side: use %s, or put a point between",
-                            task->turn[i] * 180 / PI, i, task->family->name,
-                            task->family->limit * 180 / PI, task->family->remedy);
+                            task->turn[i] * 180 / BAT_PI, i, task->family->name,
+                            task->family->limit * 180 / BAT_PI, task->family->remedy);
         angles[i] = bat_min(high, bat_max(low, circle_tangent(task, i)));
     }
     if (!open)
@@ -132,7 +130,7 @@ static double length_about(const bat_two_angle *task, int i)
 /* Angles are rounded like pi; short spans make a jump of that. */
 static double rounding_at(const bat_two_angle *task, int i)
 {
-    return 4 * 3.15 * DBL_EPSILON / length_about(task, i);
+    return 4 * BAT_PI * DBL_EPSILON / length_about(task, i);
 }
 
 /* Curvatures and jumps at it->angles. */

@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
-
 /* ---- one span ---- */
 
 /* Point and derivatives at t; out [4][3] whatever the dimension. */
@@ -98,7 +96,7 @@ static batten_span reversed(int d, const batten_span *from)
     span.curvature[2] = -span.curvature[2];
     span.angle = atan2(-v[1][1], -v[1][0]);
     if (from->kind == BATTEN_SPAN_GEOMETRIC)
-        span.chord = from->chord > 0 ? from->chord - pi : from->chord + pi;
+        span.chord = from->chord > 0 ? from->chord - BAT_PI : from->chord + BAT_PI;
     memcpy(span.start, v[0], sizeof span.start);
     memcpy(span.end, from->start, sizeof span.end);
     memcpy(span.bend[0], from->bend[1], sizeof span.bend[0]);

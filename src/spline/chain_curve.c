@@ -110,13 +110,12 @@ static batten_status add_arc(const batten_chain *chain, pieces *p, double a, dou
 
 static batten_status add_arcs(const batten_chain *chain, pieces *p, int i)
 {
-    static const double pi = 3.14159265358979323846;
     const batten_span *span = &chain->spans[i];
     const double turn = fabs(span->curvature[0]) * span->length;
-    const double parts = bat_max(1, ceil(turn / (pi / 2) * (1 - 1e-12)));
+    const double parts = bat_max(1, ceil(turn / (BAT_PI / 2) * (1 - 1e-12)));
     const double a = chain->breaks[i], b = chain->breaks[i + 1];
     if (!(parts <= MAX_PIECES))
-        return bat_fail(BATTEN_TOO_LARGE, "span %d turns %g times", i, turn / (2 * pi));
+        return bat_fail(BATTEN_TOO_LARGE, "span %d turns %g times", i, turn / (2 * BAT_PI));
     batten_status status = BATTEN_OK;
     for (int k = 0; k < (int)parts && status == BATTEN_OK; k++)
         status =

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <string.h>
 
-static const double HALF_PI = 1.57079632679489661923, TWO_PI = 6.28318530717958647692;
+static const double HALF_PI = BAT_PI / 2, TWO_PI = 2 * BAT_PI;
 
 /* ---- straight ---- */
 

@@ -115,23 +115,23 @@ batten_status batten_curve_moebius(const batten_curve *curve, double a, double b
 
 /* ---- weights, dimension ---- */
 
-/* The same knots and, as far as there are any, coordinates, with other dimension or with
- * weights. */
-static batten_status recast(const batten_curve *curve, int dimension, bool rational,
-                            batten_curve **out)
+/* The same knots and, as far as there are any, coordinates but `dropped` (-1: none), with other
+ * dimension or with weights. */
+static batten_status recast(const batten_curve *curve, int dimension, int dropped,
+                            bool rational, batten_curve **out)
 {
     batten_curve *made;
     const batten_status status =
         bat_curve_make(dimension, curve->degree, curve->count, rational, &made);
     if (status != BATTEN_OK)
         return status;
-    const size_t n = (size_t)curve->count, from = (size_t)curve->dimension,
-                 to = (size_t)dimension;
+    const int n = curve->count, from = curve->dimension;
     made->periodic = curve->periodic;
-    memcpy(made->knots, curve->knots, (n + (size_t)curve->degree + 1) * sizeof *made->knots);
-    for (size_t i = 0; i < n; i++) {
-        memcpy(made->points + i * to, curve->points + i * from,
-               (from < to ? from : to) * sizeof *made->points);
+    memcpy(made->knots, curve->knots, (size_t)(n + curve->degree + 1) * sizeof *made->knots);
+    for (int i = 0; i < n; i++) {
+        for (int k = 0, j = 0; k < from && j < dimension; k++)
+            if (k != dropped)
+                made->points[i * dimension + j++] = curve->points[i * from + k];
         if (rational)
             made->weights[i] = curve->weights ? curve->weights[i] : 1;
     }
@@ -141,7 +141,7 @@ static batten_status recast(const batten_curve *curve, int dimension, bool ratio
 batten_status batten_curve_to_rational(const batten_curve *curve, batten_curve **out)
 {
     assert(curve && out);
-    return recast(curve, curve->dimension, true, out);
+    return recast(curve, curve->dimension, -1, true, out);
 }
 
 batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension,
@@ -151,7 +151,35 @@ batten_status batten_curve_to_dimension(const batten_curve *curve, int dimension
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
                         dimension);
-    return recast(curve, dimension, curve->weights != NULL, out);
+    return recast(curve, dimension, -1, curve->weights != NULL, out);
+}
+
+/* The last axis along which all points have one coordinate, to rounding; -1 for none. */
+static int flat_axis(const batten_curve *curve)
+{
+    const double *points = curve->points;
+    const int n = curve->count;
+    double largest = 0;
+    for (int i = 0; i < 3 * n; i++)
+        largest = bat_max(largest, fabs(points[i]));
+    for (int axis = 2; axis >= 0; axis--) {
+        int i = 0;
+        while (i < n && fabs(points[3 * i + axis] - points[axis]) <= 0x1p-46 * largest)
+            i++;
+        if (i == n)
+            return axis;
+    }
+    return -1;
+}
+
+batten_status batten_curve_flatten(const batten_curve *curve, int *axis, batten_curve **out)
+{
+    assert(curve && axis && out);
+    *axis = curve->dimension == 3 ? flat_axis(curve) : -1;
+    if (*axis >= 0)
+        return recast(curve, 2, *axis, curve->weights != NULL, out);
+    *out = batten_curve_ref(curve);
+    return BATTEN_OK;
 }
 
 /* ---- position ---- */

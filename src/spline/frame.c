@@ -6,6 +6,12 @@ batten_frame batten_frame_world(void)
     return (batten_frame){{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
 }
 
+batten_frame batten_frame_across(int axis, double at)
+{
+    const bool x = axis == 0, y = axis == 1, z = axis == 2;
+    return (batten_frame){{at * x, at * y, at * z}, {!x, x, 0}, {x, -1.0 * y, z}};
+}
+
 batten_status bat_frame_square(const batten_frame *frame, batten_frame *square, batten_vec3 *y)
 {
     const double x_length = bat_vec3_norm(frame->x), z_length = bat_vec3_norm(frame->z);

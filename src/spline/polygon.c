@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
-
 batten_status batten_curve_bezier(int dimension, int degree, const double *points,
                                   const double *weights, batten_curve **out)
 {
@@ -179,7 +177,7 @@ batten_status batten_curve_arc_cubic(double radius, double angle, double toleran
                                      double *error, batten_curve **out)
 {
     enum { MOST = 100000 };
-    if (!(radius > 0 && isfinite(radius) && angle > 0 && angle <= 2 * pi))
+    if (!(radius > 0 && isfinite(radius) && angle > 0 && angle <= 2 * BAT_PI))
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
             "no arc of radius %g and angle %g: they must be above 0, the angle at most "
@@ -187,12 +185,12 @@ batten_status batten_curve_arc_cubic(double radius, double angle, double toleran
             radius, angle);
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
-    int pieces = (int)ceil(angle / pi);
+    int pieces = (int)ceil(angle / BAT_PI);
     while (arc_error(radius, angle / pieces) > tolerance && pieces < MOST)
         pieces += 1 + pieces / 8;
     /* Not more than needed, after the strides. */
     while (pieces > 1 && arc_error(radius, angle / (pieces - 1)) <= tolerance &&
-           angle / (pieces - 1) <= pi)
+           angle / (pieces - 1) <= BAT_PI)
         pieces--;
     if (arc_error(radius, angle / pieces) > tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "%d cubics come within %g, not %g", pieces,

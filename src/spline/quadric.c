@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-#define FULL_TURN 6.283185307179586
-
 enum { CIRCLE = 9 }; /* points of a full circle */
 
 static batten_status unit(batten_vec3 a, batten_vec3 *out)
@@ -227,7 +225,7 @@ static batten_status turn(const batten_frame *frame, int degree, int count, doub
     }
     status = batten_curve_create(3, degree, count, points, weights, knots, &profile);
     if (status == BATTEN_OK)
-        status = batten_surface_revolved(profile, squared.origin, squared.z, FULL_TURN, out);
+        status = batten_surface_revolved(profile, squared.origin, squared.z, 2 * BAT_PI, out);
     batten_curve_unref(profile);
     return status;
 }

@@ -1,5 +1,7 @@
 #include <batten/curve.h>
+#include <batten/standard.h>
 
+#include "numeric/vector.h"
 #include "support/generate.h"
 
 static const test_wish any = {0};
@@ -316,5 +318,34 @@ TEST(a_rational_curve_keeps_its_points_under_a_moebius_map)
         CHECK_NEAR(there, here, 1e-14);
     }
     batten_curve_unref(moved);
+    batten_curve_unref(curve);
+}
+
+TEST(a_curve_in_a_plane_across_an_axis_is_flattened_with_its_weights_and_period)
+{
+    const double points[4][3] = {{5, 1, 2}, {5, 3, 2}, {5, 4, 6}, {5, 0, 7}};
+    const double weights[4] = {1, 2, 1, 3}, knots[5] = {0, 1, 2, 3, 4};
+    batten_curve *curve = NULL, *flat = NULL, *same = NULL;
+    int axis = 7;
+    CHECK_OK(batten_curve_create_periodic(3, 2, 4, &points[0][0], weights, knots, &curve));
+    CHECK_OK(batten_curve_flatten(curve, &axis, &flat));
+    CHECK_INT(axis, 0);
+    CHECK_INT(batten_curve_dimension(flat), 2);
+    CHECK(batten_curve_is_periodic(flat) && batten_curve_is_rational(flat));
+    const batten_frame frame = batten_frame_across(axis, 5);
+    const batten_vec3 y = bat_vec3_cross(frame.z, frame.x);
+    for (int i = 0; i <= 8; i++) {
+        double p[3], q[2];
+        CHECK_OK(batten_curve_evaluate(curve, i / 2.0, 0, p));
+        CHECK_OK(batten_curve_evaluate(flat, i / 2.0, 0, q));
+        CHECK_NEAR(frame.origin.x + q[0] * frame.x.x + q[1] * y.x, p[0], 1e-14);
+        CHECK_NEAR(frame.origin.y + q[0] * frame.x.y + q[1] * y.y, p[1], 1e-14);
+        CHECK_NEAR(frame.origin.z + q[0] * frame.x.z + q[1] * y.z, p[2], 1e-14);
+    }
+    CHECK_OK(batten_curve_flatten(flat, &axis, &same));
+    CHECK_INT(axis, -1);
+    CHECK(same == flat);
+    batten_curve_unref(same);
+    batten_curve_unref(flat);
     batten_curve_unref(curve);
 }

@@ -41,7 +41,7 @@ static void tell(bat_run *run, const char *name, const batten_arcs_report *repor
         "'%s': %d arcs and %d lines, %g beside it to the left and %g to the right; least "
         "radius %g, largest corner %.3g degrees",
         name, report->arcs, report->lines, report->left, report->right, report->least_radius,
-        report->largest_turn * 180 / 3.14159265358979323846);
+        report->largest_turn * 180 / BAT_PI);
 }
 
 /* ---- points ---- */
@@ -62,38 +62,20 @@ static batten_status of_points(bat_run *run, const bat_data *data, bat_made *mad
 
 /* ---- curves ---- */
 
-/* The axis along which all control points have the same coordinate, but for the rounding of
- * whatever made them; -1 for none. */
-static int flat_axis(const batten_curve *curve)
-{
-    const int n = batten_curve_point_count(curve);
-    const double *points = batten_curve_points(curve);
-    double largest = 0;
-    for (int i = 0; i < 3 * n; i++)
-        largest = bat_max(largest, fabs(points[i]));
-    for (int axis = 2; axis >= 0; axis--) {
-        int i = 0;
-        while (i < n && fabs(points[3 * i + axis] - points[axis]) <= 0x1p-46 * largest)
-            i++;
-        if (i == n)
-            return axis;
-    }
-    return -1;
-}
-
-/* The plane x, y or z = constant of a curve. */
+/* A curve as one of its plane x, y or z = constant. */
 static batten_status flatten(const batten_object *object, batten_frame *frame,
                              batten_curve **flat)
 {
-    const int axis = batten_curve_dimension(object->curve) == 3 ? flat_axis(object->curve) : -1;
+    int axis;
+    const batten_status status = batten_curve_flatten(object->curve, &axis, flat);
+    if (status != BATTEN_OK)
+        return status;
     if (axis < 0)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "'%s' must lie in a plane x, y or z = constant for 'arcs'",
                         object->name);
-    const double at = batten_curve_points(object->curve)[axis];
-    const bool x = axis == 0, y = axis == 1, z = axis == 2;
-    *frame = (batten_frame){{at * x, at * y, at * z}, {!x, x, 0}, {x, -1.0 * y, z}};
-    return bat_curve_in_plane(object->curve, axis, flat);
+    *frame = batten_frame_across(axis, batten_curve_points(object->curve)[axis]);
+    return BATTEN_OK;
 }
 
 static batten_status put(bat_run *run, const batten_object *from, const batten_frame *frame,

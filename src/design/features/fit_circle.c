@@ -23,7 +23,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
                    circle.radius, circle.frame.origin.x, circle.frame.origin.y,
                    circle.frame.origin.z);
         status = batten_curve_arc_in(&circle.frame, circle.radius, circle.start,
-                                     whole ? BAT_TURN : circle.angle, &made->curve);
+                                     whole ? 2 * BAT_PI : circle.angle, &made->curve);
     }
     return bat_made_primitive(&report, status, made);
 }

@@ -25,7 +25,7 @@ static batten_status turn_back(batten_curve **curve)
 /* As the data run; the ellipse about the origin goes to its place. */
 static batten_status draw(const batten_fitted_ellipse *e, bool whole, batten_curve **out)
 {
-    const double angle = whole ? BAT_TURN : fabs(e->angle),
+    const double angle = whole ? 2 * BAT_PI : fabs(e->angle),
                  start = e->angle < 0 ? e->start - angle : e->start;
     const batten_affine map = {{{e->axis[0], -e->axis[1], 0}, {e->axis[1], e->axis[0], 0}},
                                {e->center[0], e->center[1], 0}};

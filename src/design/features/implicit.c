@@ -135,7 +135,7 @@ static batten_status trace_object(bat_run *run, const batten_object *object)
 {
     batten_curve *flat = NULL;
     plane p = {2, 0};
-    batten_status status = bat_curve_flattened(object->curve, &p.axis, &flat);
+    batten_status status = batten_curve_flatten(object->curve, &p.axis, &flat);
     if (status == BATTEN_OK && p.axis >= 0)
         p.at = batten_curve_points(object->curve)[p.axis];
     if (p.axis < 0)

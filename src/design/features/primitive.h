@@ -4,8 +4,6 @@
 #include "design/through.h"
 #include <batten/primitives.h>
 
-#define BAT_TURN 6.283185307179586477
-
 /* How much of a closed shape is drawn. */
 #define BAT_WHOLE                                                                        \
     {                                                                                    \

@@ -12,7 +12,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    const double degree = 3.14159265358979323846 / 180;
+    const double degree = BAT_PI / 180;
     const double start =
         bat_has(run, "start-angle") ? bat_number(run, "start-angle") : (double)NAN;
     batten_sequential_report report;

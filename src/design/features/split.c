@@ -25,7 +25,7 @@ batten_status bat_pieces_divide(const bat_run *run, const batten_object *object,
     int axis;
     batten_status status = BATTEN_OK;
     if (bends)
-        status = bat_curve_flattened(object->curve, &axis, &flat);
+        status = batten_curve_flatten(object->curve, &axis, &flat);
     if (status == BATTEN_OK)
         status = batten_curve_divide_pieces(bends ? flat : object->curve, kind,
                                             has_direction ? &along : NULL, out);

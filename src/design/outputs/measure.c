@@ -95,7 +95,7 @@ static batten_status measure(const batten_object *object, double within, facts *
     const batten_curve *curve = object->curve;
     batten_curve *flat = NULL;
     *f = (facts){.name = object->name, .closed = batten_curve_is_closed(curve, within)};
-    batten_status status = bat_curve_flattened(curve, &f->axis, &flat);
+    batten_status status = batten_curve_flatten(curve, &f->axis, &flat);
     if (status == BATTEN_OK && batten_curve_dimension(curve) == 2)
         f->axis = 2;
     if (status == BATTEN_OK)
@@ -135,7 +135,7 @@ static void text_region(batten_text *out, const facts *f)
 {
     const batten_region *r = &f->region;
     const double moments[3] = {r->xx, r->xy, r->yy};
-    const double degrees = r->angle * (180 / 3.14159265358979323846);
+    const double degrees = r->angle * (180 / BAT_PI);
     batten_text_add(out, "  area %.9g in the %s-plane", r->area, plane_name(f->axis));
     text_numbers(out, ", centroid", 3, f->centroid);
     text_numbers(out, "\n  second moments about it", 3, moments);
