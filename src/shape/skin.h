@@ -1,4 +1,4 @@
-/* The parts of skinning: frames place the sections, common knots unify them. */
+/* The parts of skinning that others use too. */
 #ifndef BAT_SKIN_H
 #define BAT_SKIN_H
 #include "base/work.h"
@@ -14,15 +14,5 @@ batten_status bat_skin_places(int count, const batten_skin_options *options,
  * on; corners keep their parameters. Clamped. Rational sections, whose speed is not in their
  * points alone, stay as they are. */
 batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **out);
-
-/*
- * Give sections the same degree, few common knots and the domain [0, 1], no section moving
- * farther than `tolerance`; corners stay. When that takes as many knots as the exact union,
- * that.
- * @param[out] out [count]; @param[out] deviation [count] bounds on how far each moved
- */
-batten_status bat_skin_common_knots(int count, const batten_curve *const *sections,
-                                    double tolerance, bat_work *work, batten_curve **out,
-                                    double *deviation);
 
 #endif

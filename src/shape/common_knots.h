@@ -1,0 +1,16 @@
+/* Few common knots for many curves. */
+#ifndef BAT_COMMON_KNOTS_H
+#define BAT_COMMON_KNOTS_H
+#include "base/work.h"
+#include <batten/curve.h>
+
+/*
+ * Give curves of one dimension the same degree, few common knots and the domain [0, 1], no
+ * curve moving farther than `tolerance` at equal parameters; corners and ends stay. When that
+ * takes as many knots as the exact union, that.
+ * @param[out] out [count]; @param[out] deviation [count] bounds on how far each moved
+ */
+batten_status bat_common_knots(int count, const batten_curve *const *curves, double tolerance,
+                               bat_work *work, batten_curve **out, double *deviation);
+
+#endif

@@ -1,0 +1,121 @@
+/* Combs: knots that many curves shall have. */
+#include "shape/common_knots_parts.h"
+
+#include <float.h>
+#include <string.h>
+
+batten_status bat_comb_make(int capacity, bat_comb *c)
+{
+    c->capacity = capacity;
+    c->knots = bat_array(2 * (size_t)capacity + 2, sizeof *c->knots);
+    c->held = bat_array((size_t)capacity + 1, sizeof *c->held);
+    return c->knots && c->held ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+void bat_comb_free(bat_comb *c)
+{
+    bat_release(c->knots);
+    bat_release(c->held);
+}
+
+void bat_comb_insert(bat_comb *c, double u, bool held)
+{
+    int i = c->inner++;
+    for (; i > 0 && c->knots[i - 1] > u; i--) {
+        c->knots[i] = c->knots[i - 1];
+        c->held[i] = c->held[i - 1];
+    }
+    c->knots[i] = u;
+    c->held[i] = held;
+}
+
+void bat_comb_remove(bat_comb *c, int at)
+{
+    c->inner--;
+    for (int i = at; i < c->inner; i++) {
+        c->knots[i] = c->knots[i + 1];
+        c->held[i] = c->held[i + 1];
+    }
+}
+
+void bat_comb_copy(const bat_comb *from, bat_comb *to)
+{
+    to->inner = from->inner;
+    memcpy(to->knots, from->knots, (size_t)from->inner * sizeof *to->knots);
+    memcpy(to->held, from->held, (size_t)from->inner * sizeof *to->held);
+}
+
+static bool comb_has(const bat_comb *c, double u)
+{
+    for (int i = 0; i < c->inner; i++)
+        if (fabs(c->knots[i] - u) <= 16 * DBL_EPSILON)
+            return true;
+    return false;
+}
+
+/* The whole knot vector [inner + 2 p + 2]. */
+void bat_comb_write(const bat_comb *c, int p, double *U)
+{
+    for (int i = 0; i <= p; i++) {
+        U[i] = 0;
+        U[p + 1 + c->inner + i] = 1;
+    }
+    memcpy(U + p + 1, c->knots, (size_t)c->inner * sizeof *U);
+}
+
+/* Does a knot of full multiplicity bend the section visibly? A bend of the derivative by j,
+ * rounded off over the spans beside it, h, moves the curve by at least j h / 32. */
+static bool is_corner(const bat_fitting *f, const bat_spline *s, int i)
+{
+    const int p = s->degree;
+    const double *U = s->knots;
+    const double before = U[i] - U[i - 1], after = U[i + p] - U[i + p - 1];
+    const double *row = s->values + (size_t)(i - 1) * f->width; /* the point on the knot */
+    double jump[4];
+    for (size_t c = 0; c < f->width; c++)
+        jump[c] = p * ((row[f->width + c] - row[c]) / after -
+                       (row[c] - *(row - f->width + c)) / before);
+    return bat_norm((int)f->width, jump) * bat_min(before, after) / 32 > f->tolerance / 4;
+}
+
+/* Knots i .. i + p - 1 of each section that are one corner; false when they are too many. */
+bool bat_comb_corners(const bat_fitting *f, bat_comb *c)
+{
+    const int p = f->degree;
+    for (int k = 0; k < f->count; k++) {
+        const bat_spline *s = &f->given[k];
+        for (int i = p + 1; i + p <= s->count; i++) {
+            if (s->knots[i] == s->knots[i - 1] || s->knots[i] != s->knots[i + p - 1] ||
+                comb_has(c, s->knots[i]) || !is_corner(f, s, i))
+                continue;
+            if (c->inner + p > f->limit)
+                return false;
+            for (int times = 0; times < p; times++)
+                bat_comb_insert(c, s->knots[i], true);
+        }
+    }
+    return true;
+}
+
+/* The x-quantile of a section's simple inner knots: a rising function of x in [0, 1] from 0
+ * to 1. */
+static double quantile(const bat_spline *s, double x)
+{
+    const int p = s->degree, spans = s->count - p;
+    const double place = x * spans;
+    const int i = bat_min_int((int)place, spans - 1);
+    return s->knots[p + i] + (place - i) * (s->knots[p + i + 1] - s->knots[p + i]);
+}
+
+/* As many knots as the median section has, each the average of those at its place. */
+void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c)
+{
+    for (int j = 1; j <= wanted && c->inner < f->limit; j++) {
+        double sum = 0;
+        for (int k = 0; k < f->count; k++)
+            sum += quantile(&f->given[k], (double)j / (wanted + 1));
+        const double u = sum / f->count;
+        if (u > 0 && u < 1 && !comb_has(c, u))
+            bat_comb_insert(c, u, false);
+    }
+}

@@ -1,0 +1,51 @@
+/* The search for common knots: what its parts share. */
+#ifndef BAT_COMMON_KNOTS_PARTS_H
+#define BAT_COMMON_KNOTS_PARTS_H
+#include "numeric/vector.h"
+#include "shape/common_knots.h"
+#include "spline/curve.h"
+
+/* Knots that all sections shall have, `inner` of them inside (0, 1). */
+typedef struct {
+    int inner, capacity;
+    double *knots; /* [capacity] rising, p times where a corner is */
+    bool *held;    /* [capacity] that of a corner: it stays */
+} bat_comb;
+
+typedef struct {
+    int count, degree, dimension;
+    size_t width;
+    bool rational;
+    double tolerance;
+    bat_spline *given;  /* [count] homogeneous rows over [0, 1] */
+    bat_spline *fitted; /* [count] upon the comb */
+    double *deviation;  /* [count] */
+    double *error;      /* [capacity + 1] largest of all sections in each span of the comb */
+    int limit;          /* inner knots of all sections together: more are not worth it */
+    bat_work *work;
+} bat_fitting;
+
+/* ---- combs (common_knots_comb.c) ---- */
+
+batten_status bat_comb_make(int capacity, bat_comb *c);
+void bat_comb_free(bat_comb *c);
+void bat_comb_insert(bat_comb *c, double u, bool held);
+void bat_comb_remove(bat_comb *c, int at);
+void bat_comb_copy(const bat_comb *from, bat_comb *to);
+/* The whole knot vector [inner + 2 p + 2]. */
+void bat_comb_write(const bat_comb *c, int p, double *U);
+/* The corners of all curves; false when they are too many. */
+bool bat_comb_corners(const bat_fitting *f, bat_comb *c);
+/* `wanted` knots, each the average of those at its place. */
+void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c);
+
+/* ---- one curve upon a comb (common_knots_fit.c) ---- */
+
+/* Least squares with the ends held. */
+batten_status bat_common_fit(const bat_fitting *f, int k, const bat_comb *c, bat_spline *out);
+/* Bounds on the distance at equal parameters: in each span of the comb (`error` grows, may be
+ * NULL), and of the whole. */
+batten_status bat_common_deviation(const bat_fitting *f, const bat_spline *given,
+                                   const bat_spline *fit, double *error, double *deviation);
+
+#endif
