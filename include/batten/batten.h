@@ -46,6 +46,7 @@
 #include <batten/polygon.h>
 #include <batten/primitives.h>
 #include <batten/quadratic.h>
+#include <batten/ribbon.h>
 #include <batten/skin.h>
 #include <batten/spiro.h>
 #include <batten/standard.h>

@@ -105,6 +105,10 @@ batten_status bat_nurbs_transform(const batten_surface *surface, const batten_af
                                   batten_surface **out);
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out);
+/* The row of the net at `at` in `direction`, or of its derivative of this order <= 2 across:
+ * [count of the other direction][width], homogeneous as the net. `at` is inside the domain. */
+void bat_nurbs_row(const bat_nurbs *nurbs, batten_direction direction, double at,
+                   batten_side side, int order, double *row);
 batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance,
                                  batten_surface **out, double *error);
 

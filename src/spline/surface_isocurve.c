@@ -6,17 +6,17 @@
 
 #include <string.h>
 
-/* The row of the net at `at` in `direction`: [count of the other direction][width],
- * homogeneous. */
-static void combine_net(const bat_nurbs *nurbs, batten_direction direction, double at,
-                        double *row)
+void bat_nurbs_row(const bat_nurbs *nurbs, batten_direction direction, double at,
+                   batten_side side, int order, double *row)
 {
     const bat_axis *axis = &nurbs->axes[direction];
     const size_t width = nurbs->width, line = (size_t)nurbs->axes[BATTEN_V].count * width;
-    const int span = bat_axis_span(axis, at, BATTEN_FROM_RIGHT);
+    const int span = bat_axis_span(axis, at, side);
     const size_t first = (size_t)bat_axis_first_point(axis, span);
-    double basis[BATTEN_MAX_DEGREE + 1];
-    bat_axis_basis(axis, span, at, 0, basis);
+    double all[3 * (BATTEN_MAX_DEGREE + 1)];
+    assert(order <= 2);
+    bat_axis_basis(axis, span, at, order, all);
+    const double *basis = all + order * (axis->degree + 1);
     if (direction == BATTEN_U) {
         bat_combine_rows(axis->degree + 1, line, basis, nurbs->net + first * line, line, row);
         return;
@@ -54,7 +54,7 @@ batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction
                                   nurbs->weights != NULL, &curve)
                  : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        combine_net(nurbs, direction, at, row);
+        bat_nurbs_row(nurbs, direction, at, BATTEN_FROM_RIGHT, 0, row);
         fill_curve(nurbs, row, curve);
         memcpy(curve->knots, along->knots,
                ((size_t)along->count + (size_t)along->degree + 1) * sizeof *curve->knots);

@@ -1,0 +1,26 @@
+/* What a surface's edge is where no exact curve is at hand. */
+#ifndef BAT_RIBBON_FIT_H
+#define BAT_RIBBON_FIT_H
+#include "base/base.h"
+#include <batten/ribbon.h>
+
+/* Where an edge lies, and which way is out of the surface. */
+typedef struct {
+    batten_direction along; /* the parameter that runs along the edge */
+    double at;              /* the other one */
+    batten_side side;       /* from which the surface is seen at `at` */
+    double outward; /* 1 or -1: the sign of a step across the edge, out of the surface */
+} bat_edge_place;
+
+bat_edge_place bat_edge_of(const batten_surface *surface, batten_edge edge);
+
+/*
+ * The derivative of order k <= 2 outwards across the edge as a curve along it: pieces of degree
+ * 5 (k = 2: 3) with the end derivatives of the truth, halved until none is farther from it than
+ * `tolerance` at equal parameters.
+ * @param[out] error the largest distance found
+ */
+batten_status bat_edge_fit(const batten_surface *surface, batten_edge edge, int k,
+                           double tolerance, batten_curve **out, double *error);
+
+#endif
