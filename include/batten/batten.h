@@ -51,6 +51,7 @@
 #include <batten/spiro.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
+#include <batten/sweep.h>
 #include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/thin.h>

@@ -93,6 +93,9 @@ typedef struct {
 batten_status bat_gather(const bat_run *run, const char *parameter, unsigned kinds,
                          bat_objects *out);
 void bat_objects_release(bat_objects *objects);
+/* The only curve of an argument, borrowed from its feature's result. */
+batten_status bat_one_curve(const bat_run *run, const char *parameter,
+                            const batten_curve **out);
 
 /* All objects of all models of an argument in one model of the design's unit. */
 batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out);

@@ -148,6 +148,21 @@ void bat_objects_release(bat_objects *objects)
     *objects = (bat_objects){0, NULL};
 }
 
+batten_status bat_one_curve(const bat_run *run, const char *parameter, const batten_curve **out)
+{
+    bat_objects curves;
+    batten_status status = bat_gather(run, parameter, BAT_CURVES, &curves);
+    if (status != BATTEN_OK)
+        return status;
+    if (curves.count == 1)
+        *out = curves.at[0]->curve;
+    else
+        status =
+            bat_fail(BATTEN_BAD_ARGUMENT, "'%s' is one curve, not %d", parameter, curves.count);
+    bat_objects_release(&curves);
+    return status;
+}
+
 batten_status bat_merge(const bat_run *run, const char *parameter, batten_model **out)
 {
     bat_objects objects = {0, NULL};

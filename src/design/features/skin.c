@@ -46,23 +46,6 @@ static batten_status list_numbers(const bat_run *run, const char *parameter, int
     return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static batten_status find_spine(const bat_run *run, const batten_curve **spine)
-{
-    bat_objects curves;
-    *spine = NULL;
-    if (!bat_has(run, "spine"))
-        return BATTEN_OK;
-    batten_status status = bat_gather(run, "spine", BAT_CURVES, &curves);
-    if (status != BATTEN_OK)
-        return status;
-    if (curves.count == 1)
-        *spine = curves.at[0]->curve;
-    else
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "the spine is one curve, not %d", curves.count);
-    bat_objects_release(&curves);
-    return status;
-}
-
 static batten_status skin(bat_run *run, int count, const batten_curve **sections)
 {
     batten_skin_options options = batten_skin_defaults();
@@ -76,7 +59,8 @@ static batten_status skin(bat_run *run, int count, const batten_curve **sections
     options.periodic = bat_yes(run, "periodic");
     options.align = bat_yes(run, "align");
     options.frames = (batten_frame_kind)bat_word(run, "frames");
-    batten_status status = find_spine(run, &options.spine);
+    batten_status status =
+        bat_has(run, "spine") ? bat_one_curve(run, "spine", &options.spine) : BATTEN_OK;
     if (status == BATTEN_OK)
         status = list_numbers(run, "twist", count, &twist);
     if (status == BATTEN_OK)

@@ -1,0 +1,204 @@
+#include "support/test.h"
+
+#include <batten/measure.h>
+#include <batten/sweep.h>
+
+static batten_curve *arc(double radius, double angle)
+{
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_arc(radius, angle, &curve));
+    return curve;
+}
+
+/* A conic of space that touches no plane of the axes. */
+static batten_curve *bow(void)
+{
+    const double a[3] = {0.3, 0.2, -0.1}, b[3] = {1.1, 2, 0.7}, c[3] = {2.4, 1.7, 1.9};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_conic(3, a, b, c, 2.5, &curve));
+    return curve;
+}
+
+static void point_of(const batten_curve *curve, double u, double *out)
+{
+    out[1] = out[2] = 0;
+    CHECK_OK(batten_curve_evaluate(curve, u, 0, out));
+}
+
+TEST(a_translational_surface_is_the_sum_of_its_curves_also_when_both_are_rational)
+{
+    batten_curve *curve = arc(2, 1.9), *path = bow();
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_translational(curve, path, &surface));
+    double start[3];
+    point_of(path, 0, start);
+    for (int i = 0; i <= 20; i++)
+        for (int j = 0; j <= 20; j++) {
+            double c[3], p[3], s[30];
+            point_of(curve, i / 20.0, c);
+            point_of(path, j / 20.0, p);
+            CHECK_OK(batten_surface_evaluate(surface, i / 20.0, j / 20.0, 2, s));
+            for (int k = 0; k < 3; k++) {
+                CHECK_NEAR(s[k], c[k] + p[k] - start[k], 4e-15);
+                CHECK_NEAR(s[3 * BATTEN_SURFACE_DERIVATIVE(1, 1) + k], 0, 1e-13);
+            }
+        }
+    batten_surface_unref(surface);
+    batten_curve_unref(path);
+    batten_curve_unref(curve);
+}
+
+TEST(a_swing_along_the_unit_circle_is_the_surface_of_revolution)
+{
+    const double a[3] = {0.5, 0, -1}, b[3] = {2, 0, 0.2}, c[3] = {1, 0, 2};
+    batten_curve *profile = NULL, *circle = arc(1, 2 * acos(-1));
+    batten_surface *swung = NULL, *turned = NULL;
+    batten_swing_report report;
+    CHECK_OK(batten_curve_conic(3, a, b, c, 0.8, &profile));
+    CHECK_OK(batten_surface_swung(profile, circle, 1, &report, &swung));
+    CHECK_OK(batten_surface_revolved(profile, (batten_vec3){0, 0, 0}, (batten_vec3){0, 0, 1},
+                                     2 * acos(-1), &turned));
+    for (int i = 0; i <= 16; i++)
+        for (int j = 0; j <= 32; j++) {
+            double p[3], q[3];
+            CHECK_OK(batten_surface_evaluate(swung, i / 16.0, j / 32.0, 0, p));
+            CHECK_OK(batten_surface_evaluate(turned, j / 32.0, i / 16.0, 0, q));
+            for (int k = 0; k < 3; k++)
+                CHECK_NEAR(p[k], q[k], 1e-14);
+        }
+    CHECK_NEAR(report.least_x, 0.5, 0);
+    CHECK_NEAR(report.least_radius, 1, 1e-15);
+    batten_surface_unref(turned);
+    batten_surface_unref(swung);
+    batten_curve_unref(circle);
+    batten_curve_unref(profile);
+}
+
+TEST(a_swing_follows_its_formula_for_rational_curves_of_the_plane)
+{
+    const double a[2] = {1, 0}, b[2] = {2, 1}, c[2] = {0.5, 2};
+    batten_curve *profile = NULL, *trajectory = arc(3, 2);
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_conic(2, a, b, c, 3, &profile));
+    CHECK_OK(batten_surface_swung(profile, trajectory, 0.25, NULL, &surface));
+    for (int i = 0; i <= 20; i++)
+        for (int j = 0; j <= 20; j++) {
+            double p[3], t[3], s[3];
+            point_of(profile, i / 20.0, p);
+            point_of(trajectory, j / 20.0, t);
+            CHECK_OK(batten_surface_evaluate(surface, i / 20.0, j / 20.0, 0, s));
+            CHECK_NEAR(s[0], 0.25 * p[0] * t[0], 3e-15);
+            CHECK_NEAR(s[1], 0.25 * p[0] * t[1], 3e-15);
+            CHECK_NEAR(s[2], p[1], 3e-15);
+        }
+    batten_surface_unref(surface);
+    batten_curve_unref(trajectory);
+    batten_curve_unref(profile);
+}
+
+TEST(a_tabulated_cylinder_has_its_lengths_as_parameters)
+{
+    batten_curve *curve = bow();
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_tabulated(curve, (batten_vec3){0, 3, 4}, -2, 5, &surface));
+    CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).a, -2, 0);
+    CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).b, 5, 0);
+    for (int i = 0; i <= 8; i++) {
+        double c[3], s[9];
+        point_of(curve, i / 8.0, c);
+        CHECK_OK(batten_surface_evaluate(surface, i / 8.0, 1.5, 1, s));
+        CHECK_NEAR(s[1], c[1] + 0.6 * 1.5, 4e-15);
+        CHECK_NEAR(s[2], c[2] + 0.8 * 1.5, 4e-15);
+        CHECK_NEAR(s[7], 0.6, 4e-15);
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(curve);
+}
+
+TEST(G5_a_cone_to_an_apex_has_a_pole_with_a_normal)
+{
+    batten_curve *circle = arc(1, 2 * acos(-1)), *point = NULL;
+    batten_surface *surface = NULL;
+    const batten_vec3 apex = {0, 0, 2};
+    CHECK_OK(batten_surface_cone_to(circle, apex, &surface));
+    for (int i = 0; i <= 8; i++) {
+        double s[3];
+        batten_vec3 normal;
+        CHECK_OK(batten_surface_evaluate(surface, i / 8.0, 1, 0, s));
+        CHECK_NEAR(hypot(s[0], s[1]), 0, 0);
+        CHECK_NEAR(s[2], 2, 0);
+        CHECK_OK(batten_surface_normal(surface, i / 8.0, 0.5, &normal, NULL));
+        CHECK_NEAR(normal.z, 1 / sqrt(5), 1e-14);
+    }
+    const double same[6] = {0, 0, 2, 0, 0, 2}, knots[4] = {0, 0, 1, 1};
+    CHECK_OK(batten_curve_create(3, 1, 2, same, NULL, knots, &point));
+    batten_surface *none = NULL;
+    CHECK_STATUS(batten_surface_cone_to(point, apex, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_translational(circle, point, &none), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("the path is a point, (0, 0, 2)");
+    CHECK(none == NULL);
+    batten_curve_unref(point);
+    batten_surface_unref(surface);
+    batten_curve_unref(circle);
+}
+
+TEST(a_ruled_surface_by_length_joins_equal_shares_of_length)
+{
+    /* A polyline that is run at uneven speed, and a straight line. */
+    const double low[9] = {0, 0, 0, 1, 0, 0, 4, 0, 0}, high[6] = {0, 1, 0, 4, 1, 2};
+    const double knots[5] = {0, 0, 0.7, 1, 1}, line[4] = {0, 0, 1, 1};
+    batten_curve *first = NULL, *second = NULL;
+    batten_surface *surface = NULL;
+    double error = 1;
+    CHECK_OK(batten_curve_create(3, 1, 3, low, NULL, knots, &first));
+    CHECK_OK(batten_curve_create(3, 1, 2, high, NULL, line, &second));
+    CHECK_OK(batten_surface_ruled_by_length(first, second, 1e-9, &error, &surface));
+    CHECK_NEAR(error, 0, 0);
+    for (int i = 0; i <= 16; i++) {
+        double s[9];
+        CHECK_OK(batten_surface_evaluate(surface, i / 16.0, 0, 1, s));
+        CHECK_NEAR(s[0], 4 * i / 16.0, 2e-15);
+        CHECK_NEAR(s[6], 0, 2e-15); /* so the lines are square to the first curve */
+    }
+    batten_surface_unref(surface);
+    batten_curve *bent = bow(), *round = arc(1, 2);
+    CHECK_OK(batten_surface_ruled_by_length(bent, round, 1e-7, &error, &surface));
+    CHECK(error > 0 && error <= 1e-7);
+    double length, part;
+    batten_curve *rim = NULL;
+    CHECK_OK(batten_surface_isocurve(surface, BATTEN_V, 0, &rim));
+    CHECK_OK(batten_curve_length(rim, 1e-9, &length, NULL));
+    CHECK_OK(batten_curve_length_between(rim, 0, 0.3, 1e-9, &part, NULL));
+    CHECK_NEAR(part / length, 0.3, 1e-6);
+    batten_curve_unref(rim);
+    batten_surface_unref(surface);
+    batten_curve_unref(round);
+    batten_curve_unref(bent);
+    batten_curve_unref(second);
+    batten_curve_unref(first);
+}
+
+TEST(exact_sweeps_refuse_what_they_cannot_do)
+{
+    batten_curve *circle = arc(1, 2), *curve = bow();
+    batten_surface *none = NULL;
+    CHECK_STATUS(batten_surface_swung(curve, circle, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("control point 0 of the profile has y = 0.2");
+    CHECK_STATUS(batten_surface_swung(circle, curve, 1, NULL, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("of the trajectory has z");
+    CHECK_STATUS(batten_surface_swung(circle, circle, 0, NULL, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_swung(circle, circle, NAN, NULL, &none), BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_tabulated(curve, (batten_vec3){0, 0, 0}, 0, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_tabulated(curve, (batten_vec3){0, 0, 1}, 1, 1, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_tabulated(curve, (batten_vec3){0, NAN, 1}, 0, 1, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_cone_to(curve, (batten_vec3){0, HUGE_VAL, 1}, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_ruled_by_length(curve, circle, 0, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(none == NULL);
+    batten_curve_unref(curve);
+    batten_curve_unref(circle);
+}
