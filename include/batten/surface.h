@@ -4,8 +4,12 @@
  * @file
  * A surface: immutable, reference counted, seen through one evaluator whatever its kind.
  *
- * Today there is one kind, the tensor-product NURBS surface; later kinds answer the same calls.
- * Its control points are P[i][j], i along u, j along v, j fastest:
+ * The main kind is the tensor-product NURBS surface. Others are formulas: Coons patches,
+ * Gregory patches, surfaces over triangles and many-sided holes, procedural skins and sweeps.
+ * They answer the calls for any surface, with derivatives up to order 3;
+ * batten_surface_to_nurbs gives the equal or near NURBS surface, which the changes need.
+ *
+ * The control points of a NURBS surface are P[i][j], i along u, j along v, j fastest:
  * points[(i * count_v + j) * dimension + k]. Degrees p, q; knots U [count_u + p + 1],
  * V [count_v + q + 1]; domain [U[p], U[count_u]] x [V[q], V[count_v]].
  */
@@ -46,7 +50,7 @@ BATTEN_API void batten_surface_unref(batten_surface *surface);
 
 /* ---- properties of any surface ---- */
 
-/** "nurbs", and later "coons", "gregory" ... */
+/** "nurbs", "coons", "gregory" ... */
 BATTEN_API const char *batten_surface_kind(const batten_surface *surface);
 BATTEN_API int batten_surface_dimension(const batten_surface *surface);
 BATTEN_API batten_interval batten_surface_domain(const batten_surface *surface,
@@ -58,6 +62,8 @@ BATTEN_API int batten_surface_spans(const batten_surface *surface, batten_direct
                                     double *knots);
 BATTEN_API bool batten_surface_is_closed(const batten_surface *surface,
                                          batten_direction direction, double tolerance);
+/** The box of the control points, which holds the surface; of a formula the box of samples,
+ * with room for what lies between them: near, but not proved. */
 BATTEN_API batten_box batten_surface_box(const batten_surface *surface);
 /** An equal NURBS surface, exact where mathematics allows it, else within `tolerance`.
  * @param[out] error the deviation, 0 when exact; may be NULL */
@@ -85,7 +91,8 @@ BATTEN_API bool batten_surface_is_periodic(const batten_surface *surface,
 /**
  * A point and its derivatives up to the total order `order`.
  * @param[out] out [BATTEN_SURFACE_DERIVATIVES(order)][dimension]
- * Sides, domain and errors as for curves; a periodic direction takes any parameter.
+ * Sides, domain and errors as for curves; a periodic direction takes any parameter. Of a
+ * surface that is no NURBS `order` is at most 3, else BAD_ARGUMENT.
  *
  * Cost: (p + 1)(q + 1) d multiplications for each derivative in u, (q + 1) d for each more;
  * memory is allocated above order 3 only. One call, many and grids give the same bits, on any
@@ -128,7 +135,8 @@ BATTEN_API batten_status batten_surface_normal_grid(const batten_surface *surfac
                                                     const batten_job *job, double *points,
                                                     double *normals);
 /** The curve at a fixed parameter: `direction` is the one that is fixed; the curve runs along
- * the other and keeps its knots. */
+ * the other and keeps its knots. Of a surface that is no NURBS it is near, within 1e-9 of its
+ * size. */
 BATTEN_API batten_status batten_surface_isocurve(const batten_surface *surface,
                                                  batten_direction direction, double at,
                                                  batten_curve **out);

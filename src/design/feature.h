@@ -107,7 +107,8 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS)
 
 /* Put a curve or surface into the model under the feature's name and give its reference back,
- * when the status so far is good; else hand the status on. */
+ * when the status so far is good; else hand the status on. A surface of another kind becomes
+ * NURBS, within the design's tolerance, and the error is reported. */
 batten_status bat_put_curve(bat_run *run, batten_status status, batten_curve *curve);
 batten_status bat_put_surface(bat_run *run, batten_status status, batten_surface *surface);
 /* The same as another object, with another shape; the data of a curve go when `keep_data` is

@@ -225,18 +225,34 @@ batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curv
     return put_curve(run, status, curve, chain, like, false);
 }
 
+/* What other features change and files hold is NURBS. */
+static batten_status to_nurbs(bat_run *run, const batten_surface *surface,
+                              batten_surface **nurbs)
+{
+    double error = 0;
+    const batten_status status =
+        batten_surface_to_nurbs(surface, bat_tolerance(run), nurbs, &error);
+    if (status == BATTEN_OK && error > 0)
+        bat_report_error(run, error, error);
+    return status;
+}
+
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
                                    const batten_object *like)
 {
+    batten_surface *nurbs = NULL;
+    if (status == BATTEN_OK)
+        status = to_nurbs(run, surface, &nurbs);
+    batten_surface_unref(surface);
     const batten_object object = {.name = like->name,
                                   .layer = like->layer,
                                   .has_colour = like->has_colour,
                                   .colour = {like->colour[0], like->colour[1], like->colour[2]},
                                   .kind = BATTEN_OBJECT_SURFACE,
-                                  .surface = surface};
+                                  .surface = nurbs};
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &object);
-    batten_surface_unref(surface);
+    batten_surface_unref(nurbs);
     return status;
 }
 

@@ -4,6 +4,7 @@
 
 #include "spline/curve.h"
 
+#include <limits.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -346,6 +347,7 @@ batten_status bat_nurbs_to_nurbs(const batten_surface *surface, double tolerance
 
 const bat_surface_kind bat_nurbs_kind = {
     .name = "nurbs",
+    .highest_order = INT_MAX,
     .free = nurbs_free,
     .domain = nurbs_domain,
     .is_periodic = nurbs_is_periodic,

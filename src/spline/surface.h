@@ -27,6 +27,7 @@ typedef struct {
 /* One function for each public one of the same name. */
 struct bat_surface_kind {
     const char *name;
+    int highest_order; /* of the derivatives it has */
     void (*free)(batten_surface *surface);
     batten_interval (*domain)(const batten_surface *surface, batten_direction direction);
     bool (*is_periodic)(const batten_surface *surface, batten_direction direction);

@@ -1,5 +1,6 @@
 /*
- * Normals by limits. Near a point where Su x Sv vanishes the surface is expanded to order 5,
+ * Normals by limits. Near a point where Su x Sv vanishes the surface is expanded to order 5
+ * (or as far as it goes),
  * and Su x Sv along several rays that lead into the domain; the first coefficient that stands
  * out of its roundoff gives the direction of the normal on that ray, and all rays must agree.
  */
@@ -16,6 +17,7 @@ enum { ORDER = 5, TERMS = BATTEN_SURFACE_DERIVATIVES(ORDER), TEST_PLACES = 3 };
 /* Taylor coefficients in units of the spans and of the largest coordinate, and their roundoff.
  */
 typedef struct {
+    int order; /* ORDER, or the highest that the surface has */
     double c[TERMS][3], noise[TERMS];
 } expansion;
 
@@ -23,17 +25,19 @@ static batten_status expand(const batten_surface *surface, double u, double v,
                             batten_side side_u, batten_side side_v, expansion *out)
 {
     const int d = surface->dimension;
+    const int order = bat_min_int(ORDER, surface->kind->highest_order);
     bat_surface_local local;
     double values[TERMS * 3];
     const batten_status status =
-        surface->kind->evaluate(surface, u, v, side_u, side_v, ORDER, values);
+        surface->kind->evaluate(surface, u, v, side_u, side_v, order, values);
     if (status != BATTEN_OK)
         return status;
     surface->kind->local(surface, u, v, side_u, side_v, &local);
     double unit_u = 1, noise_u = 16 * DBL_EPSILON;
-    for (int k = 0; k <= ORDER; k++) {
+    out->order = order;
+    for (int k = 0; k <= order; k++) {
         double unit = unit_u, noise = noise_u;
-        for (int l = 0; k + l <= ORDER; l++) {
+        for (int l = 0; k + l <= order; l++) {
             const int at = BATTEN_SURFACE_DERIVATIVE(k, l);
             out->noise[at] = noise;
             for (int x = 0; x < 3; x++)
@@ -84,7 +88,7 @@ static double cross_term(const expansion *e, int m, double a, double b, double s
 /* The unit normal on a ray and the order of its coefficient; -1 when all vanish. */
 static int ray_normal(const expansion *e, double a, double b, double normal[3])
 {
-    for (int m = 0; m < ORDER; m++) {
+    for (int m = 0; m < e->order; m++) {
         double sum[3];
         const double noise = cross_term(e, m, a, b, sum), size = length(sum);
         if (size > noise) {
