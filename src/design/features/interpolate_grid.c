@@ -1,5 +1,5 @@
+#include "design/grid.h"
 #include "design/place.h"
-#include "design/rows.h"
 
 static const batten_parameter parameters[] = {
     {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -30,52 +30,14 @@ static batten_grid_options options_of(const bat_run *run)
     return options;
 }
 
-/* Put the rows of an object after those that are there; the first row of all says how long they
- * are. */
-static batten_status add_rows(const batten_object *object, bat_rows *all)
+static batten_status fit(bat_run *run, const bat_grid *grid)
 {
-    bat_rows more = {0, NULL};
-    batten_status status = bat_rows_of(object, false, &more);
-    if (status != BATTEN_OK)
-        return status;
-    const int first = all->count ? all->rows[0].count : more.count ? more.rows[0].count : 0;
-    for (int i = 0; i < more.count && status == BATTEN_OK; i++)
-        if (more.rows[i].count != first)
-            status =
-                bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' has %d points, and the first row has %d",
-                         more.rows[i].name, more.rows[i].count, first);
-    bat_row *grown =
-        status == BATTEN_OK
-            ? bat_resize(all->rows, (size_t)(all->count + more.count), sizeof *grown)
-            : NULL;
-    if (!grown) {
-        bat_rows_release(&more);
-        return status == BATTEN_OK ? BATTEN_OUT_OF_MEMORY : status;
-    }
-    all->rows = grown;
-    for (int i = 0; i < more.count; i++)
-        grown[all->count++] = more.rows[i];
-    bat_release(more.rows);
-    return BATTEN_OK;
-}
-
-/* u runs along the rows: the points are turned. */
-static batten_status fit(bat_run *run, const bat_rows *all)
-{
-    const int count_u = all->rows[0].count, count_v = all->count;
     const batten_grid_options options = options_of(run);
     batten_grid_report report;
     batten_surface *surface = NULL;
-    double *points = bat_array3((size_t)count_u, (size_t)count_v, 3 * sizeof *points);
-    if (!points)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count_u; i++)
-        for (int j = 0; j < count_v; j++)
-            for (int k = 0; k < 3; k++)
-                points[(i * count_v + j) * 3 + k] = all->rows[j].points[3 * i + k];
-    const batten_status status = batten_surface_interpolate(
-        3, count_u, count_v, points, &options, run->job, NULL, NULL, &report, &surface);
-    bat_release(points);
+    const batten_status status =
+        batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points, &options,
+                                   run->job, NULL, NULL, &report, &surface);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
         bat_note(run,
                  "the parameters of single rows differ from the average by %.2g steps; "
@@ -88,18 +50,11 @@ static batten_status fit(bat_run *run, const bat_rows *all)
 
 static batten_status run(bat_run *run)
 {
-    bat_objects objects;
-    bat_rows all = {0, NULL};
-    batten_status status =
-        bat_gather(run, "interpolate-grid", BAT_POINTS | BAT_OFFSETS, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = add_rows(objects.at[i], &all);
+    bat_grid grid = {0, 0, NULL};
+    batten_status status = bat_grid_of(run, "interpolate-grid", &grid);
     if (status == BATTEN_OK)
-        status = fit(run, &all);
-    bat_rows_release(&all);
-    bat_objects_release(&objects);
+        status = fit(run, &grid);
+    bat_grid_release(&grid);
     return status;
 }
 
