@@ -15,6 +15,7 @@
 #include <batten/conic.h>
 #include <batten/constrained.h>
 #include <batten/continuity.h>
+#include <batten/contours.h>
 #include <batten/cubic.h>
 #include <batten/cubic_spline.h>
 #include <batten/curve.h>

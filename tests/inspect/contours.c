@@ -1,0 +1,305 @@
+#include "inspect/shapes.h"
+#include <batten/contours.h>
+#include <string.h>
+
+/* The function f of x, y in [-1, 1]^2, of degree 2 in each: an exact biquadratic patch, from
+ * f(-1), f(1) and the value c with which a + 2 c + b over 4 is that in the middle. */
+static batten_surface *graph(double (*f)(double x, double y), double lift)
+{
+    double points[3][3][3], values[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            values[i][j] = f(i - 1.0, j - 1.0);
+    for (int i = 0; i < 3; i++) /* to Bernstein form along y, then along x */
+        values[i][1] = 2 * values[i][1] - 0.5 * (values[i][0] + values[i][2]);
+    for (int j = 0; j < 3; j++)
+        values[1][j] = 2 * values[1][j] - 0.5 * (values[0][j] + values[2][j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            points[i][j][0] = i - 1;
+            points[i][j][1] = j - 1;
+            points[i][j][2] = values[i][j] + lift;
+        }
+    const double knots[6] = {0, 0, 0, 1, 1, 1};
+    const batten_axis axis = {2, 3, knots, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, &points[0][0][0], NULL, &surface));
+    return surface;
+}
+
+static double bowl(double x, double y)
+{
+    return x * x + y * y;
+}
+
+static double saddle(double x, double y)
+{
+    return x * y;
+}
+
+static double crooked_saddle(double x, double y)
+{
+    return (x - 0.137) * (y + 0.219);
+}
+
+static const batten_surface_field height = {
+    BATTEN_FIELD_HEIGHT, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+
+static double distance(const double *a, const double *b)
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+static double length_of(const batten_polyline *line)
+{
+    double length = 0;
+    for (int i = 0; i + 1 < line->count; i++)
+        length += distance(line->points + 3 * i, line->points + 3 * i + 3);
+    if (line->closed)
+        length += distance(line->points, line->points + 3 * (line->count - 1));
+    return length;
+}
+
+/* Every point has the level, and lies where its parameters say. */
+static void check_points(const batten_surface *surface, const batten_surface_field *field,
+                         const double *levels, double tolerance, const batten_contours *c)
+{
+    for (int i = 0; i < c->count; i++) {
+        const batten_polyline *line = &c->lines[i].line;
+        for (int k = 0; k < line->count; k++) {
+            double value, point[3];
+            const double *uv = line->parameters + 2 * k;
+            CHECK_OK(batten_surface_field_values(surface, field, 1, uv, &value));
+            CHECK_OK(batten_surface_evaluate(surface, uv[0], uv[1], 0, point));
+            if (!isnan(value))
+                CHECK_NEAR(value, levels[c->lines[i].level], tolerance);
+            CHECK(distance(point, line->points + 3 * k) < 1e-12);
+        }
+    }
+}
+
+TEST(contours_of_a_paraboloid_are_circles)
+{
+    batten_surface *surface = graph(bowl, 0);
+    const double levels[] = {0.01, 0.04, 0.2, 0.5, 0.9, 1, 1.3}, tolerance = 1e-5;
+    batten_contours c = {0};
+    CHECK_OK(
+        batten_surface_contours(surface, &height, COUNT(levels), levels, tolerance, NULL, &c));
+    check_points(surface, &height, levels, 1e-11, &c);
+    CHECK(c.error <= tolerance);
+    int found[COUNT(levels)] = {0};
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        const double radius = sqrt(levels[c.lines[i].level]);
+        found[c.lines[i].level]++;
+        CHECK(line->closed == (levels[c.lines[i].level] < 1.1));
+        for (int k = 0; k + 1 < line->count; k++) {
+            const double *p = line->points + 3 * k, *q = p + 3;
+            CHECK_NEAR(hypot(p[0], p[1]), radius, 1e-10);
+            CHECK_NEAR(hypot(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])), radius, tolerance);
+        }
+        if (line->closed)
+            CHECK_NEAR(length_of(line), 2 * PI * radius, 1e-3 * radius);
+    }
+    for (int i = 0; i < 5; i++)
+        CHECK_INT(found[i], 1);
+    CHECK_INT(found[6], 4); /* corners of the square cut the circle in four arcs */
+    CHECK_INT(c.critical_count, 1);
+    CHECK_INT(c.critical[0].kind, BATTEN_CRITICAL_LEAST);
+    CHECK_NEAR(c.critical[0].value, 0, 1e-15);
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+TEST(a_small_loop_around_an_extremum_is_found)
+{
+    batten_surface *surface = graph(bowl, 5);
+    const double level = 5 + 1e-10;
+    batten_contours c = {0};
+    CHECK_OK(batten_surface_contours(surface, &height, 1, &level, 1e-9, NULL, &c));
+    CHECK_INT(c.count, 1);
+    CHECK(c.lines[0].line.closed);
+    CHECK_NEAR(length_of(&c.lines[0].line), 2 * PI * 1e-5, 1e-7);
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+/* Both lines of a saddle, from rim to rim, straight through the crossing. */
+static void check_cross(double (*f)(double, double), double x0, double y0)
+{
+    batten_surface *surface = graph(f, 0);
+    const double levels[] = {-0.25, 0, 0.25};
+    batten_contours c = {0};
+    CHECK_OK(batten_surface_contours(surface, &height, COUNT(levels), levels, 1e-6, NULL, &c));
+    check_points(surface, &height, levels, 1e-11, &c);
+    CHECK_INT(c.critical_count, 1);
+    CHECK_INT(c.critical[0].kind, BATTEN_CRITICAL_SADDLE);
+    CHECK_NEAR(c.critical[0].point.x, x0, 1e-9);
+    CHECK_NEAR(c.critical[0].point.y, y0, 1e-9);
+    int crossing = 0;
+    bool along_x = false, along_y = false;
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        if (c.lines[i].level != 1)
+            continue;
+        crossing++;
+        CHECK(!line->closed);
+        CHECK_NEAR(length_of(line), 2, 1e-9);
+        along_x |= fabs(line->points[1] - line->points[3 * line->count - 2]) < 1e-9;
+        along_y |= fabs(line->points[0] - line->points[3 * line->count - 3]) < 1e-9;
+        for (int k = 0; k < line->count; k++) {
+            const double *p = line->points + 3 * k;
+            CHECK(fabs(p[0] - x0) < 1e-9 || fabs(p[1] - y0) < 1e-9);
+        }
+    }
+    CHECK_INT(crossing, 2);
+    CHECK(along_x && along_y);
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+TEST(a_saddle_gives_two_crossing_lines_without_gaps)
+{
+    check_cross(saddle, 0, 0);
+    check_cross(crooked_saddle, 0.137, -0.219);
+}
+
+TEST(levels_never_cross)
+{
+    batten_surface *surface = graph(crooked_saddle, 0);
+    double levels[41];
+    for (int i = 0; i < 41; i++)
+        levels[i] = (i - 20) * 0.05;
+    batten_contours c = {0};
+    CHECK_OK(batten_surface_contours(surface, &height, 41, levels, 1e-5, NULL, &c));
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        for (int k = 0; k + 1 < line->count; k++)
+            for (int s = 0; s <= 8; s++) { /* on the chord, in the plane of x and y */
+                const double *p = line->points + 3 * k, t = s / 8.0;
+                const double value =
+                    crooked_saddle(p[0] + t * (p[3] - p[0]), p[1] + t * (p[4] - p[1]));
+                CHECK(fabs(value - levels[c.lines[i].level]) < 1e-4);
+            }
+    }
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+TEST(parallels_and_meridians_of_a_sphere_cross_its_seam_and_poles)
+{
+    batten_surface *sphere = NULL;
+    CHECK_OK(shape_torus(0, 2, true, &sphere));
+    const double levels[] = {-1.9, -1.2, 0, 0.7, 1.99};
+    const batten_vec3 directions[] = {{0, 0, 1}, {1, 0, 0}, {0, 2, 0}, {0.6, 0, 0.8}};
+    for (int d = 0; d < COUNT(directions); d++) {
+        const batten_surface_field field = {
+            BATTEN_FIELD_HEIGHT, directions[d], {0, 0, 0}, {0, 0, 0}};
+        batten_contours c = {0};
+        CHECK_OK(
+            batten_surface_contours(sphere, &field, COUNT(levels), levels, 1e-5, NULL, &c));
+        check_points(sphere, &field, levels, 1e-10, &c);
+        CHECK_INT(c.count, COUNT(levels));
+        for (int i = 0; i < c.count; i++) {
+            CHECK(c.lines[i].line.closed);
+            const double radius = sqrt(4 - levels[i] * levels[i]);
+            CHECK_NEAR(length_of(&c.lines[i].line), 2 * PI * radius, 1e-3 * radius);
+        }
+        batten_contours_release(&c);
+    }
+    batten_surface_unref(sphere);
+}
+
+TEST(the_silhouette_of_a_sphere_is_a_great_circle)
+{
+    batten_surface *sphere = NULL;
+    CHECK_OK(shape_torus(0, 2, true, &sphere));
+    const batten_surface_field fields[] = {
+        {BATTEN_FIELD_ISOPHOTE, {1, 2, 2}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_SILHOUETTE, {0, 0, 0}, {4, 0, 0}, {0, 0, 0}}};
+    const double radii[] = {2, sqrt(3)}, zero = 0;
+    for (int i = 0; i < COUNT(fields); i++) {
+        batten_contours c = {0};
+        CHECK_OK(batten_surface_contours(sphere, &fields[i], 1, &zero, 1e-5, NULL, &c));
+        check_points(sphere, &fields[i], &zero, 1e-10, &c);
+        CHECK_INT(c.count, 1);
+        CHECK(c.lines[0].line.closed);
+        CHECK_NEAR(length_of(&c.lines[0].line), 2 * PI * radii[i], 1e-3);
+        batten_contours_release(&c);
+    }
+    batten_surface_unref(sphere);
+}
+
+TEST(lines_of_equal_gaussian_curvature_on_a_torus_are_circles)
+{
+    /* K = cos v / (r (R + r cos v)) */
+    const double R = 3, r = 1, angles[] = {2.5, 1.5, 0.5};
+    batten_surface *torus = NULL;
+    CHECK_OK(shape_torus(R, r, false, &torus));
+    double levels[3];
+    for (int i = 0; i < 3; i++)
+        levels[i] = cos(angles[i]) / (r * (R + r * cos(angles[i])));
+    const batten_surface_field field = {BATTEN_FIELD_GAUSSIAN, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    batten_contours c = {0};
+    CHECK_OK(batten_surface_contours(torus, &field, 3, levels, 1e-4, NULL, &c));
+    check_points(torus, &field, levels, 1e-10, &c);
+    CHECK_INT(c.count, 6);
+    for (int i = 0; i < c.count; i++) {
+        CHECK(c.lines[i].line.closed);
+        for (int k = 0; k < c.lines[i].line.count; k++) {
+            const double *p = c.lines[i].line.points + 3 * k;
+            CHECK_NEAR(hypot(p[0], p[1]), R + r * cos(angles[c.lines[i].level]), 1e-8);
+        }
+    }
+    batten_contours_release(&c);
+    batten_surface_unref(torus);
+}
+
+TEST(fields_have_their_known_values)
+{
+    batten_surface *torus = NULL;
+    CHECK_OK(shape_torus(3, 1, false, &torus));
+    const batten_surface_field fields[] = {
+        {BATTEN_FIELD_HEIGHT, {2, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_GAUSSIAN, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_MEAN, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_KAPPA1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_KAPPA2, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_ISOPHOTE, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}},
+        {BATTEN_FIELD_DRAFT, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        /* the normal lines of x = 4, y = z = 0: the x-axis; light 2 above it, along y */
+        {BATTEN_FIELD_HIGHLIGHT, {0, 1, 0}, {0, 0, 2}, {0, 0, 0}},
+        {BATTEN_FIELD_REFLECTION, {0, 1, 0}, {0, 0, 2}, {1, 0, 0}},
+        {BATTEN_FIELD_SILHOUETTE, {0, 0, 0}, {9, 0, 0}, {0, 0, 0}}};
+    const double at_outside[] = {4, 0.25, -0.625, -0.25, -1, 0, PI / 2, 2, 2, 1};
+    const double uv[2] = {0, 0}; /* the point (4, 0, 0), n outwards */
+    for (int i = 0; i < COUNT(fields); i++) {
+        double value;
+        CHECK_OK(batten_surface_field_values(torus, &fields[i], 1, uv, &value));
+        const bool sign_is_free = fields[i].kind == BATTEN_FIELD_HIGHLIGHT ||
+                                  fields[i].kind == BATTEN_FIELD_REFLECTION;
+        CHECK_NEAR(sign_is_free ? fabs(value) : value, at_outside[i], 1e-7);
+    }
+    batten_surface_unref(torus);
+}
+
+TEST(bad_fields_and_levels_are_refused)
+{
+    batten_surface *surface = graph(bowl, 0);
+    const batten_surface_field nowhere = {
+        BATTEN_FIELD_ISOPHOTE, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    const double good[] = {0.5}, falling[] = {0.5, 0.5}, infinite[] = {(double)INFINITY};
+    batten_contours c = {0};
+    CHECK_STATUS(batten_surface_contours(surface, &nowhere, 1, good, 1e-3, NULL, &c),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("points nowhere");
+    CHECK_STATUS(batten_surface_contours(surface, &height, 2, falling, 1e-3, NULL, &c),
+                 BATTEN_NOT_INCREASING);
+    CHECK_STATUS(batten_surface_contours(surface, &height, 1, infinite, 1e-3, NULL, &c),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_contours(surface, &height, 1, good, 0, NULL, &c),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("tolerance of contours is 0");
+    CHECK(c.lines == NULL);
+    batten_surface_unref(surface);
+}
