@@ -19,6 +19,32 @@ typedef enum batten_frame_kind {
                             so that the last frame is the first */
 } batten_frame_kind;
 
+/** Which points of the sections belong together. */
+typedef enum batten_skin_match {
+    BATTEN_MATCH_PARAMETERS, /**< those at equal parameters of the sections, each over [0, 1] */
+    BATTEN_MATCH_ARC_LENGTH, /**< those after the same share of the length; needs a tolerance */
+    BATTEN_MATCH_MARKS       /**< the marks given, and what lies evenly between, by a monotone
+                                  C1 map of the parameter; needs a tolerance */
+} batten_skin_match;
+
+/** What is done where a surface has a crease although its sections have no corner. It comes
+ * from speeds, or weights, that jump differently in different sections. */
+typedef enum batten_skin_creases {
+    BATTEN_CREASES_WITHIN, /**< cured when there is a tolerance */
+    BATTEN_CREASES_CURE,   /**< cured; without a tolerance by exact means alone */
+    BATTEN_CREASES_KEEP    /**< kept, and with them the parameters of the sections */
+} batten_skin_creases;
+
+/** How creases were cured, the simplest first. */
+typedef enum batten_skin_cure {
+    BATTEN_CURE_NONE,
+    BATTEN_CURE_STRETCHED, /**< spans stretched so that speeds do not jump: exact; polynomial
+                                sections */
+    BATTEN_CURE_RESCALED,  /**< the weights of each piece rescaled, a Moebius change of its
+                                parameter, so that they do not jump either: exact */
+    BATTEN_CURE_POLYNOMIAL /**< rational sections replaced within a quarter of the tolerance */
+} batten_skin_cure;
+
 typedef struct batten_skin_options {
     size_t size;
     int degree; /**< across the sections, 3; lowered when there are too few */
@@ -36,6 +62,14 @@ typedef struct batten_skin_options {
     const double *twist;    /**< [count] radians about the spine; NULL: none */
     const double *scale;    /**< [count]; NULL: all 1 */
     batten_frame_kind frames;
+    bool turn;            /**< closed sections begin where they are nearest, at equal parameters
+                               in the mean of squares, to the one before */
+    const double *starts; /**< [count] parameters at which closed sections begin; NULL */
+    batten_skin_match match;
+    int mark_count;
+    const double *marks; /**< [count][mark_count] increasing, inside the domain of each section
+                              as given, before it is aligned or turned */
+    batten_skin_creases creases;
 } batten_skin_options;
 
 BATTEN_API batten_skin_options batten_skin_defaults(void);
@@ -48,6 +82,16 @@ typedef struct batten_skin_report {
     int knot_count;       /**< distinct inner knots of the result */
     double span_ratio;    /**< smallest span over median span along the sections */
     double normal_jump;   /**< largest jump of the normal over inner knot lines, radians */
+    double speed_jump;    /**< largest jump of |Su| there, as a share of the larger */
+    double crease; /**< largest jump of the normal beyond that of the sections, where none of
+                        them has a corner (0.01 radians), radians */
+    batten_skin_cure cure;
+    int reversed_count; /**< sections that were reversed */
+    int turned_count;   /**< closed sections that begin elsewhere */
+    int crossing_count; /**< pairs of neighbours that cross: the surface folds there */
+    int crossing;       /**< the first section that crosses its successor, or -1 */
+    int disorder_count; /**< neighbours nearer in the other order */
+    int disorder;       /**< the first section that should rather follow its successor, or -1 */
 } batten_skin_report;
 
 /**
@@ -64,17 +108,30 @@ typedef struct batten_skin_report {
  * With a tolerance, spans of sections are first stretched, corners held, so that their speed
  * does not jump where their tangent goes on; then a section moves at most as
  * `report->deviation` says, a bound at equal parameters; corners stay corners; the ends of
- * sections do not move. If that needs as many knots as the exact union, that is taken.
+ * sections do not move. If that needs as many knots as the exact union, that is taken. When all
+ * sections have knots and legs that are symmetric about their middle, so has the surface.
+ *
+ * Nothing twists when the right points belong together: `align` looks for the direction,
+ * `turn` or `starts` for the begin of closed sections, `match` for all between. All go by
+ * distances, so mirrored sections give the mirrored surface. A section matched otherwise than
+ * by its parameters is replaced within half the tolerance, and periodic ones are then clamped.
+ *
+ * A crease (report->crease above 1e-4 radians) is cured as `creases` says, and the report says
+ * how. A weight between the sections that is not positive is cured by polynomial sections in
+ * the same way. Neighbours that cross or stand in another order than their distances ask for
+ * are named by the report and the message; the surface is made all the same.
  *
  * @param[out] v [count] parameters of the sections, 0 .. 1 unless given; may be NULL
  * @param[out] report may be NULL
  * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT naming two sections, TOO_LARGE with the size it
- * would have, NOT_COMPATIBLE when an interpolated weight is not positive, TOLERANCE_NOT_MET
+ * would have, NOT_COMPATIBLE when an interpolated weight is not positive or a section is closed
+ * while another is open, TOLERANCE_NOT_MET
  * when a section is missed by more than 1e-13 of its size beyond its deviation; BAD_ARGUMENT
  * ...
  *
  * Cost: linear in sections times common control points; with a tolerance the search fits every
- * section about three times for each knot it keeps. Source: [PT97] 10.3; [Woodward88].
+ * section about three times for each knot it keeps. Source: [PT97] 10.3;
+ * [Woodward88]; [HB91] for creases.
  */
 BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
                                              const batten_skin_options *options,

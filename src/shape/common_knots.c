@@ -138,6 +138,8 @@ static bool add_knots(const bat_fitting *f, double worst, bat_comb *c)
 {
     const double enough = bat_max(f->tolerance, worst / 16);
     const int inner = c->inner;
+    for (int s = 0; f->symmetric && s < inner - s; s++)
+        f->error[s] = f->error[inner - s] = bat_max(f->error[s], f->error[inner - s]);
     double *added = c->knots + c->capacity; /* scratch behind the knots */
     int count = 0;
     for (int s = 0; s <= inner; s++) {
@@ -150,6 +152,8 @@ static bool add_knots(const bat_fitting *f, double worst, bat_comb *c)
         return false;
     for (int i = 0; i < count; i++)
         bat_comb_insert(c, added[i], false);
+    if (f->symmetric)
+        bat_comb_mirror(c);
     return true;
 }
 
@@ -165,15 +169,18 @@ static batten_status grow(bat_fitting *f, bat_comb *c, bool *met)
     }
 }
 
-/* Take out each knot that is not needed, twice over: what one leaves may free another. */
+/* Take out each knot that is not needed, twice over: what one leaves may free another. Of
+ * symmetric curves two at once. */
 static batten_status shrink(const bat_fitting *f, bat_comb *c, bat_comb *scratch)
 {
     int suspect = 0;
     for (int pass = 0; pass < 2; pass++)
-        for (int i = 0; i < c->inner;) {
+        for (int i = 0; i < (f->symmetric ? (c->inner + 1) / 2 : c->inner);) {
             bool keep = false;
             if (!c->held[i]) {
                 bat_comb_copy(c, scratch);
+                if (f->symmetric && c->inner - 1 - i > i)
+                    bat_comb_remove(scratch, c->inner - 1 - i);
                 bat_comb_remove(scratch, i);
                 batten_status status =
                     bat_work_step(f->work, fit_steps(f, c),
@@ -220,6 +227,8 @@ static batten_status attempt(bat_fitting *f, int averaged, bat_comb *c, bat_comb
     if (!bat_comb_corners(f, c))
         return BATTEN_OK;
     bat_comb_average(f, averaged, c);
+    if (f->symmetric)
+        bat_comb_mirror(c);
     batten_status status = grow(f, c, &reached);
     if (status == BATTEN_OK && reached)
         status = shrink(f, c, scratch);
@@ -326,6 +335,7 @@ static batten_status find(bat_fitting *f, const batten_curve *const *sections, b
     if (status != BATTEN_OK)
         return status;
     bat_comb best = {0};
+    f->symmetric = bat_common_symmetry(f);
     f->limit = union_limit(f);
     f->error = bat_array((size_t)f->limit + 2, sizeof *f->error);
     status = f->error ? bat_comb_make(f->limit, &best) : BATTEN_OUT_OF_MEMORY;

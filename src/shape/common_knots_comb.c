@@ -119,3 +119,57 @@ void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c)
             bat_comb_insert(c, u, false);
     }
 }
+
+/* ---- symmetry ---- */
+
+/* The distance of two control points of a section, i the first. */
+static double leg(const bat_fitting *f, const bat_spline *s, int i, int by)
+{
+    const int d = f->dimension;
+    const double *a = s->values + (size_t)i * f->width, *b = a + (size_t)by * f->width;
+    double step[3];
+    for (int c = 0; c < d; c++)
+        step[c] = f->rational ? b[c] / b[d] - a[c] / a[d] : b[c] - a[c];
+    return bat_norm(d, step);
+}
+
+/* Is a section its own mirror image when it runs backwards? Knots say so, weights, and the
+ * distances of points up to three apart, which fix their shape. */
+static bool is_symmetric(const bat_fitting *f, const bat_spline *s)
+{
+    const int last = s->count + s->degree, n = s->count;
+    double size = 0;
+    for (int i = 0; i <= last; i++)
+        if (fabs(s->knots[i] + s->knots[last - i] - 1) > 16 * DBL_EPSILON)
+            return false;
+    for (int i = 0; i + 1 < n; i++)
+        size = bat_max(size, leg(f, s, i, 1));
+    for (int by = 1; by <= 3; by++)
+        for (int i = 0; i + by < n; i++)
+            if (fabs(leg(f, s, i, by) - leg(f, s, n - 1 - i - by, by)) > 1e-12 * size)
+                return false;
+    for (int i = 0; i < n && f->rational; i++) {
+        const double a = s->values[(size_t)i * f->width + f->width - 1],
+                     b = s->values[(size_t)(n - 1 - i) * f->width + f->width - 1];
+        if (fabs(a - b) > 1e-12 * bat_max(a, b))
+            return false;
+    }
+    return true;
+}
+
+bool bat_common_symmetry(const bat_fitting *f)
+{
+    bool symmetric = true;
+    for (int k = 0; symmetric && k < f->count; k++)
+        symmetric = is_symmetric(f, &f->given[k]);
+    return symmetric;
+}
+
+void bat_comb_mirror(bat_comb *c)
+{
+    for (int i = 0; 2 * i < c->inner; i++) {
+        const int j = c->inner - 1 - i;
+        if (!c->held[i] && !c->held[j])
+            c->knots[j] = i == j ? 0.5 : 1 - c->knots[i];
+    }
+}

@@ -16,6 +16,7 @@ typedef struct {
     int count, degree, dimension;
     size_t width;
     bool rational;
+    bool symmetric; /* each curve about its middle: so are its knots then */
     double tolerance;
     bat_spline *given;  /* [count] homogeneous rows over [0, 1] */
     bat_spline *fitted; /* [count] upon the comb */
@@ -38,6 +39,10 @@ void bat_comb_write(const bat_comb *c, int p, double *U);
 bool bat_comb_corners(const bat_fitting *f, bat_comb *c);
 /* `wanted` knots, each the average of those at its place. */
 void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c);
+
+bool bat_common_symmetry(const bat_fitting *f);
+/* Make knots that are nearly symmetric about 1/2 exactly so; those of corners stay. */
+void bat_comb_mirror(bat_comb *c);
 
 /* ---- one curve upon a comb (common_knots_fit.c) ---- */
 

@@ -15,4 +15,10 @@ batten_status bat_skin_places(int count, const batten_skin_options *options,
  * points alone, stay as they are. */
 batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **out);
 
+/* batten_surface_skin, with open and closed sections together when they are `mixed`. */
+batten_status bat_surface_skin(int count, const batten_curve *const *sections,
+                               const batten_skin_options *options, bool mixed,
+                               const batten_job *job, double *v, batten_skin_report *report,
+                               batten_surface **out);
+
 #endif

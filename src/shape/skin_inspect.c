@@ -21,47 +21,105 @@ static batten_status parameter_rounding(const batten_curve *section, double u, d
     return status;
 }
 
-/* The largest distance of a section from its line on the surface, beyond the rounding of its
- * parameters, at the knots and midway between them. */
-static batten_status section_distance(const bat_skin *t, const batten_surface *surface, int k,
-                                      const double *knots, int knot_count, double *worst)
+/* How far the section with common knots is from the section at the same parameter s in [0, 1],
+ * beyond the rounding of the parameter; that is looked into where it matters. */
+static batten_status miss_at(const bat_skin *t, int k, double s, double *miss)
 {
     const batten_curve *section = t->placed[k];
     const batten_interval domain = batten_curve_domain(section);
-    for (int i = 0; i < 2 * knot_count - 1; i++) {
-        const double s = i % 2 == 0 ? knots[i / 2] : (knots[i / 2] + knots[i / 2 + 1]) / 2;
-        const double u =
-            bat_min(domain.b, bat_max(domain.a, (1 - s) * domain.a + s * domain.b));
-        double given[3], found[3], rounding = 0;
-        batten_status status = batten_curve_evaluate(section, u, 0, given);
-        if (status == BATTEN_OK)
-            status = batten_surface_evaluate(surface, s, t->v[k], 0, found);
-        if (status == BATTEN_OK)
-            status = parameter_rounding(section, u, &rounding);
-        if (status != BATTEN_OK)
-            return status;
-        *worst = bat_max(*worst, bat_distance(t->dimension, given, found) - rounding);
-    }
+    const double u = bat_min(domain.b, bat_max(domain.a, (1 - s) * domain.a + s * domain.b));
+    double given[3], found[3], rounding = 0;
+    batten_status status = batten_curve_evaluate(section, u, 0, given);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate(t->unified[k], s, 0, found);
+    if (status != BATTEN_OK)
+        return status;
+    *miss = bat_distance(t->dimension, given, found);
+    if (*miss > t->deviation[k] && *miss > 0)
+        status = parameter_rounding(section, u, &rounding);
+    *miss -= rounding;
+    return status;
+}
+
+/* The largest distance of a section from itself with common knots, beyond the rounding of
+ * parameters: at its knots and at p places between. Common knots only refine its spans. */
+static batten_status knots_distance(const bat_skin *t, int k, double *knots, double *worst)
+{
+    const batten_curve *section = t->placed[k];
+    const batten_interval domain = batten_curve_domain(section);
+    const int count = batten_curve_spans(section, knots), p = batten_curve_degree(section);
+    const double length = domain.b - domain.a;
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j <= (i + 1 < count ? p : 0); j++) {
+            const double part = (double)j / (p + 1),
+                         next = knots[bat_min_int(i + 1, count - 1)];
+            const double s = ((1 - part) * knots[i] + part * next - domain.a) / length;
+            double miss = 0;
+            const batten_status status = miss_at(t, k, bat_min(1, bat_max(0, s)), &miss);
+            if (status != BATTEN_OK)
+                return status;
+            *worst = bat_max(*worst, miss);
+        }
     return BATTEN_OK;
 }
 
-static batten_status check_sections(const bat_skin *t, const batten_surface *surface,
-                                    const double *knots, int knot_count)
+/* The largest distance between the control points of a section and those of its line on the
+ * surface, homogeneous: a bound on that of the curves, but for weights. */
+static double row_distance(const bat_skin *t, const batten_surface *surface, int k)
 {
-    for (int k = 0; k < t->count; k++) {
-        const int n = batten_curve_point_count(t->placed[k]) * t->dimension;
-        double worst = 0, size = 0;
-        for (int i = 0; i < n; i++)
-            size = bat_max(size, fabs(batten_curve_points(t->placed[k])[i]));
-        const batten_status status = section_distance(t, surface, k, knots, knot_count, &worst);
-        if (status != BATTEN_OK)
-            return status;
-        const double allowed = t->deviation[k] + 1e-13 * size;
-        if (!(worst <= allowed))
-            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "section %d is missed by %g, more than %g", k, worst, allowed);
+    const int q = t->across.degree, d = t->dimension;
+    const int count = batten_surface_point_count(surface, BATTEN_V);
+    const double *V = batten_surface_knots(surface, BATTEN_V);
+    const double *P = batten_surface_points(surface), *w = batten_surface_weights(surface);
+    const double *section = batten_curve_points(t->unified[k]);
+    const int span = bat_knots_span(q, count, V, t->v[k], BATTEN_FROM_RIGHT);
+    double basis[BATTEN_MAX_DEGREE + 1], worst = 0;
+    bat_basis(q, V, span, t->v[k], 0, basis);
+    for (int i = 0; i < t->points; i++) {
+        double sum[3] = {0, 0, 0}, weight = 0;
+        for (int j = 0; j <= q; j++) {
+            const size_t at = (size_t)i * (size_t)count + (size_t)(span - q + j);
+            const double factor = w ? basis[j] * w[at] : basis[j];
+            for (int c = 0; c < d; c++)
+                sum[c] += factor * P[at * (size_t)d + (size_t)c];
+            weight += factor;
+        }
+        for (int c = 0; c < d; c++)
+            sum[c] /= weight;
+        worst = bat_max(worst, bat_distance(d, sum, section + (size_t)i * (size_t)d));
     }
+    return worst;
+}
+
+static batten_status check_section(const bat_skin *t, const batten_surface *surface, int k,
+                                   double *knots)
+{
+    const int n = batten_curve_point_count(t->placed[k]) * t->dimension;
+    double worst = 0, size = 0;
+    for (int i = 0; i < n; i++)
+        size = bat_max(size, fabs(batten_curve_points(t->placed[k])[i]));
+    const batten_status status = knots_distance(t, k, knots, &worst);
+    if (status != BATTEN_OK)
+        return status;
+    worst += row_distance(t, surface, k);
+    const double allowed = t->deviation[k] + 1e-13 * size;
+    if (!(worst <= allowed))
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "section %d is missed by %g, more than %g", k,
+                        worst, allowed);
     return BATTEN_OK;
+}
+
+static batten_status check_sections(const bat_skin *t, const batten_surface *surface)
+{
+    int most = 0;
+    for (int k = 0; k < t->count; k++)
+        most = bat_max_int(most, batten_curve_spans(t->placed[k], NULL));
+    double *knots = bat_array((size_t)most, sizeof *knots);
+    batten_status status = knots ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; status == BATTEN_OK && k < t->count; k++)
+        status = check_section(t, surface, k, knots);
+    bat_release(knots);
+    return status;
 }
 
 static int by_value(const void *a, const void *b)
@@ -80,12 +138,13 @@ static double span_ratio(double *knots, int knot_count)
     return knots[0] / knots[spans / 2];
 }
 
-/* The angle between the normals on both sides of the knot line u at v; 0 where one of them
- * vanishes. */
-static batten_status normal_jump(const batten_surface *surface, double u, double v,
-                                 double *worst)
+/* What jumps across a knot line at one place: the angle between the normals of both sides, 0
+ * where one of them vanishes, and the share by which |Su| does. */
+static batten_status jumps(const batten_surface *surface, double u, double v, double *normal,
+                           double *speed)
 {
-    batten_vec3 normal[2];
+    batten_vec3 normals[2];
+    double speeds[2];
     for (int side = 0; side < 2; side++) {
         double out[9];
         const batten_status status = batten_surface_evaluate_side(
@@ -93,27 +152,56 @@ static batten_status normal_jump(const batten_surface *surface, double u, double
             1, out);
         if (status != BATTEN_OK)
             return status;
-        normal[side] = bat_vec3_cross(bat_vec3_of(3, out + 3), bat_vec3_of(3, out + 6));
+        normals[side] = bat_vec3_cross(bat_vec3_of(3, out + 3), bat_vec3_of(3, out + 6));
+        speeds[side] = bat_norm(3, out + 3);
     }
-    const double sine = bat_vec3_norm(bat_vec3_cross(normal[0], normal[1]));
-    *worst = bat_max(*worst, atan2(sine, bat_vec3_dot(normal[0], normal[1])));
+    const double sine = bat_vec3_norm(bat_vec3_cross(normals[0], normals[1]));
+    *normal = bat_max(*normal, atan2(sine, bat_vec3_dot(normals[0], normals[1])));
+    if (speeds[0] != speeds[1])
+        *speed = bat_max(*speed, fabs(speeds[0] - speeds[1]) / bat_max(speeds[0], speeds[1]));
     return BATTEN_OK;
 }
 
-/* Only knots that stand p times or more can have a jump of the normal; it is looked for at 33
- * places of each. */
-static batten_status find_normal_jump(const bat_skin *t, const batten_surface *surface,
-                                      const double *knots, int knot_count, double *worst)
+/* The largest corner of the sections with common knots at one of them; points have none. */
+static batten_status section_corner(const bat_skin *t, double u, double *corner)
+{
+    const int d = t->dimension;
+    for (int k = 0; k < t->count; k++) {
+        double left[6], right[6];
+        batten_status status =
+            batten_curve_evaluate_side(t->unified[k], u, BATTEN_FROM_LEFT, 1, left);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate_side(t->unified[k], u, BATTEN_FROM_RIGHT, 1, right);
+        if (status != BATTEN_OK)
+            return status;
+        const batten_vec3 a = bat_vec3_of(d, left + d), b = bat_vec3_of(d, right + d);
+        *corner =
+            bat_max(*corner, atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+    }
+    return BATTEN_OK;
+}
+
+/* Only knots that stand p times or more can have a jump; it is looked for at 33 places of each.
+ */
+static batten_status find_jumps(bat_skin *t, const batten_surface *surface, const double *knots,
+                                int knot_count)
 {
     const batten_curve *first = t->unified[0];
     const int p = batten_curve_degree(first), n = batten_curve_point_count(first);
     const batten_interval v = batten_surface_domain(surface, BATTEN_V);
     batten_status status = BATTEN_OK;
-    for (int i = 1; i + 1 < knot_count && t->dimension == 3; i++) {
+    for (int i = 1; status == BATTEN_OK && i + 1 < knot_count && t->dimension == 3; i++) {
+        double jump = 0, corner = 0;
         if (bat_knots_multiplicity(p, n, batten_curve_knots(first), knots[i]) < p)
             continue;
         for (int j = 0; status == BATTEN_OK && j <= 32; j++)
-            status = normal_jump(surface, knots[i], v.a + (v.b - v.a) * (j / 32.0), worst);
+            status = jumps(surface, knots[i], v.a + (v.b - v.a) * (j / 32.0), &jump,
+                           &t->found.speed_jump);
+        if (status == BATTEN_OK)
+            status = section_corner(t, knots[i], &corner);
+        t->found.normal_jump = bat_max(t->found.normal_jump, jump);
+        if (corner < bat_skin_corner)
+            t->found.crease = bat_max(t->found.crease, jump - corner);
     }
     return status;
 }
@@ -123,13 +211,13 @@ static batten_status count_exact(const bat_skin *t, int *count)
 {
     size_t total = 0, used = 0;
     for (int k = 0; k < t->count; k++)
-        total += (size_t)batten_curve_spans(t->placed[k], NULL);
+        total += (size_t)batten_curve_spans(t->given[k], NULL);
     double *knots = bat_array(total, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < t->count; k++) {
-        const int own = batten_curve_spans(t->placed[k], knots + used);
-        const batten_interval domain = batten_curve_domain(t->placed[k]);
+        const int own = batten_curve_spans(t->given[k], knots + used);
+        const batten_interval domain = batten_curve_domain(t->given[k]);
         for (int i = 1; i + 1 < own; i++) /* the ends are not counted */
             knots[used + (size_t)i - 1] =
                 (knots[used + (size_t)i] - domain.a) / (domain.b - domain.a);
@@ -143,29 +231,33 @@ static batten_status count_exact(const bat_skin *t, int *count)
     return BATTEN_OK;
 }
 
-batten_status bat_skin_inspect(const bat_skin *t, const batten_surface *surface,
-                               batten_skin_report *report)
+static void find_deviation(bat_skin *t)
+{
+    t->found.deviation = 0;
+    t->found.worst_section = 0;
+    for (int k = 0; k < t->count; k++)
+        if (t->deviation[k] + t->moved[k] > t->found.deviation) {
+            t->found.deviation = t->deviation[k] + t->moved[k];
+            t->found.worst_section = k;
+        }
+}
+
+batten_status bat_skin_inspect(bat_skin *t, const batten_surface *surface)
 {
     const int knot_count = batten_surface_spans(surface, BATTEN_U, NULL);
     double *knots = bat_array((size_t)knot_count, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(surface, BATTEN_U, knots);
-    batten_skin_report found = {.knot_count = knot_count - 2};
-    for (int k = 0; k < t->count; k++)
-        if (t->deviation[k] > found.deviation) {
-            found.deviation = t->deviation[k];
-            found.worst_section = k;
-        }
-    batten_status status = check_sections(t, surface, knots, knot_count);
-    if (status == BATTEN_OK && report)
-        status = find_normal_jump(t, surface, knots, knot_count, &found.normal_jump);
-    if (status == BATTEN_OK && report)
-        status = count_exact(t, &found.exact_knot_count);
-    if (status == BATTEN_OK && report) {
-        found.span_ratio = span_ratio(knots, knot_count);
-        *report = found;
-    }
+    t->found.knot_count = knot_count - 2;
+    t->found.normal_jump = t->found.speed_jump = t->found.crease = 0;
+    find_deviation(t);
+    batten_status status = check_sections(t, surface);
+    if (status == BATTEN_OK && (t->cures || t->reports))
+        status = find_jumps(t, surface, knots, knot_count);
+    if (status == BATTEN_OK && t->reports)
+        status = count_exact(t, &t->found.exact_knot_count);
+    t->found.span_ratio = span_ratio(knots, knot_count);
     bat_release(knots);
     return status;
 }

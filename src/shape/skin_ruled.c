@@ -1,6 +1,6 @@
 /* Skins of two sections. */
 #include "numeric/vector.h"
-#include <batten/skin.h>
+#include "shape/skin.h"
 
 batten_status batten_surface_ruled(const batten_curve *first, const batten_curve *second,
                                    batten_surface **out)
@@ -9,7 +9,7 @@ batten_status batten_surface_ruled(const batten_curve *first, const batten_curve
     batten_skin_options options = batten_skin_defaults();
     options.degree = 1;
     options.parameters = BATTEN_UNIFORM;
-    return batten_surface_skin(2, both, &options, NULL, NULL, NULL, out);
+    return bat_surface_skin(2, both, &options, true, NULL, NULL, NULL, out);
 }
 
 batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,

@@ -1,10 +1,8 @@
-/* The sections of a skin: placed, run the same way, with common knots. */
+/* The sections of a skin where they stand, and with common knots. */
 #include "shape/common_knots.h"
 #include "shape/skin_parts.h"
 
 #include <string.h>
-
-/* ---- placing and aligning the sections ---- */
 
 static batten_status place(const bat_skin *t, const batten_curve *section,
                            const batten_affine *map, batten_curve **out)
@@ -23,10 +21,10 @@ static batten_status place(const bat_skin *t, const batten_curve *section,
     return status;
 }
 
-batten_status bat_skin_place(bat_skin *t, const batten_curve *const *sections)
+batten_status bat_skin_place(bat_skin *t)
 {
     for (int k = 0; k < t->count; k++)
-        t->dimension = bat_max_int(t->dimension, batten_curve_dimension(sections[k]));
+        t->dimension = bat_max_int(t->dimension, batten_curve_dimension(t->given[k]));
     batten_affine *maps = NULL;
     batten_status status = BATTEN_OK;
     if (t->options->spine) {
@@ -35,58 +33,8 @@ batten_status bat_skin_place(bat_skin *t, const batten_curve *const *sections)
         status = maps ? bat_skin_places(t->count, t->options, maps) : BATTEN_OUT_OF_MEMORY;
     }
     for (int k = 0; status == BATTEN_OK && k < t->count; k++)
-        status = place(t, sections[k], maps ? &maps[k] : NULL, &t->placed[k]);
+        status = place(t, t->given[k], maps ? &maps[k] : NULL, &t->placed[k]);
     bat_release(maps);
-    return status;
-}
-
-/* Points that tell in which direction a section runs. */
-enum { SAMPLES = 17 };
-
-static batten_status sample(const batten_curve *curve, double points[SAMPLES][3])
-{
-    const batten_interval domain = batten_curve_domain(curve);
-    for (int i = 0; i < SAMPLES; i++) {
-        const double s = (double)i / (SAMPLES - 1);
-        const batten_status status =
-            batten_curve_evaluate(curve, (1 - s) * domain.a + s * domain.b, 0, points[i]);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    return BATTEN_OK;
-}
-
-static bool runs_against(int d, double a[SAMPLES][3], double b[SAMPLES][3])
-{
-    double along = 0, against = 0;
-    for (int i = 0; i < SAMPLES; i++) {
-        along += bat_distance(d, a[i], b[i]);
-        against += bat_distance(d, a[i], b[SAMPLES - 1 - i]);
-    }
-    return against < along;
-}
-
-/* Reverse each section that runs against the one before it, and say so. */
-batten_status bat_skin_align(bat_skin *t)
-{
-    double before[SAMPLES][3], here[SAMPLES][3];
-    int reversed_count = 0;
-    batten_status status = sample(t->placed[0], before);
-    for (int k = 1; status == BATTEN_OK && k < t->count; k++) {
-        status = sample(t->placed[k], here);
-        if (status == BATTEN_OK && runs_against(t->dimension, before, here)) {
-            batten_curve *reversed = NULL;
-            status = batten_curve_reverse(t->placed[k], &reversed);
-            if (status == BATTEN_OK) {
-                batten_curve_unref(t->placed[k]);
-                t->placed[k] = reversed;
-                status = sample(reversed, here);
-                bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k,
-                         reversed_count++);
-            }
-        }
-        memcpy(before, here, sizeof before);
-    }
     return status;
 }
 
@@ -100,31 +48,18 @@ static bool all_periodic(const bat_skin *t)
     return periodic;
 }
 
-/* A jump of the speed would ask for knots that the shape does not need. */
-static batten_status even_speeds(bat_skin *t)
-{
-    for (int k = 0; k < t->count; k++) {
-        batten_curve *even = NULL;
-        const batten_status status = bat_skin_even_speed(t->placed[k], &even);
-        if (status != BATTEN_OK)
-            return status;
-        batten_curve_unref(t->placed[k]);
-        t->placed[k] = even;
-    }
-    return BATTEN_OK;
-}
-
 batten_status bat_skin_unify(bat_skin *t)
 {
     const batten_curve *const *placed = (const batten_curve *const *)t->placed;
     t->periodic_u = all_periodic(t);
     const bool exact = t->periodic_u || t->options->tolerance == 0;
-    batten_status status = exact ? BATTEN_OK : even_speeds(t);
-    if (status == BATTEN_OK && !exact)
-        status = bat_common_knots(t->count, placed, t->options->tolerance, &t->work, t->unified,
-                                  t->deviation);
-    else if (status == BATTEN_OK)
-        status = batten_curves_unify(t->count, placed, t->unified);
+    double moved = 0;
+    for (int k = 0; k < t->count; k++)
+        moved = bat_max(moved, t->moved[k]);
+    const batten_status status =
+        exact ? batten_curves_unify(t->count, placed, t->unified)
+              : bat_common_knots(t->count, placed, t->options->tolerance - moved, &t->work,
+                                 t->unified, t->deviation);
     if (status != BATTEN_OK)
         return status;
     const batten_curve *first = t->unified[0];

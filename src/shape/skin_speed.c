@@ -1,13 +1,7 @@
 /* Sections of even speed. */
-#include "numeric/vector.h"
-#include "shape/skin.h"
-#include "spline/curve.h"
+#include "shape/skin_parts.h"
 
 #include <string.h>
-
-/* Tangents that differ by more than this angle, in radians, are a corner and not an inaccuracy.
- */
-static const double corner_angle = 0.01;
 
 /* At a knot that stands p times, its first at i: by how much the curve is faster behind it,
  * when its tangent goes on; 0 at a corner, 1 at other knots. */
@@ -24,7 +18,7 @@ static double speed_ratio(const batten_curve *curve, int i)
         after[c] = on[c + d] - on[c];
     }
     const double a = bat_norm(d, before), b = bat_norm(d, after);
-    if (!(a > 0 && b > 0) || bat_dot(d, before, after) < cos(corner_angle) * a * b)
+    if (!(a > 0 && b > 0) || bat_dot(d, before, after) < cos(bat_skin_corner) * a * b)
         return 0;
     const double ratio = (b / (U[i + p] - U[i])) / (a / (U[i] - U[i - 1]));
     return ratio > 1.0 / 64 && ratio < 64 ? ratio

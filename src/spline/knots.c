@@ -88,6 +88,7 @@ batten_status bat_knots_check_insertion(int degree, int count, const double *kno
                                         bool periodic, int added, const double *new_knots)
 {
     const double a = knots[degree], b = knots[count];
+    int above = 0; /* the first knot above u */
     for (int i = 0, times = 1; i < added; i++, times++) {
         const double u = new_knots[i];
         if (!(u >= a && u <= b))
@@ -100,7 +101,11 @@ batten_status bat_knots_check_insertion(int degree, int count, const double *kno
                             i - 1, new_knots[i - 1]);
         if (i > 0 && u > new_knots[i - 1])
             times = 1;
-        const int have = bat_knots_multiplicity(degree, count, knots, u);
+        int have = 0;
+        while (above <= count + degree && knots[above] <= u)
+            above++;
+        while (have < above && knots[above - 1 - have] == u)
+            have++;
         const int most = degree + (!periodic && (u == a || u == b));
         if (have + times > most)
             return bat_fail(BATTEN_BAD_KNOTS, "knot %.17g would stand %d times; %d are allowed",
