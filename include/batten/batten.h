@@ -31,6 +31,7 @@
 #include <batten/fold.h>
 #include <batten/gcode.h>
 #include <batten/geometry.h>
+#include <batten/grid_fit.h>
 #include <batten/implicit.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>

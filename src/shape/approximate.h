@@ -19,7 +19,8 @@ typedef struct {
 } bat_rows_of_fit;
 
 typedef struct {
-    int dimension, degree;
+    int dimension; /* numbers of a datum: coordinates, or those of a whole line of a grid */
+    int degree;
     int count; /* control values; periodic: of one period */
     bool periodic;
     double *knots; /* [count + degree + 1]; periodic: those of one period [count + 1] */
@@ -30,6 +31,7 @@ typedef struct {
     double penalty_scale;  /* trace of the data's normal matrix by that of the penalty's */
     bool fixed[2];         /* the first and the last control value are known */
     const double *ends[2]; /* [dimension] */
+    double *right;         /* [dimension], the right side of a row on its way */
     bat_givens qr;
 } bat_fit;
 

@@ -107,7 +107,9 @@ batten_status bat_fit_begin(const bat_fit_request *r, bat_fit *out)
     double *U = NULL;
     fit.knots = bat_array(knots, sizeof *fit.knots);
     fit.factors = bat_array((size_t)r->data_count, sizeof *fit.factors);
-    batten_status status = fit.knots && fit.factors ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    fit.right = bat_array((size_t)r->dimension, sizeof *fit.right);
+    batten_status status =
+        fit.knots && fit.factors && fit.right ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         memcpy(fit.knots, r->knots, knots * sizeof *fit.knots);
         bat_fit_weigh(&fit, r->weights);
@@ -139,6 +141,7 @@ void bat_fit_end(bat_fit *fit)
     bat_givens_end(&fit->qr);
     bat_release(fit->knots);
     bat_release(fit->factors);
+    bat_release(fit->right);
     *fit = (bat_fit){0};
 }
 
@@ -274,11 +277,14 @@ static void set_aside(const bat_fit *fit, int first, int length, double *values,
 static void add(bat_fit *fit, const bat_rows_of_fit *rows, int i, double factor,
                 const double *given)
 {
-    double values[MAX_ROW], right[3] = {0};
+    double values[MAX_ROW], *right = fit->right;
     const int width = rows->width;
+    const size_t size = (size_t)fit->dimension * sizeof *right;
     memcpy(values, rows->values + (size_t)i * (size_t)width, (size_t)width * sizeof *values);
     if (given)
-        memcpy(right, given, (size_t)fit->dimension * sizeof *right);
+        memcpy(right, given, size);
+    else
+        memset(right, 0, size);
     set_aside(fit, rows->first[i], width, values, right);
     bat_givens_add(&fit->qr, rows->first[i], width, values, factor, right);
 }
@@ -320,11 +326,11 @@ batten_status bat_fit_freedom(const bat_fit *fit, double *out)
         return status;
     double sum = 0;
     for (int i = 0; i < fit->data_count; i++) {
-        double values[MAX_ROW], right[3] = {0};
+        double values[MAX_ROW];
         const int width = fit->data.width;
         memcpy(values, fit->data.values + (size_t)i * (size_t)width,
                (size_t)width * sizeof *values);
-        set_aside(fit, fit->data.first[i], width, values, right);
+        set_aside(fit, fit->data.first[i], width, values, fit->right);
         if (fit->factors[i] > 0)
             sum += fit->factors[i] * fit->factors[i] *
                    bat_inverse_band_form(&inverse, fit->data.first[i], width, values);

@@ -3,6 +3,25 @@
 #define BAT_SMOOTH_H
 #include "shape/approximate.h"
 
+/* How the weight of any penalty is chosen: rms of the residuals rises with lambda, the score of
+ * a cross validation has a least. SINGULAR_SYSTEM from `rms` says that lambda is beyond all
+ * numbers; `score` gives HUGE_VAL instead. */
+typedef struct {
+    batten_smooth_by by;
+    double amount; /* the target of rms, or lambda */
+    double scale;  /* lambda of decade 0: trace of the data's matrix by that of the penalty's */
+    double last;   /* the last decade that is tried */
+    bool coarse;   /* a fit costs much */
+    void *user;
+    batten_status (*rms)(void *user, double lambda, double *rms);
+    batten_status (*score)(void *user, double lambda, double *score);
+} bat_lambda_search;
+/* 0 to infinity. */
+batten_status bat_lambda_choose(const bat_lambda_search *search, double *lambda);
+/* The penalty of the smoothest shape that is no polynomial is so much smaller than the mean:
+ * about (pi / count)^(2 m); four decades more make it as good as a polynomial. */
+double bat_last_decade(int order, int count);
+
 typedef struct {
     const batten_smooth_options *options;
     bat_fit_request request;

@@ -21,23 +21,19 @@ batten_status bat_smoothing_try(bat_smoothing *t, double lambda)
     return BATTEN_OK;
 }
 
-static double weighted_rms(const bat_smoothing *t)
+static batten_status weighted_rms(void *user, double lambda, double *rms)
 {
-    return sqrt(t->report.sum / t->weight);
-}
-
-/* Where this vanishes rms is the target; rms is near a power of lambda for long stretches. */
-static batten_status above_target(bat_smoothing *t, double lambda, double *value)
-{
+    bat_smoothing *t = user;
     const batten_status status = bat_smoothing_try(t, lambda);
-    *value = log(weighted_rms(t) / t->options->amount);
+    *rms = sqrt(t->report.sum / t->weight);
     return status;
 }
 
 /* Craven and Wahba's V; its root, which is a length. A lambda so large that the equations are
  * lost in rounding is no candidate. */
-static batten_status validation(bat_smoothing *t, double lambda, double *value)
+static batten_status validation(void *user, double lambda, double *value)
 {
+    bat_smoothing *t = user;
     batten_status status = bat_smoothing_try(t, lambda);
     if (status == BATTEN_OK)
         status = bat_fit_freedom(&t->fit, &t->report.freedom);
@@ -50,30 +46,38 @@ static batten_status validation(bat_smoothing *t, double lambda, double *value)
 
 /* ---- the search, over x = log10(lambda / scale) ---- */
 
-static double lambda_at(const bat_smoothing *t, double x)
+static double lambda_at(const bat_lambda_search *t, double x)
 {
-    return t->fit.penalty_scale * pow(10, x);
+    return t->scale * pow(10, x);
 }
 
-/* The penalty of the smoothest shape that is no polynomial is so much smaller than the mean:
- * about (pi / count)^(2 m); four decades more make it as good as a polynomial. */
-static double last_decade(const bat_smoothing *t)
+/* Where this vanishes rms is the target; rms is near a power of lambda for long stretches. */
+static batten_status above_target(const bat_lambda_search *t, double lambda, double *value)
 {
-    return 2 * t->options->order * log10(t->fit.count) + 4;
+    double rms = 1;
+    const batten_status status = t->rms(t->user, lambda, &rms);
+    *value = log(rms / t->amount);
+    return status;
+}
+
+double bat_last_decade(int order, int count)
+{
+    return 2 * order * log10(count) + 4;
 }
 
 enum { FIRST_DECADE = -10 };
 
 /* rms rises with lambda. Secants, halving where they stand still. */
-static batten_status find_root(bat_smoothing *t, double low, double high, double at_low,
-                               double at_high)
+static batten_status find_root(const bat_lambda_search *t, double low, double high,
+                               double at_low, double at_high, double *found)
 {
     double value;
     for (int i = 0; i < 60 && high - low > 1e-9; i++) {
         double x = (low * at_high - high * at_low) / (at_high - at_low);
         if (!(x > low && x < high) || i % 4 == 3)
             x = (low + high) / 2;
-        const batten_status status = above_target(t, lambda_at(t, x), &value);
+        *found = lambda_at(t, x);
+        const batten_status status = above_target(t, *found, &value);
         if (status != BATTEN_OK || fabs(value) <= 1e-8)
             return status;
         if (value < 0) {
@@ -86,15 +90,16 @@ static batten_status find_root(bat_smoothing *t, double low, double high, double
             at_low /= 2;
         }
     }
-    return above_target(t, lambda_at(t, low), &value);
+    *found = lambda_at(t, low);
+    return above_target(t, *found, &value);
 }
 
 /* The lambda at which rms is the target, from the middle outwards; where rms stays below, the
  * polynomial will do, and *found is HUGE_VAL; where it stays above, the interpolant: 0.
  * Equations that are lost in rounding are those of the polynomial. */
-static batten_status search_target(bat_smoothing *t, double *found)
+static batten_status search_target(const bat_lambda_search *t, double *found)
 {
-    const double last = last_decade(t), step = 2;
+    const double last = t->last, step = 2;
     double x = 0, value = 0, before = 0;
     batten_status status = above_target(t, lambda_at(t, x), &value);
     const double way = status == BATTEN_OK && value < 0 ? step : -step;
@@ -109,9 +114,8 @@ static batten_status search_target(bat_smoothing *t, double *found)
     if (status == BATTEN_SINGULAR_SYSTEM && way > 0)
         return BATTEN_OK;
     if (status == BATTEN_OK)
-        status = way > 0 ? find_root(t, x - step, x, before, value)
-                         : find_root(t, x, x + step, value, before);
-    *found = t->report.lambda;
+        status = way > 0 ? find_root(t, x - step, x, before, value, found)
+                         : find_root(t, x, x + step, value, before, found);
     return status;
 }
 
@@ -158,8 +162,8 @@ static void remember(least_search *s, double x, double value)
 }
 
 /* From the best place of three beside each other. */
-static batten_status find_least(bat_smoothing *t, const double *value, double best, double step,
-                                double *found)
+static batten_status find_least(const bat_lambda_search *t, const double *value, double best,
+                                double step, double *found)
 {
     least_search s = {.low = best - step,
                       .high = best + step,
@@ -176,21 +180,21 @@ static batten_status find_least(bat_smoothing *t, const double *value, double be
             break;
         const double x = next_place(&s, nearest);
         double at_x;
-        status = validation(t, lambda_at(t, x), &at_x);
+        status = t->score(t->user, lambda_at(t, x), &at_x);
         remember(&s, x, at_x);
     }
     *found = lambda_at(t, s.x[0]);
     return status;
 }
 
-static batten_status search_validation(bat_smoothing *t, double *found)
+static batten_status search_validation(const bat_lambda_search *t, double *found)
 {
-    const double last = last_decade(t), step = t->fit.count > 2000 ? 2 : 1;
+    const double last = t->last, step = t->coarse ? 2 : 1;
     double best = 0, value[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, around[3] = {0, HUGE_VAL, 0};
     for (double x = FIRST_DECADE; x < last + 2 * step; x += step) {
         value[0] = value[1];
         value[1] = value[2];
-        const batten_status status = validation(t, lambda_at(t, x), &value[2]);
+        const batten_status status = t->score(t->user, lambda_at(t, x), &value[2]);
         if (status != BATTEN_OK)
             return status;
         if (value[1] < around[1]) {
@@ -201,13 +205,30 @@ static batten_status search_validation(bat_smoothing *t, double *found)
     return find_least(t, around, best, step, found);
 }
 
+batten_status bat_lambda_choose(const bat_lambda_search *t, double *lambda)
+{
+    *lambda = t->amount;
+    if (t->by == BATTEN_SMOOTH_BY_LAMBDA)
+        return BATTEN_OK;
+    if (t->by == BATTEN_SMOOTH_BY_RMS)
+        return t->amount == 0 ? BATTEN_OK : search_target(t, lambda);
+    return search_validation(t, lambda);
+}
+
+/* ---- of a curve ---- */
+
 batten_status bat_smoothing_choose(bat_smoothing *t, double *lambda)
 {
     const batten_smooth_options *o = t->options;
-    *lambda = o->amount;
-    if (o->by == BATTEN_SMOOTH_BY_LAMBDA)
-        return BATTEN_OK;
-    if (o->by == BATTEN_SMOOTH_BY_RMS)
-        return o->amount == 0 ? BATTEN_OK : search_target(t, lambda);
-    return search_validation(t, lambda);
+    const bat_lambda_search search = {
+        .by = o->by,
+        .amount = o->amount,
+        .scale = t->fit.penalty_scale,
+        .last = bat_last_decade(o->order, t->fit.count),
+        .coarse = t->fit.count > 2000,
+        .user = t,
+        .rms = weighted_rms,
+        .score = validation,
+    };
+    return bat_lambda_choose(&search, lambda);
 }

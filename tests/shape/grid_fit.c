@@ -1,0 +1,419 @@
+#include <batten/grid_fit.h>
+#include <batten/interpolate.h>
+
+#include "support/test.h"
+
+enum { NU = 13, NV = 11 };
+
+static double u_at(int i)
+{
+    return i + 0.3 * sin(i);
+}
+
+static double v_at(int j)
+{
+    return 2 * j + 0.5 * cos(2 * j);
+}
+
+static double wave(double u, double v)
+{
+    return sin(u / 2) * cos(v / 5) + 0.1 * u;
+}
+
+/* The parameters of the lines, and values of dimension 1. */
+static double us[NU], vs[NV], data[NU * NV];
+
+static batten_grid_fit_options begin(void)
+{
+    batten_grid_fit_options options = batten_grid_fit_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given_u = us;
+    options.given_v = vs;
+    for (int i = 0; i < NU; i++)
+        us[i] = u_at(i);
+    for (int j = 0; j < NV; j++)
+        vs[j] = v_at(j);
+    return options;
+}
+
+static void fill(double (*f)(double, double))
+{
+    for (int i = 0; i < NU; i++)
+        for (int j = 0; j < NV; j++)
+            data[i * NV + j] = f(us[i], vs[j]);
+}
+
+static double value(const batten_surface *s, double u, double v)
+{
+    double out;
+    CHECK_OK(batten_surface_evaluate(s, u, v, 0, &out));
+    return out;
+}
+
+TEST(as_many_control_points_as_data_interpolate)
+{
+    batten_grid_fit_options options = begin();
+    fill(wave);
+    options.points_u = NU;
+    options.points_v = NV;
+    for (int hold = 0; hold < 2; hold++) {
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        options.hold_rims = hold;
+        CHECK_OK(
+            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK(report.max < 1e-12);
+        batten_surface_unref(s);
+    }
+}
+
+static double bicubic(double u, double v)
+{
+    return (u * u * u / 100 - u + 2) * (v * v * v / 1000 + v * v / 50 - 3);
+}
+
+TEST(bicubics_are_reproduced_with_few_control_points)
+{
+    batten_grid_fit_options options = begin();
+    fill(bicubic);
+    options.points_u = 5;
+    options.points_v = 6;
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    double u[NU], v[NV];
+    CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, u, v, &report, &s));
+    CHECK(report.max < 1e-12 * 150 && report.points_u == 5 && report.points_v == 6);
+    CHECK(u[3] == us[3] && v[4] == vs[4]);
+    CHECK_NEAR(value(s, 3.3, 7.7), bicubic(3.3, 7.7), 1e-11);
+    batten_surface_unref(s);
+}
+
+/* How the weighted squares change with control point (i, j): 0 at the least. */
+static double gradient(const batten_surface *s, const double *wu, const double *wv, int i,
+                       int j)
+{
+    batten_surface *moved = NULL;
+    const int nv = batten_surface_point_count(s, BATTEN_V);
+    const double up = batten_surface_points(s)[i * nv + j] + 1;
+    double sum = 0;
+    CHECK_OK(batten_surface_with_point(s, i, j, &up, &moved));
+    for (int a = 0; a < NU; a++)
+        for (int b = 0; b < NV; b++) {
+            const double here = value(s, us[a], vs[b]);
+            sum +=
+                wu[a] * wv[b] * (here - data[a * NV + b]) * (value(moved, us[a], vs[b]) - here);
+        }
+    batten_surface_unref(moved);
+    return sum;
+}
+
+TEST(residuals_are_square_to_the_basis)
+{
+    batten_grid_fit_options options = begin();
+    double wu[NU], wv[NV];
+    fill(wave);
+    for (int i = 0; i < NU; i++)
+        wu[i] = 1 + i % 3;
+    for (int j = 0; j < NV; j++)
+        wv[j] = 0.5 + j % 2;
+    options.points_u = 6;
+    options.points_v = 5;
+    options.hold_rims = false;
+    options.weights_u = wu;
+    options.weights_v = wv;
+    batten_surface *s = NULL;
+    CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s));
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 5; j++)
+            CHECK_NEAR(gradient(s, wu, wv, i, j), 0, 1e-12);
+    batten_surface_unref(s);
+}
+
+TEST(a_held_rim_depends_on_its_own_data_alone_and_meets_the_corners)
+{
+    batten_grid_fit_options options = begin();
+    batten_surface *first = NULL, *second = NULL;
+    fill(wave);
+    CHECK_OK(
+        batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &first));
+    CHECK(value(first, us[0], vs[0]) == data[0]);
+    CHECK(value(first, us[NU - 1], vs[0]) == data[(NU - 1) * NV]);
+    for (int i = 0; i < NU - 1; i++)
+        for (int j = 0; j < NV; j++)
+            data[i * NV + j] += i + j % 3;
+    CHECK_OK(
+        batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &second));
+    for (int k = 0; k <= 20; k++) {
+        const double v = vs[0] + (vs[NV - 1] - vs[0]) * k / 20;
+        CHECK_NEAR(value(first, us[NU - 1], v), value(second, us[NU - 1], v), 1e-13);
+    }
+    batten_surface_unref(first);
+    batten_surface_unref(second);
+}
+
+TEST(a_knot_more_never_makes_squares_more)
+{
+    batten_grid_fit_options options = begin();
+    double last = HUGE_VAL;
+    fill(wave);
+    options.hold_rims = false;
+    /* Doubled spans hold the knots of single ones when data are even. */
+    for (int i = 0; i < NU; i++)
+        us[i] = i;
+    for (int n = 4; n <= NU; n += n - 3) {
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        options.points_u = n;
+        options.points_v = NV;
+        CHECK_OK(
+            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK(report.rms <= last);
+        last = report.rms;
+        batten_surface_unref(s);
+    }
+}
+
+/* ---- smoothing ---- */
+
+static double noise(int i, int j)
+{
+    return sin(100.0 * i * i + 17.0 * j + 3.0 * i * j) / 20;
+}
+
+TEST(without_penalty_smoothing_is_least_squares)
+{
+    batten_grid_fit_options options = begin();
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    const double one[NU] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    fill(wave);
+    options.points_u = 7;
+    options.points_v = 6;
+    options.by = BATTEN_SMOOTH_BY_LAMBDA;
+    CHECK_OK(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_NEAR(report.freedom, 42, 1e-9);
+    for (int i = 0; i < 7; i++)
+        for (int j = 0; j < 6; j++)
+            CHECK_NEAR(gradient(s, one, one, i, j), 0, 1e-11);
+    batten_surface_unref(s);
+    options.points_u = options.points_v = 0;
+    CHECK_OK(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK(report.max < 1e-11 && report.points_u == NU && report.points_v == NV);
+    batten_surface_unref(s);
+}
+
+static double tilted(double u, double v)
+{
+    return 2 + 3 * u - v + u * v / 7;
+}
+
+/* Least squares by 1, u .. u^m times 1, v .. v^m: what an infinite penalty leaves. */
+static void check_polynomial(const batten_surface *s, int order)
+{
+    for (int k = 0; k < 2; k++)
+        for (int a = 0; a < 5; a++) {
+            double out[BATTEN_SURFACE_DERIVATIVES(3)];
+            CHECK_OK(batten_surface_evaluate(s, us[2 * a], vs[a], order, out));
+            CHECK_NEAR(out[BATTEN_SURFACE_DERIVATIVE(k ? order : 0, k ? 0 : order)], 0, 1e-9);
+        }
+}
+
+TEST(an_infinite_penalty_leaves_the_polynomial)
+{
+    for (int c = 0; c < 4; c++) {
+        batten_grid_fit_options options = begin();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        fill(tilted);
+        for (int i = 0; i < NU; i++)
+            for (int j = 0; j < NV; j++)
+                data[i * NV + j] += noise(i, j);
+        options.order = 2 + c / 2;
+        options.penalty = c % 2 ? BATTEN_GRID_DIFFERENCES : BATTEN_GRID_ENERGY;
+        options.points_u = options.points_v = 8;
+        options.by = BATTEN_SMOOTH_BY_LAMBDA;
+        options.amount = HUGE_VAL;
+        CHECK_OK(batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
+                                            &report, &s));
+        CHECK_NEAR(report.freedom, options.order * options.order, 1e-9);
+        check_polynomial(s, options.order);
+        CHECK(report.rms < 0.06 && report.rms > 0.01);
+        batten_surface_unref(s);
+    }
+}
+
+TEST(the_rms_that_is_asked_for_is_met)
+{
+    batten_grid_fit_options options = begin();
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    fill(wave);
+    for (int i = 0; i < NU; i++)
+        for (int j = 0; j < NV; j++)
+            data[i * NV + j] += noise(i, j);
+    options.by = BATTEN_SMOOTH_BY_RMS;
+    options.amount = 0.03;
+    CHECK_OK(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+    CHECK_NEAR(report.rms, 0.03, 1e-8);
+    CHECK(report.max >= report.most && report.most >= report.rms);
+    batten_surface_unref(s);
+}
+
+TEST(validation_finds_the_surface_below_the_noise)
+{
+    enum { N = 40 };
+    double *z = test_array(N * N, sizeof *z), at[N], truth = 0, before = 0;
+    test_random random = test_random_begin("grid noise");
+    for (int i = 0; i < N; i++)
+        at[i] = i * 0.25;
+    for (int i = 0; i < N * N; i++)
+        z[i] = wave(at[i / N], at[i % N]) + test_random_in(&random, -0.2, 0.2);
+    batten_grid_fit_options options = batten_grid_fit_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given_u = options.given_v = at;
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    CHECK_OK(batten_surface_smooth_grid(1, N, N, z, &options, NULL, NULL, NULL, &report, &s));
+    for (int i = 0; i < N * N; i++) {
+        const double w = wave(at[i / N], at[i % N]);
+        truth += pow(value(s, at[i / N], at[i % N]) - w, 2);
+        before += pow(z[i] - w, 2);
+    }
+    /* Of independent noise the share freedom / N^2 is left. */
+    CHECK(truth < 1.5 * before * report.freedom / (N * N));
+    CHECK_NEAR(report.rms, 0.2 / sqrt(3), 0.01);
+    CHECK(report.freedom > 4 && report.freedom < 80);
+    batten_surface_unref(s);
+}
+
+TEST(grids_that_close_are_fitted_and_smoothed)
+{
+    enum { N = 24 };
+    double *p = test_array(N * N * 3, sizeof *p);
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++) {
+            const double a = i * acos(-1) / 12, b = j * acos(-1) / 12, r = 3 + cos(b);
+            p[(i * N + j) * 3] = r * cos(a);
+            p[(i * N + j) * 3 + 1] = r * sin(a);
+            p[(i * N + j) * 3 + 2] = sin(b);
+        }
+    batten_grid_fit_options options = batten_grid_fit_defaults();
+    options.periodic_u = options.periodic_v = true;
+    options.points_u = options.points_v = 12;
+    for (int c = 0; c < 2; c++) {
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        options.by = BATTEN_SMOOTH_BY_LAMBDA;
+        options.amount = 1e-9;
+        CHECK_OK((c ? batten_surface_smooth_grid : batten_surface_fit_grid)(
+            3, N, N, p, &options, NULL, NULL, NULL, &report, &s));
+        CHECK(batten_surface_is_periodic(s, BATTEN_U) &&
+              batten_surface_is_periodic(s, BATTEN_V));
+        CHECK(report.max < 0.01);
+        batten_surface_unref(s);
+    }
+}
+
+TEST(dierckx_grid_is_smoothed_below_its_noise)
+{
+    FILE *file = fopen(test_data("grids/dierckx_regrid11.txt"), "r");
+    char line[256];
+    double z[121], at[11], left = 0, before = 0;
+    CHECK(file && fgets(line, sizeof line, file));
+    for (int i = 0; i < 121; i++)
+        CHECK(fscanf(file, "%lf", &z[i]) == 1);
+    fclose(file);
+    for (int i = 0; i < 11; i++)
+        at[i] = -1.5 + 0.3 * i;
+    batten_grid_fit_options options = batten_grid_fit_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given_u = options.given_v = at;
+    batten_surface *s = NULL;
+    CHECK_OK(batten_surface_smooth_grid(1, 11, 11, z, &options, NULL, NULL, NULL, NULL, &s));
+    /* The data are exp(-x^2 - y^2) and noise. */
+    for (int i = 0; i < 121; i++) {
+        const double x = at[i / 11], y = at[i % 11], f = exp(-x * x - y * y);
+        left += pow(value(s, x, y) - f, 2);
+        before += pow(z[i] - f, 2);
+    }
+    CHECK(left < before / 3);
+    batten_surface_unref(s);
+}
+
+/* ---- bad input ---- */
+
+TEST(bad_grids_and_options_are_refused)
+{
+    batten_grid_fit_options options = begin();
+    batten_surface *s = NULL;
+    fill(wave);
+    options.points_u = NU + 1;
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("14 control points along u, and the grid has 13 lines");
+    options.points_u = 3;
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
+    options = begin();
+    options.degree_v = 0;
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_BAD_DEGREE);
+    CHECK_MESSAGE("along v is 0");
+    options = begin();
+    data[17] = NAN;
+    CHECK_STATUS(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+        BATTEN_NOT_FINITE);
+    fill(wave);
+    us[4] = us[3];
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_NOT_INCREASING);
+    options = begin();
+    options.order = 5;
+    CHECK_STATUS(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+        BATTEN_BAD_ARGUMENT);
+    options = begin();
+    options.points_u = 401;
+    CHECK_STATUS(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+        BATTEN_TOO_LARGE);
+    options = begin();
+    options.by = BATTEN_SMOOTH_BY_RMS;
+    options.amount = -1;
+    CHECK_STATUS(
+        batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+        BATTEN_BAD_ARGUMENT);
+    options = begin();
+    double weights[NU] = {1, 1, -1};
+    options.weights_u = weights;
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_BAD_WEIGHT);
+    CHECK(s == NULL);
+}
+
+TEST(sizes_far_from_one_change_nothing)
+{
+    const double sizes[] = {1e80, 1e-80};
+    for (int c = 0; c < 2; c++) {
+        batten_grid_fit_options options = begin();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        fill(bicubic);
+        for (int k = 0; k < NU * NV; k++)
+            data[k] *= sizes[c];
+        options.points_u = options.points_v = 6;
+        CHECK_OK(
+            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK(report.max < 1e-12 * 150 * sizes[c]);
+        batten_surface_unref(s);
+        options.by = BATTEN_SMOOTH_BY_LAMBDA;
+        CHECK_OK(batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
+                                            &report, &s));
+        CHECK(report.max < 1e-10 * 150 * sizes[c]);
+        batten_surface_unref(s);
+    }
+}
