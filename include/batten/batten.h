@@ -57,6 +57,7 @@
 #include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/thin.h>
+#include <batten/triangles.h>
 #include <batten/trim.h>
 #include <batten/units.h>
 #include <batten/weighted.h>

@@ -1,0 +1,228 @@
+#ifndef BATTEN_TRIANGLES_H
+#define BATTEN_TRIANGLES_H
+/**
+ * @file
+ * Bezier triangles: sets of triangular patches of one degree, immutable and reference counted.
+ *
+ * A patch of degree n has (n + 1)(n + 2) / 2 control points c[i][j][k], i + j + k = n, and is
+ * their sum weighted with n! / (i! j! k!) b0^i b1^j b2^k, b the barycentric coordinates. The
+ * points stand in rows away from corner 0: first c[n][0][0], then c[n-1][1][0], c[n-1][0][1],
+ * then c[n-2][2][0], c[n-2][1][1] ...; the last row is the edge from corner 1 to corner 2. Edge
+ * e is opposite corner e and runs from corner e + 1 to corner e + 2, modulo 3. With weights the
+ * patch is rational.
+ *
+ * A set may lie over a triangulation of the plane, then it is a piecewise function of (x, y),
+ * or a piecewise surface with (x, y) as parameters.
+ */
+#include <batten/curve.h>
+#include <batten/job.h>
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct batten_triangles batten_triangles;
+
+/** How many control points a triangle of this degree has. */
+#define BATTEN_TRIANGLE_POINTS(degree) (((degree) + 1) * ((degree) + 2) / 2)
+/** Where c[i][j][k] stands, whatever the degree. */
+#define BATTEN_TRIANGLE_POINT(j, k) (((j) + (k)) * ((j) + (k) + 1) / 2 + (k))
+
+/** A triangulation of a part of the plane; corners go round counterclockwise. */
+typedef struct batten_triangulation {
+    int vertex_count;
+    const double *vertices; /**< [vertex_count][2] */
+    const int *corners;     /**< [triangle count][3], indices of vertices */
+} batten_triangulation;
+
+/* ---- making, keeping ---- */
+
+/**
+ * Make a set from its control points; all arrays are copied.
+ *
+ * @param dimension 1..3
+ * @param degree    n, 1..25
+ * @param count     of triangles, at least 1
+ * @param points    [count][BATTEN_TRIANGLE_POINTS(n)][dimension], finite
+ * @param weights   [count][BATTEN_TRIANGLE_POINTS(n)], finite and positive; NULL: polynomial
+ * @param domain    NULL for none
+ * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, NOT_FINITE, BAD_WEIGHT, TOO_LARGE;
+ * SINGULAR_HERE naming a triangle of the domain that has no area, BAD_ARGUMENT one that goes
+ * round clockwise or names no vertex
+ */
+BATTEN_API batten_status batten_triangles_create(int dimension, int degree, int count,
+                                                 const double *points, const double *weights,
+                                                 const batten_triangulation *domain,
+                                                 batten_triangles **out);
+BATTEN_API batten_triangles *batten_triangles_ref(const batten_triangles *triangles);
+BATTEN_API void batten_triangles_unref(batten_triangles *triangles);
+
+/* ---- properties ---- */
+
+BATTEN_API int batten_triangles_dimension(const batten_triangles *triangles);
+BATTEN_API int batten_triangles_degree(const batten_triangles *triangles);
+BATTEN_API int batten_triangles_count(const batten_triangles *triangles);
+BATTEN_API bool batten_triangles_is_rational(const batten_triangles *triangles);
+BATTEN_API const double *batten_triangles_points(const batten_triangles *triangles);
+/** NULL when the set is polynomial. */
+BATTEN_API const double *batten_triangles_weights(const batten_triangles *triangles);
+/** False when the set lies over no domain. */
+BATTEN_API bool batten_triangles_domain(const batten_triangles *triangles,
+                                        batten_triangulation *domain);
+/** Of the control points. */
+BATTEN_API batten_box batten_triangles_box(const batten_triangles *triangles);
+
+/* ---- evaluation ---- */
+
+/**
+ * A point and its derivatives in u and v up to the total order `order`, where the barycentric
+ * coordinates are (1 - u - v, u, v): u leads from corner 0 to corner 1, v to corner 2.
+ *
+ * @param at  [3] barycentric coordinates; their sum is 1 within 1e-9 and none is below -1e-9:
+ * what rounding puts a little outside is evaluated there
+ * @param[out] out [BATTEN_SURFACE_DERIVATIVES(order)][dimension], in the order of surfaces
+ * @return BATTEN_OK, OUT_OF_DOMAIN, NOT_FINITE or OVERFLOW
+ *
+ * Cost: n^3 / 6 convex combinations of points; memory is allocated above degree 11 only.
+ * Source: [Farin86] de Casteljau's algorithm, derivatives by the blossom.
+ */
+BATTEN_API batten_status batten_triangles_evaluate(const batten_triangles *triangles,
+                                                   int triangle, const double at[3], int order,
+                                                   double *out);
+/** Many points in any order, with the same bits. After a failure the content of `out` is open.
+ * @param triangle [count]
+ * @param at [count][3]
+ * @param[out] out [count][BATTEN_SURFACE_DERIVATIVES(order)][dimension] */
+BATTEN_API batten_status batten_triangles_evaluate_many(const batten_triangles *triangles,
+                                                        size_t count, const int *triangle,
+                                                        const double *at, int order,
+                                                        const batten_job *job, double *out);
+/** Unit normal Su x Sv; where that vanishes (a collapsed edge) the limit, as for surfaces. */
+BATTEN_API batten_status batten_triangles_normal(const batten_triangles *triangles,
+                                                 int triangle, const double at[3],
+                                                 batten_vec3 *normal, bool *is_limit);
+/** An edge as a Bezier curve over [0, 1]. */
+BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles, int triangle,
+                                               int edge, batten_curve **out);
+
+/* ---- changes: exact but for rounding ---- */
+
+/** The domain stays as it is. */
+BATTEN_API batten_status batten_triangles_transform(const batten_triangles *triangles,
+                                                    const batten_affine *map,
+                                                    batten_triangles **out);
+/** Raise the degree by `by` >= 0. */
+BATTEN_API batten_status batten_triangles_elevate(const batten_triangles *triangles, int by,
+                                                  batten_triangles **out);
+/** Cut one triangle into three at an inner point: the part away from corner 0 takes its place,
+ * those away from corners 1 and 2 follow at the end. BAD_ARGUMENT when the point is on an edge.
+ */
+BATTEN_API batten_status batten_triangles_split(const batten_triangles *triangles, int triangle,
+                                                const double at[3], batten_triangles **out);
+/** Cut every triangle into four at the middles of its edges: those at corners 0, 1, 2 and the
+ * inner one stand together. */
+BATTEN_API batten_status batten_triangles_halve(const batten_triangles *triangles,
+                                                batten_triangles **out);
+/** Some of the triangles. @param which [count] */
+BATTEN_API batten_status batten_triangles_select(const batten_triangles *triangles, int count,
+                                                 const int *which, batten_triangles **out);
+/** The graph (x, y, f) of a polynomial set of dimension 1 over a domain; it keeps the domain.
+ * BAD_ARGUMENT for others. */
+BATTEN_API batten_status batten_triangles_graph(const batten_triangles *triangles,
+                                                batten_triangles **out);
+
+/* ---- joining: how triangles meet is found by batten_triangles_joins ---- */
+
+/**
+ * Change the control points of one triangle next to a shared edge so that it meets another with
+ * equal derivatives up to `order` in the plane of the domain. Rows 0 .. order are replaced.
+ *
+ * @param keep, change  triangles that share two vertices of the domain
+ * @param order 0..n
+ * @param[out] moved  the longest way of a control point; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT without a domain, or for a rational set; NOT_COMPATIBLE when
+ * no edge is shared
+ * Source: [Farin86] c'(r, j, k) = the blossom of the neighbour.
+ */
+BATTEN_API batten_status batten_triangles_join_smoothly(const batten_triangles *triangles,
+                                                        int keep, int change, int order,
+                                                        double *moved, batten_triangles **out);
+/**
+ * Change one triangle next to a shared edge so that both have the same tangent planes along it.
+ * Its cross derivative becomes k(t) D + h(t) E, with D that of the other, E the derivative
+ * along the edge, and k and h linear and right at both ends: where the tangent planes agree at
+ * the two corners, the corners' tangents stay. So that this is exact the result is one degree
+ * higher.
+ *
+ * @param edge_kept, edge_changed  edges 0..2, whose control points agree within `tolerance`
+ * @param[out] moved  the longest way of a control point against the elevated set; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT for a rational set or a dimension below 3; BAD_DEGREE;
+ * NOT_COMPATIBLE when the edges differ or the triangles would fold back over each other;
+ * SINGULAR_HERE where a corner has no tangent plane
+ * Source: [Farin02] ch. 17.
+ */
+BATTEN_API batten_status batten_triangles_join_tangents(const batten_triangles *triangles,
+                                                        int kept, int edge_kept, int changed,
+                                                        int edge_changed, double tolerance,
+                                                        double *moved, batten_triangles **out);
+
+/** How two triangles meet along an edge. */
+typedef struct batten_triangle_join {
+    int triangle[2], edge[2];
+    bool same_way; /**< both edges run the same way: the normals of one side are opposite */
+    double gap;    /**< the largest distance of corresponding control points */
+    double slope;  /**< over a domain: the largest distance of a control point of the second
+                      triangle, in the row next to the edge, from where equal first derivatives
+                      would have it; -1 without a domain or for rational sets */
+    double
+        coplanarity; /**< the largest Bernstein coefficient of det(E, D0, D1), E the derivative
+                        along the edge, D0 and D1 those across (times the fourth power of the
+                        weight), by their greatest lengths at 33 places: 0 but for rounding
+                        where the tangent planes agree everywhere; -1 outside space */
+    double angle; /**< the largest angle between the normals that was measured at 33 places, in
+                     radians; -1 where there are none */
+} batten_triangle_join;
+
+/**
+ * All pairs of edges that meet: over a domain those with the same two vertices, else those
+ * whose ends are within `tolerance`. More than two triangles at an edge are reported pair by
+ * pair, the first with each other.
+ *
+ * @param tolerance  in model units, > 0
+ * @param[out] joins  in the order of the first edges; release with batten_release
+ * @return BATTEN_OK, BAD_ARGUMENT ...
+ * Cost: O(m log m + 33 m n^3) for m edges; corners that crowd within `tolerance` in x cost
+ * their square.
+ * Source: [Farin86] for C1, [Farin02] ch. 17 for the determinant.
+ */
+BATTEN_API batten_status batten_triangles_joins(const batten_triangles *triangles,
+                                                double tolerance, int *count,
+                                                batten_triangle_join **joins);
+
+/* ---- exact tensor patches, for files and whatever takes surfaces ---- */
+
+/**
+ * Three n x n Bezier patches, none of them degenerate where the triangle is not: patch i has
+ * the corner i at (0, 0), the middles of the edges to corners i + 1 and i + 2 at (1, 0) and
+ * (0, 1), and the centre at (1, 1). Exact.
+ * Source: [Hu96], by blossoms.
+ */
+BATTEN_API batten_status batten_triangles_to_patches(const batten_triangles *triangles,
+                                                     int triangle, batten_surface *out[3]);
+/** One n x n Bezier patch with a pole: barycentric coordinates (1 - u, u (1 - v), u v). Exact.
+ */
+BATTEN_API batten_status batten_triangles_to_pole_patch(const batten_triangles *triangles,
+                                                        int triangle, batten_surface **out);
+/**
+ * Each Bezier patch m x n of a NURBS surface as two triangles of degree m + n, over the domain
+ * (u, v): corners at (0, 0), (1, 0), (1, 1) and at (0, 0), (1, 1), (0, 1) of the patch. Exact.
+ * @return BATTEN_OK; BAD_DEGREE when m + n > 25
+ */
+BATTEN_API batten_status batten_triangles_from_surface(const batten_surface *surface,
+                                                       batten_triangles **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,303 @@
+#include <batten/triangles.h>
+
+#include "support/test.h"
+#include "support/triangles.h"
+
+static const double vertices[] = {0, 0, 2, 0, 2, 1.5, -0.5, 1};
+static const int corners[] = {0, 1, 2, 0, 2, 3};
+static const batten_triangulation square = {4, vertices, corners};
+
+TEST(a_triangle_is_the_sum_of_its_points_with_bernstein_polynomials)
+{
+    test_random random = test_random_begin(__func__);
+    for (int c = 0; c < test_cases(60); c++) {
+        const int degree = c < 25 ? c + 1 : test_random_int(&random, 1, 8);
+        const int dimension = test_random_int(&random, 1, 3);
+        batten_triangles *triangles = NULL;
+        CHECK_OK(random_triangles(&random, dimension, degree, 3, c % 2, NULL, &triangles));
+        for (int i = 0; i < 8; i++) {
+            double at[3], point[3], defined[3];
+            random_place(&random, at);
+            CHECK_OK(batten_triangles_evaluate(triangles, i % 3, at, 0, point));
+            define_triangle_point(triangles, i % 3, at, defined);
+            for (int k = 0; k < dimension; k++)
+                CHECK_NEAR(point[k], defined[k], 8 * degree * DBL_EPSILON);
+        }
+        batten_triangles_unref(triangles);
+    }
+}
+
+TEST(derivatives_are_those_of_the_polynomial)
+{
+    batten_triangles *triangles = NULL, *graph = NULL;
+    CHECK_OK(example_triangles(2, &square, &triangles));
+    CHECK_OK(batten_triangles_graph(triangles, &graph));
+    const double at[3] = {0.5, 0.2, 0.3};
+    double table[10], point[3];
+    CHECK_OK(batten_triangles_evaluate(triangles, 1, at, 3, table));
+    CHECK_OK(batten_triangles_evaluate(graph, 1, at, 0, point));
+    const double x = point[0], y = point[1];
+    CHECK_NEAR(x, 0.2 * 2 + 0.3 * -0.5, 1e-15);
+    CHECK_NEAR(point[2], example_cubic(x, y), 1e-14);
+    /* u leads to vertex 2, v to vertex 3 */
+    const double fx = 2 * x * y + 2 * y + 1, fy = x * x + 2 * x - 6 * y;
+    const double fxx = 2 * y, fxy = 2 * x + 2, fyy = -6, fxxy = 2;
+    const double ux = 2, uy = 1.5, vx = -0.5, vy = 1;
+    CHECK_NEAR(table[1], fx * ux + fy * uy, 1e-13);
+    CHECK_NEAR(table[2], fx * vx + fy * vy, 1e-13);
+    CHECK_NEAR(table[3], fxx * ux * ux + 2 * fxy * ux * uy + fyy * uy * uy, 1e-13);
+    CHECK_NEAR(table[4], fxx * ux * vx + fxy * (ux * vy + uy * vx) + fyy * uy * vy, 1e-13);
+    CHECK_NEAR(table[5], fxx * vx * vx + 2 * fxy * vx * vy + fyy * vy * vy, 1e-13);
+    CHECK_NEAR(table[6], 3 * fxxy * ux * ux * uy, 1e-12);
+    CHECK_NEAR(table[9], 3 * fxxy * vx * vx * vy, 1e-12);
+    batten_triangles_unref(triangles);
+    batten_triangles_unref(graph);
+}
+
+TEST(rational_derivatives_agree_with_differences_and_vanish_above_the_degree_of_polynomials)
+{
+    test_random random = test_random_begin(__func__);
+    for (int c = 0; c < test_cases(10); c++) {
+        batten_triangles *triangles = NULL;
+        const double h = 1e-5, at[3] = {0.3, 0.3, 0.4};
+        double table[3 * 6], ahead[3], behind[3];
+        CHECK_OK(random_triangles(&random, 3, 4, 1, true, NULL, &triangles));
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, at, 2, table));
+        const double to[3] = {0.3 - h, 0.3 + h, 0.4}, from[3] = {0.3 + h, 0.3 - h, 0.4};
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, to, 0, ahead));
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, from, 0, behind));
+        for (int k = 0; k < 3; k++) {
+            CHECK_NEAR((ahead[k] - behind[k]) / (2 * h), table[3 + k], 1e-7);
+            CHECK_NEAR((ahead[k] - 2 * table[k] + behind[k]) / (h * h), table[9 + k], 1e-3);
+        }
+        batten_triangles_unref(triangles);
+        double high[3 * 10];
+        CHECK_OK(random_triangles(&random, 3, 2, 1, false, NULL, &triangles));
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, at, 3, high));
+        for (int k = 18; k < 30; k++)
+            CHECK_BITS(high[k], 0.0);
+        batten_triangles_unref(triangles);
+    }
+}
+
+TEST(many_points_have_the_bits_of_one)
+{
+    test_random random = test_random_begin(__func__);
+    enum { MANY = 700 };
+    batten_triangles *triangles = NULL;
+    int *which = test_array(MANY, sizeof *which);
+    double *at = test_array(3 * MANY, sizeof *at);
+    double *many = test_array(9 * MANY, sizeof *many);
+    CHECK_OK(random_triangles(&random, 3, 5, 4, true, NULL, &triangles));
+    for (int i = 0; i < MANY; i++) {
+        which[i] = test_random_int(&random, 0, 3);
+        random_place(&random, at + 3 * i);
+    }
+    for (int threads = 1; threads <= 3; threads += 2) {
+        batten_job job = BATTEN_JOB;
+        job.thread_count = threads;
+        CHECK_OK(batten_triangles_evaluate_many(triangles, MANY, which, at, 1, &job, many));
+        for (int i = 0; i < MANY; i += 7) {
+            double one[9];
+            CHECK_OK(batten_triangles_evaluate(triangles, which[i], at + 3 * i, 1, one));
+            for (int k = 0; k < 9; k++)
+                CHECK_BITS(many[9 * i + k], one[k]);
+        }
+    }
+    at[3 * 99] += 0.5;
+    CHECK_STATUS(batten_triangles_evaluate_many(triangles, MANY, which, at, 0, NULL, many),
+                 BATTEN_OUT_OF_DOMAIN);
+    batten_triangles_unref(triangles);
+}
+
+TEST(relabelled_corners_give_the_same_surface)
+{
+    test_random random = test_random_begin(__func__);
+    const int n = 4;
+    batten_triangles *triangles = NULL, *turned = NULL;
+    double points[15 * 3];
+    CHECK_OK(random_triangles(&random, 3, n, 1, false, NULL, &triangles));
+    for (int j = 0; j <= n; j++)
+        for (int k = 0; j + k <= n; k++) /* corner 0 becomes 1, 1 becomes 2, 2 becomes 0 */
+            memcpy(points + 3 * BATTEN_TRIANGLE_POINT(n - j - k, j),
+                   batten_triangles_points(triangles) + 3 * BATTEN_TRIANGLE_POINT(j, k),
+                   3 * sizeof *points);
+    CHECK_OK(batten_triangles_create(3, n, 1, points, NULL, NULL, &turned));
+    for (int i = 0; i < 10; i++) {
+        double at[3], a[3], b[3];
+        random_place(&random, at);
+        const double there[3] = {at[2], at[0], at[1]};
+        CHECK_OK(batten_triangles_evaluate(triangles, 0, at, 0, a));
+        CHECK_OK(batten_triangles_evaluate(turned, 0, there, 0, b));
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(a[k], b[k], 1e-15);
+    }
+    batten_triangles_unref(triangles);
+    batten_triangles_unref(turned);
+}
+
+TEST(normals_stand_on_both_derivatives)
+{
+    const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const double line[] = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+    const double at[3] = {0.2, 0.3, 0.5};
+    batten_triangles *triangles = NULL;
+    batten_vec3 normal = {0};
+    bool is_limit = true;
+    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_normal(triangles, 0, at, &normal, &is_limit));
+    CHECK(normal.x == 0 && normal.y == 0 && normal.z == 1 && !is_limit);
+    batten_triangles_unref(triangles);
+    CHECK_OK(batten_triangles_create(3, 1, 1, line, NULL, NULL, &triangles));
+    CHECK_STATUS(batten_triangles_normal(triangles, 0, at, &normal, NULL),
+                 BATTEN_SINGULAR_HERE);
+    batten_triangles_unref(triangles);
+}
+
+TEST(G5_a_collapsed_row_has_the_normal_of_its_limit)
+{
+    /* A quadratic whose corner 0 has no derivatives: the first two rows lie in one point; the
+     * rest in the plane z = x. */
+    const double points[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0.5, 1, 1, 1, 1};
+    const double corner[3] = {1, 0, 0};
+    batten_triangles *triangles = NULL;
+    batten_vec3 normal = {0};
+    bool is_limit = false;
+    CHECK_OK(batten_triangles_create(3, 2, 1, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_normal(triangles, 0, corner, &normal, &is_limit));
+    CHECK(is_limit);
+    CHECK_NEAR(normal.x, -sqrt(0.5), 1e-12);
+    CHECK_NEAR(normal.y, 0, 1e-12);
+    CHECK_NEAR(normal.z, sqrt(0.5), 1e-12);
+    batten_triangles_unref(triangles);
+}
+
+TEST(a_box_holds_the_control_points_and_a_map_moves_the_points)
+{
+    test_random random = test_random_begin(__func__);
+    batten_triangles *triangles = NULL, *moved = NULL;
+    CHECK_OK(random_triangles(&random, 3, 4, 2, true, NULL, &triangles));
+    const batten_affine map = {{{1, 2, 0}, {0, -1, 3}, {0.5, 0, 1}}, {1, -2, 3}};
+    CHECK_OK(batten_triangles_transform(triangles, &map, &moved));
+    const batten_box box = batten_triangles_box(moved);
+    for (int i = 0; i < 20; i++) {
+        double at[3], p[3], q[3];
+        random_place(&random, at);
+        CHECK_OK(batten_triangles_evaluate(triangles, i % 2, at, 0, p));
+        CHECK_OK(batten_triangles_evaluate(moved, i % 2, at, 0, q));
+        const batten_vec3 wanted = batten_affine_apply(map, (batten_vec3){p[0], p[1], p[2]});
+        CHECK_NEAR(q[0], wanted.x, 1e-14);
+        CHECK_NEAR(q[1], wanted.y, 1e-14);
+        CHECK_NEAR(q[2], wanted.z, 1e-14);
+        CHECK(q[0] >= box.low.x && q[1] >= box.low.y && q[2] >= box.low.z &&
+              q[0] <= box.high.x && q[1] <= box.high.y && q[2] <= box.high.z);
+    }
+    batten_affine wrong = map;
+    wrong.m[1][1] = NAN;
+    batten_triangles *none = NULL;
+    CHECK_STATUS(batten_triangles_transform(triangles, &wrong, &none), BATTEN_NOT_FINITE);
+    wrong = batten_affine_scaling(1e308, 1e308, 1e308);
+    wrong.t[0] = 1e308;
+    wrong.m[0][0] = 1.7e308;
+    wrong.m[0][1] = 1.7e308;
+    CHECK_STATUS(batten_triangles_transform(triangles, &wrong, &none), BATTEN_OVERFLOW);
+    CHECK(!none);
+    batten_triangles_unref(triangles);
+    batten_triangles_unref(moved);
+}
+
+TEST(N1_numbers_that_are_none_are_refused_with_their_place)
+{
+    double points[18] = {0};
+    double weights[6] = {1, 1, 1, 1, 1, 1};
+    batten_triangles *none = NULL;
+    points[7] = NAN;
+    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, NULL, NULL, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("coordinate 1 of control point 2 of triangle 0");
+    points[7] = 0;
+    weights[4] = 0;
+    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, weights, NULL, &none),
+                 BATTEN_BAD_WEIGHT);
+    CHECK_MESSAGE("weight 4 of triangle 0 is 0");
+    weights[4] = INFINITY;
+    CHECK_STATUS(batten_triangles_create(3, 2, 1, points, weights, NULL, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_triangles_create(3, 26, 1, points, NULL, NULL, &none),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_triangles_create(3, 0, 1, points, NULL, NULL, &none),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_triangles_create(4, 2, 1, points, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_create(3, 2, 0, points, NULL, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK(!none);
+}
+
+TEST(S5_more_triangles_than_are_allowed_are_refused_before_the_work)
+{
+    const double points[1] = {0};
+    batten_triangles *none = NULL;
+    CHECK_STATUS(batten_triangles_create(1, 25, 1 << 30, points, NULL, NULL, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("1073741824 triangles of degree 25");
+    CHECK(!none);
+}
+
+TEST(a_domain_without_area_or_order_is_refused_by_triangle)
+{
+    const double points[6] = {0};
+    const double plane[] = {0, 0, 1, 0, 2, 0, 0, 1};
+    const int flat[] = {0, 1, 3, 0, 1, 2}, clockwise[] = {0, 1, 3, 0, 3, 1},
+              absent[] = {0, 1, 3, 0, 1, 4};
+    const batten_triangulation domains[] = {
+        {4, plane, flat}, {4, plane, clockwise}, {4, plane, absent}};
+    const char *messages[] = {"triangle 1 of the domain, at vertices 0, 1 and 2, has no area",
+                              "goes round clockwise", "corner 2 of triangle 1 is vertex 4"};
+    batten_triangles *none = NULL;
+    for (int i = 0; i < 3; i++) {
+        CHECK_STATUS(batten_triangles_create(1, 1, 2, points, NULL, &domains[i], &none),
+                     i == 0 ? BATTEN_SINGULAR_HERE : BATTEN_BAD_ARGUMENT);
+        CHECK_MESSAGE(messages[i]);
+    }
+    CHECK(!none);
+}
+
+TEST(places_outside_the_triangle_are_refused_and_rounding_is_not)
+{
+    const double points[3] = {1, 2, 4};
+    const double bad[][3] = {{0.5, 0.5, 0.5}, {-0.1, 0.6, 0.5}, {NAN, 0.5, 0.5}};
+    const double near[3] = {-1e-12, 0.5, 0.5};
+    batten_triangles *triangles = NULL;
+    double value = 7;
+    CHECK_OK(batten_triangles_create(1, 1, 1, points, NULL, NULL, &triangles));
+    for (int i = 0; i < 3; i++)
+        CHECK_STATUS(batten_triangles_evaluate(triangles, 0, bad[i], 0, &value),
+                     i == 2 ? BATTEN_NOT_FINITE : BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(batten_triangles_evaluate(triangles, 1, near, 0, &value),
+                 BATTEN_OUT_OF_DOMAIN);
+    CHECK_BITS(value, 7.0);
+    CHECK_OK(batten_triangles_evaluate(triangles, 0, near, 0, &value));
+    CHECK_NEAR(value, 3, 1e-11);
+    batten_triangles_unref(triangles);
+}
+
+TEST(N2_huge_and_tiny_triangles_are_as_accurate)
+{
+    test_random random = test_random_begin(__func__);
+    batten_triangles *triangles = NULL, *scaled = NULL;
+    const double at[3] = {0.25, 0.5, 0.25};
+    double p[9], q[9];
+    CHECK_OK(random_triangles(&random, 3, 3, 1, true, NULL, &triangles));
+    CHECK_OK(batten_triangles_evaluate(triangles, 0, at, 1, p));
+    for (int i = 0; i < 2; i++) {
+        const double scale = i ? 0x1p-260 : 0x1p260;
+        const batten_affine map = batten_affine_scaling(scale, scale, scale);
+        CHECK_OK(batten_triangles_transform(triangles, &map, &scaled));
+        CHECK_OK(batten_triangles_evaluate(scaled, 0, at, 1, q));
+        for (int k = 0; k < 9; k++)
+            CHECK_BITS(q[k], p[k] * scale);
+        batten_triangles_unref(scaled);
+    }
+    batten_triangles_unref(triangles);
+}
