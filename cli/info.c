@@ -56,6 +56,19 @@ static facts surface_facts(const batten_surface *surface, double tolerance)
     return f;
 }
 
+static facts triangles_facts(const batten_triangles *triangles)
+{
+    return (facts){
+        .type = "triangles",
+        .kind = "bezier",
+        .dimension = batten_triangles_dimension(triangles),
+        .degree = {batten_triangles_degree(triangles)},
+        .points = {batten_triangles_count(triangles)},
+        .rational = batten_triangles_is_rational(triangles),
+        .box = batten_triangles_box(triangles),
+    };
+}
+
 static batten_box points_box(const batten_object *object)
 {
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
@@ -88,6 +101,8 @@ static facts facts_of(const batten_object *object, double tolerance)
                        .points = {batten_offsets_station_count(object->offsets),
                                   batten_offsets_line_count(object->offsets)},
                        .box = batten_offsets_box(object->offsets)};
+    case BATTEN_OBJECT_TRIANGLES:
+        return triangles_facts(object->triangles);
     case BATTEN_OBJECT_POINTS:
         break;
     }

@@ -9,6 +9,7 @@
 #include <batten/notes.h>
 #include <batten/offsets.h>
 #include <batten/surface.h>
+#include <batten/triangles.h>
 #include <batten/units.h>
 
 #ifdef __cplusplus
@@ -19,7 +20,8 @@ typedef enum batten_object_kind {
     BATTEN_OBJECT_POINTS, /**< a row of points, in order */
     BATTEN_OBJECT_CURVE,
     BATTEN_OBJECT_SURFACE,
-    BATTEN_OBJECT_OFFSETS /**< a table of offsets */
+    BATTEN_OBJECT_OFFSETS,  /**< a table of offsets */
+    BATTEN_OBJECT_TRIANGLES /**< Bezier triangles, in space */
 } batten_object_kind;
 
 /** One object of a model; what its kind does not use is NULL or 0. */
@@ -34,6 +36,7 @@ typedef struct batten_object {
                                     is then near to it */
     const batten_surface *surface;
     const batten_offsets *offsets;
+    const batten_triangles *triangles;
     int point_count;          /**< POINTS; also of a CURVE: the data that it was made from */
     const double *points;     /**< [point_count][3] */
     const double *parameters; /**< [point_count], of the data on the curve; or NULL */
@@ -60,6 +63,18 @@ BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
  * that unit already. */
 BATTEN_API batten_status batten_model_to_unit(const batten_model *model, double unit_metres,
                                               batten_model **out);
+
+/** How triangles become tensor patches. */
+typedef enum batten_patches {
+    BATTEN_PATCHES_REGULAR, /**< three to a triangle, without poles: for files */
+    BATTEN_PATCHES_POLE /**< one to a triangle, whose sides and pole are edges and corner of the
+                             triangle: for pictures */
+} batten_patches;
+/** The same model with its Bezier triangles as exact NURBS patches, named "NAME.1", "NAME.2"
+ * ...; the model itself when it has none.
+ * @return BATTEN_OK; TOO_LARGE for more than a million patches */
+BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
+                                                   batten_patches patches, batten_model **out);
 
 #ifdef __cplusplus
 }

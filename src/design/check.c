@@ -435,6 +435,24 @@ static batten_status check_curve(bat_check *check, bat_checked *checked)
                                                       : status;
 }
 
+/* How a set of triangles hangs together. */
+static batten_status check_triangles(const bat_check *check, bat_checked *checked)
+{
+    batten_triangle_join *joins = NULL;
+    int count = 0;
+    const batten_status status = batten_triangles_joins(
+        checked->object->triangles, bat_tolerance(check->run), &count, &joins);
+    if (status != BATTEN_OK)
+        return status;
+    checked->triangle_joins = count;
+    for (int i = 0; i < count; i++) {
+        checked->triangle_gap = bat_max(checked->triangle_gap, joins[i].gap);
+        checked->triangle_angle = bat_max(checked->triangle_angle, joins[i].angle);
+    }
+    bat_release(joins);
+    return BATTEN_OK;
+}
+
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
                             bat_check *out)
 {
@@ -457,6 +475,8 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
             status = check_surface(out, &out->objects[i]);
         else if (objects.at[i]->kind == BATTEN_OBJECT_CURVE)
             status = check_curve(out, &out->objects[i]);
+        else if (objects.at[i]->kind == BATTEN_OBJECT_TRIANGLES)
+            status = check_triangles(out, &out->objects[i]);
     }
     /* A bound that nothing could be measured against is not met. */
     out->ok &= out->bounded_count > 0 || !isfinite(within);

@@ -39,6 +39,8 @@ typedef struct {
     batten_fairness fairness;              /* of a curve, in its plane */
     int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
                                               the lowest C and G of them */
+    int triangle_joins;                    /* inner edges of a set of triangles */
+    double triangle_gap, triangle_angle;   /* the largest at these; the angle in radians */
     int distance_count, section_count, edge_count;
     bat_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;

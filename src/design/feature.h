@@ -104,7 +104,8 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_CURVES (1u << BATTEN_OBJECT_CURVE)
 #define BAT_SURFACES (1u << BATTEN_OBJECT_SURFACE)
 #define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSETS)
-#define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS)
+#define BAT_TRIANGLES (1u << BATTEN_OBJECT_TRIANGLES)
+#define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS | BAT_TRIANGLES)
 
 /* Put a curve or surface into the model under the feature's name and give its reference back,
  * when the status so far is good; else hand the status on. A surface of another kind becomes
@@ -120,6 +121,10 @@ batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curv
                                  batten_chain *chain, const batten_object *like);
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
                                    const batten_object *like);
+
+/* The same of Bezier triangles in space. */
+batten_status bat_put_triangles(bat_run *run, batten_status status,
+                                batten_triangles *triangles);
 
 /* Change every curve and surface of the principal input; what is NULL is not changed. Objects
  * of other kinds pass through; at least one must be changed. */

@@ -2,7 +2,7 @@
 
 static const char *kind_name(const batten_object *object)
 {
-    static const char *const names[] = {"points", "curve", "surface", "offsets"};
+    static const char *const names[] = {"points", "curve", "surface", "offsets", "triangles"};
     return names[object->kind];
 }
 
@@ -141,6 +141,16 @@ static void json_surface(batten_text *out, const bat_checked *c)
     batten_text_add(out, "]");
 }
 
+static void json_triangles(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ", \"count\": %d, \"degree\": %d, \"inner_edges\": %d, ",
+                    batten_triangles_count(c->object->triangles),
+                    batten_triangles_degree(c->object->triangles), c->triangle_joins);
+    json_number(out, "gap", c->triangle_gap);
+    batten_text_add(out, ", ");
+    json_number(out, "angle", c->triangle_angle);
+}
+
 static void json_object(batten_text *out, const bat_checked *c)
 {
     batten_text_add(out, "    {\"name\": ");
@@ -155,6 +165,8 @@ static void json_object(batten_text *out, const bat_checked *c)
                         c->knot_count, c->parametric, c->geometric);
     if (c->object->kind == BATTEN_OBJECT_SURFACE)
         json_surface(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
+        json_triangles(out, c);
     else if (c->distance_count)
         json_distances(out, c);
     batten_text_add(out, "}");
@@ -370,6 +382,23 @@ static void text_family(batten_text *out, const bat_checked *c, const char *fami
     }
 }
 
+static void text_triangles(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    batten_text_add(out, "    ");
+    add_plural(out, batten_triangles_count(c->object->triangles), "triangle");
+    batten_text_add(out, " of degree %d", batten_triangles_degree(c->object->triangles));
+    if (c->triangle_joins) {
+        batten_text_add(out, "; at ");
+        add_plural(out, c->triangle_joins, "inner edge");
+        batten_text_add(out, " gaps of at most ");
+        add_length(out, check, c->triangle_gap);
+        batten_text_add(out, ", normals turn by at most ");
+        add_rounded(out, c->triangle_angle);
+        batten_text_add(out, " rad");
+    }
+    batten_text_add(out, "\n");
+}
+
 static void text_object(batten_text *out, const bat_check *check, const bat_checked *c)
 {
     batten_text_add(out, "  %s (%s)\n", c->object->name, kind_name(c->object));
@@ -381,6 +410,8 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
     if (c->knot_count)
         batten_text_add(out, "    joins at %d knots, all at least C%d and G%d\n", c->knot_count,
                         c->parametric, c->geometric);
+    if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
+        text_triangles(out, check, c);
     text_distances(out, check, c);
     text_family(out, c, "station");
     text_family(out, c, "waterline");
@@ -413,7 +444,8 @@ static void text_verdict(batten_text *out, const bat_check *check)
 {
     bool has_shape = false;
     for (int i = 0; i < check->object_count; i++)
-        has_shape |= check->objects[i].object->curve || check->objects[i].object->surface;
+        has_shape |= check->objects[i].object->curve || check->objects[i].object->surface ||
+                     check->objects[i].object->triangles;
     if (check->judged_count)
         batten_text_add(out, "\nVerdict: %s",
                         check->fair ? "fair" : "there are inflections in excess");

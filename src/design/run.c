@@ -84,10 +84,11 @@ const char *bat_file_name(const bat_run *run)
 /* "curves or surfaces" */
 static void name_kinds(unsigned kinds, char *text, size_t size)
 {
-    static const char *const names[] = {"points", "curves", "surfaces", "tables of offsets"};
+    static const char *const names[] = {"points", "curves", "surfaces", "tables of offsets",
+                                        "triangles"};
     size_t used = 0;
     *text = 0;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 5; i++)
         if (kinds & (1u << i) && used < size)
             used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "",
                                      names[i]);
@@ -202,6 +203,7 @@ static batten_status put_curve(bat_run *run, batten_status status, batten_curve 
     object.curve = curve;
     object.chain = chain; /* not that of the curve that it was made from */
     object.surface = NULL;
+    object.triangles = NULL;
     if (!keep_data) {
         object.point_count = 0;
         object.points = object.parameters = NULL;
@@ -253,6 +255,18 @@ batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_su
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &object);
     batten_surface_unref(nurbs);
+    return status;
+}
+
+batten_status bat_put_triangles(bat_run *run, batten_status status, batten_triangles *triangles)
+{
+    const batten_object object = {.name = run->name,
+                                  .layer = "",
+                                  .kind = BATTEN_OBJECT_TRIANGLES,
+                                  .triangles = triangles};
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &object);
+    batten_triangles_unref(triangles);
     return status;
 }
 
@@ -364,6 +378,7 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
     batten_curve *curve = NULL;
     batten_chain *chain = NULL;
     batten_surface *surface = NULL;
+    batten_triangles *triangles = NULL;
     double *points = NULL;
     batten_status status = BATTEN_OK;
     if (object->kind == BATTEN_OBJECT_OFFSETS)
@@ -389,8 +404,13 @@ batten_status bat_transform_object(bat_run *run, const batten_affine *map,
         status = batten_surface_transform(object->surface, map, &surface);
         made.surface = surface;
     }
+    if (status == BATTEN_OK && object->triangles) {
+        status = batten_triangles_transform(object->triangles, map, &triangles);
+        made.triangles = triangles;
+    }
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &made);
+    batten_triangles_unref(triangles);
     batten_surface_unref(surface);
     batten_chain_unref(chain);
     batten_curve_unref(curve);

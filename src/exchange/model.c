@@ -46,6 +46,7 @@ static void object_free(const batten_object *object)
     batten_chain_unref((batten_chain *)(uintptr_t)object->chain);
     batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
     batten_offsets_unref((batten_offsets *)(uintptr_t)object->offsets);
+    batten_triangles_unref((batten_triangles *)(uintptr_t)object->triangles);
 }
 
 batten_model *batten_model_ref(const batten_model *model)
@@ -121,6 +122,8 @@ bool batten_model_box(const batten_model *model, batten_box *box)
             widen(&all, &any, batten_surface_box(object->surface));
         if (object->offsets)
             widen(&all, &any, batten_offsets_box(object->offsets));
+        if (object->triangles)
+            widen(&all, &any, batten_triangles_box(object->triangles));
     }
     if (any)
         *box = all;
@@ -135,8 +138,14 @@ static batten_status check(const batten_object *object)
     assert(object->kind == BATTEN_OBJECT_CURVE || !object->chain);
     assert((object->kind == BATTEN_OBJECT_SURFACE) == (object->surface != NULL));
     assert((object->kind == BATTEN_OBJECT_OFFSETS) == (object->offsets != NULL));
+    assert((object->kind == BATTEN_OBJECT_TRIANGLES) == (object->triangles != NULL));
     assert(object->point_count >= 0 && (object->points || !object->point_count));
 
+    if (object->triangles && batten_triangles_dimension(object->triangles) != 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "triangles of dimension %d are no object; those in space are, such as "
+                        "the graph of a function",
+                        batten_triangles_dimension(object->triangles));
     for (int k = 0; object->has_colour && k < 3; k++)
         if (!(object->colour[k] >= 0 && object->colour[k] <= 1))
             return bat_fail(BATTEN_BAD_ARGUMENT, "colour part %d is %g, not in 0..1", k,
@@ -201,6 +210,7 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
     copied.chain = object->chain ? batten_chain_ref(object->chain) : NULL;
     copied.surface = object->surface ? batten_surface_ref(object->surface) : NULL;
     copied.offsets = object->offsets ? batten_offsets_ref(object->offsets) : NULL;
+    copied.triangles = object->triangles ? batten_triangles_ref(object->triangles) : NULL;
     if (!copied.name || !copied.layer || (count && !copied.points) ||
         (object->parameters && count && !copied.parameters)) {
         object_free(&copied);

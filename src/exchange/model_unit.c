@@ -32,6 +32,7 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     batten_chain *chain = NULL;
     batten_surface *surface = NULL;
     batten_offsets *offsets = NULL;
+    batten_triangles *triangles = NULL;
     double *points = NULL;
 
     batten_status status = scale_points(object, factor, &points);
@@ -44,11 +45,14 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     if (status == BATTEN_OK && object->offsets)
         status =
             scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
+    if (status == BATTEN_OK && object->triangles)
+        status = batten_triangles_transform(object->triangles, &map, &triangles);
     scaled.points = points;
     scaled.curve = curve;
     scaled.chain = chain;
     scaled.surface = surface;
     scaled.offsets = offsets;
+    scaled.triangles = triangles;
     if (status == BATTEN_OK)
         status = batten_model_add(model, &scaled);
 
@@ -57,6 +61,7 @@ static batten_status add_scaled(batten_model *model, const batten_object *object
     batten_chain_unref(chain);
     batten_surface_unref(surface);
     batten_offsets_unref(offsets);
+    batten_triangles_unref(triangles);
     return status;
 }
 

@@ -21,6 +21,7 @@ static batten_status check_shapes(const batten_model *model, batten_format forma
     for (int i = 0; i < count; i++) {
         const batten_object_kind kind = batten_model_object(model, i)->kind;
         if (kind == BATTEN_OBJECT_CURVE || kind == BATTEN_OBJECT_SURFACE ||
+            kind == BATTEN_OBJECT_TRIANGLES ||
             (kind == BATTEN_OBJECT_POINTS && format == BATTEN_FORMAT_STEP))
             return BATTEN_OK;
     }
@@ -31,6 +32,23 @@ static batten_status check_shapes(const batten_model *model, batten_format forma
         format == BATTEN_FORMAT_IGES ? "IGES files hold curves and surfaces"
                                      : "STEP files hold points, curves and surfaces",
         count, count == 1 ? "" : "s", batten_model_object(model, 0)->name);
+}
+
+/* In files of NURBS, triangles are patches. */
+static batten_status write_patches(const batten_model *model,
+                                   const batten_write_options *options, batten_notes *notes,
+                                   batten_text *text)
+{
+    batten_model *patches = NULL;
+    batten_status status = check_shapes(model, options->format);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(model, BATTEN_PATCHES_REGULAR, &patches);
+    if (status == BATTEN_OK)
+        status = options->format == BATTEN_FORMAT_IGES
+                     ? bat_write_iges(patches, options, notes, text)
+                     : bat_write_step(patches, options, notes, text);
+    batten_model_unref(patches);
+    return status;
 }
 
 static batten_status write_as(const batten_model *model, const batten_write_options *options,
@@ -44,9 +62,8 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     case BATTEN_FORMAT_AEROFOIL:
         return bat_write_aerofoil(model, notes, text);
     case BATTEN_FORMAT_IGES:
-        return bat_write_iges(model, options, notes, text);
     case BATTEN_FORMAT_STEP:
-        return bat_write_step(model, options, notes, text);
+        return write_patches(model, options, notes, text);
     case BATTEN_FORMAT_DXF:
         return bat_write_dxf(model, notes, text);
     case BATTEN_FORMAT_SVG:
@@ -69,11 +86,7 @@ batten_status batten_write_memory(const batten_model *model,
         chosen.name = "batten";
     if (!(chosen.tolerance >= 0 && isfinite(chosen.tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", chosen.tolerance);
-    batten_status status = BATTEN_OK;
-    if (chosen.format == BATTEN_FORMAT_IGES || chosen.format == BATTEN_FORMAT_STEP)
-        status = check_shapes(model, chosen.format);
-    if (status == BATTEN_OK)
-        status = write_as(model, &chosen, notes, &text);
+    batten_status status = write_as(model, &chosen, notes, &text);
     if (status == BATTEN_OK)
         status = batten_text_take(&text, data, size);
     batten_text_free(&text);

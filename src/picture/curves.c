@@ -91,6 +91,8 @@ static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
     }
     case BATTEN_OBJECT_OFFSETS:
         return gather_stations(s);
+    case BATTEN_OBJECT_TRIANGLES:
+        return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
     case BATTEN_OBJECT_POINTS:
         break;
     }
@@ -390,6 +392,8 @@ static void draw_points(bat_canvas *canvas, const bat_drawing *d, const bat_shap
 /* The edges of a surface are drawn stronger than the lines inside. */
 static double line_width(const bat_drawing *d, const bat_shape *s, size_t line)
 {
+    if (s->object->kind == BATTEN_OBJECT_TRIANGLES)
+        return line < 3 * (size_t)batten_triangles_count(s->object->triangles) ? 1.4 : 0.6;
     if (s->object->kind != BATTEN_OBJECT_SURFACE)
         return s->object->kind == BATTEN_OBJECT_CURVE ? 1.8 : 1;
     const size_t in_row = line % ((size_t)d->options->isolines + 1);

@@ -564,8 +564,12 @@ batten_status batten_draw_shaded(const batten_model *model,
                                  const batten_picture_options *options, const batten_job *job,
                                  char **data, size_t *size)
 {
-    picture p = {.model = model, .options = options, .job = job};
+    picture p = {.options = options, .job = job};
+    batten_model *patches = NULL;
     batten_status status = check_options(options);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(model, BATTEN_PATCHES_POLE, &patches);
+    p.model = patches;
     if (status == BATTEN_OK)
         status = prepare(&p);
     if (status == BATTEN_OK)
@@ -575,5 +579,6 @@ batten_status batten_draw_shaded(const batten_model *model,
     bat_release(p.solids);
     bat_strokes_free(&p.curves);
     bat_release(p.curve_lights);
+    batten_model_unref(patches);
     return status;
 }

@@ -9,20 +9,24 @@ typedef struct {
     double *points; /* [count][3] */
 } bat_stroke;
 
-/* Points along a curve, each knot among them; coordinates it has not are 0. */
-batten_status bat_stroke_curve(const batten_curve *curve, bat_stroke *out);
-/* The same for the curve on a surface at a fixed parameter. */
-batten_status bat_stroke_isoline(const batten_surface *surface, batten_direction direction,
-                                 double at, bat_stroke *out);
-/* Does the isoline shrink to a point, as at a pole? */
-bool bat_stroke_is_point(const bat_stroke *stroke, double tolerance);
-void bat_stroke_free(bat_stroke *stroke);
-
 /* Growing list of strokes. */
 typedef struct {
     size_t count, capacity;
     bat_stroke *strokes;
 } bat_strokes;
+
+/* Points along a curve, each knot among them; coordinates it has not are 0. */
+batten_status bat_stroke_curve(const batten_curve *curve, bat_stroke *out);
+/* The same for the curve on a surface at a fixed parameter. */
+batten_status bat_stroke_isoline(const batten_surface *surface, batten_direction direction,
+                                 double at, bat_stroke *out);
+/* The edges of all triangles, in their order, then lines inside along which one barycentric
+ * coordinate is constant: with one triangle `isolines` - 1 for each, fewer with more. */
+batten_status bat_stroke_triangles(const batten_triangles *triangles, int isolines,
+                                   bat_strokes *lines);
+/* Does the isoline shrink to a point, as at a pole? */
+bool bat_stroke_is_point(const bat_stroke *stroke, double tolerance);
+void bat_stroke_free(bat_stroke *stroke);
 
 /* Take a stroke over; it is freed when there is no memory to keep it. */
 batten_status bat_strokes_add(bat_strokes *list, bat_stroke stroke);

@@ -53,7 +53,8 @@ static batten_picture_options options_of(const bat_run *run)
 static bool has_surfaces(const batten_model *model)
 {
     for (int i = 0; i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_SURFACE)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_SURFACE ||
+            batten_model_object(model, i)->kind == BATTEN_OBJECT_TRIANGLES)
             return true;
     return false;
 }

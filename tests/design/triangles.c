@@ -1,0 +1,130 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <string.h>
+
+static const char common[] =
+    "batten: 1\nfeatures:\n"
+    "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
+    "  two: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1], [0, 1, 0], [1, 0, 0]]}\n"
+    "  sail: {bezier-triangle: net}\n"
+    "  l1: {line: [[0, 0], [1, 0]]}\n  s: {extrude: l1, along: z}\n";
+
+static batten_status evaluate(const char *feature, batten_design **out)
+{
+    char text[2000];
+    batten_design *design = NULL;
+    snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+static const batten_object *last_object(const batten_design *design)
+{
+    const batten_model *model = batten_design_result(design, "a")->value;
+    return batten_model_object(model, batten_model_count(model) - 1);
+}
+
+TEST(triangles_flow_through_designs)
+{
+    static const struct {
+        const char *feature;
+        int count, degree;
+        double low_x; /* of the box */
+    } rows[] = {
+        {"{bezier-triangle: net}", 1, 2, 0},
+        {"{bezier-triangle: net, halve: 2}", 16, 2, 0},
+        {"{bezier-triangle: two, degree: 1}", 2, 1, 0},
+        {"{bezier-triangle: net, weights: [1, 1, 2, 1, 1, 3]}", 1, 2, 0},
+        {"{triangles-of: s}", 2, 2, 0},
+        {"{move: sail, by: [3, 0, 0]}", 1, 2, 3},
+        {"{rotate: sail, by: 180 deg}", 1, 2, -2},
+        {"{scale: sail, by: 2}", 1, 2, 0},
+        {"{mirror: sail, plane: x}", 1, 2, -2},
+        {"{collect: [sail]}", 1, 2, 0},
+        {"{select: sail, names: [sail]}", 1, 2, 0},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(rows[i].feature, &design));
+        const batten_object *object = last_object(design);
+        CHECK_INT(object->kind, BATTEN_OBJECT_TRIANGLES);
+        CHECK_INT(batten_triangles_count(object->triangles), rows[i].count);
+        CHECK_INT(batten_triangles_degree(object->triangles), rows[i].degree);
+        CHECK_NEAR(batten_triangles_box(object->triangles).low.x, rows[i].low_x, 1e-12);
+        batten_design_free(design);
+    }
+}
+
+TEST(triangles_become_patches_in_designs)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("{patches-of: sail}", &design));
+    CHECK_INT(batten_model_count(batten_design_result(design, "a")->value), 3);
+    batten_design_free(design);
+    design = NULL;
+    CHECK_OK(evaluate("{patches-of: sail, form: pole}", &design));
+    CHECK_INT(last_object(design)->kind, BATTEN_OBJECT_SURFACE);
+    batten_design_free(design);
+}
+
+TEST(nets_that_are_none_are_refused_with_their_numbers)
+{
+    static const struct {
+        const char *feature, *says;
+    } rows[] = {
+        {"{bezier-triangle: [net, two], degree: 3}", "12 points do not make whole nets"},
+        {"{bezier-triangle: [net, two]}", "12 points are no triangular net"},
+        {"{bezier-triangle: net, degree: 0}", "the degree is 0"},
+        {"{bezier-triangle: net, weights: [1, 2]}", "2 weights for 6 points"},
+        {"{bezier-triangle: net, weights: [1, 2, -3, 1, 1, 1]}",
+         "weight 2 of triangle 0 is -3"},
+        {"{bezier-triangle: s}", "points are needed"},
+        {"{bezier-triangle: net, halve: 12}", "more than"},
+        {"{triangles-of: sail}", "surfaces are needed"},
+        {"{patches-of: s}", "triangles are needed"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        const batten_status status = evaluate(rows[i].feature, &design);
+        if (status == BATTEN_OUT_OF_MEMORY)
+            return;
+        CHECK(status != BATTEN_OK);
+        CHECK_MESSAGE(rows[i].says);
+    }
+}
+
+TEST(outputs_show_write_and_check_triangles)
+{
+    static const char outputs[] = "outputs:\n"
+                                  "  a.svg: {picture: sail}\n"
+                                  "  a.png: {picture: sail, width: 90, height: 64}\n"
+                                  "  a.step: {write: sail}\n"
+                                  "  a.igs: {write: sail}\n"
+                                  "  a.txt: {check: fine}\n"
+                                  "  a.json: {check: fine}\n";
+    char text[2000];
+    batten_design *design = NULL;
+    snprintf(text, sizeof text, "%s  fine: {bezier-triangle: net, halve: 1}\n%s", common,
+             outputs);
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    for (int i = 0; i < batten_design_output_count(design); i++) {
+        char *data = NULL;
+        size_t size = 0;
+        const char *name = batten_design_output_name(design, i);
+        CHECK_OK(batten_design_output(design, i, NULL, NULL, &data, &size));
+        CHECK(size > 100);
+        if (strcmp(name, "a.txt") == 0)
+            CHECK_CONTAINS(data, "4 triangles of degree 2; at 3 inner edges gaps of at most");
+        if (strcmp(name, "a.json") == 0)
+            CHECK_CONTAINS(data, "\"inner_edges\": 3");
+        batten_release(data);
+    }
+    batten_design_free(design);
+}
