@@ -1,33 +1,28 @@
 #include "command.h"
 
 #include <batten/number.h>
-#include <math.h>
 #include <string.h>
 
 enum { HIGHEST_ORDER = 10 };
 
 static const option options[] = {
-    {"at", 0, OPTION_MANY, "U[,V[,T]]",
-     "a parameter of a curve, two of a surface, or of a triangle two and its number"},
+    {"at", 0, OPTION_MANY, "U[,V]", "a parameter of a curve, or two of a surface"},
     {"order", 0, OPTION_VALUE, "K", "derivatives up to this order (0)"},
     {"beyond", 0, OPTION_VALUE, "RULE",
      "of a curve beyond its domain: refuse, continue its last span, or linear (refuse)"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
 };
 
-/* "0.5", "0.5,0.25" or "0.5,0.25,3": the number of parameters that stand there, or 0. */
-static int read_at(const char *text, double at[3])
+/* "0.5" or "0.5,0.25": the number of parameters that stand there, or 0. */
+static int read_at(const char *text, double at[2])
 {
-    for (int count = 0; count < 3; count++) {
-        const char *comma = strchr(text, ',');
-        const size_t length = comma ? (size_t)(comma - text) : strlen(text);
-        if (batten_number_read(text, length, &at[count], NULL) != BATTEN_OK)
-            return 0;
-        if (!comma)
-            return count + 1;
-        text = comma + 1;
-    }
-    return 0;
+    const char *comma = strchr(text, ',');
+    const size_t length = comma ? (size_t)(comma - text) : strlen(text);
+    if (batten_number_read(text, length, &at[0], NULL) != BATTEN_OK)
+        return 0;
+    if (!comma)
+        return 1;
+    return batten_number_read(comma + 1, strlen(comma + 1), &at[1], NULL) == BATTEN_OK ? 2 : 0;
 }
 
 static void add_vector(batten_text *text, int dimension, const double *vector, bool json)
@@ -74,36 +69,7 @@ typedef struct {
     bool json;
 } request;
 
-/* How many parameters a place on such an object has; 0 when it has none. */
-static int parameters_of(const batten_object *object)
-{
-    switch (object->kind) {
-    case BATTEN_OBJECT_CURVE:
-        return 1;
-    case BATTEN_OBJECT_SURFACE:
-        return 2;
-    case BATTEN_OBJECT_TRIANGLES:
-        return 3;
-    case BATTEN_OBJECT_POINTS:
-    case BATTEN_OBJECT_OFFSETS:
-        break;
-    }
-    return 0;
-}
-
-/* A place (u, v) of the triangle `number`, counted from 1. */
-static batten_status evaluate_triangle(const batten_triangles *triangles, const double at[3],
-                                       int order, double *values)
-{
-    const int count = batten_triangles_count(triangles);
-    if (!(at[2] >= 1 && at[2] <= count) || floor(at[2]) != at[2])
-        return batten_fail(BATTEN_OUT_OF_DOMAIN, "there is no triangle %g; there are %d", at[2],
-                           count);
-    const double place[3] = {1 - at[0] - at[1], at[0], at[1]};
-    return batten_triangles_evaluate(triangles, (int)at[2] - 1, place, order, values);
-}
-
-static batten_status evaluate(const batten_object *object, const double at[3], int at_count,
+static batten_status evaluate(const batten_object *object, const double at[2], int at_count,
                               const request *asked, bool first, batten_text *text)
 {
     const int order = asked->order;
@@ -119,14 +85,9 @@ static batten_status evaluate(const batten_object *object, const double at[3], i
         r.dimension = batten_surface_dimension(object->surface);
         r.value_count = BATTEN_SURFACE_DERIVATIVES(order);
         status = batten_surface_evaluate(object->surface, at[0], at[1], order, values);
-    } else if (object->kind == BATTEN_OBJECT_TRIANGLES && at_count == 3) {
-        r.dimension = batten_triangles_dimension(object->triangles);
-        r.value_count = BATTEN_SURFACE_DERIVATIVES(order);
-        status = evaluate_triangle(object->triangles, at, order, values);
     } else {
-        static const char *const kinds[] = {"curve", "surface", "set of triangles"};
         return batten_fail(BATTEN_BAD_ARGUMENT, "'%s' is no %s, so %d parameters do not fit",
-                           object->name, kinds[at_count - 1], at_count);
+                           object->name, at_count == 1 ? "curve" : "surface", at_count);
     }
     if (status == BATTEN_OK)
         add_result(text, &r, first, asked->json);
@@ -142,11 +103,13 @@ static batten_status evaluate_all(const batten_model *model, const arguments *gi
     for (int g = 0; g < given->given_count; g++) {
         if (strcmp(given->options[given->given[g].option].name, "at") != 0)
             continue;
-        double at[3];
+        double at[2];
         const int at_count = read_at(given->given[g].value, at);
         for (int i = 0; i < batten_model_count(model); i++) {
             const batten_object *object = batten_model_object(model, i);
-            if (!lone && parameters_of(object) != at_count)
+            const batten_object_kind kind =
+                at_count == 1 ? BATTEN_OBJECT_CURVE : BATTEN_OBJECT_SURFACE;
+            if (!lone && object->kind != kind)
                 continue;
             const batten_status status = evaluate(object, at, at_count, asked, first, text);
             if (status != BATTEN_OK)
@@ -184,10 +147,10 @@ static int run(const arguments *given)
         return EXIT_USAGE;
     }
     for (int g = 0; g < given->given_count; g++) {
-        double at[3];
+        double at[2];
         if (strcmp(given->options[given->given[g].option].name, "at") == 0 &&
             read_at(given->given[g].value, at) == 0) {
-            complain("batten eval: --at wants U, U,V or U,V,T, finite numbers, not '%s'",
+            complain("batten eval: --at wants U or U,V, finite numbers, not '%s'",
                      given->given[g].value);
             return EXIT_USAGE;
         }
@@ -219,16 +182,13 @@ static int run(const arguments *given)
 
 const command command_eval = {
     .name = "eval",
-    .usage = "IN --at U[,V[,T]] [--at ...] [--order K]",
-    .summary = "points and derivatives of curves, surfaces and triangles",
-    .manual =
-        "IN is a file, file#name for one object in it, or - for standard input. "
-        "Derivatives are printed\n"
-        "behind the point: du, duu ... of a curve; du, dv, duu, duv, dvv ... of a "
-        "surface, and of\n"
-        "triangle T (1, 2 ...) at the barycentric coordinates 1 - U - V, U, V. Numbers have "
-        "the fewest digits\n"
-        "that read back to the same bits.",
+    .usage = "IN --at U[,V] [--at ...] [--order K]",
+    .summary = "points and derivatives of curves and surfaces",
+    .manual = "IN is a file, file#name for one object in it, or - for standard input. "
+              "Derivatives are printed\n"
+              "behind the point: du, duu ... of a curve; du, dv, duu, duv, dvv ... of a "
+              "surface. Numbers have\n"
+              "the fewest digits that read back to the same bits.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],
