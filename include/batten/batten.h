@@ -16,6 +16,7 @@
 #include <batten/constrained.h>
 #include <batten/continuity.h>
 #include <batten/contours.h>
+#include <batten/coons.h>
 #include <batten/cubic.h>
 #include <batten/cubic_spline.h>
 #include <batten/curve.h>

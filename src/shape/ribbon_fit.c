@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/spline.h"
 
+#include <float.h>
 #include <string.h>
 
 enum { MOST_PIECES = 4096, CHECKS = 7, MOST_POINTS = 6 };
@@ -139,12 +140,21 @@ batten_status bat_edge_fit(const batten_surface *surface, batten_edge edge, int 
     if (!f.breaks)
         return BATTEN_OUT_OF_MEMORY;
     batten_surface_spans(surface, f.place.along, f.breaks);
+    batten_curve *pieces = NULL;
     batten_status status = halve_until_near(&f);
     if (status == BATTEN_OK)
         status = batten_curve_from_bezier(f.dimension, 2 * f.values - 1, f.count, f.points,
-                                          NULL, f.breaks, out);
+                                          NULL, f.breaks, &pieces);
+    /* The pieces join as smoothly as the truth, up to the derivatives they share with it. */
+    if (status == BATTEN_OK)
+        status = batten_curve_remove_knots(
+            pieces,
+            64 * DBL_EPSILON *
+                bat_largest((f.count * (2 * f.values - 1) + 1) * f.dimension, f.points),
+            NULL, NULL, out);
     if (status == BATTEN_OK)
         *error = f.error;
+    batten_curve_unref(pieces);
     bat_release(f.points);
     bat_release(f.breaks);
     return status;

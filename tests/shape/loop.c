@@ -120,3 +120,17 @@ TEST(sides_that_cannot_be_are_refused)
     CHECK_MESSAGE("dimensions");
     release(4, curves);
 }
+
+TEST(G7_boundaries_in_any_order_and_direction_make_a_loop_or_their_gap_is_named)
+{
+    batten_curve *curves[5];
+    batten_loop_place places[5];
+    static const int order[5] = {3, 1, 4, 0, 2};
+    for (int i = 0; i < 5; i++)
+        curves[i] = side(order[i], i % 2, order[i] == 4 ? 0.5 : 0);
+    const batten_curve *const *given = (const batten_curve *const *)curves;
+    CHECK_OK(batten_curves_loop(5, given, 0.6, places));
+    CHECK_STATUS(batten_curves_loop(5, given, 0.4, places), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("corner 2, between curves 3 and 4, is open by 0.5");
+    release(5, curves);
+}

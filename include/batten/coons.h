@@ -1,0 +1,282 @@
+#ifndef BATTEN_COONS_H
+#define BATTEN_COONS_H
+/**
+ * @file
+ * Coons patches: surfaces between boundary curves, with the slopes and curvatures across them
+ * where these are wanted, and networks of such patches.
+ *
+ * Every kind is one formula, the Boolean sum of two families of lines: with blending functions
+ * A of u and B of v,
+ *
+ *     S(u, v) = sum A_i(u) L_i(v) + sum M_j(u) B_j(v) - sum A_i(u) C_ij B_j(v),
+ *
+ * L_i being the boundary curves, slopes and curvatures at u = 0 and u = 1, M_j those at v = 0
+ * and v = 1, and C_ij the values and derivatives that both have at the corners.
+ *
+ * Of what is printed in the sources, this must be read otherwise: the axioms of blending
+ * functions ask that first and SECOND derivatives vanish (not third); rows 3 and 4 of the
+ * corner matrix of the bicubic patch hold r_u(0,0), r_u(0,1) and r_u(1,0), r_u(1,1); its vector
+ * form is U M C Mt Wt, with both M; the patch of the second kind gives no continuity of
+ * curvature; and the vector across a boundary is the cross-boundary tangent, not a normal.
+ */
+#include <batten/interpolate.h>
+#include <batten/ribbon.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- blending functions ---- */
+
+/** Families of blending functions F0, F1, G0, G1, H0, H1 over [0, 1]. */
+typedef enum batten_blending {
+    BATTEN_BLENDING_LINEAR,  /**< F alone: values */
+    BATTEN_BLENDING_CUBIC,   /**< F, G: values and slopes; second derivatives do not vanish */
+    BATTEN_BLENDING_QUINTIC, /**< F, G, H, all axioms */
+    BATTEN_BLENDING_COONS,   /**< the same of C2 cubics on three equal spans */
+    BATTEN_BLENDING_GIVEN
+} batten_blending;
+
+/**
+ * The functions of a family.
+ *
+ * F_i is 1 at i and 0 at the other end, with slopes and second derivatives 0; G_i has the slope
+ * 1 at i and H_i the second derivative 1, all else at both ends being 0. (Linear F only have
+ * values, cubic F and G values and slopes.)
+ *
+ * @param order  1: F; 2: and G; 3: and H
+ * @param[out] out [2 * order] curves of dimension 1
+ * @return BATTEN_OK; UNSUPPORTED when the family has no G or no H; BAD_ARGUMENT
+ * Source: [Coons74]; G1 and H0, H1 in the space of his splines are derived here.
+ */
+BATTEN_API batten_status batten_blending_functions(batten_blending family, int order,
+                                                   batten_curve **out);
+
+/**
+ * Do functions have what makes them blending functions?
+ *
+ * @param functions [2 * order] F0, F1, G0 .., polynomial or rational, of dimension 1, over
+ * [0, 1]
+ * @param derivatives  0..2: up to which derivative both ends are looked at; a patch with
+ * functions of this order interpolates when order - 1 are right, and patches join with C2 when
+ * 2 are
+ * @return BATTEN_OK; NOT_COMPATIBLE naming the axiom: "G1: the second derivative at 1 is 0.4,
+ * not 0" (1e-10 is let pass); BAD_ARGUMENT
+ */
+BATTEN_API batten_status batten_blending_check(int order, const batten_curve *const *functions,
+                                               int derivatives);
+
+/* ---- one patch ---- */
+
+/** What becomes of twists, d/dv r_u and d/du r_v at a corner, that differ. */
+typedef enum batten_twist_policy {
+    BATTEN_TWIST_REFUSE,
+    BATTEN_TWIST_KEEP_U, /**< slopes across u = 0 and 1 hold, those across v give way. The same
+                              surface comes from adding G0 (difference) to the latter */
+    BATTEN_TWIST_KEEP_V,
+    BATTEN_TWIST_MEAN,   /**< all give way by half */
+    BATTEN_TWIST_GREGORY /**< all hold; the twist turns from the one to the other about the
+                              corner, and the patch is no spline any more */
+} batten_twist_policy;
+
+typedef struct batten_coons_options {
+    size_t size;
+    int order; /**< 1: the first kind, positions; 2: and slopes; 3: and curvatures */
+    batten_blending blending_u, blending_v;
+    const batten_curve *const *given_u; /**< [2 * order], with BATTEN_BLENDING_GIVEN */
+    const batten_curve *const *given_v;
+    double tolerance; /**< of all gaps, model units (the parameters run over 0..1) */
+    batten_twist_policy twist;
+    bool repair;          /**< a slope or curvature that does not fit the boundary curve at a
+                               corner is corrected (F times the gap is added), not refused */
+    const double *twists; /**< [2][2][d], corners (0,0), (0,1), (1,0), (1,1); where no slope
+                             says what the twist is; NULL: that of the bilinear patch */
+} batten_coons_options;
+
+/** First kind, linear functions, tolerance 1e-6, Gregory's twists. */
+BATTEN_API batten_coons_options batten_coons_defaults(void);
+
+typedef struct batten_coons_report {
+    double corner_gap, slope_gap, twist_gap, higher_gap; /**< the largest, model units */
+    int corner, slope_corner, twist_corner; /**< where: 1 (0,0), 2 (1,0), 3 (1,1), 4 (0,1) */
+    double missed[4][3]; /**< [edge][derivative across]: by how much the surface misses it,
+                              largest along the edge */
+    bool exact;          /**< batten_surface_to_nurbs is exact */
+} batten_coons_report;
+
+/**
+ * The Coons patch between four sides, a surface of kind "coons" over [0, 1] x [0, 1].
+ *
+ * Order 1 is the bilinearly blended patch with linear functions; with others neighbours have
+ * common slopes across an edge when the net is smooth through its ends. Order 2 takes slopes as
+ * well, order 3 curvatures. Slopes and curvatures that are NULL are made from what is known at
+ * the corners: so order 2 without any slope is the first kind with chosen twists, + sum G_i
+ * T_ij G_j, the cure of flat spots.
+ *
+ * @param sides [4] by batten_edge; V0 and V1 run along u, U0 and U1 along v, over any domain,
+ * mapped to [0, 1]; slopes point inside, per unit of the parameter across. A side may be a
+ * point
+ * @param options NULL for the defaults
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; NOT_COMPATIBLE naming corner, edges and gap; UNSUPPORTED (functions that
+ * the family lacks); BAD_ARGUMENT, OVERFLOW ...
+ *
+ * batten_surface_to_nurbs gives one tensor B-spline, equal but for rounding, when nothing is
+ * rational, or the rational curves along each direction share their weights; else, and with
+ * Gregory's twists, one within the tolerance.
+ * Cost of a point: one of each line and function. Source: [Coons67], [Coons74], [SL] V.2.
+ */
+BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
+                                              const batten_coons_options *options,
+                                              batten_coons_report *report,
+                                              batten_surface **out);
+
+/**
+ * The bicubic patch of what is known at its corners, or, with other functions, the same.
+ *
+ * @param corners [2][2][4][d]: at (i, j) the point, r_u, r_v and the twist r_uv
+ * @param family  not linear; with cubic functions one bicubic span
+ * @return a NURBS surface over [0, 1] x [0, 1]
+ * Source: [Coons67], [SL] V.2.
+ */
+BATTEN_API batten_status batten_surface_corner_patch(int dimension, const double *corners,
+                                                     batten_blending family,
+                                                     batten_surface **out);
+
+/**
+ * Four sides from any number of boundary curves in any order and direction.
+ *
+ * The curves are put into a loop (batten_curves_loop), cut into four sides, and the curves of a
+ * side are joined; their parts of [0, 1] are as their lengths. A side of no curve is the point
+ * where its neighbours meet. V0 begins with the first curve, in its direction.
+ *
+ * @param counts [4] curves of V0, U1, V1, U0; NULL: 1 each, or 1, 1, 1, 0 of three curves
+ * @param[out] places [count], the loop; may be NULL
+ * @param[out] sides [4] by batten_edge, in the directions that batten_surface_coons expects
+ * @return also BAD_ARGUMENT when the counts do not add up
+ */
+BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *const *curves,
+                                               const int *counts, double tolerance,
+                                               batten_loop_place *places, batten_curve **sides);
+
+/**
+ * The ribbon along a boundary curve taken from the surface beside it.
+ *
+ * One of the four edges must run along the curve within `tolerance`, or the curve along a part
+ * of it. The slope is the surface's, continued, times a + b t, plus (c + d t) times the
+ * derivative of the curve: such that at both ends it is `ends`, as far as that lies in the
+ * tangent plane of the surface. So the patch has the tangent planes of its neighbour, while its
+ * boundary curves need not have their speeds.
+ *
+ * @param curve  the boundary, over [0, 1]
+ * @param ends   [2][d] inward derivatives wanted at the ends, those of the boundary curves
+ * beside it
+ * @param[out] ribbon [2] the edge as the surface has it, in the direction of the curve and over
+ * [0, 1], and the slope
+ * @param[out] misfit [2] sine of the angle between ends and tangent plane; may be NULL
+ * @param[out] error  how far the slope is from the truth; may be NULL
+ * @return BATTEN_OK; NOT_FOUND when no edge runs along the curve, with the distance of the
+ * nearest; SINGULAR_HERE where the surface has no tangent plane at an end
+ */
+BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
+                                             const batten_curve *curve, const double *ends,
+                                             double tolerance, batten_curve **ribbon,
+                                             double *misfit, double *error);
+
+/* ---- twists of nets ---- */
+
+typedef enum batten_twists {
+    BATTEN_TWISTS_ZERO,     /**< right for a(u) + b(v) alone: else flat spots */
+    BATTEN_TWISTS_BILINEAR, /**< mean of the twists of the adjoining quadrangles */
+    BATTEN_TWISTS_BESSEL,   /**< of the biquadratic through 3 x 3 points */
+    BATTEN_TWISTS_ADINI,    /**< of the bilinear Coons patch around the point */
+    BATTEN_TWISTS_SPLINE,   /**< those that make a bicubic net C2 */
+    BATTEN_TWISTS_ENERGY,   /**< least sum of integrals of S_uu^2 + 2 S_uv^2 + S_vv^2 */
+    BATTEN_TWISTS_SELESNICK /**< from curvatures; needs `shape` */
+} batten_twists;
+
+/** What Selesnick's twists need at each point: [count_u][count_v] of each. */
+typedef struct batten_twist_shape {
+    const double *suu, *svv; /**< [..][3] second derivatives along the net */
+    const double *gaussian;  /**< curvature, 1 / length^2 */
+} batten_twist_shape;
+
+/**
+ * Twists at the points of a rectangular net.
+ *
+ * @param u, v    [count_u], [count_v], increasing; 2 or more of each
+ * @param points, su, sv [count_u][count_v][d], the points and their derivatives
+ * @param shape   with SELESNICK, and d = 3; else NULL
+ * @param[out] twists [count_u][count_v][d]
+ * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
+ * nearest was taken; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_LARGE ...
+ *
+ * On the rim Adini takes the patches that are there, Bessel one-sided parabolas. Where S_u and
+ * S_v are parallel Selesnick's is Adini's. Cost: linear; ENERGY factors a band matrix, count_u
+ * count_v min(count_u, count_v)^2.
+ * Source: [BFFH88], [AC61] for Adini's, [Selesnick81], [HS87].
+ */
+BATTEN_API batten_status batten_net_twists(batten_twists method, int dimension, int count_u,
+                                           const double *u, int count_v, const double *v,
+                                           const double *points, const double *su,
+                                           const double *sv, const batten_twist_shape *shape,
+                                           double *twists, int *clamped);
+
+/* ---- networks ---- */
+
+typedef struct batten_network_options {
+    size_t size;
+    batten_blending blending; /**< LINEAR: C0; CUBIC: C1; COONS or QUINTIC: C2 when the curves
+                                   are */
+    batten_twists twists;     /**< ADINI */
+    const double *given;      /**< [count_u][count_v][d] twists of one's own; or NULL */
+    double tolerance;         /**< of the curves at their crossings, 1e-6 */
+    batten_parametrization parameters; /**< of a grid of points, averaged; CENTRIPETAL */
+    batten_end_kind ends;              /**< of the splines through a grid; NOT_A_KNOT */
+} batten_network_options;
+
+/** Coons' functions, Adini's twists. */
+BATTEN_API batten_network_options batten_network_defaults(void);
+
+/**
+ * The net of Coons patches over a grid of curves, as one B-spline surface.
+ *
+ * It passes through all curves. Slopes across an edge are blended from those of the curves at
+ * its ends, with the twists: so neighbours share them.
+ *
+ * @param u, v   [count_u], [count_v] increasing: parameters of the crossings, 2 or more
+ * @param along_u [count_v] curves with the domain [u[0], last u]; curve j is at v[j]
+ * @param along_v [count_u] the same along v
+ * @param[out] gap  the largest distance of two curves at their crossing; may be NULL
+ * @return NOT_COMPATIBLE naming the curves and the gap; UNSUPPORTED for rational curves;
+ * TOO_LARGE before any work ...
+ *
+ * Interior knots stand p - 1 times (C1) or p - 2 times (C2), p the degree, unless the curves
+ * themselves are less smooth. Cost: linear in the number of control points.
+ */
+BATTEN_API batten_status batten_surface_coons_network(int count_u, const double *u, int count_v,
+                                                      const double *v,
+                                                      const batten_curve *const *along_u,
+                                                      const batten_curve *const *along_v,
+                                                      const batten_network_options *options,
+                                                      double *gap, batten_surface **out);
+
+/**
+ * The same over a grid of points: its curves are the cubic splines through the rows and through
+ * the columns.
+ *
+ * Selesnick's twists take their curvatures from the bicubic spline through the points.
+ * @param points [count_u][count_v][dimension]
+ * @param[out] u, v parameters of the grid lines, 0 .. 1; may be NULL
+ * @return also COINCIDENT, naming the line of the grid
+ */
+BATTEN_API batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
+                                                   const double *points,
+                                                   const batten_network_options *options,
+                                                   double *u, double *v, batten_surface **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,321 @@
+/*
+ * The ribbon of a boundary curve taken from the surface beside it:
+ *     slope(t) = (a0 (1 - t) + a1 t) N(t) + (b0 (1 - t) + b1 t) E'(t),
+ * E the edge, N the derivative of the surface out of it. It lies in the tangent planes of the
+ * surface whatever the factors, and these let it be at both ends what the patch's other
+ * boundary curves are there.
+ */
+#include "numeric/vector.h"
+#include "shape/ribbon_fit.h"
+#include "spline/curve.h"
+#include "spline/product.h"
+#include "spline/surface.h"
+#include <batten/coons.h>
+#include <batten/inspect.h>
+
+#include <float.h>
+
+enum { PROBES = 9 };
+
+/* ---- the edge ---- */
+
+static batten_status edge_curve(const batten_surface *surface, batten_edge edge,
+                                double tolerance, batten_curve **out)
+{
+    const bat_edge_place place = bat_edge_of(surface, edge);
+    double error;
+    if (surface->kind != &bat_nurbs_kind)
+        return bat_edge_fit(surface, edge, 0, tolerance / 4, out, &error);
+    return batten_surface_isocurve(surface, bat_other(place.along), place.at, out);
+}
+
+/* How far the curve is from an edge, and where its ends are on it. */
+static batten_status probe(const batten_curve *edge, const batten_curve *curve, double *far,
+                           double at[2])
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    double points[PROBES * 3];
+    batten_deviation found;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < PROBES; i++)
+        status =
+            batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * i / (PROBES - 1), 0,
+                                  points + i * curve->dimension);
+    if (status == BATTEN_OK)
+        status = batten_curve_deviation(edge, PROBES, points, NULL, NULL, NULL, &found);
+    if (status == BATTEN_OK)
+        *far = found.max;
+    for (int e = 0; status == BATTEN_OK && e < 2; e++) {
+        status =
+            batten_curve_deviation(edge, 1, points + (e ? (PROBES - 1) * curve->dimension : 0),
+                                   NULL, NULL, NULL, &found);
+        at[e] = found.at[0];
+    }
+    return status;
+}
+
+/* The edge that runs along the curve. */
+static batten_status find_edge(const batten_surface *surface, const batten_curve *curve,
+                               double tolerance, batten_edge *edge, double at[2])
+{
+    double nearest = INFINITY;
+    batten_status status = BATTEN_OK;
+    for (int e = 0; status == BATTEN_OK && e < 4; e++) {
+        batten_curve *candidate = NULL;
+        double far = 0, places[2] = {0, 0};
+        status = edge_curve(surface, (batten_edge)e, tolerance, &candidate);
+        if (status == BATTEN_OK)
+            status = probe(candidate, curve, &far, places);
+        if (status == BATTEN_OK && far < nearest && places[0] != places[1]) {
+            nearest = far;
+            *edge = (batten_edge)e;
+            at[0] = places[0];
+            at[1] = places[1];
+        }
+        batten_curve_unref(candidate);
+    }
+    if (status == BATTEN_OK && !(nearest <= tolerance))
+        return bat_fail(BATTEN_NOT_FOUND,
+                        "no edge of the surface runs along the curve: the nearest is %g away, "
+                        "more than %g",
+                        nearest, tolerance);
+    return status;
+}
+
+/* An end of the curve that is an end of the edge, is it to the bit. */
+static batten_status snap(const batten_curve *edge, double tolerance, double *at)
+{
+    const batten_interval domain = batten_curve_domain(edge);
+    double here[3], there[3];
+    batten_status status = batten_curve_evaluate(edge, *at, 0, here);
+    for (int e = 0; status == BATTEN_OK && e < 2; e++) {
+        const double end = e ? domain.b : domain.a;
+        status = batten_curve_evaluate(edge, end, 0, there);
+        if (status == BATTEN_OK && bat_distance(edge->dimension, here, there) <= tolerance &&
+            fabs(*at - end) < 0.25 * (domain.b - domain.a))
+            *at = end;
+    }
+    return status;
+}
+
+/* The part of the edge beside the curve, in its direction, over [0, 1]. */
+static batten_status take_part(const batten_curve *whole, const double at[2],
+                               batten_curve **out)
+{
+    batten_curve *part = NULL, *turned = NULL;
+    const bool reversed = at[1] < at[0];
+    batten_status status =
+        batten_curve_subrange(whole, reversed ? at[1] : at[0], reversed ? at[0] : at[1], &part);
+    if (status == BATTEN_OK && reversed)
+        status = batten_curve_reverse(part, &turned);
+    else if (status == BATTEN_OK)
+        turned = batten_curve_ref(part);
+    if (status == BATTEN_OK)
+        status = batten_curve_set_domain(turned, 0, 1, out);
+    batten_curve_unref(turned);
+    batten_curve_unref(part);
+    return status;
+}
+
+/* Edge and outward derivative, polynomial. */
+static batten_status take_ribbon(const batten_surface *surface, batten_edge edge,
+                                 double tolerance, batten_curve *ribbon[2], double *error)
+{
+    if (surface->kind == &bat_nurbs_kind && !batten_surface_is_rational(surface))
+        return batten_edge_ribbon(surface, edge, 1, tolerance, ribbon, error);
+    double far[2] = {0, 0};
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+        status = bat_edge_fit(surface, edge, k, tolerance / 4, &ribbon[k], &far[k]);
+    *error = bat_max(far[0], far[1]);
+    return status;
+}
+
+/* ---- the slope ---- */
+
+/* The derivative of a clamped polynomial curve, of degree 1 at least. */
+static batten_status derive(const batten_curve *curve, batten_curve **out)
+{
+    batten_curve *raised = NULL, *made = NULL;
+    batten_status status = batten_curve_elevate(curve, curve->degree < 2, &raised);
+    if (status != BATTEN_OK)
+        return status;
+    const int p = raised->degree, n = raised->count, d = raised->dimension;
+    const double *U = raised->knots;
+    for (int i = p + 1; i < n; i++)
+        if (status == BATTEN_OK && U[i] == U[i + p - 1] && i + p - 1 < n)
+            status = bat_fail(BATTEN_SINGULAR_HERE,
+                              "the edge may have a corner at %g of its length, where it has no "
+                              "direction",
+                              U[i]);
+    if (status == BATTEN_OK)
+        status = bat_curve_make(d, p - 1, n - 1, false, &made);
+    if (status == BATTEN_OK) {
+        for (int i = 0; i + 1 < n; i++)
+            for (int x = 0; x < d; x++)
+                made->points[i * d + x] =
+                    p * (raised->points[(i + 1) * d + x] - raised->points[i * d + x]) /
+                    (U[i + p + 1] - U[i + 1]);
+        for (int i = 0; i < n + p - 1; i++)
+            made->knots[i] = U[i + 1];
+        status = bat_curve_finish(made, out);
+    }
+    batten_curve_unref(raised);
+    return status;
+}
+
+/* a N + b E' = wanted in the plane of both; *misfit: the sine of what is out of it. */
+static batten_status solve(int d, const double *n, const double *e, const double *wanted,
+                           double *a, double *b, double *misfit)
+{
+    const double nn = bat_dot(d, n, n), ne = bat_dot(d, n, e), ee = bat_dot(d, e, e);
+    const double area2 = nn * ee - ne * ne, length = bat_norm(d, wanted);
+    if (!(area2 > 1e-24 * nn * ee) || !isfinite(area2))
+        return bat_fail(BATTEN_SINGULAR_HERE,
+                        "the surface has no tangent plane at an end of the curve");
+    const double wn = bat_dot(d, wanted, n), we = bat_dot(d, wanted, e);
+    *a = (wn * ee - we * ne) / area2;
+    *b = (we * nn - wn * ne) / area2;
+    double rest[3];
+    for (int x = 0; x < d; x++)
+        rest[x] = wanted[x] - *a * n[x] - *b * e[x];
+    *misfit = length > 0 ? bat_norm(d, rest) / length : 0;
+    return BATTEN_OK;
+}
+
+/* The factors at both ends: [0] of N, [1] of E'. */
+static batten_status find_factors(const batten_curve *n, const batten_curve *e,
+                                  const double *ends, double factors[2][2], double misfit[2])
+{
+    const int d = n->dimension;
+    batten_status status = BATTEN_OK;
+    for (int end = 0; status == BATTEN_OK && end < 2; end++) {
+        double slope[3], both[6];
+        const double *along = both + d;
+        status = batten_curve_evaluate(n, end, 0, slope);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate(e, end, 1, both);
+        if (status == BATTEN_OK)
+            status = solve(d, slope, along, ends + end * d, &factors[0][end], &factors[1][end],
+                           &misfit[end]);
+        /* What is rounding shall not raise a degree. */
+        if (status == BATTEN_OK && fabs(factors[1][end]) * bat_norm(d, along) <=
+                                       64 * DBL_EPSILON * bat_norm(d, ends + end * d))
+            factors[1][end] = 0;
+    }
+    if (status == BATTEN_OK && !(factors[0][0] * factors[0][1] > 0))
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "the boundary curves beside the edge leave the surface to different "
+                        "sides: %g and %g times its slope",
+                        factors[0][0], factors[0][1]);
+    if (status == BATTEN_OK &&
+        fabs(factors[0][1] - factors[0][0]) <= 64 * DBL_EPSILON * fabs(factors[0][0]))
+        factors[0][1] = factors[0][0];
+    return status;
+}
+
+/* A curve times the linear function from f[0] to f[1]. */
+static batten_status times_linear(const double f[2], const batten_curve *curve,
+                                  batten_curve **out)
+{
+    static const double knots[] = {0, 0, 1, 1};
+    batten_curve *linear = NULL;
+    if (f[0] == f[1]) {
+        const batten_affine map = batten_affine_scaling(f[0], f[0], f[0]);
+        return batten_curve_transform(curve, &map, out);
+    }
+    batten_status status = batten_curve_create(1, 1, 2, f, NULL, knots, &linear);
+    if (status == BATTEN_OK)
+        status = bat_curve_product(linear, curve, out);
+    batten_curve_unref(linear);
+    return status;
+}
+
+static batten_status add_curves(const batten_curve *first, const batten_curve *second,
+                                batten_curve **out)
+{
+    const batten_curve *const given[2] = {first, second};
+    batten_curve *common[2] = {NULL, NULL}, *sum = NULL;
+    batten_status status = batten_curves_unify(2, given, common);
+    if (status == BATTEN_OK)
+        status = bat_curve_copy(common[0], &sum);
+    if (status == BATTEN_OK) {
+        for (int i = 0; i < sum->count * sum->dimension; i++)
+            sum->points[i] += common[1]->points[i];
+        status = bat_curve_finish(sum, out);
+    }
+    batten_curve_unref(common[1]);
+    batten_curve_unref(common[0]);
+    return status;
+}
+
+static batten_status thin(const batten_curve *curve, batten_curve **out)
+{
+    const double size = bat_largest(curve->count * curve->dimension, curve->points);
+    return batten_curve_remove_knots(curve, 32 * DBL_EPSILON * size, NULL, NULL, out);
+}
+
+static batten_status make_slope(const batten_curve *edge, const batten_curve *n,
+                                const double *ends, double misfit[2], double *factor,
+                                batten_curve **out)
+{
+    batten_curve *along = NULL, *across = NULL, *shear = NULL, *sum = NULL;
+    double factors[2][2] = {{0}};
+    batten_status status = find_factors(n, edge, ends, factors, misfit);
+    if (status == BATTEN_OK)
+        status = times_linear(factors[0], n, &across);
+    if (status == BATTEN_OK && (factors[1][0] != 0 || factors[1][1] != 0)) {
+        status = derive(edge, &along);
+        if (status == BATTEN_OK)
+            status = times_linear(factors[1], along, &shear);
+        if (status == BATTEN_OK)
+            status = add_curves(across, shear, &sum);
+    } else if (status == BATTEN_OK) {
+        sum = batten_curve_ref(across);
+    }
+    if (status == BATTEN_OK)
+        status = thin(sum, out);
+    *factor = bat_max(fabs(factors[0][0]), fabs(factors[0][1]));
+    batten_curve_unref(sum);
+    batten_curve_unref(shear);
+    batten_curve_unref(across);
+    batten_curve_unref(along);
+    return status;
+}
+
+batten_status batten_ribbon_along(const batten_surface *surface, const batten_curve *curve,
+                                  const double *ends, double tolerance, batten_curve **ribbon,
+                                  double *misfit, double *error)
+{
+    assert(surface && curve && ends && ribbon);
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
+    if (curve->dimension != surface->dimension)
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "curve and surface have %d and %d dimensions",
+                        curve->dimension, surface->dimension);
+    batten_curve *whole[2] = {NULL, NULL}, *part[2] = {NULL, NULL}, *slope = NULL;
+    batten_edge edge = BATTEN_EDGE_V0;
+    double at[2] = {0, 0}, far = 0, factor = 0, off[2] = {0, 0};
+    batten_status status = find_edge(surface, curve, tolerance, &edge, at);
+    if (status == BATTEN_OK)
+        status = take_ribbon(surface, edge, tolerance, whole, &far);
+    for (int e = 0; status == BATTEN_OK && e < 2; e++)
+        status = snap(whole[0], tolerance, &at[e]);
+    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+        status = take_part(whole[k], at, &part[k]);
+    if (status == BATTEN_OK)
+        status = make_slope(part[0], part[1], ends, off, &factor, &slope);
+    if (status == BATTEN_OK) {
+        ribbon[0] = batten_curve_ref(part[0]);
+        ribbon[1] = slope;
+        for (int e = 0; misfit && e < 2; e++)
+            misfit[e] = off[e];
+        if (error)
+            *error = far * bat_max(1, factor);
+    }
+    for (int k = 0; k < 2; k++) {
+        batten_curve_unref(part[k]);
+        batten_curve_unref(whole[k]);
+    }
+    return status;
+}

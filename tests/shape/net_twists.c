@@ -1,0 +1,257 @@
+#include <batten/coons.h>
+
+#include "support/test.h"
+
+enum { N = 5, M = 4 };
+
+static const double even[] = {0, 0.5, 1, 1.5, 2}, uneven[] = {0, 0.3, 1, 1.2, 2};
+static const double across[] = {-1, -0.4, 0.1, 1};
+
+typedef double (*scalar)(double u, double v, int k, int l);
+
+/* The derivative of u^a v^b. */
+static double power(double u, double v, int a, int b, int k, int l)
+{
+    double factor = 1;
+    for (int i = 0; i < k; i++)
+        factor *= a - i;
+    for (int i = 0; i < l; i++)
+        factor *= b - i;
+    return factor == 0 ? 0 : factor * pow(u, a - k) * pow(v, b - l);
+}
+
+static double product(double u, double v, int k, int l)
+{
+    return power(u, v, 1, 1, k, l);
+}
+
+static double difference_of_squares(double u, double v, int k, int l)
+{
+    return power(u, v, 2, 0, k, l) - power(u, v, 0, 2, k, l);
+}
+
+static double translational(double u, double v, int k, int l)
+{
+    return power(u, v, 3, 0, k, l) + power(u, v, 0, 4, k, l);
+}
+
+static double biquadratic(double u, double v, int k, int l)
+{
+    return power(u, v, 2, 2, k, l) - 0.5 * power(u, v, 1, 2, k, l) + power(u, v, 2, 0, k, l);
+}
+
+/* a(u) + b(v) + u c(v) + v d(u) */
+static double coons_like(double u, double v, int k, int l)
+{
+    return power(u, v, 4, 0, k, l) + power(u, v, 1, 3, k, l) - power(u, v, 3, 1, k, l);
+}
+
+static double bicubic(double u, double v, int k, int l)
+{
+    return power(u, v, 3, 3, k, l) + power(u, v, 3, 2, k, l) - 2 * power(u, v, 1, 3, k, l);
+}
+
+/* The largest error of the twists of a graph, from row `rim` of the net on. */
+static double error_of(batten_twists method, scalar f, const double *u, int rim)
+{
+    double points[N * M], su[N * M], sv[N * M], twists[N * M], worst = 0;
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < M; j++) {
+            points[i * M + j] = f(u[i], across[j], 0, 0);
+            su[i * M + j] = f(u[i], across[j], 1, 0);
+            sv[i * M + j] = f(u[i], across[j], 0, 1);
+        }
+    CHECK_OK(batten_net_twists(method, 1, N, u, M, across, points, su, sv, NULL, twists, NULL));
+    for (int i = rim; i < N - rim; i++)
+        for (int j = rim; j < M - rim; j++)
+            worst = fmax(worst, fabs(twists[i * M + j] - f(u[i], across[j], 1, 1)));
+    return worst;
+}
+
+TEST(each_method_is_exact_where_it_should_be)
+{
+    const struct {
+        batten_twists method;
+        scalar f;
+        const double *u;
+        int rim;
+    } cases[] = {
+        {BATTEN_TWISTS_ZERO, translational, uneven, 0},
+        {BATTEN_TWISTS_BILINEAR, product, uneven, 0},
+        {BATTEN_TWISTS_BILINEAR, translational, uneven, 0},
+        {BATTEN_TWISTS_BESSEL, biquadratic, uneven, 0},
+        {BATTEN_TWISTS_BESSEL, product, even, 0},
+        {BATTEN_TWISTS_ADINI, coons_like, uneven, 0},
+        {BATTEN_TWISTS_ADINI, translational, uneven, 0},
+        {BATTEN_TWISTS_ENERGY, product, uneven, 0},
+    };
+    for (int c = 0; c < COUNT(cases); c++)
+        CHECK_NEAR(error_of(cases[c].method, cases[c].f, cases[c].u, cases[c].rim), 0, 1e-11);
+    CHECK(error_of(BATTEN_TWISTS_ZERO, product, even, 0) == 1);
+    CHECK(error_of(BATTEN_TWISTS_ADINI, bicubic, uneven, 1) > 0.01);
+}
+
+/* On even spacing Adini's error has the factor of both differences: u^2 c(v) + v^2 d(u) too. */
+static double even_only(double u, double v, int k, int l)
+{
+    return power(u, v, 2, 3, k, l);
+}
+
+TEST(adinis_twists_are_better_on_even_nets)
+{
+    static const double v[] = {-1, 0, 1, 2};
+    double points[N * M], su[N * M], sv[N * M], twists[N * M];
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < M; j++) {
+            points[i * M + j] = even_only(even[i], v[j], 0, 0);
+            su[i * M + j] = even_only(even[i], v[j], 1, 0);
+            sv[i * M + j] = even_only(even[i], v[j], 0, 1);
+        }
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, even, M, v, points, su, sv, NULL,
+                               twists, NULL));
+    for (int i = 1; i + 1 < N; i++)
+        for (int j = 1; j + 1 < M; j++)
+            CHECK_NEAR(twists[i * M + j], even_only(even[i], v[j], 1, 1), 1e-12);
+}
+
+/* On square cells: at the rim of others the energy of a saddle can be lowered by twists. */
+TEST(twists_of_least_energy_leave_a_saddle_of_square_cells)
+{
+    static const double v[] = {-0.5, 0, 0.5, 1};
+    double points[N * M], su[N * M], sv[N * M], twists[N * M];
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < M; j++) {
+            points[i * M + j] = difference_of_squares(even[i], v[j], 0, 0);
+            su[i * M + j] = difference_of_squares(even[i], v[j], 1, 0);
+            sv[i * M + j] = difference_of_squares(even[i], v[j], 0, 1);
+        }
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY, 1, N, even, M, v, points, su, sv, NULL,
+                               twists, NULL));
+    for (int n = 0; n < N * M; n++)
+        CHECK_NEAR(twists[n], 0, 1e-13);
+}
+
+/* The spline method returns the twists of a bicubic spline but for those of its corners, which
+ * nothing in the net tells; a function of its class has Adini's corners. */
+TEST(spline_twists_are_those_of_the_spline)
+{
+    CHECK_NEAR(error_of(BATTEN_TWISTS_SPLINE, product, uneven, 0), 0, 1e-13);
+    CHECK_NEAR(error_of(BATTEN_TWISTS_SPLINE, translational, uneven, 0), 0, 1e-11);
+}
+
+/* Energy: no other twists do better, by the integral itself, of one cell of the unit square. */
+TEST(energy_twists_solve_the_equations_of_one_cell)
+{
+    const double at[] = {0, 1}, points[] = {0, 0.3, -0.2, 1}, su[] = {0.1, 0, 0.4, -1};
+    const double sv[] = {1, 0.5, -0.3, 0.2};
+    double twists[4], other[4];
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_ENERGY, 1, 2, at, 2, at, points, su, sv, NULL,
+                               twists, NULL));
+    double least = INFINITY, nearby = INFINITY;
+    for (int c = -1; c < 8; c++) {
+        double values[2][2][4], sum = 0;
+        for (int i = 0; i < 4; i++) {
+            other[i] = twists[i] + (c >= 0 && c / 2 == i ? (c % 2 ? 1e-3 : -1e-3) : 0);
+            const double node[] = {points[i], su[i], sv[i], other[i]};
+            memcpy(values[i / 2][i % 2], node, sizeof node);
+        }
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_from_hermite(1, 2, at, 2, at, &values[0][0][0], &surface));
+        /* Simpson's rule is far from exact, but Gauss with 4 points is, up to degree 7. */
+        static const double x[] = {0.06943184420297371, 0.3300094782075719, 0.6699905217924281,
+                                   0.9305681557970263};
+        static const double w[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                                   0.1739274225687269};
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++) {
+                double out[6];
+                CHECK_OK(batten_surface_evaluate(surface, x[i], x[j], 2, out));
+                sum += w[i] * w[j] * (out[3] * out[3] + 2 * out[4] * out[4] + out[5] * out[5]);
+            }
+        if (c < 0)
+            least = sum;
+        else
+            nearby = fmin(nearby, sum);
+        batten_surface_unref(surface);
+    }
+    CHECK(nearby > least);
+    CHECK(nearby - least < 1e-6);
+}
+
+TEST(selesnicks_twists_are_exact_with_the_true_curvature)
+{
+    /* (u, v, u v + u^2 / 4): a dense net, so that parabolas give E_v and G_u exactly. */
+    double points[3 * N * M], su[3 * N * M], sv[3 * N * M], suu[3 * N * M], svv[3 * N * M];
+    double gaussian[N * M], twists[3 * N * M];
+    int clamped = -1;
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < M; j++) {
+            const double u = uneven[i], v = across[j], zu = v + u / 2, zv = u;
+            const double w = 1 + zu * zu + zv * zv;
+            const int n = i * M + j;
+            const double node[5][3] = {
+                {u, v, u * v + u * u / 4}, {1, 0, zu}, {0, 1, zv}, {0, 0, 0.5}, {0, 0, 0}};
+            double *const arrays[5] = {points, su, sv, suu, svv};
+            for (int k = 0; k < 5; k++)
+                memcpy(arrays[k] + 3 * n, node[k], sizeof node[k]);
+            gaussian[n] = -1 / (w * w);
+        }
+    const batten_twist_shape shape = {suu, svv, gaussian};
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su, sv,
+                               &shape, twists, &clamped));
+    CHECK_INT(clamped, 0);
+    for (int n = 0; n < N * M; n++) {
+        CHECK_NEAR(twists[3 * n], 0, 1e-14);
+        CHECK_NEAR(twists[3 * n + 1], 0, 1e-14);
+        CHECK_NEAR(twists[3 * n + 2], 1, 1e-14);
+    }
+    for (int n = 0; n < N * M; n++)
+        gaussian[n] = 5;
+    CHECK_OK(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su, sv,
+                               &shape, twists, &clamped));
+    CHECK_INT(clamped, N * M);
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_SELESNICK, 3, N, uneven, M, across, points, su,
+                                   sv, NULL, twists, NULL),
+                 BATTEN_BAD_ARGUMENT);
+}
+
+TEST(every_method_is_the_same_with_u_and_v_exchanged)
+{
+    test_random random = test_random_begin("exchange");
+    double values[3][N * M], turned[3][N * M], twists[N * M], back[N * M];
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < N; i++)
+            for (int j = 0; j < M; j++) {
+                values[k][i * M + j] = test_random_in(&random, -1, 1);
+                turned[k == 0 ? 0 : 3 - k][j * N + i] = values[k][i * M + j];
+            }
+    for (int method = BATTEN_TWISTS_ZERO; method <= BATTEN_TWISTS_ENERGY; method++) {
+        CHECK_OK(batten_net_twists((batten_twists)method, 1, N, uneven, M, across, values[0],
+                                   values[1], values[2], NULL, twists, NULL));
+        CHECK_OK(batten_net_twists((batten_twists)method, 1, M, across, N, uneven, turned[0],
+                                   turned[1], turned[2], NULL, back, NULL));
+        for (int i = 0; i < N; i++)
+            for (int j = 0; j < M; j++)
+                CHECK_NEAR(back[j * N + i], twists[i * M + j], 1e-12);
+    }
+}
+
+TEST(nets_that_cannot_be_are_refused)
+{
+    double values[N * M] = {0}, twists[N * M], wrong[N] = {0, 1, 1, 2, 3};
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, wrong, M, across, values, values,
+                                   values, NULL, twists, NULL),
+                 BATTEN_NOT_INCREASING);
+    CHECK_MESSAGE("parameter 2 in u is 1, after 1");
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, 1, even, M, across, values, values,
+                                   values, NULL, twists, NULL),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_net_twists((batten_twists)9, 1, N, even, M, across, values, values,
+                                   values, NULL, twists, NULL),
+                 BATTEN_BAD_ARGUMENT);
+    values[6] = NAN;
+    CHECK_STATUS(batten_net_twists(BATTEN_TWISTS_ADINI, 1, N, even, M, across, values, values,
+                                   values, NULL, twists, NULL),
+                 BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("the point at (1, 2)");
+}
