@@ -84,6 +84,169 @@ BATTEN_API batten_status batten_surface_ruled_by_length(const batten_curve *firs
                                                         double tolerance, double *error,
                                                         batten_surface **out);
 
+/* ---- along a spine ---- */
+
+/** What becomes of a corner of the spine. */
+typedef enum batten_corner_kind {
+    BATTEN_CORNER_REFUSE,
+    BATTEN_CORNER_MITRE, /**< the sections on both sides meet in the plane halfway: they lean
+                              along the tangent there, and less and less towards the next
+                              corner. Exact for straight sides */
+    BATTEN_CORNER_SPLIT  /**< one surface for each part between corners where sections do not
+                            meet */
+} batten_corner_kind;
+
+typedef struct batten_sweep_options {
+    size_t size;
+    double tolerance; /**< model units, > 0: how far the surface may be from the true sweep */
+    int degree;       /**< along the path, 3 */
+    batten_frame_kind frames; /**< rotation-minimising */
+    batten_vec3 x;            /**< where the x-axis of the first frame shall look, as far as the
+                                   tangent lets it; 0: as batten_curve_frames chooses */
+    const batten_vec3 *up;    /**< instead of `frames`: the y-axis looks this way */
+    const batten_curve *guide;   /**< instead of `frames`: the y-axis looks at the point of this
+                                      curve that has the same share of its parameters */
+    const batten_curve *scale;   /**< functions (dimension 1) over the shares of the spine's
+                                      length, whatever their domain; scale > 0; or NULL */
+    const batten_curve *scale_y; /**< of the y-axis; then `scale` is that of x, and z stays */
+    const batten_curve *twist;   /**< radians about the tangent */
+    batten_corner_kind corners;
+    const double *at; /**< [section count] shares of the length at which sections stand, rising
+                           from 0 to 1; NULL: evenly */
+    bool allow_folds; /**< do not refuse where sections run into each other */
+} batten_sweep_options;
+
+/** Rotation-minimising frames, degree 3, the tolerance 1e-6 units. */
+BATTEN_API batten_sweep_options batten_sweep_defaults(void);
+
+typedef struct batten_sweep_report {
+    double error; /**< largest measured distance from the true sweep, of control points of the
+                       section: a bound for its points; at 11 places between all knots */
+    int section_count; /**< at which the surface is the true sweep */
+    double length;     /**< of the spine */
+    double turn; /**< of closing frames: the angle by which minimising ones miss, radians */
+    double clearance; /**< least of 1 - curvature times reach of the section: not above 0 where
+                           sections run into each other; 1 for frames that do not turn */
+    double clearance_at; /**< where, parameter of the spine */
+} batten_sweep_report;
+
+/**
+ * Sweep a section along a spine: S(u, v) = spine(v) + x(u) X(v) + y(u) Y(v) + z(u) Z(v), where
+ * the section (x, y, z) is drawn in the xy-plane around the origin, Z is the tangent of the
+ * spine, X and Y are the axes of the frames, turned by the twist and scaled by the scale at
+ * that share of the spine's length. u is the parameter of the section, whose knots and weights
+ * are kept; v that of the spine, from which the knots along v come.
+ *
+ * Not a NURBS surface but for straight lines: the surface interpolates sections, as many as
+ * are needed to keep the tolerance. Where the spine has corners, see `corners`.
+ *
+ * Several sections are blended by a cubic spline over the shares of the length (batten_surface
+ * _skin, with its rules for unifying and weights).
+ *
+ * @param count  sections, 1 or more
+ * @param job    may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
+ * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
+ * spine no longer than the tolerance); SINGULAR_HERE (no tangent, no frame); BAD_ARGUMENT (a
+ * scale that is not above 0, with its place); TOLERANCE_NOT_MET at 2000 sections, with what was
+ * reached; TOO_LARGE, OVERFLOW ...
+ *
+ * Cost: each section that is placed or measured costs a frame, 6 evaluations of the spine, and
+ * one step for each of its control points; minimising frames are found to 1e-10 radians first.
+ * Source: [PT97] 10.4; [WJZL08]; [BR91].
+ */
+BATTEN_API batten_status batten_surface_sweep(int count, const batten_curve *const *sections,
+                                              const batten_curve *spine,
+                                              const batten_sweep_options *options,
+                                              const batten_job *job,
+                                              batten_sweep_report *report,
+                                              batten_surface **out);
+/** The same with as many surfaces as there are parts between corners that split.
+ * @param[out] surfaces [*surface_count] in the order of the spine, yours to unref; release the
+ * array with batten_release */
+BATTEN_API batten_status batten_surfaces_sweep(int count, const batten_curve *const *sections,
+                                               const batten_curve *spine,
+                                               const batten_sweep_options *options,
+                                               const batten_job *job,
+                                               batten_sweep_report *report, int *surface_count,
+                                               batten_surface ***surfaces);
+/** The true sweep, a surface of kind "sweep": exact but for the frames, 1e-10 radians.
+ * Corners cannot split. */
+BATTEN_API batten_status batten_surface_true_sweep(int count,
+                                                   const batten_curve *const *sections,
+                                                   const batten_curve *spine,
+                                                   const batten_sweep_options *options,
+                                                   batten_surface **out);
+
+/**
+ * A pipe: the sweep of a circle of this radius around the spine; rational, with the weights of
+ * the circle all along.
+ * @param options  as for batten_surfaces_sweep
+ * @return also BAD_ARGUMENT (radius); NOT_COMPATIBLE where radius times curvature is 1 or more
+ */
+BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
+                                              const batten_sweep_options *options,
+                                              const batten_job *job,
+                                              batten_sweep_report *report, int *surface_count,
+                                              batten_surface ***surfaces);
+
+/* ---- about an axis ---- */
+
+/**
+ * The surface that a curve leaves when it is turned about an axis and moved along it: a
+ * helicoid, a thread. v is the angle.
+ * @param pitch  model units for a full turn, of any sign; 0: a revolution, within the tolerance
+ * @param angle  radians, > 0, at most 1000 turns
+ * @return BATTEN_OK; COINCIDENT when the curve is a point; TOLERANCE_NOT_MET at 2000 sections;
+ * BAD_ARGUMENT, NOT_FINITE, TOO_LARGE
+ */
+BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
+                                                batten_vec3 axis, double pitch, double angle,
+                                                double tolerance, const batten_job *job,
+                                                batten_sweep_report *report,
+                                                batten_surface **out);
+
+/* ---- along two rails ---- */
+
+/** Which points of two rails belong together. */
+typedef enum batten_rail_match {
+    BATTEN_RAILS_BY_PARAMETER, /**< equal shares of the parameters */
+    BATTEN_RAILS_BY_LENGTH, /**< of the lengths; the rails are followed at even speed within a
+                                 tenth of the tolerance */
+    BATTEN_RAILS_BY_PLANES  /**< those in one plane square to `across` */
+} batten_rail_match;
+
+typedef struct batten_rails_options {
+    size_t size;
+    double tolerance; /**< model units, > 0 */
+    int degree;       /**< along the rails, 3 */
+    batten_rail_match match;
+    batten_vec3 across; /**< of BATTEN_RAILS_BY_PLANES; both rails rise along it */
+    bool fixed_height;  /**< y (and z) of the section keep their size; else the section is
+                             scaled as a whole with the distance of the rails */
+} batten_rails_options;
+
+BATTEN_API batten_rails_options batten_rails_defaults(void);
+
+/**
+ * Sweep a section along two rails: its start runs on the first, its end on the second. The
+ * section is drawn in the xy-plane; its chord comes to lie between the rails, its y-axis
+ * square to the chord and to the mean of their tangents: Z x chord.
+ *
+ * v is the share of the way, 0 to 1; of planes, the share of the height. Rails may meet at
+ * their ends: a pole, with a section that is scaled.
+ *
+ * @return BATTEN_OK; NOT_COMPATIBLE where the rails cross or meet inside, with the place, or,
+ * of planes, do not have the same heights or do not rise; COINCIDENT for a section whose ends
+ * are one point, or rails no longer than the tolerance; SINGULAR_HERE where the mean tangent
+ * vanishes or lies along the chord; TOLERANCE_NOT_MET ...
+ */
+BATTEN_API batten_status batten_surface_two_rails(
+    const batten_curve *section, const batten_curve *first, const batten_curve *second,
+    const batten_rails_options *options, const batten_job *job, batten_sweep_report *report,
+    batten_surface **out);
+
 #ifdef __cplusplus
 }
 #endif

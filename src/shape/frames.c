@@ -1,3 +1,4 @@
+#include "shape/frames.h"
 #include "numeric/vector.h"
 #include "shape/skin.h"
 #include "spline/curve.h"
@@ -56,12 +57,18 @@ static batten_vec3 reflect(batten_vec3 v, batten_vec3 n)
 }
 
 /* One step of the double reflection: the axis at `to` that turned least from `x` at `from`. */
+batten_vec3 bat_frame_carry(batten_vec3 from, batten_vec3 from_tangent, batten_vec3 to,
+                            batten_vec3 to_tangent, batten_vec3 x)
+{
+    const batten_vec3 chord = bat_vec3_subtract(to, from);
+    const batten_vec3 axis = reflect(x, chord), tangent = reflect(from_tangent, chord);
+    const batten_vec3 carried = reflect(axis, bat_vec3_subtract(to_tangent, tangent));
+    return across(carried, to_tangent); /* rounding does not add up */
+}
+
 static batten_vec3 carry(const place *from, const place *to, batten_vec3 x)
 {
-    const batten_vec3 chord = bat_vec3_subtract(to->point, from->point);
-    const batten_vec3 axis = reflect(x, chord), tangent = reflect(from->tangent, chord);
-    const batten_vec3 carried = reflect(axis, bat_vec3_subtract(to->tangent, tangent));
-    return across(carried, to->tangent); /* rounding does not add up */
+    return bat_frame_carry(from->point, from->tangent, to->point, to->tangent, x);
 }
 
 /* Walk from *at to `to` in equal steps, so many in each part of a span; `x` turns with it. */

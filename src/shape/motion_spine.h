@@ -1,0 +1,55 @@
+/*
+ * The parts of motions along a spine: how they are kept, bare frames, laws.
+ */
+#ifndef BAT_MOTION_SPINE_H
+#define BAT_MOTION_SPINE_H
+#include "numeric/jet3.h"
+#include "shape/motion.h"
+
+/* A smooth part of the spine. */
+typedef struct {
+    int first, last;    /* its nodes */
+    double shear[2][2]; /* at start and end: how far X and Y lean along the tangent */
+} bat_spine_run;
+
+typedef struct {
+    bat_motion base;
+    batten_curve *spine, *guide, *laws[3]; /* scale of x, of y, twist; may be NULL */
+    batten_frame_kind kind;
+    bool has_up;
+    batten_vec3 up;
+    batten_vec3 fixed[2]; /* X and Z of fixed frames */
+    int node_count, run_count;
+    double *u, *length; /* of the nodes; lengths from the start */
+    batten_vec3 *x;     /* the axis that turns least, at the nodes */
+    bat_spine_run *runs;
+    double total, turn; /* the length; what closing frames are turned by in all */
+} bat_spine_motion;
+
+/* The frame without laws; of fixed frames z is that of the start. */
+typedef struct {
+    bat_jet3 point, x, y, z, tangent;
+    bat_jet speed;
+} bat_bare_frame;
+
+/* SINGULAR_HERE without a tangent. */
+batten_status bat_spine_tangent(const bat_spine_motion *m, double u, batten_side side,
+                                batten_vec3 *point, batten_vec3 *tangent);
+batten_status bat_spine_length(const bat_spine_motion *m, double a, double b, double *length);
+/* @param node  at or before u, in its run */
+batten_status bat_spine_frame(const bat_spine_motion *m, int node, double u, batten_side side,
+                              bat_bare_frame *f);
+batten_status bat_spine_pose(const bat_motion *motion, double v, batten_side side,
+                             bat_pose *out);
+/* How a share of the way grows: `length` of `whole`. */
+bat_jet bat_share(double length, const bat_jet *speed, double whole);
+/* Turn and scale the frame after the laws (motion_spine_laws.c). */
+batten_status bat_spine_turn(const bat_spine_motion *m, const bat_jet *share, batten_side side,
+                             bat_bare_frame *f);
+batten_status bat_spine_scale(const bat_spine_motion *m, const bat_jet *share, batten_side side,
+                              bat_bare_frame *f);
+/* At corners sections lean so that they lie in the plane halfway; between, less and less. */
+void bat_spine_lean(const bat_spine_motion *m, const bat_spine_run *r, double length,
+                    bat_bare_frame *f);
+
+#endif

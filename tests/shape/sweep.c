@@ -1,0 +1,488 @@
+#include "support/test.h"
+
+#include <batten/inspect.h>
+#include <batten/sweep.h>
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+typedef const batten_curve *const *curves;
+
+/* A circle of space about the z-axis. */
+static batten_curve *circle(double radius)
+{
+    batten_curve *curve = NULL;
+    const batten_frame world = batten_frame_world();
+    CHECK_OK(batten_curve_arc_in(&world, radius, 0, 2 * PI, &curve));
+    return curve;
+}
+
+static batten_curve *through(int count, const double *points)
+{
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_interpolate(3, count, points, NULL, NULL, &curve));
+    return curve;
+}
+
+static const double bend_points[15] = {0, 0, 0, 2, 1, 0.3, 4, 0.5, 1.5, 5, -1, 2, 7, -1, 1};
+
+static double distance(const double *a, const double *b)
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* The largest distance of two surfaces at equal parameters. */
+static double deviation(const batten_surface *a, const batten_surface *b, int count)
+{
+    const batten_interval u = batten_surface_domain(a, BATTEN_U),
+                          v = batten_surface_domain(a, BATTEN_V);
+    double worst = 0;
+    for (int i = 0; i <= count; i++)
+        for (int j = 0; j <= count; j++) {
+            double p[3], q[3];
+            const double x = u.a + (u.b - u.a) * i / count, y = v.a + (v.b - v.a) * j / count;
+            CHECK_OK(batten_surface_evaluate(a, x, y, 0, p));
+            CHECK_OK(batten_surface_evaluate(b, x, y, 0, q));
+            worst = fmax(worst, distance(p, q));
+        }
+    return worst;
+}
+
+TEST(a_circle_along_a_circle_is_a_torus_within_the_tolerance)
+{
+    static const double tolerances[] = {1e-3, 1e-5, 1e-7};
+    batten_curve *section = circle(0.5), *spine = circle(2);
+    int sections = 0;
+    for (int k = 0; k < COUNT(tolerances); k++) {
+        batten_sweep_options options = batten_sweep_defaults();
+        options.tolerance = tolerances[k];
+        batten_sweep_report report;
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
+                                      &surface));
+        double worst = 0;
+        for (int i = 0; i <= 16; i++)
+            for (int j = 0; j <= 64; j++) {
+                double p[3];
+                CHECK_OK(batten_surface_evaluate(surface, i / 16.0, j / 64.0, 0, p));
+                worst = fmax(worst, fabs(hypot(hypot(p[0], p[1]) - 2, p[2]) - 0.5));
+            }
+        CHECK(worst <= report.error && report.error <= tolerances[k]);
+        CHECK(report.section_count > sections);
+        CHECK_NEAR(report.clearance, 0.75, 1e-12);
+        CHECK_NEAR(report.length, 4 * PI, 1e-10);
+        sections = report.section_count;
+        batten_surface_unref(surface);
+    }
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(a_section_on_a_straight_spine_is_a_cylinder_to_rounding)
+{
+    const double a[3] = {1, 2, 3}, b[3] = {1, 2, 8};
+    batten_curve *section = circle(1.5), *spine = NULL;
+    batten_surface *surface = NULL;
+    batten_sweep_report report;
+    CHECK_OK(batten_curve_line(3, a, b, &spine));
+    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, NULL, NULL, &report, &surface));
+    CHECK_INT(report.section_count, 2);
+    CHECK_INT(batten_surface_degree(surface, BATTEN_V), 1);
+    for (int i = 0; i <= 16; i++) {
+        double p[3];
+        CHECK_OK(batten_surface_evaluate(surface, i / 16.0, i / 16.0, 0, p));
+        CHECK_NEAR(hypot(p[0] - 1, p[1] - 2), 1.5, 2e-15);
+        CHECK_NEAR(p[2], 3 + 5 * i / 16.0, 4e-15);
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+static batten_curve *law(int count, const double *values)
+{
+    double at[16];
+    batten_curve *curve = NULL;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given = at;
+    for (int i = 0; i < count; i++)
+        at[i] = i;
+    CHECK_OK(batten_curve_interpolate(1, count, values, &options, NULL, &curve));
+    return curve;
+}
+
+TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
+{
+    static const double scales[5] = {1, 0.7, 0.8, 1.1, 0.9}, wide[3] = {1, 1.4, 1},
+                        turns[2] = {0, 2};
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points);
+    batten_curve *scale = law(5, scales), *flat = law(3, wide), *twist = law(2, turns);
+    const batten_vec3 up = {0, 0, 1};
+    for (int kind = 0; kind < 7; kind++) {
+        batten_sweep_options options = batten_sweep_defaults();
+        options.tolerance = 1e-5;
+        options.degree = kind == 6 ? 5 : 3;
+        if (kind == 1)
+            options.frames = BATTEN_FRAME_FIXED;
+        options.up = kind == 2 ? &up : NULL;
+        options.scale = kind >= 3 ? scale : NULL;
+        options.scale_y = kind >= 4 ? flat : NULL;
+        options.twist = kind >= 5 ? twist : NULL;
+        batten_sweep_report report;
+        batten_surface *surface = NULL, *truth = NULL;
+        CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
+                                      &surface));
+        CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+        CHECK(deviation(surface, truth, 40) <= 1e-5);
+        CHECK(report.error <= 1e-5 && report.section_count < 300);
+        batten_surface_unref(truth);
+        batten_surface_unref(surface);
+    }
+    batten_curve_unref(twist);
+    batten_curve_unref(flat);
+    batten_curve_unref(scale);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(the_derivatives_of_the_true_sweep_are_those_of_its_points)
+{
+    static const double scales[3] = {1, 0.7, 0.9}, turns[3] = {0, 1, -1};
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points);
+    batten_curve *scale = law(3, scales), *twist = law(3, turns);
+    for (int kind = 0; kind < 3; kind++) {
+        const batten_vec3 up = {0.1, 0, 1};
+        batten_sweep_options options = batten_sweep_defaults();
+        options.scale = scale;
+        options.twist = twist;
+        options.up = kind == 1 ? &up : NULL;
+        options.guide = kind == 2 ? section : NULL;
+        options.allow_folds = true;
+        batten_surface *truth = NULL;
+        CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+        CHECK_TEXT(batten_surface_kind(truth), "sweep");
+        const batten_interval v = batten_surface_domain(truth, BATTEN_V);
+        const double at = v.a + 0.37 * (v.b - v.a), h = 1e-4 * (v.b - v.a);
+        double low[30], here[30], high[30];
+        CHECK_OK(batten_surface_evaluate(truth, 0.3, at - h, 3, low));
+        CHECK_OK(batten_surface_evaluate(truth, 0.3, at, 3, here));
+        CHECK_OK(batten_surface_evaluate(truth, 0.3, at + h, 3, high));
+        for (int k = 0; k < 3; k++)
+            for (int l = 0; k + l < 3; l++)
+                for (int c = 0; c < 3; c++) {
+                    const int from = 3 * BATTEN_SURFACE_DERIVATIVE(k, l) + c,
+                              to = 3 * BATTEN_SURFACE_DERIVATIVE(k, l + 1) + c;
+                    const double slope = (high[from] - low[from]) / (2 * h);
+                    CHECK_NEAR(here[to], slope, 1e-4 * (1 + fabs(slope)));
+                }
+        batten_surface_unref(truth);
+    }
+    batten_curve_unref(twist);
+    batten_curve_unref(scale);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(a_pipe_has_the_area_of_its_torus)
+{
+    batten_curve *spine = circle(2);
+    batten_sweep_options options = batten_sweep_defaults();
+    options.tolerance = 1e-7;
+    batten_surface **made = NULL;
+    int count = 0;
+    CHECK_OK(batten_surfaces_pipe(0.5, spine, &options, NULL, NULL, &count, &made));
+    CHECK_INT(count, 1);
+    /* Midpoints at two steps: their errors are as 4 to 1. */
+    double area[2] = {0, 0};
+    for (int k = 0; k < 2; k++)
+        for (int n = 32 << k, i = 0; i < n * n; i++) {
+            double s[9];
+            CHECK_OK(
+                batten_surface_evaluate(made[0], (i / n + 0.5) / n, (i % n + 0.5) / n, 1, s));
+            const double x = s[4] * s[8] - s[5] * s[7], y = s[5] * s[6] - s[3] * s[8],
+                         z = s[3] * s[7] - s[4] * s[6];
+            area[k] += hypot(hypot(x, y), z) / n / n;
+        }
+    CHECK_NEAR((4 * area[1] - area[0]) / 3, 4 * PI * PI * 2 * 0.5, 1e-4);
+    double first[3], last[3];
+    CHECK_OK(batten_surface_evaluate(made[0], 0.2, 0, 0, first));
+    CHECK_OK(batten_surface_evaluate(made[0], 0.2, 1, 0, last));
+    CHECK_NEAR(distance(first, last), 0, 0);
+    batten_surface_unref(made[0]);
+    batten_release(made);
+    CHECK_STATUS(batten_surfaces_pipe(2, spine, &options, NULL, NULL, &count, &made),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("run into each other from 0 to 1 of the spine");
+    options.allow_folds = true;
+    batten_sweep_report report;
+    CHECK_OK(batten_surfaces_pipe(2.5, spine, &options, NULL, &report, &count, &made));
+    CHECK_NEAR(report.clearance, -0.25, 1e-12);
+    batten_surface_unref(made[0]);
+    batten_release(made);
+    batten_curve_unref(spine);
+}
+
+TEST(another_parameter_of_the_spine_leaves_the_image_alone)
+{
+    static const double scales[4] = {1, 0.6, 0.8, 1.2};
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points), *other = NULL;
+    batten_curve *scale = law(4, scales);
+    batten_surface *truth[2] = {NULL, NULL};
+    CHECK_OK(batten_curve_moebius(spine, 2, 0, 0.1, 1.7, &other));
+    batten_sweep_options options = batten_sweep_defaults();
+    options.scale = scale;
+    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth[0]));
+    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, other, &options, &truth[1]));
+    const batten_interval v = batten_curve_domain(spine);
+    for (int j = 0; j <= 20; j++) {
+        const double at = v.a + (v.b - v.a) * j / 20;
+        double p[3], q[3];
+        CHECK_OK(batten_surface_evaluate(truth[0], 0.7, at, 0, p));
+        const batten_interval w = batten_curve_domain(other);
+        const double moved = fmin(w.b, fmax(w.a, 2 * at / (0.1 * at + 1.7)));
+        CHECK_OK(batten_surface_evaluate(truth[1], 0.7, moved, 0, q));
+        CHECK_NEAR(distance(p, q), 0, 1e-9);
+    }
+    batten_surface_unref(truth[1]);
+    batten_surface_unref(truth[0]);
+    batten_curve_unref(scale);
+    batten_curve_unref(other);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(a_moved_and_turned_spine_makes_the_moved_and_turned_surface)
+{
+    batten_affine map =
+        batten_affine_rotation((batten_vec3){1, 0, 2}, (batten_vec3){1, 2, -1}, 2);
+    map = batten_affine_compose(map, batten_affine_scaling(3, 3, 3));
+    batten_curve *section = circle(0.3), *large = circle(0.9);
+    batten_curve *spine = through(5, bend_points), *other = NULL;
+    batten_surface *plain = NULL, *image = NULL, *expected = NULL;
+    CHECK_OK(batten_curve_transform(spine, &map, &other));
+    batten_sweep_options options = batten_sweep_defaults();
+    options.x = (batten_vec3){0, 0, 1};
+    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
+    const double *m = map.m[0];
+    options.x = (batten_vec3){m[2], m[5], m[8]};
+    options.tolerance = 3e-6;
+    CHECK_OK(batten_surface_sweep(1, (curves)&large, other, &options, NULL, NULL, &image));
+    CHECK_OK(batten_surface_transform(plain, &map, &expected));
+    CHECK_NEAR(deviation(expected, image, 20), 0, 1e-8);
+    batten_surface_unref(expected);
+    batten_surface_unref(image);
+    batten_surface_unref(plain);
+    batten_curve_unref(other);
+    batten_curve_unref(spine);
+    batten_curve_unref(large);
+    batten_curve_unref(section);
+}
+
+TEST(closing_frames_close_a_sweep_along_a_closed_space_curve)
+{
+    double points[3 * 12];
+    for (int i = 0; i < 12; i++) {
+        const double t = 2 * PI * i / 12;
+        points[3 * i] = 3 * cos(t) + 0.8 * cos(2 * t);
+        points[3 * i + 1] = 3 * sin(t);
+        points[3 * i + 2] = sin(2 * t + 0.7) + 0.5 * cos(3 * t);
+    }
+    batten_curve *spine = NULL, *section = NULL;
+    batten_interpolate_options periodic = batten_interpolate_defaults();
+    periodic.periodic = true;
+    CHECK_OK(batten_curve_interpolate(3, 12, points, &periodic, NULL, &spine));
+    CHECK_OK(batten_curve_ellipse(0.5, 0.2, 0, 2 * PI, &section));
+    batten_sweep_options options = batten_sweep_defaults();
+    options.frames = BATTEN_FRAME_CLOSING;
+    options.tolerance = 1e-4;
+    batten_sweep_report report;
+    batten_surface *surface = NULL;
+    double angle;
+    CHECK_OK(
+        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
+    CHECK_OK(batten_curve_holonomy(spine, 1e-9, &angle, NULL));
+    CHECK_NEAR(report.turn, angle, 1e-8);
+    CHECK(fabs(angle) > 0.1);
+    CHECK(batten_surface_is_closed(surface, BATTEN_V, 0));
+    batten_surface_unref(surface);
+    batten_curve_unref(section);
+    batten_curve_unref(spine);
+}
+
+/* ---- corners ---- */
+
+static batten_curve *frame_around(void)
+{
+    static const double points[15] = {0, 0, 0, 4, 0, 0, 4, 3, 0, 0, 3, 0, 0, 0, 0};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_polyline(3, 5, points, &curve));
+    return curve;
+}
+
+TEST(mitred_corners_of_straight_sides_are_exact_and_close)
+{
+    static const double square[15] = {0.2, 0.2, 0,    -0.2, 0.2, 0,   -0.2, -0.2,
+                                      0,   0.2, -0.2, 0,    0.2, 0.2, 0};
+    batten_curve *section = NULL, *spine = frame_around();
+    CHECK_OK(batten_curve_polyline(3, 5, square, &section));
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface *surface = NULL;
+    batten_sweep_report report;
+    CHECK_STATUS(
+        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &surface),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("a corner of 90 degrees at");
+    options.corners = BATTEN_CORNER_MITRE;
+    options.x = (batten_vec3){0, 0, 1};
+    CHECK_OK(
+        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
+    CHECK_INT(report.section_count, 5);
+    CHECK(report.error < 1e-14);
+    CHECK(batten_surface_is_closed(surface, BATTEN_V, 1e-14));
+    /* Outside it is the box from -0.2 to 4.2 and 3.2. */
+    const batten_box box = batten_surface_box(surface);
+    CHECK_NEAR(box.low.x, -0.2, 1e-14);
+    CHECK_NEAR(box.high.x, 4.2, 1e-14);
+    CHECK_NEAR(box.high.y, 3.2, 1e-14);
+    CHECK_NEAR(box.high.z, 0.2, 1e-14);
+    batten_surface_unref(surface);
+    options.corners = BATTEN_CORNER_SPLIT;
+    int count = 0;
+    batten_surface **made = NULL;
+    CHECK_OK(batten_surfaces_sweep(1, (curves)&section, spine, &options, NULL, &report, &count,
+                                   &made));
+    CHECK_INT(count, 4);
+    for (int k = 0; k < count; k++)
+        batten_surface_unref(made[k]);
+    batten_release(made);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+/* ---- several sections ---- */
+
+TEST(several_sections_are_met_where_they_stand)
+{
+    batten_curve *sections[3] = {circle(0.5), NULL, circle(0.3)}, *spine = circle(3);
+    CHECK_OK(batten_curve_ellipse(0.7, 0.3, 0, 2 * PI, &sections[1]));
+    static const double at[3] = {0, 0.25, 1};
+    batten_sweep_options options = batten_sweep_defaults();
+    options.at = at;
+    options.tolerance = 1e-5;
+    options.x = (batten_vec3){0, 0, 1};
+    batten_surface *surface = NULL, *truth = NULL;
+    CHECK_OK(batten_surface_sweep(3, (curves)sections, spine, &options, NULL, NULL, &surface));
+    CHECK_OK(batten_surface_true_sweep(3, (curves)sections, spine, &options, &truth));
+    CHECK(deviation(surface, truth, 24) <= 1e-5);
+    for (int i = 0; i <= 16; i++) {
+        double p[3], q[3];
+        CHECK_OK(batten_curve_evaluate(sections[1], i / 16.0, 0, q));
+        CHECK_OK(batten_surface_evaluate(truth, i / 16.0, 0.25, 0, p));
+        /* A quarter round, the tangent is -x; y = t cross z. */
+        const double expected[3] = {0, 3 + q[1], q[0]};
+        CHECK_NEAR(distance(p, expected), 0, 1e-9);
+    }
+    batten_surface_unref(truth);
+    batten_surface_unref(surface);
+    for (int k = 0; k < 3; k++)
+        batten_curve_unref(sections[k]);
+    batten_curve_unref(spine);
+}
+
+/* ---- screws ---- */
+
+TEST(a_helical_surface_is_its_formula_within_the_tolerance)
+{
+    const double a[3] = {1, 0, 0}, b[3] = {3, 0, 0.5};
+    batten_curve *line = NULL, *point = NULL;
+    batten_surface *surface = NULL, *none = NULL;
+    batten_sweep_report report;
+    const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 2};
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(
+        batten_surface_helical(line, origin, axis, 1.5, 5 * PI, 1e-6, NULL, &report, &surface));
+    for (int i = 0; i <= 8; i++)
+        for (int j = 0; j <= 80; j++) {
+            const double r = 1 + 2 * i / 8.0, v = 5 * PI * j / 80;
+            const double expected[3] = {r * cos(v), r * sin(v),
+                                        0.5 * i / 8.0 + 1.5 * v / 2 / PI};
+            double p[3];
+            CHECK_OK(batten_surface_evaluate(surface, i / 8.0, v, 0, p));
+            CHECK_NEAR(distance(p, expected), 0, 1e-6);
+        }
+    CHECK(report.error <= 1e-6 && report.section_count < 200);
+    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 0, 1e-6, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_helical(line, origin, origin, 1, 1, 1e-6, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_helical(line, origin, axis, NAN, 1, 1e-6, NULL, NULL, &none),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 1e5, 1e-6, NULL, NULL, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1, 6000, 1e-6, NULL, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("the limit is 2000");
+    CHECK_OK(batten_curve_line(3, a, (double[3]){1, 0, 1e-9}, &point));
+    CHECK_OK(batten_surface_helical(point, origin, axis, 0, 1, 1e-6, NULL, NULL, &none));
+    batten_surface_unref(none);
+    batten_surface_unref(surface);
+    batten_curve_unref(point);
+    batten_curve_unref(line);
+}
+
+/* ---- bad input ---- */
+
+TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
+{
+    static const double falling[3] = {1, 0.2, -0.5}, points[6] = {0, 0, 0, 1e-9, 0, 0},
+                        still[12] = {0, 0, 0, 0, 0, 0, 1, 1, 0, 2, 1, 1},
+                        knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points), *bad = NULL;
+    batten_surface *none = NULL;
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_curve *scale = law(3, falling);
+    options.scale = scale;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("it must stay above 0");
+    options = batten_sweep_defaults();
+    CHECK_OK(batten_curve_line(3, points, points + 3, &bad));
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, bad, &options, NULL, NULL, &none),
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("the spine is 1e-09 long, no more than the tolerance of 1e-06");
+    batten_curve_unref(bad);
+    CHECK_OK(batten_curve_create(3, 3, 4, still, NULL, knots, &bad));
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, bad, &options, NULL, NULL, &none),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("no tangent at 0");
+    const batten_vec3 up = {1, 0, 0};
+    options.up = &up;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, (double[3]){0, 0, 0}, (double[3]){3, 0, 0}, &line));
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("runs along its upward direction");
+    options = batten_sweep_defaults();
+    options.frames = BATTEN_FRAME_FRENET;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+                 BATTEN_SINGULAR_HERE);
+    options.frames = BATTEN_FRAME_CLOSING;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
+                 BATTEN_NOT_COMPATIBLE);
+    options = batten_sweep_defaults();
+    options.tolerance = 1e-16;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    options.tolerance = 0;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_sweep(0, (curves)&section, spine, NULL, NULL, NULL, &none),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK(none == NULL);
+    batten_curve_unref(line);
+    batten_curve_unref(bad);
+    batten_curve_unref(scale);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
