@@ -179,31 +179,6 @@ static batten_status measure(bat_spine_motion *m)
     return BATTEN_OK;
 }
 
-/* What is left of v across the unit vector t, of length one; 0 when nothing is. */
-static batten_vec3 unit_across(batten_vec3 v, batten_vec3 t)
-{
-    const batten_vec3 rest = bat_vec3_along(v, -bat_vec3_dot(v, t), t);
-    const double length = bat_vec3_norm(rest);
-    return length > 1e-9 * bat_vec3_norm(v) ? bat_vec3_scale(rest, 1 / length)
-                                            : (batten_vec3){0, 0, 0};
-}
-
-/* The axis x turned with the least turn that brings the tangent a to b. */
-static batten_vec3 turn_least(batten_vec3 x, batten_vec3 a, batten_vec3 b)
-{
-    /* Two reflections: in the plane between a and -b, and in that across b. */
-    const batten_vec3 sum = bat_vec3_add(a, b);
-    const batten_vec3 once =
-        bat_vec3_along(x, -2 * bat_vec3_dot(x, sum) / bat_vec3_dot(sum, sum), sum);
-    return unit_across(bat_vec3_along(once, -2 * bat_vec3_dot(once, b), b), b);
-}
-
-/* The angle about t from x to y. */
-static double angle_about(batten_vec3 t, batten_vec3 x, batten_vec3 y)
-{
-    return atan2(bat_vec3_dot(y, bat_vec3_cross(t, x)), bat_vec3_dot(y, x));
-}
-
 /* Minimising axes of one run that begin with `x`. */
 static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batten_vec3 x)
 {
@@ -220,7 +195,7 @@ static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batt
     if (status == BATTEN_OK)
         status =
             batten_curve_minimising_frames(part, count, m->u + r->first, 1e-9, frames, NULL);
-    const double angle = status == BATTEN_OK ? angle_about(frames[0].z, frames[0].x, x) : 0;
+    const double angle = status == BATTEN_OK ? bat_angle_about(frames[0].z, frames[0].x, x) : 0;
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const batten_vec3 y = bat_vec3_cross(frames[i].z, frames[i].x);
         m->x[r->first + i] =
@@ -247,7 +222,7 @@ static batten_status first_axis(const building *b, batten_vec3 *x, batten_vec3 *
         return bat_fail(BATTEN_NOT_FINITE, "the first x-axis is (%g, %g, %g)", wanted.x,
                         wanted.y, wanted.z);
     if (bat_vec3_norm(wanted) > 0)
-        *x = unit_across(wanted, *z);
+        *x = bat_unit_across(wanted, *z);
     if (bat_vec3_norm(*x) == 0)
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the first x-axis, (%g, %g, %g), lies along the spine", wanted.x,
@@ -275,7 +250,7 @@ static batten_status frame_runs(building *b)
             if (status == BATTEN_OK)
                 status = bat_spine_tangent(m, u, BATTEN_FROM_RIGHT, &point, &t[1]);
             if (status == BATTEN_OK)
-                x = turn_least(m->x[m->runs[k - 1].last], t[0], t[1]);
+                x = bat_turn_least(m->x[m->runs[k - 1].last], t[0], t[1]);
         }
         if (status == BATTEN_OK)
             status = frame_run(m, &m->runs[k], x);
@@ -283,108 +258,13 @@ static batten_status frame_runs(building *b)
     return status;
 }
 
-/* ---- closing, and corners ---- */
-
-/* Do the ends meet; and the tangents there. */
-static batten_status look_at_seam(const bat_spine_motion *m, bool *closed,
-                                  batten_vec3 tangent[2])
-{
-    const batten_interval domain = batten_curve_domain(m->spine);
-    batten_vec3 point[2];
-    batten_status status =
-        bat_spine_tangent(m, domain.b, BATTEN_FROM_LEFT, &point[0], &tangent[0]);
-    if (status == BATTEN_OK)
-        status = bat_spine_tangent(m, domain.a, BATTEN_FROM_RIGHT, &point[1], &tangent[1]);
-    if (status == BATTEN_OK)
-        *closed = bat_vec3_norm(bat_vec3_subtract(point[0], point[1])) <= 1e-9 * m->base.size;
-    return status;
-}
-
-static batten_status close_round(building *b)
-{
-    bat_spine_motion *m = b->m;
-    batten_vec3 tangent[2];
-    bool closed = false;
-    if (m->kind != BATTEN_FRAME_CLOSING || m->has_up || m->guide)
-        return BATTEN_OK;
-    batten_status status = look_at_seam(m, &closed, tangent);
-    if (status == BATTEN_OK && !closed)
-        status = bat_fail(BATTEN_NOT_COMPATIBLE,
-                          "closing frames need a closed spine, and its ends do not meet");
-    if (status != BATTEN_OK)
-        return status;
-    const batten_vec3 last = turn_least(m->x[m->node_count - 1], tangent[0], tangent[1]);
-    m->turn = -angle_about(tangent[1], m->x[0], last);
-    b->report->turn = -m->turn;
-    return BATTEN_OK;
-}
-
-/* How far X and Y of a pose must lean along t to lie in the plane with normal n. */
-static batten_status lean_of(const bat_spine_motion *m, double u, batten_side side,
-                             batten_vec3 t, batten_vec3 n, double shear[2])
-{
-    bat_pose pose;
-    const batten_status status = bat_spine_pose(&m->base, u, side, &pose);
-    for (int i = 0; status == BATTEN_OK && i < 2; i++)
-        shear[i] = -bat_vec3_dot(bat_vec3_of(3, pose.d[0][i]), n) / bat_vec3_dot(t, n);
-    return status;
-}
-
-/* The mitre between the end of one run and the start of another. */
-static batten_status mitre(bat_spine_motion *m, bat_spine_run *before, bat_spine_run *after,
-                           double u[2])
-{
-    batten_vec3 point, t[2];
-    batten_status status = bat_spine_tangent(m, u[0], BATTEN_FROM_LEFT, &point, &t[0]);
-    if (status == BATTEN_OK)
-        status = bat_spine_tangent(m, u[1], BATTEN_FROM_RIGHT, &point, &t[1]);
-    if (status != BATTEN_OK)
-        return status;
-    const batten_vec3 n = bat_vec3_add(t[0], t[1]);
-    double ends[2][2];
-    status = lean_of(m, u[0], BATTEN_FROM_LEFT, t[0], n, ends[0]);
-    if (status == BATTEN_OK)
-        status = lean_of(m, u[1], BATTEN_FROM_RIGHT, t[1], n, ends[1]);
-    if (status == BATTEN_OK) {
-        memcpy(before->shear[1], ends[0], sizeof ends[0]);
-        memcpy(after->shear[0], ends[1], sizeof ends[1]);
-    }
-    return status;
-}
-
-static batten_status mitre_all(building *b)
-{
-    bat_spine_motion *m = b->m;
-    batten_status status = BATTEN_OK;
-    if (b->options->corners != BATTEN_CORNER_MITRE ||
-        (m->kind == BATTEN_FRAME_FIXED && !m->has_up && !m->guide))
-        return BATTEN_OK;
-    for (int k = 1; k < m->run_count && status == BATTEN_OK; k++) {
-        const double u = m->u[m->runs[k].first];
-        status = mitre(m, &m->runs[k - 1], &m->runs[k], (double[2]){u, u});
-    }
-    batten_vec3 tangent[2];
-    bool closed = false;
-    if (status == BATTEN_OK)
-        status = look_at_seam(m, &closed, tangent);
-    if (status != BATTEN_OK || !closed)
-        return status;
-    const double sine = bat_vec3_norm(bat_vec3_cross(tangent[0], tangent[1]));
-    if (sine <= 1e-9)
-        return BATTEN_OK;
-    const batten_interval domain = batten_curve_domain(m->spine);
-    return mitre(m, &m->runs[m->run_count - 1], &m->runs[0], (double[2]){domain.b, domain.a});
-}
-
 /* ---- breaks ---- */
 
 /* Where a share of the way ends. */
-static double place_of_share(const bat_spine_motion *m, double share)
+static batten_status place_of_share(const bat_spine_motion *m, double share, double *u)
 {
-    double length = share * m->total, u = 0;
-    if (batten_curve_at_length(m->spine, 1, &length, 1e-13 * m->total, &u) != BATTEN_OK)
-        return NAN;
-    return u;
+    const double length = share * m->total;
+    return batten_curve_at_length(m->spine, 1, &length, 1e-13 * m->total, u);
 }
 
 static int count_law_knots(const bat_spine_motion *m)
@@ -425,12 +305,11 @@ static batten_status add_law_breaks(building *b)
         batten_curve_spans(m->laws[i], knots);
         batten_status status = BATTEN_OK;
         for (int k = 1; k + 1 < count && status == BATTEN_OK; k++) {
-            const double at =
-                place_of_share(m, (knots[k] - knots[0]) / (knots[count - 1] - knots[0]));
-            if (isfinite(at))
+            double at;
+            status =
+                place_of_share(m, (knots[k] - knots[0]) / (knots[count - 1] - knots[0]), &at);
+            if (status == BATTEN_OK)
                 add_break(&m->base, at, near);
-            else
-                status = BATTEN_OUT_OF_MEMORY;
         }
         bat_release(knots);
         if (status != BATTEN_OK)
@@ -566,9 +445,11 @@ static batten_status build(building *b)
     if (status == BATTEN_OK)
         status = check_turns(m);
     if (status == BATTEN_OK)
-        status = close_round(b);
+        status = bat_spine_close(m);
     if (status == BATTEN_OK)
-        status = mitre_all(b);
+        b->report->turn = -m->turn;
+    if (status == BATTEN_OK && b->options->corners == BATTEN_CORNER_MITRE)
+        status = bat_spine_mitre(m);
     if (status == BATTEN_OK)
         status = add_law_breaks(b);
     if (status == BATTEN_OK)

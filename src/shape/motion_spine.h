@@ -52,4 +52,17 @@ batten_status bat_spine_scale(const bat_spine_motion *m, const bat_jet *share, b
 void bat_spine_lean(const bat_spine_motion *m, const bat_spine_run *r, double length,
                     bat_bare_frame *f);
 
+/* ---- motion_spine_corners.c ---- */
+
+/* What is left of v across the unit vector t, of length one; 0 when nothing is. */
+batten_vec3 bat_unit_across(batten_vec3 v, batten_vec3 t);
+/* The axis x turned with the least turn that brings the tangent a to b. */
+batten_vec3 bat_turn_least(batten_vec3 x, batten_vec3 a, batten_vec3 b);
+/* The angle about t from x to y. */
+double bat_angle_about(batten_vec3 t, batten_vec3 x, batten_vec3 y);
+/* Find `turn` of closing frames; NOT_COMPATIBLE for an open spine. */
+batten_status bat_spine_close(bat_spine_motion *m);
+/* Find how sections lean at corners, and at a seam that is one. */
+batten_status bat_spine_mitre(bat_spine_motion *m);
+
 #endif

@@ -10,11 +10,15 @@ static const char common[] =
     "  wall: {line: [[1, 0, 0], [2, 0, 3]]}\n  across: {line: [[-1, 0, 0], [2, 0, 3]]}\n"
     "  tilted: {line: [[1, 1, 0], [2, 0, 3]]}\n"
     "  q: {points: [[0, 0, 0], [1, 2, 0], [3, 2, 1]]}\n  bend: {interpolate: q}\n"
-    "  both: {collect: [wall, tilted]}\n";
+    "  both: {collect: [wall, tilted]}\n"
+    "  r: {points: [[0, 0, 0], [4, 1, 0], [8, 0, 1]]}\n  far: {interpolate: r}\n"
+    "  above: {move: far, by: [0, 0, 2]}\n"
+    "  corner: {polyline: [[0, 0, 0], [4, 0, 0], [4, 4, 1]]}\n"
+    "  bow: {arc: 1, angle: 90 deg}\n";
 
 static batten_status evaluate(const char *feature, batten_design **out)
 {
-    char text[3000];
+    char text[4000];
     snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
     batten_design *design = NULL;
     batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
@@ -42,6 +46,25 @@ TEST(features_of_sweeps_make_surfaces)
         {"{cone-to: oval, apex: [0, 0, 2]}", 1},
         {"{ruled: [wall, bend], match: length}", 1},
         {"{ruled: [wall, bend]}", 1},
+        {"{sweep: ring, spine: far, scale: 0.2, within: 1 mm}", 1},
+        {"{sweep: ring, spine: far, scale: [0.2, 0.1], scale-y: [0.1, 0.2, 0.1], "
+         "twist: [0, 1 rad], x-axis: y, within: 1 mm}",
+         1},
+        {"{sweep: ring, spine: far, up: z, scale: 0.2, within: 1 mm, degree: 5}", 1},
+        {"{sweep: ring, spine: far, guide: above, scale: 0.2, within: 1 mm}", 1},
+        {"{sweep: [ring, oval, ring], spine: far, scale: 0.2, at: [0, 0.3, 1], within: 1 mm}",
+         1},
+        {"{sweep: ring, spine: corner, corners: mitre, scale: 0.2, within: 1 mm}", 1},
+        {"{sweep: ring, spine: corner, corners: split, scale: 0.2, within: 1 mm}", 2},
+        {"{sweep: oval, spine: ring, folds: yes, within: 1 mm}", 1},
+        {"{pipe: far, radius: 30 cm, within: 1 mm}", 1},
+        {"{pipe: ring, radius: 30 cm, within: 1 mm}", 1},
+        {"{pipe: corner, radius: 30 cm, corners: split, within: 1 mm}", 2},
+        {"{helical: wall, pitch: -2, turns: 2, within: 1 mm}", 1},
+        {"{two-rails: [far, above], section: bow, within: 1 mm}", 1},
+        {"{two-rails: [far, above], section: bow, within: 1 mm, match: length, height: fixed}",
+         1},
+        {"{two-rails: [far, above], section: bow, within: 1 mm, match: planes, across: x}", 1},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;
@@ -65,6 +88,20 @@ TEST(features_of_sweeps_say_what_they_cannot_do)
         {"{tabulate: wall, to: 1, direction: origin}", "'direction' is 0"},
         {"{ruled: [wall, bend, ring], match: length}", "between 2 curves, not 3"},
         {"{skin: [ring, oval], spine: both}", "'spine' is one curve, not 2"},
+        {"{sweep: ring, spine: far, scale: [1, -1]}", "it must stay above 0"},
+        {"{sweep: [ring, oval], spine: far, at: [0, 0.5, 1]}", "'at' has 3 values for 2"},
+        {"{sweep: [ring, oval], spine: far, at: [0, 0.5]}", "not from 0 to 1"},
+        {"{sweep: ring, spine: corner}", "the spine has a corner of"},
+        {"{sweep: oval, spine: ring}", "the sections run into each other from"},
+        {"{sweep: ring, spine: far, scale-y: 1}", "and none in x"},
+        {"{sweep: ring, spine: far, up: z, guide: above}", "both upward and at a guide"},
+        {"{pipe: ring, radius: 2}", "the sections run into each other from"},
+        {"{pipe: far, radius: 0}", "radius"},
+        {"{helical: wall, pitch: 1, turns: 0}", "the angle is 0"},
+        {"{helical: wall, pitch: 1, axis: origin}", "'axis' is 0"},
+        {"{two-rails: [far, above, wall], section: bow}", "2 rails are needed, not 3"},
+        {"{two-rails: [far, far], section: bow}", "the rails cross or meet"},
+        {"{two-rails: [far, above], section: ring}", "begins and ends in the same place"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;

@@ -486,3 +486,58 @@ TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
     batten_curve_unref(spine);
     batten_curve_unref(section);
 }
+
+TEST(S5_a_sweep_that_would_be_too_large_is_refused_before_the_work)
+{
+    enum { POINTS = 20000 };
+    double *points = test_array(3 * POINTS, sizeof *points);
+    for (int i = 0; i < POINTS; i++) {
+        points[3 * i] = cos(2 * PI * i / POINTS);
+        points[3 * i + 1] = sin(2 * PI * i / POINTS);
+    }
+    batten_curve *section = NULL, *spine = circle(3);
+    batten_surface *none = NULL;
+    batten_sweep_options options = batten_sweep_defaults();
+    options.tolerance = 1e-7;
+    CHECK_OK(batten_curve_polyline(3, POINTS, points, &section));
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("sections of 20000 control points make a surface of");
+    CHECK_STATUS(batten_surface_translational(section, section, &none), BATTEN_TOO_LARGE);
+    CHECK(none == NULL);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(N2_a_sweep_of_huge_or_tiny_size_is_the_scaled_one)
+{
+    static const double sizes[] = {1e80, 1e-80};
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points);
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface *plain = NULL;
+    options.tolerance = 1e-4;
+    CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
+    for (int k = 0; k < COUNT(sizes); k++) {
+        const batten_affine map = batten_affine_scaling(sizes[k], sizes[k], sizes[k]);
+        batten_curve *big = NULL, *way = NULL;
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_curve_transform(section, &map, &big));
+        CHECK_OK(batten_curve_transform(spine, &map, &way));
+        options.tolerance = 1e-4 * sizes[k];
+        CHECK_OK(batten_surface_sweep(1, (curves)&big, way, &options, NULL, NULL, &surface));
+        const batten_interval v = batten_curve_domain(spine);
+        for (int i = 0; i <= 10; i++) {
+            double p[3], q[3];
+            CHECK_OK(batten_surface_evaluate(plain, 0.3, v.a + (v.b - v.a) * i / 10, 0, p));
+            CHECK_OK(batten_surface_evaluate(surface, 0.3, v.a + (v.b - v.a) * i / 10, 0, q));
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(q[c] / sizes[k], p[c], 1e-9);
+        }
+        batten_surface_unref(surface);
+        batten_curve_unref(way);
+        batten_curve_unref(big);
+    }
+    batten_surface_unref(plain);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
