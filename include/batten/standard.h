@@ -85,6 +85,19 @@ BATTEN_API batten_status batten_surface_cone(const batten_frame *frame, double r
                                              double height, batten_surface **out);
 BATTEN_API batten_status batten_surface_sphere(const batten_frame *frame, double radius,
                                                batten_surface **out);
+/** x^2 / a^2 + y^2 / b^2 + z^2 / c^2 = 1 in the frame; its poles are on the z-axis. */
+BATTEN_API batten_status batten_surface_ellipsoid(const batten_frame *frame, double a, double b,
+                                                  double c, batten_surface **out);
+/** z = height (x^2 / a^2 + y^2 / b^2), from the pole at the origin up to the rim with half axes
+ * a and b. */
+BATTEN_API batten_status batten_surface_paraboloid(const batten_frame *frame, double a,
+                                                   double b, double height,
+                                                   batten_surface **out);
+/** The hyperboloid of one sheet x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1 from z = low to z = high;
+ * v runs along one family of its straight lines. */
+BATTEN_API batten_status batten_surface_hyperboloid(const batten_frame *frame, double a,
+                                                    double b, double c, double low, double high,
+                                                    batten_surface **out);
 /** `major` > `minor` > 0. */
 BATTEN_API batten_status batten_surface_torus(const batten_frame *frame, double major,
                                               double minor, batten_surface **out);
