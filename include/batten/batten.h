@@ -58,6 +58,7 @@
 #include <batten/tension.h>
 #include <batten/text.h>
 #include <batten/thin.h>
+#include <batten/triangle_patch.h>
 #include <batten/triangles.h>
 #include <batten/trim.h>
 #include <batten/units.h>
