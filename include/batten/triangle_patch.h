@@ -50,9 +50,9 @@ typedef enum batten_triangle_method {
  *
  * Cost: 3 to 6 points of curves each, and some thousand multiplications, for a point with
  * derivatives up to order 3.
- * Source: [BarnhillBirkhoffGordon73], [Nielson79], [CharrotGregory80]. The mean of the sums, and
- * the linear k and h, are ours: so that no order of the sides is preferred, and ribbons of any
- * surface fit.
+ * Source: [BarnhillBirkhoffGordon73], [Nielson79], [CharrotGregory80]. The mean of the sums,
+ * and the linear k and h, are ours: so that no order of the sides is preferred, and ribbons of
+ * any surface fit.
  */
 BATTEN_API batten_status batten_triangle_patch(const batten_ribbon ribbons[3],
                                                batten_triangle_method method, double tolerance,

@@ -127,6 +127,11 @@ BATTEN_API batten_status batten_triangles_halve(const batten_triangles *triangle
 /** Some of the triangles. @param which [count] */
 BATTEN_API batten_status batten_triangles_select(const batten_triangles *triangles, int count,
                                                  const int *which, batten_triangles **out);
+/** The triangles of two sets of one dimension, first those of the first, all of the higher
+ * degree; rational when one is. Over no domain. NOT_COMPATIBLE when the dimensions differ. */
+BATTEN_API batten_status batten_triangles_together(const batten_triangles *first,
+                                                   const batten_triangles *second,
+                                                   batten_triangles **out);
 /** The graph (x, y, f) of a polynomial set of dimension 1 over a domain; it keeps the domain.
  * BAD_ARGUMENT for others. */
 BATTEN_API batten_status batten_triangles_graph(const batten_triangles *triangles,

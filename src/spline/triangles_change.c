@@ -118,9 +118,8 @@ void bat_triangle_sub(int degree, size_t width, const double *net, double corner
 }
 
 /* Fill triangle `place` of `made` with the part of a triangle that has these corners. */
-static void set_part(const batten_triangles *triangles, int triangle,
-                     double corners[3][3], double *work, batten_triangles *made,
-                     int place)
+static void set_part(const batten_triangles *triangles, int triangle, double corners[3][3],
+                     double *work, batten_triangles *made, int place)
 {
     const size_t size = triangles->net_count * triangles->width;
     bat_triangle_sub(triangles->degree, triangles->width, bat_triangle_net(triangles, triangle),
@@ -305,6 +304,47 @@ batten_status batten_triangles_select(const batten_triangles *triangles, int cou
             made->corners[3 * i + e] = triangles->corners[3 * which[i] + e];
     }
     return bat_triangles_finish(made, out);
+}
+
+/* Points and weights of one set as the triangles from `at` on of another. */
+static void copy_nets(const batten_triangles *from, batten_triangles *to, int at)
+{
+    const size_t total = (size_t)from->count * from->net_count;
+    const size_t first = (size_t)at * from->net_count, d = (size_t)from->dimension;
+    memcpy(to->points + first * d, from->points, total * d * sizeof *to->points);
+    for (size_t i = 0; to->weights && i < total; i++)
+        to->weights[first + i] = from->weights ? from->weights[i] : 1;
+}
+
+batten_status batten_triangles_together(const batten_triangles *first,
+                                        const batten_triangles *second, batten_triangles **out)
+{
+    assert(first && second && out);
+    const int degree = bat_max_int(first->degree, second->degree);
+    const long long count = (long long)first->count + second->count;
+    if (first->dimension != second->dimension)
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "triangles of dimensions %d and %d",
+                        first->dimension, second->dimension);
+    if (count * BATTEN_TRIANGLE_POINTS(degree) > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "%lld triangles of degree %d have more than %d control points", count,
+                        degree, BAT_MAX_POINTS);
+    const bat_triangles_shape shape = {first->dimension, degree, (int)count,
+                                       first->weights || second->weights, 0};
+    batten_triangles *a = NULL, *b = NULL, *made = NULL;
+    batten_status status = batten_triangles_elevate(first, degree - first->degree, &a);
+    if (status == BATTEN_OK)
+        status = batten_triangles_elevate(second, degree - second->degree, &b);
+    if (status == BATTEN_OK)
+        status = bat_triangles_make(&shape, &made);
+    if (status == BATTEN_OK) {
+        copy_nets(a, made, 0);
+        copy_nets(b, made, first->count);
+        status = bat_triangles_finish(made, out);
+    }
+    batten_triangles_unref(a);
+    batten_triangles_unref(b);
+    return status;
 }
 
 batten_status batten_triangles_graph(const batten_triangles *triangles, batten_triangles **out)

@@ -8,11 +8,13 @@ static const char common[] =
     "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
     "  two: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1], [0, 1, 0], [1, 0, 0]]}\n"
     "  sail: {bezier-triangle: net}\n"
+    "  high: {points: [[2, 2, -1], [2, 1, 0], [1, 2, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
+    "  jib: {bezier-triangle: high}\n"
     "  l1: {line: [[0, 0], [1, 0]]}\n  s: {extrude: l1, along: z}\n";
 
 static batten_status evaluate(const char *feature, batten_design **out)
 {
-    char text[2000];
+    char text[3000];
     batten_design *design = NULL;
     snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
     batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
@@ -46,6 +48,7 @@ TEST(triangles_flow_through_designs)
         {"{move: sail, by: [3, 0, 0]}", 1, 2, 3},
         {"{rotate: sail, by: 180 deg}", 1, 2, -2},
         {"{scale: sail, by: 2}", 1, 2, 0},
+        {"{join-triangles: [sail, jib]}", 2, 3, 0},
         {"{mirror: sail, plane: x}", 1, 2, -2},
         {"{collect: [sail]}", 1, 2, 0},
         {"{select: sail, names: [sail]}", 1, 2, 0},
@@ -87,6 +90,7 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
          "weight 2 of triangle 0 is -3"},
         {"{bezier-triangle: s}", "points are needed"},
         {"{bezier-triangle: net, halve: 12}", "more than"},
+        {"{join-triangles: sail}", "0 edges are shared"},
         {"{triangles-of: sail}", "surfaces are needed"},
         {"{patches-of: s}", "triangles are needed"},
     };
@@ -109,7 +113,7 @@ TEST(outputs_show_write_and_check_triangles)
                                   "  a.igs: {write: sail}\n"
                                   "  a.txt: {check: fine}\n"
                                   "  a.json: {check: fine}\n";
-    char text[2000];
+    char text[3000];
     batten_design *design = NULL;
     snprintf(text, sizeof text, "%s  fine: {bezier-triangle: net, halve: 1}\n%s", common,
              outputs);

@@ -149,3 +149,29 @@ TEST(S5_halving_beyond_the_limit_is_refused)
     CHECK(!whole);
     batten_triangles_unref(finer);
 }
+
+TEST(two_sets_become_one_of_the_higher_degree)
+{
+    test_random random = test_random_begin(__func__);
+    batten_triangles *first = NULL, *second = NULL, *all = NULL, *plane = NULL;
+    const double at[3] = {0.2, 0.3, 0.5};
+    double a[3], b[3];
+    CHECK_OK(random_triangles(&random, 3, 4, 2, false, NULL, &first));
+    CHECK_OK(random_triangles(&random, 3, 2, 1, true, NULL, &second));
+    CHECK_OK(batten_triangles_together(first, second, &all));
+    CHECK(batten_triangles_count(all) == 3 && batten_triangles_degree(all) == 4);
+    CHECK_OK(batten_triangles_evaluate(first, 1, at, 0, a));
+    CHECK_OK(batten_triangles_evaluate(all, 1, at, 0, b));
+    check_near(a, b, 3, 1e-15);
+    CHECK_OK(batten_triangles_evaluate(second, 0, at, 0, a));
+    CHECK_OK(batten_triangles_evaluate(all, 2, at, 0, b));
+    check_near(a, b, 3, 1e-15);
+    batten_triangles *none = NULL;
+    CHECK_OK(random_triangles(&random, 2, 2, 1, true, NULL, &plane));
+    CHECK_STATUS(batten_triangles_together(first, plane, &none), BATTEN_NOT_COMPATIBLE);
+    CHECK(!none);
+    batten_triangles_unref(first);
+    batten_triangles_unref(second);
+    batten_triangles_unref(all);
+    batten_triangles_unref(plane);
+}
