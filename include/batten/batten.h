@@ -33,6 +33,7 @@
 #include <batten/gcode.h>
 #include <batten/geometry.h>
 #include <batten/grid_fit.h>
+#include <batten/gordon.h>
 #include <batten/implicit.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>

@@ -224,7 +224,7 @@ static batten_status attempt(bat_fitting *f, int averaged, bat_comb *c, bat_comb
 {
     bool reached = false;
     c->inner = 0;
-    if (!bat_comb_corners(f, c))
+    if (!bat_comb_hold(f, c) || !bat_comb_corners(f, c))
         return BATTEN_OK;
     bat_comb_average(f, averaged, c);
     if (f->symmetric)
@@ -300,6 +300,8 @@ static int union_limit(const bat_fitting *f)
     double total = 0;
     for (int k = 0; k < f->count; k++)
         total += f->given[k].count - f->degree - 1;
+    if (f->request->held_count > 0 || f->request->seam)
+        total += f->request->held_count + 8;
     return (int)bat_min(total, 20000);
 }
 
@@ -312,7 +314,7 @@ static batten_status prefer_exact(const bat_fitting *f, const batten_curve *cons
     for (int k = 0; k < f->count; k++)
         most = bat_max_int(most, f->given[k].count - f->degree - 1);
     *prefer = false;
-    if (best->inner < most)
+    if (best->inner < most || f->request->held_count > 0 || f->request->seam)
         return BATTEN_OK;
     batten_curve **unified = bat_array((size_t)f->count, sizeof *unified);
     if (!unified)
@@ -354,8 +356,19 @@ static batten_status find(bat_fitting *f, const batten_curve *const *sections, b
 batten_status bat_common_knots(int count, const batten_curve *const *sections, double tolerance,
                                bat_work *work, batten_curve **out, double *deviation)
 {
-    bat_fitting f = {
-        .count = count, .tolerance = tolerance, .deviation = deviation, .work = work};
+    const bat_common_request request = {.tolerance = tolerance};
+    return bat_common_knots_held(count, sections, &request, work, out, deviation);
+}
+
+batten_status bat_common_knots_held(int count, const batten_curve *const *sections,
+                                    const bat_common_request *request, bat_work *work,
+                                    batten_curve **out, double *deviation)
+{
+    bat_fitting f = {.count = count,
+                     .tolerance = request->tolerance,
+                     .request = request,
+                     .deviation = deviation,
+                     .work = work};
     f.given = bat_array((size_t)count, sizeof *f.given);
     f.fitted = bat_array((size_t)count, sizeof *f.fitted);
     bool met = false;

@@ -13,4 +13,18 @@
 batten_status bat_common_knots(int count, const batten_curve *const *curves, double tolerance,
                                bat_work *work, batten_curve **out, double *deviation);
 
+/* What more common knots can be asked for. */
+typedef struct {
+    double tolerance; /* how far a curve may move, > 0 */
+    int held_count;
+    const double *held; /* [held_count] knots inside (0, 1), rising, that all shall have */
+    bool seam; /* the curves close smoothly: so shall the results, with two derivatives */
+} bat_common_request;
+
+/* The same. With held knots or a seam the exact union, which has neither, is taken only when
+ * the tolerance cannot be met with fewer knots. */
+batten_status bat_common_knots_held(int count, const batten_curve *const *curves,
+                                    const bat_common_request *request, bat_work *work,
+                                    batten_curve **out, double *deviation);
+
 #endif

@@ -45,12 +45,24 @@ void bat_comb_copy(const bat_comb *from, bat_comb *to)
     memcpy(to->held, from->held, (size_t)from->inner * sizeof *to->held);
 }
 
-static bool comb_has(const bat_comb *c, double u)
+/* How often a knot stands there, and its value to the bit. */
+static int comb_times(const bat_comb *c, double *u)
+{
+    int times = 0;
+    for (int i = 0; i < c->inner; i++)
+        if (fabs(c->knots[i] - *u) <= 16 * DBL_EPSILON) {
+            *u = c->knots[i];
+            times++;
+        }
+    return times;
+}
+
+static bool comb_is_free(const bat_comb *c, double u, double around)
 {
     for (int i = 0; i < c->inner; i++)
-        if (fabs(c->knots[i] - u) <= 16 * DBL_EPSILON)
-            return true;
-    return false;
+        if (fabs(c->knots[i] - u) <= around)
+            return false;
+    return true;
 }
 
 /* The whole knot vector [inner + 2 p + 2]. */
@@ -78,6 +90,20 @@ static bool is_corner(const bat_fitting *f, const bat_spline *s, int i)
     return bat_norm((int)f->width, jump) * bat_min(before, after) / 32 > f->tolerance / 4;
 }
 
+/* The two conditions at a seam take control points that are not held themselves. */
+bool bat_comb_hold(const bat_fitting *f, bat_comb *c)
+{
+    enum { FOR_SEAM = 3 };
+    if (f->request->held_count + FOR_SEAM > f->limit)
+        return f->request->held_count == 0 && !f->request->seam;
+    for (int i = 0; i < f->request->held_count; i++)
+        bat_comb_insert(c, f->request->held[i], true);
+    for (int i = 1; f->request->seam && i <= FOR_SEAM && c->inner < FOR_SEAM; i++)
+        if (comb_is_free(c, i / 4.0, 0.05))
+            bat_comb_insert(c, i / 4.0, true);
+    return true;
+}
+
 /* Knots i .. i + p - 1 of each section that are one corner; false when they are too many. */
 bool bat_comb_corners(const bat_fitting *f, bat_comb *c)
 {
@@ -85,13 +111,14 @@ bool bat_comb_corners(const bat_fitting *f, bat_comb *c)
     for (int k = 0; k < f->count; k++) {
         const bat_spline *s = &f->given[k];
         for (int i = p + 1; i + p <= s->count; i++) {
-            if (s->knots[i] == s->knots[i - 1] || s->knots[i] != s->knots[i + p - 1] ||
-                comb_has(c, s->knots[i]) || !is_corner(f, s, i))
+            double u = s->knots[i];
+            if (u == s->knots[i - 1] || u != s->knots[i + p - 1] || comb_times(c, &u) >= p ||
+                !is_corner(f, s, i))
                 continue;
             if (c->inner + p > f->limit)
                 return false;
-            for (int times = 0; times < p; times++)
-                bat_comb_insert(c, s->knots[i], true);
+            for (int times = comb_times(c, &u); times < p; times++)
+                bat_comb_insert(c, u, true);
         }
     }
     return true;
@@ -115,7 +142,8 @@ void bat_comb_average(const bat_fitting *f, int wanted, bat_comb *c)
         for (int k = 0; k < f->count; k++)
             sum += quantile(&f->given[k], (double)j / (wanted + 1));
         const double u = sum / f->count;
-        if (u > 0 && u < 1 && !comb_has(c, u))
+        /* Beside a held knot there is no need, and a sliver would be left. */
+        if (u > 0 && u < 1 && comb_is_free(c, u, 0.05 / (wanted + 1)))
             bat_comb_insert(c, u, false);
     }
 }

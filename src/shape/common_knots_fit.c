@@ -1,5 +1,6 @@
 /* One curve fitted upon a comb, and how far it moved. */
 #include "numeric/banded.h"
+#include "numeric/dense.h"
 #include "shape/common_knots_parts.h"
 
 #include <string.h>
@@ -64,6 +65,74 @@ static void add_samples(normal *e)
     }
 }
 
+/* The first two derivatives at the seam, as rows upon the inner control points, and what they
+ * shall be: [2][n - 2] and [2][width]. */
+static void seam_rows(const bat_spline *fit, const double *first, const double *last,
+                      double *rows, double *wanted)
+{
+    const int n = fit->count, p = fit->degree;
+    const size_t w = fit->width, inner = (size_t)(n - 2);
+    const double *U = fit->knots;
+    const double a = U[p + 1], a2 = U[p + 2], b = 1 - U[n - 1], b2 = 1 - U[n - 2];
+    double *second = rows + inner;
+    rows[0] += 1 / a;
+    rows[inner - 1] += 1 / b;
+    second[1] += 1 / (a2 * a);
+    second[0] -= (1 / a2 + 1 / a) / a;
+    second[inner - 2] -= 1 / (b2 * b);
+    second[inner - 1] += (1 / b2 + 1 / b) / b;
+    for (size_t c = 0; c < w; c++) {
+        wanted[c] = first[c] / a + last[c] / b;
+        wanted[w + c] = last[c] / (b * b) - first[c] / (a * a);
+    }
+}
+
+/* What the inner control points x [n - 2] lack of the conditions, and how much they gain by
+ * moving along the responses z [n - 2][2]. */
+static void seam_gauge(const bat_spline *fit, const double *rows, const double *z,
+                       double gauge[4], double *lack)
+{
+    const size_t w = fit->width, m = (size_t)(fit->count - 2);
+    const double *x = fit->values + w;
+    for (size_t i = 0; i < m; i++)
+        for (size_t r = 0; r < 2; r++) {
+            gauge[2 * r] += rows[r * m + i] * z[2 * i];
+            gauge[2 * r + 1] += rows[r * m + i] * z[2 * i + 1];
+            for (size_t c = 0; c < w; c++)
+                lack[r * w + c] -= rows[r * m + i] * x[i * w + c];
+        }
+}
+
+/* Move the inner control points by what, in the measure of the least squares, is least, so that
+ * the ends go on smoothly in each other. */
+static batten_status close_seam(const bat_fitting *f, const double *gram, bat_spline *fit,
+                                const double *first, const double *last)
+{
+    const size_t w = f->width, m = (size_t)(fit->count - 2);
+    double *rows = bat_array3(2, m, sizeof *rows), *z = bat_array3(m, 2, sizeof *z);
+    double lack[2 * 4] = {0}, gauge[4] = {0}, *x = fit->values + w;
+    int pivots[2];
+    batten_status status = rows && z ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        seam_rows(fit, first, last, rows, lack);
+        for (size_t i = 0; i < m; i++)
+            for (size_t r = 0; r < 2; r++)
+                z[2 * i + r] = rows[r * m + i];
+        bat_symmetric_solve(fit->count - 2, fit->degree, gram, 2, z);
+        seam_gauge(fit, rows, z, gauge, lack);
+        status = bat_dense_factor(2, gauge, pivots);
+    }
+    if (status == BATTEN_OK) {
+        bat_dense_solve(2, gauge, pivots, w, lack);
+        for (size_t i = 0; i < m; i++)
+            for (size_t c = 0; c < w; c++)
+                x[i * w + c] += z[2 * i] * lack[c] + z[2 * i + 1] * lack[w + c];
+    }
+    bat_release(z);
+    bat_release(rows);
+    return status;
+}
+
 batten_status bat_common_fit(const bat_fitting *f, int k, const bat_comb *c, bat_spline *out)
 {
     const int p = f->degree, n = c->inner + p + 1;
@@ -82,6 +151,9 @@ batten_status bat_common_fit(const bat_fitting *f, int k, const bat_comb *c, bat
         status = bat_symmetric_factor(n - 2, p, gram);
         if (status == BATTEN_OK)
             bat_symmetric_solve(n - 2, p, gram, f->width, fit.values + f->width);
+        if (status == BATTEN_OK && f->request->seam)
+            status = close_seam(f, gram, &fit, given->values,
+                                given->values + (size_t)(given->count - 1) * f->width);
     }
     bat_release(gram);
     if (status != BATTEN_OK) {

@@ -18,6 +18,7 @@ typedef struct {
     bool rational;
     bool symmetric; /* each curve about its middle: so are its knots then */
     double tolerance;
+    const bat_common_request *request;
     bat_spline *given;  /* [count] homogeneous rows over [0, 1] */
     bat_spline *fitted; /* [count] upon the comb */
     double *deviation;  /* [count] */
@@ -35,6 +36,8 @@ void bat_comb_remove(bat_comb *c, int at);
 void bat_comb_copy(const bat_comb *from, bat_comb *to);
 /* The whole knot vector [inner + 2 p + 2]. */
 void bat_comb_write(const bat_comb *c, int p, double *U);
+/* What was asked for, and what a seam needs; false when it is too much. */
+bool bat_comb_hold(const bat_fitting *f, bat_comb *c);
 /* The corners of all curves; false when they are too many. */
 bool bat_comb_corners(const bat_fitting *f, bat_comb *c);
 /* `wanted` knots, each the average of those at its place. */

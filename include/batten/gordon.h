@@ -1,0 +1,108 @@
+#ifndef BATTEN_GORDON_H
+#define BATTEN_GORDON_H
+/**
+ * @file
+ * The surface through a network of curves: two families that cross each other.
+ */
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The functions that are 1 at one curve of a family and 0 at all others. */
+typedef enum batten_gordon_blend {
+    BATTEN_GORDON_SPLINE,  /**< cubic splines, C2; periodic where the network closes smoothly */
+    BATTEN_GORDON_LINEAR,  /**< piecewise linear: local, with creases along the curves */
+    BATTEN_GORDON_LAGRANGE /**< polynomials: smooth, and they swing; at most 12 curves */
+} batten_gordon_blend;
+
+typedef struct batten_gordon_options {
+    size_t size;
+    double tolerance; /**< model units, > 0; must be set: the widest gap between two curves that
+                           shall meet, and how far the surface may be from a curve */
+    batten_gordon_blend blend; /**< BATTEN_GORDON_SPLINE */
+    bool cut; /**< curves that go on beyond the outermost ones they meet are cut there; true.
+                   Else they are refused */
+    const char *const *profile_names; /**< [profile_count] for messages, or NULL */
+    const char *const *guide_names;   /**< [guide_count], or NULL */
+} batten_gordon_options;
+BATTEN_API batten_gordon_options batten_gordon_defaults(void);
+
+typedef struct batten_gordon_report {
+    double gap; /**< the widest between a profile and a guide, model units */
+    int gap_profile, gap_guide;
+    double deviation; /**< the largest distance of a curve from its line on the surface, at
+                         equal parameters: at all knots and 8 places between any two, with what
+                           making it polynomial cost */
+    bool worst_is_guide;
+    int worst;         /**< the profile or guide that is missed most */
+    double node_error; /**< the largest distance of the surface from a node: the middle of the
+                          gap */
+    double spread; /**< the largest difference of a node's parameter on a curve (over [0, 1])
+                        from that of the surface; curves are reparametrised by that */
+    double cut;    /**< the longest piece cut off, as the distance of its ends */
+    int cut_count; /**< curves that were cut */
+    int reversed_count; /**< curves that are run backwards */
+    int repeated_count; /**< curves that were given twice, at the seam, and are used once */
+    int pole_count;     /**< points in which one family ends */
+    bool closed_u, closed_v; /**< the profiles close; the guides close */
+    bool smooth_u, smooth_v; /**< and do so smoothly */
+    bool exact_u, exact_v;   /**< profiles, guides are met exactly, with all their knots */
+    int points_u, points_v;  /**< control points of the surface */
+    int exact_knots_u, exact_knots_v; /**< inner knots that all curves have together */
+} batten_gordon_report;
+
+/**
+ * Gordon's surface: u runs along the profiles, v along the guides, both over [0, 1].
+ *
+ * Where each profile meets each guide is searched for. The order of the curves and their
+ * directions are found; the first profile and the first guide in the result are the outermost
+ * ones that come first in the lists, and the first profile that is no point, and the first
+ * guide keep their direction. Curves that are not parametrised alike are reparametrised by a
+ * monotone function such that all nodes stand at common parameters, the means. Then the curves
+ * of each family get few common knots (exactly all when they are compatible and that is not
+ * many more), and the surface is the sum of the skin of the guides and that of the profiles
+ * minus the tensor surface of the nodes, which are met to rounding.
+ *
+ * Each profile must meet each guide in one place. A curve that is closed may start anywhere; a
+ * network whose profiles (guides) all close, closes; the guide at the seam may be given once or
+ * twice. A profile may be a point; where all guides end in one point and no profile is given, a
+ * pole is made there. Rational curves are made polynomial.
+ *
+ * @param profile_count, guide_count  1 or more; 2 with poles and the seam of closed ones
+ * counted
+ * @param options its tolerance must be set
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; NOT_COMPATIBLE naming two curves and the gap, or that meet twice, or whose
+ * order differs; COINCIDENT; TOO_FEW_POINTS; BAD_ARGUMENT; NOT_FINITE; UNSUPPORTED (dimension
+ * 1); TOO_LARGE with the size it would have; TOLERANCE_NOT_MET with the curve that is missed
+ *
+ * Cost: log(n) for each pair of curves with n spans to find where they meet; the common knots
+ * as batten_surface_skin; then points_u points_v (profile_count + guide_count). Source:
+ * [Gordon69], [Gordon71]; [PT97] 10.5.
+ */
+BATTEN_API batten_status batten_surface_gordon(
+    int profile_count, const batten_curve *const *profiles, int guide_count,
+    const batten_curve *const *guides, const batten_gordon_options *options,
+    const batten_job *job, batten_gordon_report *report, batten_surface **out);
+
+/**
+ * Split one list of curves into two families such that no curve meets one of its own family,
+ * but in end points that they share: poles.
+ *
+ * @param tolerance model units, > 0: curves that come so near to each other meet
+ * @param names [count] for messages, or NULL
+ * @param[out] family [count]: 0 for profiles, the family of the first curve, 1 for guides
+ * @return BATTEN_OK; TOO_FEW_POINTS; NOT_COMPATIBLE naming a curve that meets no other, with
+ * the distance of the nearest, or two that cross and would be of one family, or two parts that
+ * do not meet Cost: count^2 pairs.
+ */
+BATTEN_API batten_status batten_network_split(int count, const batten_curve *const *curves,
+                                              double tolerance, const char *const *names,
+                                              const batten_job *job, int *family);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

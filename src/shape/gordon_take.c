@@ -1,0 +1,145 @@
+/* The curves of a network as they are given become curves that can be compared. */
+#include "numeric/vector.h"
+#include "shape/gordon.h"
+#include "shape/skin.h"
+#include "spline/curve.h"
+#include <batten/within.h>
+
+#include <float.h>
+#include <stdio.h>
+
+const char *bat_net_label(const bat_net *net, int family, const bat_net_curve *curve,
+                          char label[BAT_NET_LABEL])
+{
+    const bat_net_family *f = &net->family[family];
+    if (curve->index < 0)
+        snprintf(label, BAT_NET_LABEL, "the pole of the %ss", net->family[1 - family].what);
+    else if (f->names)
+        snprintf(label, BAT_NET_LABEL, "%.100s", f->names[curve->index]);
+    else
+        snprintf(label, BAT_NET_LABEL, "%s %d", f->what, curve->index);
+    return label;
+}
+
+batten_status bat_net_scale(int count, const batten_curve *const *curves, double *scale)
+{
+    double largest = 0, extent = 0;
+    batten_box all = batten_curve_box(curves[0]);
+    for (int k = 0; k < count; k++) {
+        const int d = batten_curve_dimension(curves[k]);
+        const batten_box box = batten_curve_box(curves[k]);
+        if (d < 2)
+            return bat_fail(BATTEN_UNSUPPORTED, "curve %d of the network is a function", k);
+        const double low[3] = {box.low.x, box.low.y, box.low.z},
+                     high[3] = {box.high.x, box.high.y, box.high.z};
+        for (int c = 0; c < d; c++)
+            largest = bat_max(largest, bat_max(fabs(low[c]), fabs(high[c])));
+        all.low.x = bat_min(all.low.x, low[0]);
+        all.high.x = bat_max(all.high.x, high[0]);
+        all.low.y = bat_min(all.low.y, low[1]);
+        all.high.y = bat_max(all.high.y, high[1]);
+        all.low.z = bat_min(all.low.z, low[2]);
+        all.high.z = bat_max(all.high.z, high[2]);
+    }
+    extent = bat_max(all.high.x - all.low.x,
+                     bat_max(all.high.y - all.low.y, all.high.z - all.low.z));
+    if (!(extent > 64 * DBL_EPSILON * largest))
+        return bat_fail(BATTEN_COINCIDENT, "all curves of the network are one point");
+    *scale = ldexp(1, -ilogb(largest));
+    return BATTEN_OK;
+}
+
+/* Another curve takes the place of one. */
+static void replace(batten_curve **curve, batten_curve *by)
+{
+    batten_curve_unref(*curve);
+    *curve = by;
+}
+
+batten_status bat_net_take_curve(const batten_curve *given, double scale, double tolerance,
+                                 batten_curve **out, double *moved)
+{
+    const batten_affine map = batten_affine_scaling(scale, scale, scale);
+    batten_curve *curve = NULL, *next = NULL;
+    *moved = 0;
+    batten_status status = batten_curve_to_dimension(given, 3, &curve);
+    if (status == BATTEN_OK &&
+        (status = batten_curve_transform(curve, &map, &next)) == BATTEN_OK)
+        replace(&curve, next);
+    if (status == BATTEN_OK && batten_curve_is_rational(curve)) {
+        status = batten_curve_approximate(curve, 3, tolerance / 16, moved, &next);
+        if (status == BATTEN_OK)
+            replace(&curve, next);
+    }
+    if (status == BATTEN_OK && (status = bat_skin_even_speed(curve, &next)) == BATTEN_OK)
+        replace(&curve, next);
+    if (status == BATTEN_OK &&
+        (status = batten_curve_set_domain(curve, 0, 1, &next)) == BATTEN_OK)
+        replace(&curve, next);
+    if (status == BATTEN_OK)
+        *out = curve;
+    else
+        batten_curve_unref(curve);
+    return status;
+}
+
+/* A curve all of whose control points lie within the tolerance is a point. */
+static bool is_point(const batten_curve *curve, double tolerance)
+{
+    const double *P = batten_curve_points(curve);
+    const int n = batten_curve_point_count(curve);
+    for (int i = 1; i < n; i++)
+        if (bat_distance(3, P, P + 3 * i) > tolerance / 4)
+            return false;
+    return true;
+}
+
+static batten_status take_family(bat_net *net, int which, const batten_curve *const *given)
+{
+    bat_net_family *f = &net->family[which];
+    f->room = f->given + 3; /* two poles, or the first one twice */
+    f->curves = bat_array((size_t)f->room, sizeof *f->curves);
+    if (!f->curves)
+        return BATTEN_OUT_OF_MEMORY;
+    for (; f->count < f->given; f->count++) {
+        bat_net_curve *c = &f->curves[f->count];
+        c->index = f->count;
+        batten_status status = bat_net_take_curve(given[f->count], net->scale, net->tolerance,
+                                                  &c->curve, &c->moved);
+        if (status == BATTEN_OK)
+            status = bat_trace_make(c->curve, &c->trace);
+        if (status != BATTEN_OK) {
+            batten_curve_unref(c->curve);
+            c->curve = NULL;
+            return status;
+        }
+        c->point = is_point(c->curve, net->tolerance);
+        c->closed = !c->point && batten_curve_is_closed(c->curve, net->tolerance);
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_net_take(bat_net *net, const batten_curve *const *profiles,
+                           const batten_curve *const *guides)
+{
+    batten_status status = take_family(net, 0, profiles);
+    if (status == BATTEN_OK)
+        status = take_family(net, 1, guides);
+    return status;
+}
+
+void bat_net_free(bat_net *net)
+{
+    for (int which = 0; which < 2; which++) {
+        bat_net_family *f = &net->family[which];
+        for (int k = 0; k < f->count; k++) {
+            batten_curve_unref(f->curves[k].curve);
+            batten_curve_unref(f->curves[k].map);
+            bat_trace_free(&f->curves[k].trace);
+            bat_release(f->curves[k].at);
+        }
+        bat_release(f->curves);
+        bat_release(f->parameters);
+    }
+    bat_release(net->nodes);
+}
