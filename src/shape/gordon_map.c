@@ -214,9 +214,10 @@ static batten_status find_node(const bat_net *net, int j, int i, double *node)
 {
     const bat_net_curve *profile = bat_net_at(net, 0, j), *guide = bat_net_at(net, 1, i);
     double p[3], q[3];
-    batten_status status = batten_curve_evaluate(profile->curve, profile->at[i], 0, p);
+    batten_status status =
+        batten_curve_evaluate(profile->curve, profile->point ? 0 : profile->at[i], 0, p);
     if (status == BATTEN_OK)
-        status = batten_curve_evaluate(guide->curve, guide->at[j], 0, q);
+        status = batten_curve_evaluate(guide->curve, guide->point ? 0 : guide->at[j], 0, q);
     for (int c = 0; status == BATTEN_OK && c < 3; c++)
         node[c] = profile->point ? p[c] : guide->point ? q[c] : (p[c] + q[c]) / 2;
     return status;

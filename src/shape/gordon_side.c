@@ -351,8 +351,12 @@ static batten_status fill(task *t)
     batten_status status = side->rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int k = 0; status == BATTEN_OK && k < f->count; k++) {
         double *rows = side->rows + (size_t)k * row;
-        memcpy(rows, batten_curve_points(t->common[k]), row * sizeof *rows);
-        status = correct(t, k, rows);
+        const double *points = batten_curve_points(t->common[k]);
+        memcpy(rows, points, row * sizeof *rows);
+        if (!f->curves[k].point)
+            status = correct(t, k, rows);
+        for (int a = 1; a < side->count && f->curves[k].point; a++) /* to the bit */
+            memcpy(rows + 3 * (size_t)a, points, 3 * sizeof *rows);
     }
     return status;
 }
