@@ -26,7 +26,7 @@ static batten_status check(int profiles, int guides, const batten_gordon_options
     return BATTEN_OK;
 }
 
-static batten_status find_scale(bat_net *net, const batten_curve *const *profiles,
+static batten_status find_scale(bat_network *net, const batten_curve *const *profiles,
                                 const batten_curve *const *guides)
 {
     const int n = net->family[0].given, m = net->family[1].given;
@@ -35,7 +35,7 @@ static batten_status find_scale(bat_net *net, const batten_curve *const *profile
         return BATTEN_OUT_OF_MEMORY;
     memcpy(all, profiles, (size_t)n * sizeof *all);
     memcpy(all + n, guides, (size_t)m * sizeof *all);
-    batten_status status = bat_net_scale(n + m, all, &net->scale);
+    batten_status status = bat_network_scale(n + m, all, &net->scale);
     bat_release(all);
     net->tolerance = net->options->tolerance * net->scale;
     if (status == BATTEN_OK && net->tolerance < 0x1p-44)
@@ -45,18 +45,18 @@ static batten_status find_scale(bat_net *net, const batten_curve *const *profile
     return status;
 }
 
-static batten_status make(bat_net *net, batten_surface **out)
+static batten_status make(bat_network *net, batten_surface **out)
 {
-    bat_net_side sides[2] = {{0}, {0}};
-    batten_status status = bat_net_find_nodes(net);
+    bat_network_side sides[2] = {{0}, {0}};
+    batten_status status = bat_network_find_nodes(net);
     if (status == BATTEN_OK)
-        status = bat_net_parametrize(net);
+        status = bat_network_parametrize(net);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = bat_net_make_side(net, k, &sides[k]);
+        status = bat_network_make_side(net, k, &sides[k]);
     if (status == BATTEN_OK)
-        status = bat_net_sum(net, sides, out);
+        status = bat_network_sum(net, sides, out);
     for (int k = 0; k < 2; k++)
-        bat_net_side_free(&sides[k]);
+        bat_network_side_free(&sides[k]);
     return status;
 }
 
@@ -65,7 +65,7 @@ batten_status batten_surface_gordon(int profile_count, const batten_curve *const
                                     const batten_gordon_options *options, const batten_job *job,
                                     batten_gordon_report *report, batten_surface **out)
 {
-    bat_net net = {
+    bat_network net = {
         .family = {{.what = "profile", .names = options->profile_names, .given = profile_count},
                    {.what = "guide", .names = options->guide_names, .given = guide_count}},
         .options = options,
@@ -74,11 +74,11 @@ batten_status batten_surface_gordon(int profile_count, const batten_curve *const
     if (status == BATTEN_OK)
         status = find_scale(&net, profiles, guides);
     if (status == BATTEN_OK)
-        status = bat_net_take(&net, profiles, guides);
+        status = bat_network_take(&net, profiles, guides);
     if (status == BATTEN_OK)
         status = make(&net, out);
     if (status == BATTEN_OK && report)
         *report = net.report;
-    bat_net_free(&net);
+    bat_network_free(&net);
     return status;
 }

@@ -16,71 +16,72 @@ typedef struct {
     double *at;      /* [nodes] parameters of the nodes, rising */
     batten_curve
         *map; /* from the parameter of the surface to that of the curve; NULL: the same */
-} bat_net_curve;
+} bat_network_curve;
 
 /* 0: profiles, along u; 1: guides, along v. */
 typedef struct {
     const char *what; /* "profile", "guide" */
     const char *const *names;
     int given, count, room;
-    bat_net_curve *curves; /* [room], in order across once the nodes are known */
-    bool closed, smooth;   /* each of them; then the other family has its first curve twice */
-    double *parameters;    /* [count of the other] of the nodes along these curves */
-} bat_net_family;
+    bat_network_curve *curves; /* [room], in order across once the nodes are known */
+    bool closed, smooth; /* each of them; then the other family has its first curve twice */
+    double *parameters;  /* [count of the other] of the nodes along these curves */
+} bat_network_family;
 
 typedef struct {
-    bat_net_family family[2];
+    bat_network_family family[2];
     const batten_gordon_options *options;
     double scale;     /* a length of the caller times this is one of ours */
     double tolerance; /* ours */
     bat_work work;
     double *nodes; /* [profiles][guides][3] */
     batten_gordon_report report;
-} bat_net;
+} bat_network;
 
 /* "profile 3", or the name that was given. */
-enum { BAT_NET_LABEL = 120 };
-const char *bat_net_label(const bat_net *net, int family, const bat_net_curve *curve,
-                          char label[BAT_NET_LABEL]);
-static inline const bat_net_curve *bat_net_at(const bat_net *net, int family, int k)
+enum { BAT_NETWORK_LABEL = 120 };
+const char *bat_network_label(const bat_network *net, int family,
+                              const bat_network_curve *curve, char label[BAT_NETWORK_LABEL]);
+static inline const bat_network_curve *bat_network_at(const bat_network *net, int family, int k)
 {
     return &net->family[family].curves[k];
 }
 
 /* Take the curves of both families: in space, polynomial, of one scale (gordon_take.c). */
-batten_status bat_net_take(bat_net *net, const batten_curve *const *profiles,
-                           const batten_curve *const *guides);
+batten_status bat_network_take(bat_network *net, const batten_curve *const *profiles,
+                               const batten_curve *const *guides);
 /* One of them; *moved is how far it is from the given one. */
-batten_status bat_net_take_curve(const batten_curve *given, double scale, double tolerance,
-                                 batten_curve **out, double *moved);
+batten_status bat_network_take_curve(const batten_curve *given, double scale, double tolerance,
+                                     batten_curve **out, double *moved);
 /* The power of two that brings the largest coordinate to about 1; NOT_COMPATIBLE names the
  * curve of one dimension, COINCIDENT when all is one point. */
-batten_status bat_net_scale(int count, const batten_curve *const *curves, double *scale);
-void bat_net_free(bat_net *net);
+batten_status bat_network_scale(int count, const batten_curve *const *curves, double *scale);
+void bat_network_free(bat_network *net);
 
 /* Find where each profile meets each guide, and order, turn and cut all curves so that the
  * nodes rise along each (gordon_nodes.c, gordon_order.c). */
-batten_status bat_net_find_nodes(bat_net *net);
+batten_status bat_network_find_nodes(bat_network *net);
 /* What the nodes of all pairs are before they are in order: parameters on the profile and on
  * the guide, [profiles][guides]. */
 typedef struct {
     double *at[2];
-} bat_net_pairs;
-batten_status bat_net_order(bat_net *net, const bat_net_pairs *pairs);
+} bat_network_pairs;
+batten_status bat_network_order(bat_network *net, const bat_network_pairs *pairs);
 /* In gordon_turn.c: cut, turn and rotate one curve of a family; `ranked` are the parameters
  * [count] of the nodes on it as it is, in their order. */
-batten_status bat_net_turn(bat_net *net, int family, bat_net_curve *curve, int count,
-                           const double *ranked, bool reversed);
+batten_status bat_network_turn(bat_network *net, int family, bat_network_curve *curve,
+                               int count, const double *ranked, bool reversed);
 
 /* Parameters of the surface, maps from there to the curves, points of the nodes
  * (gordon_map.c). */
-batten_status bat_net_parametrize(bat_net *net);
+batten_status bat_network_parametrize(bat_network *net);
 /* The curve as the surface runs along it, cubic, within the tolerance; corners keep their place
  * (gordon_redraw.c). */
-batten_status bat_net_redraw(const bat_net_curve *curve, int node_count,
-                             const double *parameters, double tolerance, batten_curve **out);
+batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
+                                 const double *parameters, double tolerance,
+                                 batten_curve **out);
 /* The point of the curve at a parameter of the surface. */
-batten_status bat_net_point(const bat_net_curve *curve, double u, double *point);
+batten_status bat_network_point(const bat_network_curve *curve, double u, double *point);
 
 /* One family with common knots, and the cardinal functions of the other: all on the same
  * knots. */
@@ -91,11 +92,12 @@ typedef struct {
     double *blend; /* [count][cardinals] */
     bool exact;
     int exact_knots;
-} bat_net_side;
-batten_status bat_net_make_side(bat_net *net, int family, bat_net_side *out);
-void bat_net_side_free(bat_net_side *side);
+} bat_network_side;
+batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out);
+void bat_network_side_free(bat_network_side *side);
 
 /* A + B - T, and the check against all curves and nodes (gordon_sum.c). */
-batten_status bat_net_sum(bat_net *net, bat_net_side sides[2], batten_surface **out);
+batten_status bat_network_sum(bat_network *net, bat_network_side sides[2],
+                              batten_surface **out);
 
 #endif

@@ -10,7 +10,7 @@
 
 /* A node beside a knot stands on it: on a corner within a small part of the tolerance, on
  * others within rounding. */
-static batten_status snap_to_knots(const bat_net_curve *c, int nodes, double near)
+static batten_status snap_to_knots(const bat_network_curve *c, int nodes, double near)
 {
     const int p = batten_curve_degree(c->curve), n = batten_curve_point_count(c->curve);
     const double *U = batten_curve_knots(c->curve);
@@ -32,9 +32,9 @@ static batten_status snap_to_knots(const bat_net_curve *c, int nodes, double nea
     return BATTEN_OK;
 }
 
-static batten_status find_parameters(bat_net *net, int family)
+static batten_status find_parameters(bat_network *net, int family)
 {
-    bat_net_family *f = &net->family[family];
+    bat_network_family *f = &net->family[family];
     const int nodes = net->family[1 - family].count;
     f->parameters = bat_array((size_t)nodes, sizeof *f->parameters);
     batten_status status = f->parameters ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -153,7 +153,8 @@ static batten_status monotone_map(int nodes, const double *u, const double *at, 
 }
 
 /* How far the nodes are from the places where they shall stand, along the curve. */
-static batten_status nodes_off(const bat_net_curve *c, int nodes, const double *u, double *off)
+static batten_status nodes_off(const bat_network_curve *c, int nodes, const double *u,
+                               double *off)
 {
     *off = 0;
     for (int i = 0; i < nodes; i++) {
@@ -168,9 +169,9 @@ static batten_status nodes_off(const bat_net_curve *c, int nodes, const double *
     return BATTEN_OK;
 }
 
-static batten_status make_map(const bat_net *net, int family, bat_net_curve *c)
+static batten_status make_map(const bat_network *net, int family, bat_network_curve *c)
 {
-    const bat_net_family *f = &net->family[family];
+    const bat_network_family *f = &net->family[family];
     const int nodes = net->family[1 - family].count;
     const double *u = f->parameters;
     double off = 0;
@@ -192,7 +193,7 @@ static batten_status make_map(const bat_net *net, int family, bat_net_curve *c)
 }
 
 /* Do all curves of a closed family go on smoothly where they close? */
-static batten_status find_smooth(bat_net_family *f)
+static batten_status find_smooth(bat_network_family *f)
 {
     f->smooth = f->closed;
     for (int k = 0; k < f->count && f->smooth; k++) {
@@ -210,9 +211,10 @@ static batten_status find_smooth(bat_net_family *f)
 
 /* ---- the points of the nodes ---- */
 
-static batten_status find_node(const bat_net *net, int j, int i, double *node)
+static batten_status find_node(const bat_network *net, int j, int i, double *node)
 {
-    const bat_net_curve *profile = bat_net_at(net, 0, j), *guide = bat_net_at(net, 1, i);
+    const bat_network_curve *profile = bat_network_at(net, 0, j),
+                            *guide = bat_network_at(net, 1, i);
     double p[3], q[3];
     batten_status status =
         batten_curve_evaluate(profile->curve, profile->point ? 0 : profile->at[i], 0, p);
@@ -230,7 +232,7 @@ static void close_nodes(double *first, double *last)
         first[c] = last[c] = (first[c] + last[c]) / 2;
 }
 
-static batten_status find_nodes(bat_net *net)
+static batten_status find_nodes(bat_network *net)
 {
     const int n = net->family[0].count, m = net->family[1].count;
     net->nodes = bat_array3((size_t)n, (size_t)m * 3, sizeof *net->nodes);
@@ -249,11 +251,11 @@ static batten_status find_nodes(bat_net *net)
     return BATTEN_OK;
 }
 
-batten_status bat_net_parametrize(bat_net *net)
+batten_status bat_network_parametrize(bat_network *net)
 {
     batten_status status = BATTEN_OK;
     for (int family = 0; status == BATTEN_OK && family < 2; family++) {
-        bat_net_family *f = &net->family[family];
+        bat_network_family *f = &net->family[family];
         status = find_parameters(net, family);
         if (status == BATTEN_OK)
             status = find_smooth(f);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* A parameter whose point is hardly away from an end of the curve is that end. */
-static batten_status snap(const bat_net *net, const bat_net_curve *c, double *at)
+static batten_status snap(const bat_network *net, const bat_network_curve *c, double *at)
 {
     double ends[2][3], here[3];
     batten_status status = batten_curve_evaluate(c->curve, 0, 0, ends[0]);
@@ -26,8 +26,8 @@ static batten_status snap(const bat_net *net, const bat_net_curve *c, double *at
 }
 
 /* Two meetings that are one: at the seam of a closed curve, or anywhere on a point. */
-static bool are_one(const bat_net *net, const bat_net_curve *profile,
-                    const bat_net_curve *guide, const bat_meeting *a, const bat_meeting *b)
+static bool are_one(const bat_network *net, const bat_network_curve *profile,
+                    const bat_network_curve *guide, const bat_meeting *a, const bat_meeting *b)
 {
     const double near = 2 * net->tolerance;
     const bool far_s = fabs(a->at[0] - b->at[0]) > 0.5, far_t = fabs(a->at[1] - b->at[1]) > 0.5;
@@ -38,26 +38,26 @@ static bool are_one(const bat_net *net, const bat_net_curve *profile,
 }
 
 /* "a misses b by 0.12": in the caller's unit. */
-static batten_status missed(const bat_net *net, const bat_net_curve *profile,
-                            const bat_net_curve *guide, const bat_meeting *nearest)
+static batten_status missed(const bat_network *net, const bat_network_curve *profile,
+                            const bat_network_curve *guide, const bat_meeting *nearest)
 {
-    char names[2][BAT_NET_LABEL];
+    char names[2][BAT_NETWORK_LABEL];
     const double *p = nearest->point[0];
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "%s misses %s by %g near (%g, %g, %g), more than the tolerance %g",
-                    bat_net_label(net, 0, profile, names[0]),
-                    bat_net_label(net, 1, guide, names[1]), nearest->distance / net->scale,
+                    bat_network_label(net, 0, profile, names[0]),
+                    bat_network_label(net, 1, guide, names[1]), nearest->distance / net->scale,
                     p[0] / net->scale, p[1] / net->scale, p[2] / net->scale,
                     net->options->tolerance);
 }
 
-static batten_status meets_twice(const bat_net *net, const bat_net_curve *profile,
-                                 const bat_net_curve *guide, const bat_meetings *m)
+static batten_status meets_twice(const bat_network *net, const bat_network_curve *profile,
+                                 const bat_network_curve *guide, const bat_meetings *m)
 {
-    char names[2][BAT_NET_LABEL];
+    char names[2][BAT_NETWORK_LABEL];
     const double *p = m->found[0].point[0], *q = m->found[1].point[0], s = net->scale;
-    bat_net_label(net, 0, profile, names[0]);
-    bat_net_label(net, 1, guide, names[1]);
+    bat_network_label(net, 0, profile, names[0]);
+    bat_network_label(net, 1, guide, names[1]);
     if (m->more)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "%s and %s meet in more than %d places, or run along each other, near "
@@ -71,8 +71,8 @@ static batten_status meets_twice(const bat_net *net, const bat_net_curve *profil
 }
 
 /* The one place in which two curves meet. */
-static batten_status find_node(bat_net *net, const bat_net_curve *profile,
-                               const bat_net_curve *guide, double *s, double *t)
+static batten_status find_node(bat_network *net, const bat_network_curve *profile,
+                               const bat_network_curve *guide, double *s, double *t)
 {
     bat_meetings m;
     batten_status status =
@@ -101,13 +101,13 @@ static batten_status find_node(bat_net *net, const bat_net_curve *profile,
     return status == BATTEN_OK ? snap(net, guide, t) : status;
 }
 
-static batten_status find_pairs(bat_net *net, bat_net_pairs *pairs)
+static batten_status find_pairs(bat_network *net, bat_network_pairs *pairs)
 {
     const int n = net->family[0].count, m = net->family[1].count;
     batten_status status = BATTEN_OK;
     for (int j = 0; status == BATTEN_OK && j < n; j++)
         for (int i = 0; status == BATTEN_OK && i < m; i++)
-            status = find_node(net, bat_net_at(net, 0, j), bat_net_at(net, 1, i),
+            status = find_node(net, bat_network_at(net, 0, j), bat_network_at(net, 1, i),
                                &pairs->at[0][j * net->family[1].room + i],
                                &pairs->at[1][j * net->family[1].room + i]);
     return status;
@@ -117,8 +117,8 @@ static batten_status find_pairs(bat_net *net, bat_net_pairs *pairs)
 
 /* The parameter of the node of curve k of a family with curve l of the other one, on the curve
  * of family `on`. */
-static double pair_at(const bat_net *net, const bat_net_pairs *pairs, int family, int k, int l,
-                      int on)
+static double pair_at(const bat_network *net, const bat_network_pairs *pairs, int family, int k,
+                      int l, int on)
 {
     const int j = family == 0 ? k : l, i = family == 0 ? l : k;
     return pairs->at[on][j * net->family[1].room + i];
@@ -126,14 +126,14 @@ static double pair_at(const bat_net *net, const bat_net_pairs *pairs, int family
 
 /* Do curves a and b of a family meet all others in the same points? *first is the other one
  * where they do, when not everywhere. */
-static batten_status share_nodes(const bat_net *net, const bat_net_pairs *pairs, int family,
-                                 int a, int b, int *shared, int *first)
+static batten_status share_nodes(const bat_network *net, const bat_network_pairs *pairs,
+                                 int family, int a, int b, int *shared, int *first)
 {
-    const bat_net_family *across = &net->family[1 - family];
+    const bat_network_family *across = &net->family[1 - family];
     *shared = 0;
     for (int l = 0; l < across->count; l++) {
         double here[3], there[3];
-        const bat_net_curve *c = &across->curves[l];
+        const bat_network_curve *c = &across->curves[l];
         batten_status status = batten_curve_evaluate(
             c->curve, pair_at(net, pairs, family, a, l, 1 - family), 0, here);
         if (status == BATTEN_OK)
@@ -149,9 +149,9 @@ static batten_status share_nodes(const bat_net *net, const bat_net_pairs *pairs,
     return BATTEN_OK;
 }
 
-static void drop(bat_net *net, bat_net_pairs *pairs, int family, int k)
+static void drop(bat_network *net, bat_network_pairs *pairs, int family, int k)
 {
-    bat_net_family *f = &net->family[family];
+    bat_network_family *f = &net->family[family];
     const int room = net->family[1].room;
     batten_curve_unref(f->curves[k].curve);
     bat_trace_free(&f->curves[k].trace);
@@ -167,12 +167,13 @@ static void drop(bat_net *net, bat_net_pairs *pairs, int family, int k)
     }
     f->count--;
     memmove(f->curves + k, f->curves + k + 1, (size_t)(f->count - k) * sizeof *f->curves);
-    f->curves[f->count] = (bat_net_curve){0};
+    f->curves[f->count] = (bat_network_curve){0};
     net->report.repeated_count++;
 }
 
 /* How far b is from a, from 65 places of it. */
-static batten_status apart(const bat_net_curve *a, const bat_net_curve *b, double *distance)
+static batten_status apart(const bat_network_curve *a, const bat_network_curve *b,
+                           double *distance)
 {
     enum { PLACES = 65 };
     double points[3 * PLACES];
@@ -191,9 +192,9 @@ static batten_status apart(const bat_net_curve *a, const bat_net_curve *b, doubl
 
 /* Two curves of a family that meet another one in the same point are one curve, at the seam of
  * closed ones; else the network is none. */
-static batten_status drop_repeated(bat_net *net, bat_net_pairs *pairs, int family)
+static batten_status drop_repeated(bat_network *net, bat_network_pairs *pairs, int family)
 {
-    bat_net_family *f = &net->family[family];
+    bat_network_family *f = &net->family[family];
     for (int a = 0; a < f->count; a++)
         for (int b = a + 1; b < f->count;) {
             int shared = 0, first = 0;
@@ -203,32 +204,33 @@ static batten_status drop_repeated(bat_net *net, bat_net_pairs *pairs, int famil
                 status = apart(&f->curves[a], &f->curves[b], &distance);
             if (status != BATTEN_OK)
                 return status;
-            char names[3][BAT_NET_LABEL];
-            const bat_net_curve *met = &net->family[1 - family].curves[first];
+            char names[3][BAT_NETWORK_LABEL];
+            const bat_network_curve *met = &net->family[1 - family].curves[first];
             if (shared == 0)
                 b++;
             else if (distance <= 2 * net->tolerance && met->closed)
                 drop(net, pairs, family, b);
             else
                 return bat_fail(BATTEN_COINCIDENT, "%s and %s meet %s in the same point",
-                                bat_net_label(net, family, &f->curves[a], names[0]),
-                                bat_net_label(net, family, &f->curves[b], names[1]),
-                                bat_net_label(net, 1 - family, met, names[2]));
+                                bat_network_label(net, family, &f->curves[a], names[0]),
+                                bat_network_label(net, family, &f->curves[b], names[1]),
+                                bat_network_label(net, 1 - family, met, names[2]));
         }
     return BATTEN_OK;
 }
 
 /* ---- poles ---- */
 
-static batten_status end_of(const bat_net_curve *c, int end, double *point)
+static batten_status end_of(const bat_network_curve *c, int end, double *point)
 {
     return batten_curve_evaluate(c->curve, end, 0, point);
 }
 
 /* Does each curve of a family end in `point`? */
-static batten_status all_end_in(const bat_net *net, int family, const double *point, bool *all)
+static batten_status all_end_in(const bat_network *net, int family, const double *point,
+                                bool *all)
 {
-    const bat_net_family *f = &net->family[family];
+    const bat_network_family *f = &net->family[family];
     *all = f->count > 1;
     for (int k = 0; k < f->count && *all; k++) {
         double ends[2][3];
@@ -245,7 +247,8 @@ static batten_status all_end_in(const bat_net *net, int family, const double *po
 }
 
 /* Does a curve of the other family meet the first curve of this one at that end? */
-static bool end_is_taken(const bat_net *net, const bat_net_pairs *pairs, int family, int end)
+static bool end_is_taken(const bat_network *net, const bat_network_pairs *pairs, int family,
+                         int end)
 {
     for (int l = 0; l < net->family[1 - family].count; l++)
         if (pair_at(net, pairs, family, 0, l, family) == end)
@@ -261,11 +264,11 @@ static batten_status point_curve(const double *point, batten_curve **out)
 }
 
 /* A curve of the other family that is but this point. */
-static batten_status add_pole(bat_net *net, bat_net_pairs *pairs, int family,
+static batten_status add_pole(bat_network *net, bat_network_pairs *pairs, int family,
                               const double *point)
 {
-    bat_net_family *across = &net->family[1 - family];
-    bat_net_curve *pole = &across->curves[across->count];
+    bat_network_family *across = &net->family[1 - family];
+    bat_network_curve *pole = &across->curves[across->count];
     const int l = across->count, room = net->family[1].room;
     batten_status status = point_curve(point, &pole->curve);
     if (status != BATTEN_OK)
@@ -286,7 +289,7 @@ static batten_status add_pole(bat_net *net, bat_net_pairs *pairs, int family,
     return BATTEN_OK;
 }
 
-static batten_status find_poles(bat_net *net, bat_net_pairs *pairs, int family)
+static batten_status find_poles(bat_network *net, bat_network_pairs *pairs, int family)
 {
     for (int end = 0; end < 2; end++) {
         double point[3];
@@ -304,10 +307,10 @@ static batten_status find_poles(bat_net *net, bat_net_pairs *pairs, int family)
 
 /* ---- the whole ---- */
 
-batten_status bat_net_find_nodes(bat_net *net)
+batten_status bat_network_find_nodes(bat_network *net)
 {
     const size_t rooms = (size_t)net->family[0].room * (size_t)net->family[1].room;
-    bat_net_pairs pairs;
+    bat_network_pairs pairs;
     for (int k = 0; k < 2; k++)
         pairs.at[k] = bat_array(rooms, sizeof(double));
     batten_status status = pairs.at[0] && pairs.at[1] ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -318,7 +321,7 @@ batten_status bat_net_find_nodes(bat_net *net)
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         status = find_poles(net, &pairs, k);
     if (status == BATTEN_OK)
-        status = bat_net_order(net, &pairs);
+        status = bat_network_order(net, &pairs);
     for (int k = 0; k < 2; k++)
         bat_release(pairs.at[k]);
     return status;

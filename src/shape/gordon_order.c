@@ -15,14 +15,14 @@
 typedef enum { FORWARD, BACKWARD, EITHER, NEITHER } direction;
 
 typedef struct {
-    bat_net *net;
-    const bat_net_pairs *pairs;
+    bat_network *net;
+    const bat_network_pairs *pairs;
     int *order[2];      /* [count] of each family, across */
     direction *runs[2]; /* [count] */
     double *ranked;     /* [count of the other] scratch */
 } task;
 
-static const bat_net_family *family_of(const task *t, int family)
+static const bat_network_family *family_of(const task *t, int family)
 {
     return &t->net->family[family];
 }
@@ -34,7 +34,7 @@ static double at(const task *t, int family, int k, int l)
     return t->pairs->at[family][j * family_of(t, 1)->room + i];
 }
 
-static bool find_closed(const bat_net_family *f)
+static bool find_closed(const bat_network_family *f)
 {
     bool closed = false;
     for (int k = 0; k < f->count; k++) {
@@ -46,7 +46,7 @@ static bool find_closed(const bat_net_family *f)
 }
 
 /* The curve that says how the others stand. */
-static int reference(const bat_net_family *f)
+static int reference(const bat_network_family *f)
 {
     for (int k = 0; k < f->count; k++)
         if (!f->curves[k].point && (f->closed || !f->curves[k].closed))
@@ -58,7 +58,7 @@ static int reference(const bat_net_family *f)
  * curves they count from the first; on one among open ones the seam is either end. */
 static void rank(const task *t, int family, int k, bool backward, double *ranked)
 {
-    const bat_net_family *f = family_of(t, family);
+    const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
     const int *order = t->order[1 - family];
     const double first = at(t, family, k, order[0]);
@@ -99,16 +99,16 @@ static direction find_direction(const task *t, int family, int k)
 
 static batten_status other_order(const task *t, int family, int k, int ref)
 {
-    char names[4][BAT_NET_LABEL];
-    const bat_net_family *f = family_of(t, family), *across = family_of(t, 1 - family);
+    char names[4][BAT_NETWORK_LABEL];
+    const bat_network_family *f = family_of(t, family), *across = family_of(t, 1 - family);
     const int *order = t->order[1 - family];
     rank(t, family, k, at(t, family, k, order[0]) > at(t, family, k, order[across->count - 1]),
          t->ranked);
     const int i = bat_min_int(first_fall(across->count, t->ranked), across->count - 1);
-    bat_net_label(t->net, family, &f->curves[k], names[0]);
-    bat_net_label(t->net, 1 - family, &across->curves[order[i - 1]], names[1]);
-    bat_net_label(t->net, 1 - family, &across->curves[order[i]], names[2]);
-    bat_net_label(t->net, family, &f->curves[ref], names[3]);
+    bat_network_label(t->net, family, &f->curves[k], names[0]);
+    bat_network_label(t->net, 1 - family, &across->curves[order[i - 1]], names[1]);
+    bat_network_label(t->net, 1 - family, &across->curves[order[i]], names[2]);
+    bat_network_label(t->net, family, &f->curves[ref], names[3]);
     if (k == ref)
         return bat_fail(BATTEN_COINCIDENT, "%s meets %s and %s in the same point", names[0],
                         names[1], names[2]);
@@ -119,7 +119,7 @@ static batten_status other_order(const task *t, int family, int k, int ref)
 /* The order of the other family along this one. */
 static void sort_across(const task *t, int family, int ref)
 {
-    const bat_net_family *f = family_of(t, family);
+    const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
     int *order = t->order[1 - family];
     for (int i = 0; i < count; i++) {
@@ -138,7 +138,7 @@ static void sort_across(const task *t, int family, int ref)
 
 static batten_status order_along(task *t, int family)
 {
-    const bat_net_family *f = family_of(t, family);
+    const bat_network_family *f = family_of(t, family);
     const int ref = reference(f);
     if (ref < 0)
         return bat_fail(BATTEN_COINCIDENT, "all %ss are points", f->what);
@@ -164,7 +164,7 @@ static batten_status order_along(task *t, int family)
 static batten_status carried_cosine(const task *t, int family, int k, int before, int l,
                                     double *cosine)
 {
-    const bat_net_curve *along = &family_of(t, 1 - family)->curves[l];
+    const bat_network_curve *along = &family_of(t, 1 - family)->curves[l];
     const int pair[2] = {before, k};
     double places[2], seen[2][3];
     batten_frame frames[2];
@@ -217,7 +217,7 @@ static batten_status follow(task *t, int family, int k, int before)
 
 static batten_status follow_neighbours(task *t, int family)
 {
-    const bat_net_family *f = family_of(t, family);
+    const bat_network_family *f = family_of(t, family);
     const int ref = reference(f);
     int place = 0;
     while (t->order[family][place] != ref)
@@ -241,27 +241,27 @@ static batten_status follow_neighbours(task *t, int family)
 
 static batten_status turn_family(task *t, int family)
 {
-    const bat_net_family *f = family_of(t, family);
+    const bat_network_family *f = family_of(t, family);
     const int count = family_of(t, 1 - family)->count;
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < f->count; k++) {
-        bat_net_curve *c = &t->net->family[family].curves[k];
+        bat_network_curve *c = &t->net->family[family].curves[k];
         for (int i = 0; i < count; i++) {
             const double x = at(t, family, k, t->order[1 - family][i]);
             const bool last = f->curves[k].closed && !f->closed && x == 0 &&
                               (i == count - 1) != (t->runs[family][k] == BACKWARD);
             t->ranked[i] = last ? 1 : x;
         }
-        status =
-            bat_net_turn(t->net, family, c, count, t->ranked, t->runs[family][k] == BACKWARD);
+        status = bat_network_turn(t->net, family, c, count, t->ranked,
+                                  t->runs[family][k] == BACKWARD);
     }
     return status;
 }
 
 static batten_status permute(task *t, int family)
 {
-    bat_net_family *f = &t->net->family[family];
-    bat_net_curve *sorted = bat_array((size_t)f->room, sizeof *sorted);
+    bat_network_family *f = &t->net->family[family];
+    bat_network_curve *sorted = bat_array((size_t)f->room, sizeof *sorted);
     if (!sorted)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->count; k++)
@@ -272,19 +272,19 @@ static batten_status permute(task *t, int family)
 }
 
 /* Where the curves of a family close, the first one of the other family is its last, too. */
-static batten_status repeat_first(bat_net *net, int family)
+static batten_status repeat_first(bat_network *net, int family)
 {
-    bat_net_family *across = &net->family[1 - family];
+    bat_network_family *across = &net->family[1 - family];
     if (!net->family[family].closed)
         return BATTEN_OK;
-    const bat_net_curve *first = &across->curves[0];
+    const bat_network_curve *first = &across->curves[0];
     const size_t nodes = (size_t)net->family[family].count + 1;
-    bat_net_curve *last = &across->curves[across->count];
-    *last = (bat_net_curve){.index = first->index,
-                            .point = first->point,
-                            .closed = first->closed,
-                            .moved = first->moved,
-                            .curve = batten_curve_ref(first->curve)};
+    bat_network_curve *last = &across->curves[across->count];
+    *last = (bat_network_curve){.index = first->index,
+                                .point = first->point,
+                                .closed = first->closed,
+                                .moved = first->moved,
+                                .curve = batten_curve_ref(first->curve)};
     across->count++;
     last->at = bat_array(nodes, sizeof *last->at);
     if (!last->at)
@@ -297,7 +297,7 @@ static batten_status order(task *t)
 {
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        bat_net_family *f = &t->net->family[k];
+        bat_network_family *f = &t->net->family[k];
         t->order[k] = bat_array((size_t)f->room, sizeof *t->order[k]);
         t->runs[k] = bat_array((size_t)f->room, sizeof *t->runs[k]);
         f->closed = find_closed(f);
@@ -320,7 +320,7 @@ static batten_status order(task *t)
     return status;
 }
 
-batten_status bat_net_order(bat_net *net, const bat_net_pairs *pairs)
+batten_status bat_network_order(bat_network *net, const bat_network_pairs *pairs)
 {
     task t = {.net = net, .pairs = pairs};
     const batten_status status = order(&t);

@@ -18,7 +18,7 @@ typedef struct {
 } place;
 
 typedef struct {
-    const bat_net_curve *source;
+    const bat_network_curve *source;
     double tolerance;
     int count, room;
     double *breaks; /* [room + 1] */
@@ -28,14 +28,15 @@ typedef struct {
 enum { MOST_PIECES = 100000 };
 
 /* The value of the map and its slope. */
-static batten_status map_at(const bat_net_curve *c, double u, double out[2])
+static batten_status map_at(const bat_network_curve *c, double u, double out[2])
 {
     out[0] = u;
     out[1] = 1;
     return c->map ? batten_curve_evaluate(c->map, u, 1, out) : BATTEN_OK;
 }
 
-static batten_status at_place(const bat_net_curve *c, place p, batten_side side, double *out)
+static batten_status at_place(const bat_network_curve *c, place p, batten_side side,
+                              double *out)
 {
     double map[2];
     batten_status status = map_at(c, p.u, map);
@@ -47,7 +48,7 @@ static batten_status at_place(const bat_net_curve *c, place p, batten_side side,
     return status;
 }
 
-batten_status bat_net_point(const bat_net_curve *c, double u, double *point)
+batten_status bat_network_point(const bat_network_curve *c, double u, double *point)
 {
     double map[2];
     const batten_status status = map_at(c, u, map);
@@ -59,7 +60,7 @@ batten_status bat_net_point(const bat_net_curve *c, double u, double *point)
 /* ---- breaks ---- */
 
 /* Where the map, which rises, has the value s: by halving. */
-static batten_status invert(const bat_net_curve *c, double s, double *u)
+static batten_status invert(const bat_network_curve *c, double s, double *u)
 {
     double low = 0, high = 1;
     *u = s;
@@ -84,8 +85,8 @@ static int by_place(const void *a, const void *b)
 }
 
 /* Knots and nodes in order; a knot at a node has the parameter of the node. */
-static batten_status find_breaks(const bat_net_curve *c, int nodes, const double *parameters,
-                                 place **out, int *count)
+static batten_status find_breaks(const bat_network_curve *c, int nodes,
+                                 const double *parameters, place **out, int *count)
 {
     const int knots = batten_curve_spans(c->curve, NULL);
     place *all = bat_array((size_t)(knots + nodes), sizeof *all);
@@ -153,7 +154,7 @@ static batten_status piece_error(const chain *c, double u, double h, const doubl
         double basis[4], found[3], wanted[3];
         bat_bernstein(3, i / 4.0, 1 - i / 4.0, basis);
         bat_combine(3, basis, 3, piece, found);
-        const batten_status status = bat_net_point(c->source, u + h * (i / 4.0), wanted);
+        const batten_status status = bat_network_point(c->source, u + h * (i / 4.0), wanted);
         if (status != BATTEN_OK)
             return status;
         *worst = bat_max(*worst, bat_distance(3, found, wanted));
@@ -214,8 +215,8 @@ static batten_status add_stretch(chain *c, place a, place b)
     return status;
 }
 
-batten_status bat_net_redraw(const bat_net_curve *curve, int node_count,
-                             const double *parameters, double tolerance, batten_curve **out)
+batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
+                                 const double *parameters, double tolerance, batten_curve **out)
 {
     chain c = {.source = curve, .tolerance = tolerance};
     place *breaks = NULL;

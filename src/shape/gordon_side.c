@@ -17,16 +17,16 @@
 #include <string.h>
 
 typedef struct {
-    bat_net *net;
+    bat_network *net;
     int family, nodes;
     bool periodic;
     batten_curve **drawn, **common; /* [curves] */
     double *deviation;              /* [curves] */
     bat_spline cardinal;
-    bat_net_side *out;
+    bat_network_side *out;
 } task;
 
-static const bat_net_family *family_of(const task *t)
+static const bat_network_family *family_of(const task *t)
 {
     return &t->net->family[t->family];
 }
@@ -132,7 +132,7 @@ static int by_value(const void *a, const void *b)
 /* Distinct inner knots of all curves as they were given, those within rounding taken as one. */
 static batten_status count_exact(const task *t, int *count)
 {
-    const bat_net_family *f = family_of(t);
+    const bat_network_family *f = family_of(t);
     size_t total = 0, used = 0;
     for (int k = 0; k < f->count; k++)
         total += (size_t)batten_curve_spans(f->curves[k].curve, NULL);
@@ -160,7 +160,7 @@ static int raised_count(const batten_curve *curve, int degree)
  * twice as many as a curve has on the mean. */
 static batten_status try_exact(task *t, bool *exact)
 {
-    const bat_net_family *f = family_of(t);
+    const bat_network_family *f = family_of(t);
     int degree = 1, curves = 0;
     double sum = 0;
     *exact = true;
@@ -201,15 +201,15 @@ static void snap_parameters(const task *t)
 
 static batten_status redraw(task *t, int degree)
 {
-    const bat_net_family *f = family_of(t);
+    const bat_network_family *f = family_of(t);
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < f->count; k++) {
         batten_curve *cubic = NULL;
         if (f->curves[k].point)
             cubic = batten_curve_ref(f->curves[k].curve);
         else
-            status = bat_net_redraw(&f->curves[k], t->nodes, f->parameters,
-                                    t->net->tolerance / 16, &cubic);
+            status = bat_network_redraw(&f->curves[k], t->nodes, f->parameters,
+                                        t->net->tolerance / 16, &cubic);
         if (status == BATTEN_OK)
             status = bat_work_step(&t->net->work, 1000, 0.3, "reparametrisation");
         if (status == BATTEN_OK)
@@ -222,7 +222,7 @@ static batten_status redraw(task *t, int degree)
 
 static batten_status fit(task *t)
 {
-    const bat_net_family *f = family_of(t);
+    const bat_network_family *f = family_of(t);
     const int p = t->cardinal.degree;
     const bat_common_request wanted = {.tolerance = t->net->tolerance / 4,
                                        .held_count = t->cardinal.count - p - 1,
@@ -297,7 +297,7 @@ static batten_status meet(task *t)
 
 /* ---- rows ---- */
 
-static void row_at(const bat_net_side *side, const double *rows, double u, double *point)
+static void row_at(const bat_network_side *side, const double *rows, double u, double *point)
 {
     double basis[BATTEN_MAX_DEGREE + 1];
     const int p = side->degree;
@@ -309,7 +309,7 @@ static void row_at(const bat_net_side *side, const double *rows, double u, doubl
 /* Add what the curve lacks in its nodes. */
 static batten_status correct(const task *t, int k, double *rows)
 {
-    const bat_net_side *side = t->out;
+    const bat_network_side *side = t->out;
     const int guides = t->net->family[1].count;
     double *lack = bat_array3((size_t)t->nodes, 3, sizeof *lack);
     if (!lack)
@@ -337,8 +337,8 @@ static batten_status correct(const task *t, int k, double *rows)
 
 static batten_status fill(task *t)
 {
-    bat_net_side *side = t->out;
-    const bat_net_family *f = family_of(t);
+    bat_network_side *side = t->out;
+    const bat_network_family *f = family_of(t);
     side->degree = t->cardinal.degree;
     side->count = t->cardinal.count;
     side->curves = f->count;
@@ -408,9 +408,9 @@ static batten_status make(task *t)
     return status == BATTEN_OK ? fill(t) : status;
 }
 
-batten_status bat_net_make_side(bat_net *net, int family, bat_net_side *out)
+batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out)
 {
-    const bat_net_family *f = &net->family[family];
+    const bat_network_family *f = &net->family[family];
     task t = {.net = net,
               .family = family,
               .nodes = net->family[1 - family].count,
@@ -434,7 +434,7 @@ batten_status bat_net_make_side(bat_net *net, int family, bat_net_side *out)
     return status;
 }
 
-void bat_net_side_free(bat_net_side *side)
+void bat_network_side_free(bat_network_side *side)
 {
     bat_release(side->knots);
     bat_release(side->rows);

@@ -12,7 +12,7 @@
 
 typedef struct {
     int count;
-    bat_net_curve *curves;
+    bat_network_curve *curves;
     const char *const *names;
     double scale, tolerance, given_tolerance;
     bat_work work;
@@ -22,12 +22,12 @@ typedef struct {
     char *ends;  /* [count][count] the pair meets in ends alone */
 } task;
 
-static const char *label(const task *t, int k, char text[BAT_NET_LABEL])
+static const char *label(const task *t, int k, char text[BAT_NETWORK_LABEL])
 {
     if (t->names)
-        snprintf(text, BAT_NET_LABEL, "%.100s", t->names[k]);
+        snprintf(text, BAT_NETWORK_LABEL, "%.100s", t->names[k]);
     else
-        snprintf(text, BAT_NET_LABEL, "curve %d", k);
+        snprintf(text, BAT_NETWORK_LABEL, "curve %d", k);
     return text;
 }
 
@@ -57,7 +57,7 @@ static bool set_apart(const task *t, int a, int b)
     return true;
 }
 
-static bool is_end(const task *t, const bat_net_curve *c, const double *point)
+static bool is_end(const task *t, const bat_network_curve *c, const double *point)
 {
     for (int end = 0; end < 2 && !c->closed; end++) {
         const double *here = c->trace.points + (end ? 3 * c->trace.count : 0);
@@ -69,7 +69,7 @@ static bool is_end(const task *t, const bat_net_curve *c, const double *point)
 
 static batten_status crosses_its_own(const task *t, int a, int b, const bat_meeting *m)
 {
-    char names[2][BAT_NET_LABEL];
+    char names[2][BAT_NETWORK_LABEL];
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "%s and %s cross at (%g, %g, %g), and by what else they cross they are of "
                     "one family",
@@ -135,7 +135,7 @@ static batten_status meet_all(task *t, double *nearest, int *neighbour)
         }
     for (int a = 0; a < t->count; a++)
         if (t->met[a] == 0) {
-            char names[2][BAT_NET_LABEL];
+            char names[2][BAT_NETWORK_LABEL];
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "%s meets no other curve; %s is nearest, %g away, more than the "
                             "tolerance %g",
@@ -155,7 +155,7 @@ static batten_status colour(task *t, int *family)
     const int root = root_of(t, 0, &other);
     for (int k = 0; k < t->count; k++) {
         int own;
-        char names[2][BAT_NET_LABEL];
+        char names[2][BAT_NETWORK_LABEL];
         if (root_of(t, k, &own) != root)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "the curves are two networks that do not meet: %s is in one, %s in "
@@ -168,12 +168,13 @@ static batten_status colour(task *t, int *family)
 
 static batten_status take(task *t, const batten_curve *const *curves)
 {
-    batten_status status = bat_net_scale(t->count, curves, &t->scale);
+    batten_status status = bat_network_scale(t->count, curves, &t->scale);
     t->tolerance *= t->scale;
     for (int k = 0; status == BATTEN_OK && k < t->count; k++) {
-        bat_net_curve *c = &t->curves[k];
+        bat_network_curve *c = &t->curves[k];
         t->parent[k] = k;
-        status = bat_net_take_curve(curves[k], t->scale, t->tolerance, &c->curve, &c->moved);
+        status =
+            bat_network_take_curve(curves[k], t->scale, t->tolerance, &c->curve, &c->moved);
         if (status == BATTEN_OK)
             status = bat_trace_make(c->curve, &c->trace);
         c->closed = status == BATTEN_OK && batten_curve_is_closed(c->curve, t->tolerance);

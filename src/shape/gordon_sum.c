@@ -11,8 +11,8 @@
 
 /* guides' rows minus the combination of the nodes: what the profiles' skin lacks along each
  * guide, [cardinals in u][count_v][3]. */
-static void find_lacks(const bat_net *net, const bat_net_side *u, const bat_net_side *v,
-                       double *lacks)
+static void find_lacks(const bat_network *net, const bat_network_side *u,
+                       const bat_network_side *v, double *lacks)
 {
     const int guides = net->family[1].count;
     for (int i = 0; i < u->cardinals; i++)
@@ -27,8 +27,8 @@ static void find_lacks(const bat_net *net, const bat_net_side *u, const bat_net_
         }
 }
 
-static void find_point(const bat_net_side *u, const bat_net_side *v, const double *lacks, int a,
-                       int b, double *point)
+static void find_point(const bat_network_side *u, const bat_network_side *v,
+                       const double *lacks, int a, int b, double *point)
 {
     for (int j = 0; j < v->cardinals; j++) {
         const double *row = u->rows + 3 * ((size_t)j * (size_t)u->count + (size_t)a);
@@ -43,7 +43,7 @@ static void find_point(const bat_net_side *u, const bat_net_side *v, const doubl
 }
 
 /* The outermost curves are the rims to the last bit. */
-static void keep_rims(const bat_net_side *u, const bat_net_side *v, double *points)
+static void keep_rims(const bat_network_side *u, const bat_network_side *v, double *points)
 {
     const size_t across = (size_t)v->count;
     for (int end = 0; end < 2; end++) {
@@ -57,7 +57,7 @@ static void keep_rims(const bat_net_side *u, const bat_net_side *v, double *poin
     }
 }
 
-static batten_status check_size(const bat_net_side *u, const bat_net_side *v)
+static batten_status check_size(const bat_network_side *u, const bat_network_side *v)
 {
     if ((double)u->count * v->count > BAT_MAX_MADE_POINTS)
         return bat_fail(BATTEN_TOO_LARGE,
@@ -67,8 +67,8 @@ static batten_status check_size(const bat_net_side *u, const bat_net_side *v)
     return BATTEN_OK;
 }
 
-static batten_status make_surface(const bat_net *net, const bat_net_side *u,
-                                  const bat_net_side *v, batten_surface **out)
+static batten_status make_surface(const bat_network *net, const bat_network_side *u,
+                                  const bat_network_side *v, batten_surface **out)
 {
     const size_t across = (size_t)v->count;
     double *lacks = bat_array3((size_t)u->cardinals, 3 * across, sizeof *lacks);
@@ -93,7 +93,7 @@ static batten_status make_surface(const bat_net *net, const bat_net_side *u,
 
 enum { PER_SPAN = 9 }; /* a knot and 8 places behind it */
 
-static batten_status places_of(const bat_net_side *side, double **out, int *count)
+static batten_status places_of(const bat_network_side *side, double **out, int *count)
 {
     const int p = side->degree;
     double *at = bat_array((size_t)PER_SPAN * (size_t)(side->count - p) + 1, sizeof *at);
@@ -111,7 +111,7 @@ static batten_status places_of(const bat_net_side *side, double **out, int *coun
 }
 
 /* The largest distance of a curve from its line: `line` [count] points `step` numbers apart. */
-static batten_status line_distance(const bat_net_curve *c, int count, const double *at,
+static batten_status line_distance(const bat_network_curve *c, int count, const double *at,
                                    const double *line, size_t step, double *worst,
                                    double *where)
 {
@@ -119,7 +119,7 @@ static batten_status line_distance(const bat_net_curve *c, int count, const doub
     *where = 0;
     for (int i = 0; i < count; i++) {
         double point[3];
-        const batten_status status = bat_net_point(c, at[i], point);
+        const batten_status status = bat_network_point(c, at[i], point);
         if (status != BATTEN_OK)
             return status;
         const double distance = bat_distance(3, point, line + (size_t)i * step);
@@ -131,10 +131,10 @@ static batten_status line_distance(const bat_net_curve *c, int count, const doub
     return BATTEN_OK;
 }
 
-static batten_status compare(bat_net *net, int family, int count, const double *at,
+static batten_status compare(bat_network *net, int family, int count, const double *at,
                              const double *grid)
 {
-    const bat_net_family *f = &net->family[family];
+    const bat_network_family *f = &net->family[family];
     const size_t n = (size_t)f->count;
     for (int k = 0; k < f->count; k++) {
         double worst = 0, where = 0;
@@ -144,12 +144,12 @@ static batten_status compare(bat_net *net, int family, int count, const double *
         if (status != BATTEN_OK)
             return status;
         const double off = (worst + f->curves[k].moved) / net->scale;
-        char name[BAT_NET_LABEL];
+        char name[BAT_NETWORK_LABEL];
         if (!(off <= net->options->tolerance))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "the surface misses %s by %g at its parameter %g, more than the "
                             "tolerance %g",
-                            bat_net_label(net, family, &f->curves[k], name), off, where,
+                            bat_network_label(net, family, &f->curves[k], name), off, where,
                             net->options->tolerance);
         if (off > net->report.deviation) {
             net->report.deviation = off;
@@ -161,7 +161,7 @@ static batten_status compare(bat_net *net, int family, int count, const double *
 }
 
 /* All curves of a family against the surface. */
-static batten_status check_family(bat_net *net, int family, const bat_net_side *side,
+static batten_status check_family(bat_network *net, int family, const bat_network_side *side,
                                   const batten_surface *surface)
 {
     const size_t lines = (size_t)net->family[family].count;
@@ -186,7 +186,7 @@ static batten_status check_family(bat_net *net, int family, const bat_net_side *
     return status;
 }
 
-static batten_status check_nodes(bat_net *net, const batten_surface *surface)
+static batten_status check_nodes(bat_network *net, const batten_surface *surface)
 {
     const size_t n = (size_t)net->family[0].count, m = (size_t)net->family[1].count;
     double *grid = bat_array3(n, 3 * m, sizeof *grid);
@@ -205,7 +205,7 @@ static batten_status check_nodes(bat_net *net, const batten_surface *surface)
     return status;
 }
 
-static void fill_report(bat_net *net, const bat_net_side sides[2])
+static void fill_report(bat_network *net, const bat_network_side sides[2])
 {
     batten_gordon_report *r = &net->report;
     r->closed_u = net->family[0].closed;
@@ -220,7 +220,7 @@ static void fill_report(bat_net *net, const bat_net_side sides[2])
     r->exact_knots_v = sides[1].exact_knots;
 }
 
-batten_status bat_net_sum(bat_net *net, bat_net_side sides[2], batten_surface **out)
+batten_status bat_network_sum(bat_network *net, bat_network_side sides[2], batten_surface **out)
 {
     const uint64_t steps = (uint64_t)sides[0].count * (uint64_t)sides[1].count *
                            (uint64_t)(net->family[0].count + net->family[1].count);

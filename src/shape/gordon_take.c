@@ -8,20 +8,20 @@
 #include <float.h>
 #include <stdio.h>
 
-const char *bat_net_label(const bat_net *net, int family, const bat_net_curve *curve,
-                          char label[BAT_NET_LABEL])
+const char *bat_network_label(const bat_network *net, int family,
+                              const bat_network_curve *curve, char label[BAT_NETWORK_LABEL])
 {
-    const bat_net_family *f = &net->family[family];
+    const bat_network_family *f = &net->family[family];
     if (curve->index < 0)
-        snprintf(label, BAT_NET_LABEL, "the pole of the %ss", net->family[1 - family].what);
+        snprintf(label, BAT_NETWORK_LABEL, "the pole of the %ss", net->family[1 - family].what);
     else if (f->names)
-        snprintf(label, BAT_NET_LABEL, "%.100s", f->names[curve->index]);
+        snprintf(label, BAT_NETWORK_LABEL, "%.100s", f->names[curve->index]);
     else
-        snprintf(label, BAT_NET_LABEL, "%s %d", f->what, curve->index);
+        snprintf(label, BAT_NETWORK_LABEL, "%s %d", f->what, curve->index);
     return label;
 }
 
-batten_status bat_net_scale(int count, const batten_curve *const *curves, double *scale)
+batten_status bat_network_scale(int count, const batten_curve *const *curves, double *scale)
 {
     double largest = 0, extent = 0;
     batten_box all = batten_curve_box(curves[0]);
@@ -56,8 +56,8 @@ static void replace(batten_curve **curve, batten_curve *by)
     *curve = by;
 }
 
-batten_status bat_net_take_curve(const batten_curve *given, double scale, double tolerance,
-                                 batten_curve **out, double *moved)
+batten_status bat_network_take_curve(const batten_curve *given, double scale, double tolerance,
+                                     batten_curve **out, double *moved)
 {
     const batten_affine map = batten_affine_scaling(scale, scale, scale);
     batten_curve *curve = NULL, *next = NULL;
@@ -94,18 +94,18 @@ static bool is_point(const batten_curve *curve, double tolerance)
     return true;
 }
 
-static batten_status take_family(bat_net *net, int which, const batten_curve *const *given)
+static batten_status take_family(bat_network *net, int which, const batten_curve *const *given)
 {
-    bat_net_family *f = &net->family[which];
+    bat_network_family *f = &net->family[which];
     f->room = f->given + 3; /* two poles, or the first one twice */
     f->curves = bat_array((size_t)f->room, sizeof *f->curves);
     if (!f->curves)
         return BATTEN_OUT_OF_MEMORY;
     for (; f->count < f->given; f->count++) {
-        bat_net_curve *c = &f->curves[f->count];
+        bat_network_curve *c = &f->curves[f->count];
         c->index = f->count;
-        batten_status status = bat_net_take_curve(given[f->count], net->scale, net->tolerance,
-                                                  &c->curve, &c->moved);
+        batten_status status = bat_network_take_curve(given[f->count], net->scale,
+                                                      net->tolerance, &c->curve, &c->moved);
         if (status == BATTEN_OK)
             status = bat_trace_make(c->curve, &c->trace);
         if (status != BATTEN_OK) {
@@ -119,8 +119,8 @@ static batten_status take_family(bat_net *net, int which, const batten_curve *co
     return BATTEN_OK;
 }
 
-batten_status bat_net_take(bat_net *net, const batten_curve *const *profiles,
-                           const batten_curve *const *guides)
+batten_status bat_network_take(bat_network *net, const batten_curve *const *profiles,
+                               const batten_curve *const *guides)
 {
     batten_status status = take_family(net, 0, profiles);
     if (status == BATTEN_OK)
@@ -128,10 +128,10 @@ batten_status bat_net_take(bat_net *net, const batten_curve *const *profiles,
     return status;
 }
 
-void bat_net_free(bat_net *net)
+void bat_network_free(bat_network *net)
 {
     for (int which = 0; which < 2; which++) {
-        bat_net_family *f = &net->family[which];
+        bat_network_family *f = &net->family[which];
         for (int k = 0; k < f->count; k++) {
             batten_curve_unref(f->curves[k].curve);
             batten_curve_unref(f->curves[k].map);

@@ -19,7 +19,7 @@ static batten_status over_unit(batten_curve **curve)
     return status;
 }
 
-static batten_status reverse(bat_net *net, bat_net_curve *c, int count, double *nodes)
+static batten_status reverse(bat_network *net, bat_network_curve *c, int count, double *nodes)
 {
     batten_curve *next = NULL;
     batten_status status = batten_curve_reverse(c->curve, &next);
@@ -40,7 +40,7 @@ static batten_status ends_of(const batten_curve *curve, double a, double b, doub
 }
 
 /* A closed curve begins at u; its ends meet halfway. */
-static batten_status rotate(bat_net_curve *c, double tolerance, double u)
+static batten_status rotate(bat_network_curve *c, double tolerance, double u)
 {
     batten_curve *low = NULL, *high = NULL, *next = NULL;
     double first[3], last[3];
@@ -60,23 +60,24 @@ static batten_status rotate(bat_net_curve *c, double tolerance, double u)
 }
 
 /* What is cut off counts by the distance of its ends. */
-static batten_status count_cut(bat_net *net, int family, const bat_net_curve *c, double a,
-                               double b)
+static batten_status count_cut(bat_network *net, int family, const bat_network_curve *c,
+                               double a, double b)
 {
     double first[3], last[3];
     const batten_status status = ends_of(c->curve, a, b, first, last);
     if (status != BATTEN_OK)
         return status;
     const double length = bat_distance(3, first, last) / net->scale;
-    char name[BAT_NET_LABEL];
+    char name[BAT_NETWORK_LABEL];
     if (!net->options->cut && length > net->options->tolerance)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "%s goes on by %g beyond the network",
-                        bat_net_label(net, family, c, name), length);
+                        bat_network_label(net, family, c, name), length);
     net->report.cut = bat_max(net->report.cut, length);
     return BATTEN_OK;
 }
 
-static batten_status cut(bat_net *net, int family, bat_net_curve *c, int count, double *nodes)
+static batten_status cut(bat_network *net, int family, bat_network_curve *c, int count,
+                         double *nodes)
 {
     const double a = nodes[0], b = nodes[count - 1];
     batten_curve *next = NULL;
@@ -96,8 +97,8 @@ static batten_status cut(bat_net *net, int family, bat_net_curve *c, int count, 
     return over_unit(&c->curve);
 }
 
-batten_status bat_net_turn(bat_net *net, int family, bat_net_curve *c, int count,
-                           const double *ranked, bool reversed)
+batten_status bat_network_turn(bat_network *net, int family, bat_network_curve *c, int count,
+                               const double *ranked, bool reversed)
 {
     const bool closed = net->family[family].closed;
     bat_trace_free(&c->trace);
