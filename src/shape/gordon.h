@@ -62,10 +62,21 @@ void bat_network_free(bat_network *net);
  * nodes rise along each (gordon_nodes.c, gordon_order.c). */
 batten_status bat_network_find_nodes(bat_network *net);
 /* What the nodes of all pairs are before they are in order: parameters on the profile and on
- * the guide, [profiles][guides]. */
+ * the guide, and points midway; [profiles][guides] with room for more. */
 typedef struct {
     double *at[2];
+    double *points; /* [..][3] */
 } bat_network_pairs;
+/* The place of curve k of a family with curve l of the other one. */
+static inline int bat_network_pair(const bat_network *net, int family, int k, int l)
+{
+    return (family == 0 ? k : l) * net->family[1].room + (family == 0 ? l : k);
+}
+/* Curves of a family that were given twice, at the seam of closed ones, are dropped, or
+ * refused; a point in which all of a family end becomes a curve of the other one
+ * (gordon_poles.c). */
+batten_status bat_network_drop_repeated(bat_network *net, bat_network_pairs *pairs, int family);
+batten_status bat_network_find_poles(bat_network *net, bat_network_pairs *pairs, int family);
 batten_status bat_network_order(bat_network *net, const bat_network_pairs *pairs);
 /* In gordon_turn.c: cut, turn and rotate one curve of a family; `ranked` are the parameters
  * [count] of the nodes on it as it is, in their order. */
@@ -83,6 +94,10 @@ batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
 /* The point of the curve at a parameter of the surface. */
 batten_status bat_network_point(const bat_network_curve *curve, double u, double *point);
 
+/* The functions that are 1 at one node of a family's curves and 0 at the others, over [0, 1];
+ * as wide as there are nodes, of a periodic one without the last (gordon_cardinal.c). */
+batten_status bat_network_make_cardinal(const bat_network *net, int family, bool periodic,
+                                        bat_spline *out);
 /* One family with common knots, and the cardinal functions of the other: all on the same
  * knots. */
 typedef struct {

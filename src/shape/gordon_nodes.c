@@ -1,9 +1,6 @@
-/* Where each profile meets each guide; curves that were given twice; poles. */
+/* Where each profile meets each guide. */
 #include "numeric/vector.h"
 #include "shape/gordon.h"
-#include <batten/inspect.h>
-
-#include <string.h>
 
 /* A parameter whose point is hardly away from an end of the curve is that end. */
 static batten_status snap(const bat_network *net, const bat_network_curve *c, double *at)
@@ -72,7 +69,8 @@ static batten_status meets_twice(const bat_network *net, const bat_network_curve
 
 /* The one place in which two curves meet. */
 static batten_status find_node(bat_network *net, const bat_network_curve *profile,
-                               const bat_network_curve *guide, double *s, double *t)
+                               const bat_network_curve *guide, double *s, double *t,
+                               double *point)
 {
     bat_meetings m;
     batten_status status =
@@ -97,6 +95,8 @@ static batten_status find_node(bat_network *net, const bat_network_curve *profil
     }
     *s = best.at[0];
     *t = best.at[1];
+    for (int c = 0; c < 3; c++)
+        point[c] = (best.point[0][c] + best.point[1][c]) / 2;
     status = snap(net, profile, s);
     return status == BATTEN_OK ? snap(net, guide, t) : status;
 }
@@ -106,203 +106,12 @@ static batten_status find_pairs(bat_network *net, bat_network_pairs *pairs)
     const int n = net->family[0].count, m = net->family[1].count;
     batten_status status = BATTEN_OK;
     for (int j = 0; status == BATTEN_OK && j < n; j++)
-        for (int i = 0; status == BATTEN_OK && i < m; i++)
+        for (int i = 0; status == BATTEN_OK && i < m; i++) {
+            const int at = bat_network_pair(net, 0, j, i);
             status = find_node(net, bat_network_at(net, 0, j), bat_network_at(net, 1, i),
-                               &pairs->at[0][j * net->family[1].room + i],
-                               &pairs->at[1][j * net->family[1].room + i]);
-    return status;
-}
-
-/* ---- curves given twice ---- */
-
-/* The parameter of the node of curve k of a family with curve l of the other one, on the curve
- * of family `on`. */
-static double pair_at(const bat_network *net, const bat_network_pairs *pairs, int family, int k,
-                      int l, int on)
-{
-    const int j = family == 0 ? k : l, i = family == 0 ? l : k;
-    return pairs->at[on][j * net->family[1].room + i];
-}
-
-/* Do curves a and b of a family meet all others in the same points? *first is the other one
- * where they do, when not everywhere. */
-static batten_status share_nodes(const bat_network *net, const bat_network_pairs *pairs,
-                                 int family, int a, int b, int *shared, int *first)
-{
-    const bat_network_family *across = &net->family[1 - family];
-    *shared = 0;
-    for (int l = 0; l < across->count; l++) {
-        double here[3], there[3];
-        const bat_network_curve *c = &across->curves[l];
-        batten_status status = batten_curve_evaluate(
-            c->curve, pair_at(net, pairs, family, a, l, 1 - family), 0, here);
-        if (status == BATTEN_OK)
-            status = batten_curve_evaluate(
-                c->curve, pair_at(net, pairs, family, b, l, 1 - family), 0, there);
-        if (status != BATTEN_OK)
-            return status;
-        if (c->point || bat_distance(3, here, there) > 2 * net->tolerance)
-            continue;
-        if ((*shared)++ == 0)
-            *first = l;
-    }
-    return BATTEN_OK;
-}
-
-static void drop(bat_network *net, bat_network_pairs *pairs, int family, int k)
-{
-    bat_network_family *f = &net->family[family];
-    const int room = net->family[1].room;
-    batten_curve_unref(f->curves[k].curve);
-    bat_trace_free(&f->curves[k].trace);
-    for (int on = 0; on < 2; on++) {
-        double *at = pairs->at[on];
-        if (family == 0)
-            memmove(at + k * room, at + (k + 1) * room,
-                    (size_t)((f->count - 1 - k) * room) * sizeof *at);
-        else
-            for (int j = 0; j < net->family[0].count; j++)
-                memmove(at + j * room + k, at + j * room + k + 1,
-                        (size_t)(f->count - 1 - k) * sizeof *at);
-    }
-    f->count--;
-    memmove(f->curves + k, f->curves + k + 1, (size_t)(f->count - k) * sizeof *f->curves);
-    f->curves[f->count] = (bat_network_curve){0};
-    net->report.repeated_count++;
-}
-
-/* How far b is from a, from 65 places of it. */
-static batten_status apart(const bat_network_curve *a, const bat_network_curve *b,
-                           double *distance)
-{
-    enum { PLACES = 65 };
-    double points[3 * PLACES];
-    batten_deviation found;
-    for (int i = 0; i < PLACES; i++) {
-        const batten_status status =
-            batten_curve_evaluate(b->curve, i / (PLACES - 1.0), 0, points + 3 * i);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    const batten_status status =
-        batten_curve_deviation(a->curve, PLACES, points, NULL, NULL, NULL, &found);
-    *distance = found.max;
-    return status;
-}
-
-/* Two curves of a family that meet another one in the same point are one curve, at the seam of
- * closed ones; else the network is none. */
-static batten_status drop_repeated(bat_network *net, bat_network_pairs *pairs, int family)
-{
-    bat_network_family *f = &net->family[family];
-    for (int a = 0; a < f->count; a++)
-        for (int b = a + 1; b < f->count;) {
-            int shared = 0, first = 0;
-            double distance = HUGE_VAL;
-            batten_status status = share_nodes(net, pairs, family, a, b, &shared, &first);
-            if (status == BATTEN_OK && shared > 0 && !f->curves[a].point && !f->curves[b].point)
-                status = apart(&f->curves[a], &f->curves[b], &distance);
-            if (status != BATTEN_OK)
-                return status;
-            char names[3][BAT_NETWORK_LABEL];
-            const bat_network_curve *met = &net->family[1 - family].curves[first];
-            if (shared == 0)
-                b++;
-            else if (distance <= 2 * net->tolerance && met->closed)
-                drop(net, pairs, family, b);
-            else
-                return bat_fail(BATTEN_COINCIDENT, "%s and %s meet %s in the same point",
-                                bat_network_label(net, family, &f->curves[a], names[0]),
-                                bat_network_label(net, family, &f->curves[b], names[1]),
-                                bat_network_label(net, 1 - family, met, names[2]));
+                               &pairs->at[0][at], &pairs->at[1][at], pairs->points + 3 * at);
         }
-    return BATTEN_OK;
-}
-
-/* ---- poles ---- */
-
-static batten_status end_of(const bat_network_curve *c, int end, double *point)
-{
-    return batten_curve_evaluate(c->curve, end, 0, point);
-}
-
-/* Does each curve of a family end in `point`? */
-static batten_status all_end_in(const bat_network *net, int family, const double *point,
-                                bool *all)
-{
-    const bat_network_family *f = &net->family[family];
-    *all = f->count > 1;
-    for (int k = 0; k < f->count && *all; k++) {
-        double ends[2][3];
-        batten_status status = end_of(&f->curves[k], 0, ends[0]);
-        if (status == BATTEN_OK)
-            status = end_of(&f->curves[k], 1, ends[1]);
-        if (status != BATTEN_OK)
-            return status;
-        *all = !f->curves[k].point && !f->curves[k].closed &&
-               (bat_distance(3, ends[0], point) <= net->tolerance ||
-                bat_distance(3, ends[1], point) <= net->tolerance);
-    }
-    return BATTEN_OK;
-}
-
-/* Does a curve of the other family meet the first curve of this one at that end? */
-static bool end_is_taken(const bat_network *net, const bat_network_pairs *pairs, int family,
-                         int end)
-{
-    for (int l = 0; l < net->family[1 - family].count; l++)
-        if (pair_at(net, pairs, family, 0, l, family) == end)
-            return true;
-    return false;
-}
-
-static batten_status point_curve(const double *point, batten_curve **out)
-{
-    static const double knots[] = {0, 0, 1, 1};
-    const double points[] = {point[0], point[1], point[2], point[0], point[1], point[2]};
-    return batten_curve_create(3, 1, 2, points, NULL, knots, out);
-}
-
-/* A curve of the other family that is but this point. */
-static batten_status add_pole(bat_network *net, bat_network_pairs *pairs, int family,
-                              const double *point)
-{
-    bat_network_family *across = &net->family[1 - family];
-    bat_network_curve *pole = &across->curves[across->count];
-    const int l = across->count, room = net->family[1].room;
-    batten_status status = point_curve(point, &pole->curve);
-    if (status != BATTEN_OK)
-        return status;
-    pole->index = -1;
-    pole->point = true;
-    across->count++;
-    net->report.pole_count++;
-    for (int k = 0; k < net->family[family].count; k++) {
-        double start[3];
-        status = end_of(&net->family[family].curves[k], 0, start);
-        if (status != BATTEN_OK)
-            return status;
-        const int at = family == 0 ? k * room + l : l * room + k;
-        pairs->at[family][at] = bat_distance(3, start, point) <= net->tolerance ? 0 : 1;
-        pairs->at[1 - family][at] = 0.5;
-    }
-    return BATTEN_OK;
-}
-
-static batten_status find_poles(bat_network *net, bat_network_pairs *pairs, int family)
-{
-    for (int end = 0; end < 2; end++) {
-        double point[3];
-        bool all = false;
-        batten_status status = end_of(&net->family[family].curves[0], end, point);
-        if (status == BATTEN_OK)
-            status = all_end_in(net, family, point, &all);
-        if (status == BATTEN_OK && all && !end_is_taken(net, pairs, family, end))
-            status = add_pole(net, pairs, family, point);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    return BATTEN_OK;
+    return status;
 }
 
 /* ---- the whole ---- */
@@ -313,16 +122,19 @@ batten_status bat_network_find_nodes(bat_network *net)
     bat_network_pairs pairs;
     for (int k = 0; k < 2; k++)
         pairs.at[k] = bat_array(rooms, sizeof(double));
-    batten_status status = pairs.at[0] && pairs.at[1] ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    pairs.points = bat_array3(rooms, 3, sizeof(double));
+    batten_status status =
+        pairs.at[0] && pairs.at[1] && pairs.points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = find_pairs(net, &pairs);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = drop_repeated(net, &pairs, k);
+        status = bat_network_drop_repeated(net, &pairs, k);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = find_poles(net, &pairs, k);
+        status = bat_network_find_poles(net, &pairs, k);
     if (status == BATTEN_OK)
         status = bat_network_order(net, &pairs);
     for (int k = 0; k < 2; k++)
         bat_release(pairs.at[k]);
+    bat_release(pairs.points);
     return status;
 }

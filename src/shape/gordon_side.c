@@ -31,82 +31,6 @@ static const bat_network_family *family_of(const task *t)
     return &t->net->family[t->family];
 }
 
-/* ---- cardinal functions ---- */
-
-static bat_request blend_request(const task *t)
-{
-    bat_request r = {.degree = 3,
-                     .count = t->nodes - t->periodic,
-                     .parameters = family_of(t)->parameters,
-                     .knots_at_data = true,
-                     .periodic = t->periodic};
-    if (t->net->options->blend == BATTEN_GORDON_LINEAR)
-        r.degree = 1;
-    else if (t->net->options->blend == BATTEN_GORDON_LAGRANGE) {
-        r.degree = r.count - 1;
-        r.knots_at_data = false;
-    }
-    return r;
-}
-
-/* One period becomes clamped over [0, 1]. */
-static batten_status clamp(const bat_operator *op, const double *control, size_t width,
-                           bat_spline *out)
-{
-    bat_spline wrapped;
-    const int m = op->count, p = op->degree;
-    batten_status status = bat_spline_make(p, m + p, width, &wrapped);
-    if (status != BATTEN_OK)
-        return status;
-    bat_knots_wrap(p, m, op->knots, wrapped.knots);
-    for (int i = 0; i < m + p; i++)
-        memcpy(wrapped.values + (size_t)i * width, control + (size_t)(i % m) * width,
-               width * sizeof *control);
-    status = bat_spline_subrange(&wrapped, 0, 1, out);
-    bat_spline_free(&wrapped);
-    return status;
-}
-
-static batten_status from_operator(const bat_operator *op, const double *control, size_t width,
-                                   bat_spline *out)
-{
-    if (op->periodic)
-        return clamp(op, control, width, out);
-    const batten_status status = bat_spline_make(op->degree, op->count, width, out);
-    if (status == BATTEN_OK) {
-        memcpy(out->knots, op->knots,
-               (size_t)(op->count + op->degree + 1) * sizeof *out->knots);
-        memcpy(out->values, control, (size_t)op->count * width * sizeof *control);
-    }
-    return status;
-}
-
-static batten_status make_cardinal(task *t)
-{
-    const bat_request r = blend_request(t);
-    const size_t m = (size_t)r.count;
-    bat_operator op;
-    if (t->net->options->blend == BATTEN_GORDON_LAGRANGE && r.count > 12)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "polynomials through %d curves swing; 12 are the limit", r.count);
-    batten_status status = bat_operator_make(&r, &op);
-    if (status != BATTEN_OK)
-        return status;
-    double *unit = bat_array3(m, m, sizeof *unit);
-    double *control = bat_array3((size_t)op.count, m, sizeof *control);
-    status = unit && control ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (size_t i = 0; status == BATTEN_OK && i < m; i++)
-        unit[i * m + i] = 1;
-    if (status == BATTEN_OK)
-        status = bat_operator_apply(&op, m, unit, NULL, NULL, NULL, control);
-    if (status == BATTEN_OK)
-        status = from_operator(&op, control, m, &t->cardinal);
-    bat_release(control);
-    bat_release(unit);
-    bat_operator_free(&op);
-    return status;
-}
-
 static batten_status elevate_cardinal(task *t, int degree)
 {
     bat_spline raised;
@@ -382,7 +306,7 @@ static batten_status make(task *t)
     if (status == BATTEN_OK && t->out->exact)
         snap_parameters(t);
     if (status == BATTEN_OK)
-        status = make_cardinal(t);
+        status = bat_network_make_cardinal(t->net, t->family, t->periodic, &t->cardinal);
     if (status == BATTEN_OK && t->out->exact) {
         const int p = bat_max_int(t->cardinal.degree, batten_curve_degree(t->common[0]));
         for (int k = 0; status == BATTEN_OK && k < family_of(t)->count; k++) {

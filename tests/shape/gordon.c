@@ -131,6 +131,24 @@ TEST(curves_of_any_speed_are_reparametrised_within_the_tolerance)
     network_end(&n);
 }
 
+TEST(K7_curves_with_knots_of_their_own_make_no_heavy_surface)
+{
+    network n = {{6, 5}, {{NULL}}};
+    for (int f = 0; f < 2; f++)
+        for (int k = 0; k < n.count[f]; k++)
+            n.curves[f][k] = draw(shell, (drawn){f, k / (n.count[f] - 1.0), 0, 1,
+                                                 k % 2 ? 0.3 : -0.2, 23 + 2 * k});
+    const batten_gordon_options options = within(1e-4);
+    batten_gordon_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(gordon(&n, &options, &report, &surface));
+    CHECK(report.exact_knots_u > 100 && report.exact_knots_v > 80);
+    CHECK(report.points_u <= 40 && report.points_v <= 40);
+    check_curves(&n, surface, &report);
+    batten_surface_unref(surface);
+    network_end(&n);
+}
+
 TEST(G7_shuffled_and_reversed_curves_make_the_same_surface)
 {
     network n = network_on(shell, 5, 4, 20, 0), other = n;
@@ -290,8 +308,8 @@ TEST(G5_guides_that_end_in_a_point_make_poles)
             CHECK_BITS(P[3 * i * across + c], P[c]);
             CHECK_BITS(P[3 * (i * across + across - 1) + c], P[3 * (across - 1) + c]);
         }
-    /* The tangents in the pole lie in a plane only within the tolerance: so the normal there has
-     * a limit only then, and nearby it is that of the globe. */
+    /* The tangents in the pole lie in a plane only within the tolerance: so the normal there
+     * has a limit only then, and nearby it is that of the globe. */
     const double u[] = {0, 0.3, 0.7}, v[] = {0, 1e-3, 0.999, 1};
     double normals[12 * 3];
     CHECK_OK(batten_surface_normal_grid(surface, 3, u, 4, v, NULL, NULL, normals));

@@ -1,0 +1,80 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <string.h>
+
+/* Three ribs over two stringers and a keel; the ribs begin at the keel. */
+static const char common[] =
+    "batten: 1\nunits: mm\nfeatures:\n"
+    "  keel: {polyline: [[0, 0, 0], [3000, 0, 0]]}\n"
+    "  chine: {polyline: [[0, 500, 100], [3000, 500, 100]]}\n"
+    "  sheer: {polyline: [[0, 700, 600], [3000, 700, 600]]}\n"
+    "  rib-1: {polyline: [[0, 0, 0], [0, 500, 100], [0, 700, 600]]}\n"
+    "  rib-2: {polyline: [[1500, 700, 600], [1500, 500, 100], [1500, 0, 0]]}\n"
+    "  rib-3: {polyline: [[3000, 0, 0], [3000, 500, 100], [3000, 700, 600]]}\n"
+    "  rib-4: {polyline: [[1500, 700, 600], [1500, 499.9, 99.9], [1500, 0, 0]]}\n"
+    "  lone: {polyline: [[1500, 900, 600], [1500, 900, 0]]}\n"
+    "  ribs: {collect: [rib-1, rib-2, rib-3]}\n"
+    "  long: {collect: [keel, chine, sheer]}\n";
+
+static batten_status evaluate(const char *feature, batten_design **out)
+{
+    char text[3000];
+    snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+TEST(networks_become_surfaces)
+{
+    static const char *const rows[] = {
+        "{gordon: ribs, guides: long}",
+        "{gordon: [chine, rib-2, rib-1, sheer, keel, rib-3]}",
+        "{gordon: ribs, guides: long, blend: linear}",
+        "{gordon: ribs, guides: long, blend: lagrange}",
+        "{gordon: [rib-1, rib-4, rib-3], guides: long, within: 1}",
+        "{gordon: [rib-1, rib-2], guides: long}",
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(rows[i], &design));
+        const batten_feature_result *result = batten_design_result(design, "a");
+        CHECK_INT(batten_model_count(result->value), 1);
+        const batten_object *object = batten_model_object(result->value, 0);
+        CHECK_INT(object->kind, BATTEN_OBJECT_SURFACE);
+        CHECK(result->has_error && result->error_max <= (i == 4 ? 1 : 1e-6));
+        batten_design_free(design);
+    }
+}
+
+TEST(G7_networks_with_gaps_are_refused_by_name)
+{
+    static const struct {
+        const char *feature, *says;
+    } rows[] = {
+        {"{gordon: [rib-1, rib-4, rib-3], guides: long, within: 0.01}",
+         "rib-4 misses chine by 0.0556952 near"},
+        {"{gordon: [rib-1, lone], guides: long}", "lone misses keel by 900"},
+        {"{gordon: [ribs, long, lone]}",
+         "lone meets no other curve; rib-2 is nearest, 200 away"},
+        {"{gordon: ribs, guides: ribs}", "rib-1 and rib-1 "},
+        {"{gordon: [rib-1, rib-2], guides: long, cut: no}", "goes on by 1500 beyond"},
+        {"{gordon: ribs, guides: keel}", "there is 1 guide"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        batten_status status = evaluate(rows[i].feature, &design);
+        if (status == BATTEN_OUT_OF_MEMORY)
+            status = evaluate(rows[i].feature, &design);
+        CHECK(status != BATTEN_OK);
+        if (status != BATTEN_OUT_OF_MEMORY)
+            CHECK_MESSAGE(rows[i].says);
+    }
+}
