@@ -7,8 +7,7 @@ static const batten_parameter parameters[] = {
      "the profiles; or, without guides, the curves of both families in any order"},
     {"guides", BATTEN_VALUE_MODEL, true, false, NULL, NULL, "the curves across the profiles"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "the widest gap where two curves shall meet, and how far the surface may be from a curve; "
-     "the tolerance of the design"},
+     "the widest gap, and how far the surface may be from a curve; the design's tolerance"},
     {"blend", BATTEN_VALUE_WORD, false, false, "spline", "spline linear lagrange",
      "how a curve fades out towards its neighbours"},
     {"cut", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
