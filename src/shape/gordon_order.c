@@ -34,17 +34,6 @@ static double at(const task *t, int family, int k, int l)
     return t->pairs->at[family][j * family_of(t, 1)->room + i];
 }
 
-static bool find_closed(const bat_network_family *f)
-{
-    bool closed = false;
-    for (int k = 0; k < f->count; k++) {
-        if (!f->curves[k].point && !f->curves[k].closed)
-            return false;
-        closed = closed || f->curves[k].closed;
-    }
-    return closed;
-}
-
 /* The curve that says how the others stand. */
 static int reference(const bat_network_family *f)
 {
@@ -300,7 +289,6 @@ static batten_status order(task *t)
         bat_network_family *f = &t->net->family[k];
         t->order[k] = bat_array((size_t)f->room, sizeof *t->order[k]);
         t->runs[k] = bat_array((size_t)f->room, sizeof *t->runs[k]);
-        f->closed = find_closed(f);
         status = t->order[k] && t->runs[k] ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     }
     const int most = bat_max_int(family_of(t, 0)->room, family_of(t, 1)->room);

@@ -7,7 +7,8 @@
 
 /* ---- curves given twice ---- */
 
-/* How many of the other family curves a and b meet in the same point; *first is one of them. */
+/* How many of the other family curves a and b meet in the same point; *first is one of them. A
+ * closed curve among open ones does not count: both its ends may belong to outermost curves. */
 static int share_nodes(const bat_network *net, const bat_network_pairs *pairs, int family,
                        int a, int b, int *first)
 {
@@ -16,7 +17,9 @@ static int share_nodes(const bat_network *net, const bat_network_pairs *pairs, i
     for (int l = 0; l < across->count; l++) {
         const double *here = pairs->points + 3 * bat_network_pair(net, family, a, l),
                      *there = pairs->points + 3 * bat_network_pair(net, family, b, l);
-        if (across->curves[l].point || bat_distance(3, here, there) > 2 * net->tolerance)
+        const bat_network_curve *c = &across->curves[l];
+        if (c->point || (c->closed && !across->closed) ||
+            bat_distance(3, here, there) > 2 * net->tolerance)
             continue;
         if (shared++ == 0)
             *first = l;

@@ -94,6 +94,18 @@ static bool is_point(const batten_curve *curve, double tolerance)
     return true;
 }
 
+/* Do all curves close that are no points? */
+static bool find_closed(const bat_network_family *f)
+{
+    bool closed = false;
+    for (int k = 0; k < f->count; k++) {
+        if (!f->curves[k].point && !f->curves[k].closed)
+            return false;
+        closed = closed || f->curves[k].closed;
+    }
+    return closed;
+}
+
 static batten_status take_family(bat_network *net, int which, const batten_curve *const *given)
 {
     bat_network_family *f = &net->family[which];
@@ -116,6 +128,7 @@ static batten_status take_family(bat_network *net, int which, const batten_curve
         c->point = is_point(c->curve, net->tolerance);
         c->closed = !c->point && batten_curve_is_closed(c->curve, net->tolerance);
     }
+    f->closed = find_closed(f);
     return BATTEN_OK;
 }
 

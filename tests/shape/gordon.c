@@ -279,6 +279,52 @@ TEST(closed_profiles_with_two_guides_and_with_one_that_is_given_twice)
     }
 }
 
+TEST(closed_profiles_with_one_guide)
+{
+    network n = closed_network(tube, 4, 1, false);
+    const batten_gordon_options options = within(2e-3);
+    batten_gordon_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(gordon(&n, &options, &report, &surface));
+    CHECK(report.closed_u && report.smooth_u);
+    check_curves(&n, surface, &report);
+    check_seam(surface, true, 1e-6);
+    batten_surface_unref(surface);
+    network_end(&n);
+}
+
+/* A wing whose trailing edge is blunt at the root and sharp at the tip, where the profile
+ * closes. */
+static void wing(double u, double v, double *p)
+{
+    const double turn = 4 * acos(0) * u, blunt = 0.04 * (1 - v) * (2 * u - 1);
+    p[0] = (1 - 0.4 * v) * (1 + cos(turn)) / 2 + 0.5 * v;
+    p[1] = 3 * v;
+    p[2] = 0.1 * sin(turn) * (1.5 - cos(turn)) - blunt;
+}
+
+TEST(a_closed_profile_may_stand_among_open_ones)
+{
+    for (int backward = 0; backward < 2; backward++) {
+        network n = network_on(wing, 4, 3, 60, 0.1);
+        if (backward) {
+            batten_curve *reversed = NULL;
+            CHECK_OK(batten_curve_reverse(n.curves[0][3], &reversed));
+            batten_curve_unref(n.curves[0][3]);
+            n.curves[0][3] = reversed;
+        }
+        const batten_gordon_options options = within(1e-3);
+        batten_gordon_report report;
+        batten_surface *surface = NULL;
+        CHECK_OK(gordon(&n, &options, &report, &surface));
+        CHECK(!report.closed_u);
+        CHECK_INT(report.reversed_count, backward);
+        CHECK(distance_from(wing, surface) < 0.02);
+        batten_surface_unref(surface);
+        network_end(&n);
+    }
+}
+
 /* ---- poles ---- */
 
 static network meridians_and_parallels(int meridians, int parallels)
