@@ -28,6 +28,7 @@
 #include <batten/extend.h>
 #include <batten/fair.h>
 #include <batten/file.h>
+#include <batten/fill.h>
 #include <batten/fillet.h>
 #include <batten/fold.h>
 #include <batten/gcode.h>

@@ -1,0 +1,196 @@
+#include "design/feature.h"
+
+#include <batten/fill.h>
+#include <stdio.h>
+
+#define DEGREES (180 / 3.14159265358979323846)
+
+static const batten_parameter parameters[] = {
+    {"fill", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sides, in any order"},
+    {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "surfaces around the hole: the fill goes on smoothly from those that have a side as edge"},
+    {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1",
+     "what the fill takes over from them: the edge, the tangent planes"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "how far corners may be open, and sides from the edges of surfaces; the tolerance of the "
+     "design by default"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
+     "where two surfaces twist against each other at a corner, the tangent plane may leave "
+     "them by so much"},
+};
+
+/* The ribbons of one fill; the sides are those of the surfaces where these lie beside them. */
+typedef struct {
+    int count;
+    batten_ribbon ribbons[BATTEN_FILL_SIDES];
+    batten_curve *curves[BATTEN_FILL_SIDES][3];
+    double within;
+} sides;
+
+static void free_sides(sides *all)
+{
+    for (int i = 0; i < all->count; i++)
+        for (int k = 0; k < 3; k++)
+            batten_curve_unref(all->curves[i][k]);
+}
+
+/* Take the sides' ribbons from the surfaces; say which surface none of them touches. */
+static batten_status find_ribbons(const bat_run *run, sides *all, const bat_objects *surfaces)
+{
+    batten_status status = BATTEN_OK;
+    const batten_surface **at =
+        bat_array((size_t)surfaces->count, sizeof(const batten_surface *));
+    bool *touched = bat_array((size_t)surfaces->count, sizeof *touched);
+    if (!at || !touched)
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < surfaces->count; i++)
+        at[i] = surfaces->at[i]->surface;
+    for (int i = 0; status == BATTEN_OK && i < all->count; i++) {
+        int found = -1;
+        batten_curve **curves = all->curves[i];
+        status = batten_ribbon_beside(all->ribbons[i].curve, surfaces->count, at, 2,
+                                      all->within, curves, &found);
+        if (status == BATTEN_OK && found >= 0) {
+            touched[found] = true;
+            all->ribbons[i] = (batten_ribbon){curves[0], curves[1], curves[2]};
+        }
+    }
+    for (int i = 0; status == BATTEN_OK && i < surfaces->count; i++)
+        if (!touched[i])
+            bat_note(run, "surface '%s' has none of the sides as its edge, within %g",
+                     surfaces->at[i]->name, all->within);
+    bat_release(touched);
+    bat_release(at);
+    return status;
+}
+
+static batten_status find_sides(const bat_run *run, const bat_objects *curves, sides *all)
+{
+    bat_objects surfaces;
+    if (curves->count > BATTEN_FILL_SIDES)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a hole of %d sides cannot be filled: 2 to %d",
+                        curves->count, BATTEN_FILL_SIDES);
+    all->count = curves->count;
+    for (int i = 0; i < curves->count; i++)
+        all->ribbons[i].curve = curves->at[i]->curve;
+    if (!bat_has(run, "along") || bat_word(run, "continuity") == 0)
+        return BATTEN_OK;
+    batten_status status = bat_gather(run, "along", BAT_SURFACES, &surfaces);
+    if (status != BATTEN_OK)
+        return status;
+    status = find_ribbons(run, all, &surfaces);
+    bat_objects_release(&surfaces);
+    return status;
+}
+
+/* ---- what was reached ---- */
+
+static void report_edge(const bat_run *run, const bat_objects *curves,
+                        const batten_fill_edge *edge)
+{
+    char name[160];
+    if (edge->curve >= 0)
+        snprintf(name, sizeof name, "along '%.100s'", curves->at[edge->curve]->name);
+    else
+        snprintf(name, sizeof name, "between surfaces %d and %d", edge->first + 1,
+                 edge->second + 1);
+    if (!edge->has_slope)
+        bat_remark(run, "%s: gap %.2g", name, edge->gap);
+    else if (!edge->has_curvature)
+        bat_remark(run, "%s: gap %.2g, normals to %.2g degrees at (%g, %g, %g)", name,
+                   edge->gap, edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
+                   edge->angle_at[2]);
+    else
+        bat_remark(run,
+                   "%s: gap %.2g, normals to %.2g degrees at (%g, %g, %g), curvature across to "
+                   "%.3g at (%g, %g, %g)",
+                   name, edge->gap, edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
+                   edge->angle_at[2], edge->curvature, edge->curvature_at[0],
+                   edge->curvature_at[1], edge->curvature_at[2]);
+}
+
+static void report(const bat_run *run, const bat_objects *curves,
+                   const batten_fill_report *reached)
+{
+    for (int i = 0; i < reached->count; i++)
+        report_edge(run, curves, &reached->outer[i]);
+    for (int i = 0; i < reached->count; i++)
+        report_edge(run, curves, &reached->inner[i]);
+    if (reached->corner_angle > 1e-4)
+        bat_note(run,
+                 "at corner %d the surfaces around have planes that differ by %.3g degrees",
+                 reached->corner, reached->corner_angle * DEGREES);
+    if (reached->twisted > 0)
+        bat_remark(run, "at %d corners the surfaces around twist against each other",
+                   reached->twisted);
+    if (reached->flat_corners > 0)
+        bat_remark(run, "at %d corners sides go on smoothly: the fill has no normal there",
+                   reached->flat_corners);
+    if (reached->folded)
+        bat_note(run, "the fill folds over");
+}
+
+static batten_status put_all(bat_run *run, int count, batten_surface **surfaces)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count; i++) {
+        char name[300];
+        snprintf(name, sizeof name, "%.256s.%d", run->name, i + 1);
+        const batten_object like = {.name = name, .layer = ""};
+        status = bat_put_surface_like(run, status, surfaces[i], &like);
+    }
+    return status;
+}
+
+static batten_status fill(bat_run *run, const bat_objects *curves, const sides *all)
+{
+    batten_fill_options options = batten_fill_defaults();
+    batten_surface *surfaces[BATTEN_FILL_SIDES] = {NULL};
+    batten_fill_report *reached = bat_array(1, sizeof *reached);
+    if (!reached)
+        return BATTEN_OUT_OF_MEMORY;
+    options.tolerance = all->within;
+    options.angle = bat_number(run, "angle");
+    batten_status status =
+        batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
+    if (status == BATTEN_OK) {
+        report(run, curves, reached);
+        bat_report_error(run, reached->approximation, reached->approximation);
+        status = put_all(run, reached->count, surfaces);
+    }
+    bat_release(reached);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects curves;
+    sides all = {.within =
+                     bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run)};
+    batten_status status = bat_gather(run, "fill", BAT_CURVES, &curves);
+    if (status != BATTEN_OK)
+        return status;
+    status = find_sides(run, &curves, &all);
+    if (status == BATTEN_OK)
+        status = fill(run, &curves, &all);
+    free_sides(&all);
+    bat_objects_release(&curves);
+    return status;
+}
+
+const bat_feature bat_feature_fill = {
+    .shown = {"fill", "Surfaces in a hole of 2 to 8 sides",
+              "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the "
+              "middle of the hole.\n"
+              "They have the same tangent plane where they meet, and that of the surfaces "
+              "'along' the sides;\n"
+              "what is left free bends as little as it can. Sides with corners are divided "
+              "there. The report\n"
+              "says how near positions, tangent planes and curvatures are along every edge.",
+              "features:\n"
+              "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
+              "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"
+              "  c: {polyline: [[1 m, 1.8 m, 0], [0, 0, 0]]}\n"
+              "  patch: {fill: [a, b, c]}\n",
+              "[CK83]", "batten_surface_fill", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,78 @@
+/* Holes of n sides. */
+#include "shape/fill.h"
+
+batten_fill_options batten_fill_defaults(void)
+{
+    return (batten_fill_options){.size = sizeof(batten_fill_options),
+                                 .angle = 0.002 * BAT_PI / 180};
+}
+
+static batten_status check_options(const batten_fill_options *options)
+{
+    if (!(options->tolerance >= 0) || !isfinite(options->tolerance))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of a fill is 0 or more, not %g",
+                        options->tolerance);
+    if (!(options->angle > 0) || !isfinite(options->angle))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of a fill is above 0, not %g",
+                        options->angle);
+    return BATTEN_OK;
+}
+
+static void free_patches(batten_surface **patches)
+{
+    for (int i = 0; i < BATTEN_FILL_SIDES; i++)
+        batten_surface_unref(patches[i]);
+}
+
+/* All surfaces in the loop's coordinates, and what they reached. */
+static batten_status make_patches(const bat_fill_loop *loop, double angle,
+                                  batten_fill_report *report, batten_surface **out)
+{
+    bat_fill *fill = bat_array(1, sizeof *fill);
+    if (!fill)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_surface *plane[BATTEN_FILL_SIDES] = {NULL};
+    batten_status status = bat_fill_plane(loop, plane);
+    if (status == BATTEN_OK)
+        status = bat_fill_make(loop, plane, report, fill);
+    for (int i = 0; status == BATTEN_OK && i < loop->count; i++)
+        status = bat_fill_patch(fill, i, angle, &out[i]);
+    bat_fill_end(fill);
+    bat_release(fill);
+    free_patches(plane);
+    if (status == BATTEN_OK)
+        status = bat_fill_measure(loop, out, report);
+    return status;
+}
+
+batten_status batten_surface_fill(int count, const batten_ribbon *sides,
+                                  const batten_fill_options *options,
+                                  batten_fill_report *report, batten_surface **out)
+{
+    const batten_fill_options chosen = options ? *options : batten_fill_defaults();
+    batten_surface *patches[BATTEN_FILL_SIDES] = {NULL}, *placed[BATTEN_FILL_SIDES] = {NULL};
+    batten_fill_report *reached = bat_array(1, sizeof *reached);
+    bat_fill_loop loop = {0};
+    batten_status status = reached ? check_options(&chosen) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_fill_loop_make(count, sides, chosen.tolerance, reached, &loop);
+    if (status == BATTEN_OK)
+        status = make_patches(&loop, chosen.angle, reached, patches);
+    const batten_affine map = batten_affine_compose(
+        batten_affine_scaling(loop.size, loop.size, loop.size),
+        batten_affine_translation(loop.centre[0], loop.centre[1], loop.centre[2]));
+    for (int i = 0; status == BATTEN_OK && i < loop.count; i++)
+        status = batten_surface_transform(patches[i], &map, &placed[i]);
+    if (status == BATTEN_OK) {
+        for (int i = 0; i < BATTEN_FILL_SIDES; i++)
+            out[i] = placed[i];
+        if (report)
+            *report = *reached;
+    } else {
+        free_patches(placed);
+    }
+    free_patches(patches);
+    bat_fill_loop_free(&loop);
+    bat_release(reached);
+    return status;
+}

@@ -1,0 +1,103 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <string.h>
+
+/* Three rounded edges around a hole, and a wall that has nothing to do with it. */
+static const char common[] = "batten: 1\nunits: m\nfeatures:\n"
+                             "  a: {arc: 1, angle: 90 deg}\n"
+                             "  b: {arc: 1, angle: 90 deg, axis: x, from: y}\n"
+                             "  c: {arc: 1, angle: 90 deg, axis: y, from: z}\n"
+                             "  down: {extrude: a, along: [0, 0, -1.2]}\n"
+                             "  back: {extrude: b, along: [-1.2, 0, 0]}\n"
+                             "  left: {extrude: c, along: [0, -1.2, 0]}\n"
+                             "  far: {line: [[5, 0, 0], [6, 0, 0]]}\n"
+                             "  wall: {extrude: far, along: [0, 0, 1]}\n"
+                             "  upright: {extrude: a, along: [0, 0, 1]}\n";
+
+static batten_status evaluate(const char *feature, batten_notes *notes, batten_design **out)
+{
+    char text[3000];
+    snprintf(text, sizeof text, "%s  x: %s\n", common, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, notes, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "x", NULL, notes);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+/* The text of the note that contains these words, or "". */
+static const char *note_with(const batten_notes *notes, const char *words, bool remark)
+{
+    for (int i = 0; i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        if (note->is_remark == remark && strstr(note->text, words))
+            return note->text;
+    }
+    return "";
+}
+
+TEST(a_fill_goes_on_from_the_surfaces_around_and_says_how_well)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_OK(evaluate("{fill: [c, a, b], along: [down, back, left, wall]}", notes, &design));
+    const batten_model *model = batten_design_result(design, "x")->value;
+    CHECK_INT(batten_model_count(model), 3);
+    CHECK_TEXT(batten_model_object(model, 0)->name, "x.1");
+    CHECK_TEXT(batten_model_object(model, 2)->name, "x.3");
+    CHECK_CONTAINS(note_with(notes, "along 'a'", true), "degrees");
+    CHECK_CONTAINS(note_with(notes, "between surfaces 3 and 1", true), "curvature across");
+    CHECK_CONTAINS(note_with(notes, "none of the sides", false), "surface 'wall'");
+    for (int i = 0; i < 3; i++) /* the fill of an octant is nearly a sphere */
+        for (int k = 0; k <= 10; k++) {
+            double p[3];
+            CHECK_OK(batten_surface_evaluate(batten_model_object(model, i)->surface, k / 10.0,
+                                             k / 10.0, 0, p));
+            CHECK_NEAR(sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), 1, 0.015);
+        }
+    batten_design_free(design);
+    batten_notes_free(notes);
+}
+
+TEST(without_tangent_planes_a_fill_has_the_position_alone)
+{
+    static const char *features[] = {"{fill: [a, b, c]}",
+                                     "{fill: [a, b, c], along: [down, back], continuity: G0}"};
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        CHECK_OK(batten_notes_create(100, &notes));
+        CHECK_OK(evaluate(features[i], notes, &design));
+        CHECK(*note_with(notes, "along 'a': gap", true));
+        CHECK(!strstr(note_with(notes, "along 'a'", true), "degrees"));
+        batten_design_free(design);
+        batten_notes_free(notes);
+    }
+}
+
+TEST(G7_fills_that_cannot_be_are_refused)
+{
+    static const struct {
+        const char *feature, *words;
+        batten_status status;
+    } rows[] = {
+        {"{fill: [a, b]}", "is open by 1.4", BATTEN_NOT_COMPATIBLE},
+        {"{fill: [a, b, far]}", "is open by", BATTEN_NOT_COMPATIBLE},
+        {"{fill: a}", "a hole of 1 sides", BATTEN_BAD_ARGUMENT},
+        {"{fill: [a, b, c], along: upright}", "points out of the hole", BATTEN_NOT_COMPATIBLE},
+        {"{fill: [a, b, c, a, b, c, a, b, c]}", "a hole of 9 sides", BATTEN_BAD_ARGUMENT},
+        {"{fill: [a, b, c], angle: 0 deg}", "the angle of a fill is above 0",
+         BATTEN_BAD_ARGUMENT},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        CHECK_STATUS(evaluate(rows[i].feature, NULL, &design), rows[i].status);
+        CHECK_MESSAGE(rows[i].words);
+    }
+}

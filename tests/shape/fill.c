@@ -1,0 +1,240 @@
+#include "shape/fill_loops.h"
+
+static const double round_corners[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+static const double uneven[8] = {1, 1.2, 0.9, 1.1, 0.95, 1.15, 1.05, 0.9};
+
+/* The largest angle, in degrees, to the paraboloid along the sides, and distance from it. */
+static hole_misfit from_paraboloid(const hole *h, double bend, bool inside)
+{
+    hole_misfit out = {0, 0};
+    for (int i = 0; i < h->report.count; i++)
+        for (int k = 0; k <= 100; k++)
+            for (int j = 0; j <= (inside ? 100 : 1); j++) {
+                const double s = k / 100.0, t = inside ? j / 100.0 : 0;
+                double p[3], n[3];
+                hole_see(h->patches[i], j == 1 && !inside ? 0 : s, j == 1 && !inside ? s : t, p,
+                         n);
+                const double z = bend * (p[0] * p[0] + p[1] * p[1]) / 2;
+                const double m[3] = {-bend * p[0], -bend * p[1], 1}, q[3] = {p[0], p[1], z};
+                hole_compare(p, n, q, m, &out);
+            }
+    return out;
+}
+
+TEST(holes_of_three_to_eight_sides_join_smoothly_inside_and_outside)
+{
+    for (int n = 3; n <= 8; n++)
+        for (int shape = 0; shape < 2; shape++) {
+            hole h;
+            hole_on_paraboloid(n, shape == 0 ? round_corners : uneven, 0.8, &h);
+            CHECK_OK(batten_surface_fill(n, h.ribbons, NULL, &h.report, h.patches));
+            CHECK_INT(h.report.count, n);
+            CHECK_INT(h.report.twisted, 0);
+            CHECK(!h.report.folded);
+            const hole_misfit outer = from_paraboloid(&h, 0.8, false), inner = hole_inner(&h);
+            CHECK_NEAR(outer.gap, 0, 1e-13);
+            CHECK_NEAR(outer.angle, 0, 1e-8);
+            CHECK_NEAR(inner.gap, 0, 1e-13);
+            CHECK_NEAR(inner.angle, 0, 1e-8);
+            /* degree two is reproduced over regular polygons, and nearly over others */
+            CHECK_NEAR(from_paraboloid(&h, 0.8, true).gap, 0, shape == 0 ? 1e-12 : 0.01);
+            hole_free(&h);
+        }
+}
+
+TEST(a_flat_hole_is_filled_flat)
+{
+    hole h;
+    hole_on_paraboloid(5, uneven, 0, &h);
+    CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    CHECK_NEAR(from_paraboloid(&h, 0, true).angle, 0, 1e-10);
+    for (int i = 0; i < 5; i++) /* and with free sides too */
+        h.ribbons[i].slope = NULL;
+    hole_free_patches(&h);
+    CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    CHECK_NEAR(from_paraboloid(&h, 0, true).angle, 0, 1e-10);
+    CHECK(!h.report.outer[0].has_slope && h.report.inner[0].has_slope);
+    hole_free(&h);
+}
+
+TEST(G7_sides_in_any_order_and_direction_make_the_same_fill)
+{
+    static const int order[5] = {0, 3, 1, 4, 2};
+    hole h, shuffled = {0};
+    hole_on_paraboloid(5, uneven, 0.8, &h);
+    CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    shuffled.count = 5;
+    for (int i = 0; i < 5; i++) {
+        const int from = order[i];
+        if (i % 2 == 1) {
+            CHECK_OK(batten_curve_reverse(h.curves[from], &shuffled.curves[i]));
+            CHECK_OK(batten_curve_reverse(h.slopes[from], &shuffled.slopes[i]));
+        } else {
+            shuffled.curves[i] = batten_curve_ref(h.curves[from]);
+            shuffled.slopes[i] = batten_curve_ref(h.slopes[from]);
+        }
+        shuffled.ribbons[i] = (batten_ribbon){shuffled.curves[i], shuffled.slopes[i], NULL};
+    }
+    CHECK_OK(
+        batten_surface_fill(5, shuffled.ribbons, NULL, &shuffled.report, shuffled.patches));
+    for (int i = 0; i < 5; i++) {
+        double p[3], q[3], n[3];
+        hole_see(h.patches[i], 0.3, 0.7, p, n);
+        hole_see(shuffled.patches[i], 0.3, 0.7, q, n);
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(p[c], q[c], 1e-12);
+        CHECK_INT(order[shuffled.report.outer[i].curve], h.report.outer[i].curve);
+    }
+    hole_free(&shuffled);
+    hole_free(&h);
+}
+
+/* Slopes that lean out of the paraboloid's planes inside the sides twist against each other in
+ * the corners. */
+static void lean(hole *h)
+{
+    for (int i = 0; i < h->count; i++) {
+        const double *s = batten_curve_points(h->slopes[i]), ends[2] = {0, 1};
+        double leaning[3][3];
+        for (int c = 0; c < 3; c++) {
+            leaning[0][c] = s[c];
+            leaning[1][c] = (s[c] + s[3 + c]) / 2 + (c == 2 ? 0.5 : 0);
+            leaning[2][c] = s[3 + c];
+        }
+        batten_curve_unref(h->slopes[i]);
+        h->slopes[i] = NULL;
+        CHECK_OK(batten_curve_from_bezier(3, 2, 1, leaning[0], NULL, ends, &h->slopes[i]));
+        h->ribbons[i].slope = h->slopes[i];
+    }
+}
+
+TEST(ribbons_that_twist_against_each_other_are_left_in_small_zones_alone)
+{
+    hole h;
+    hole_on_paraboloid(5, uneven, 0.8, &h);
+    lean(&h);
+    static const double angles[] = {0.001, 0.01, 0.1};
+    for (int k = 0; k < COUNT(angles); k++) {
+        const double angle = angles[k];
+        batten_fill_options options = batten_fill_defaults();
+        options.angle = angle / TESTS_DEGREES;
+        CHECK_OK(batten_surface_fill(5, h.ribbons, &options, &h.report, h.patches));
+        CHECK_INT(h.report.twisted, 5);
+        CHECK(h.report.twist > 0.01);
+        double worst = 0;
+        for (int i = 0; i < 5; i++)
+            worst = fmax(worst, h.report.outer[i].angle * TESTS_DEGREES);
+        CHECK(worst < 1.01 * angle && worst > 0.5 * angle);
+        CHECK_NEAR(hole_inner(&h).angle, 0, 1e-8);
+        hole_free_patches(&h);
+    }
+    hole_free(&h);
+}
+
+TEST(two_sides_and_sides_with_corners_are_divided)
+{
+    static const double points[3][3] = {{0, 0, 0}, {1, 1, 0.5}, {2, 0, 0}};
+    static const double back[3][3] = {{2, 0, 0}, {1, -1.2, 0.3}, {0, 0, 0}};
+    hole h = {0};
+    hole_add(&h, 2, points[0], 0, NULL);
+    hole_add(&h, 2, back[0], 0, NULL);
+    CHECK_OK(batten_surface_fill(2, h.ribbons, NULL, &h.report, h.patches));
+    CHECK_INT(h.report.count, 3);
+    CHECK_INT(h.report.flat_corners, 1);
+    CHECK_NEAR(hole_inner(&h).angle, 0, 1e-8);
+    hole_free(&h);
+
+    static const double bent[4][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0.5}, {2, 1, 0}};
+    static const double knots[6] = {0, 0, 1, 3, 4, 4}, ends[2] = {0, 1};
+    static const double closing[3][3] = {{2, 1, 0}, {1, 2, 1}, {0, 0, 0}};
+    memset(&h, 0, sizeof h);
+    h.count = 2;
+    CHECK_OK(batten_curve_create(3, 1, 4, bent[0], NULL, knots, &h.curves[0]));
+    CHECK_OK(batten_curve_from_bezier(3, 2, 1, closing[0], NULL, ends, &h.curves[1]));
+    for (int i = 0; i < 2; i++)
+        h.ribbons[i].curve = h.curves[i];
+    CHECK_OK(batten_surface_fill(2, h.ribbons, NULL, &h.report, h.patches));
+    CHECK_INT(h.report.count, 4);
+    CHECK_INT(h.report.outer[2].curve, 0);
+    CHECK_INT(h.report.outer[3].curve, 1);
+    CHECK_NEAR(hole_inner(&h).angle, 0, 1e-8);
+    hole_free(&h);
+}
+
+TEST(N2_holes_of_any_size_are_filled_alike)
+{
+    static const double sizes[] = {1e-80, 1e-9, 1e9, 1e80};
+    for (int k = 0; k < COUNT(sizes); k++) {
+        hole h, plain;
+        hole_on_paraboloid(5, uneven, 0.8, &plain);
+        memset(&h, 0, sizeof h);
+        const batten_affine map = batten_affine_scaling(sizes[k], sizes[k], sizes[k]);
+        h.count = 5;
+        for (int i = 0; i < 5; i++) {
+            CHECK_OK(batten_curve_transform(plain.curves[i], &map, &h.curves[i]));
+            CHECK_OK(batten_curve_transform(plain.slopes[i], &map, &h.slopes[i]));
+            h.ribbons[i] = (batten_ribbon){h.curves[i], h.slopes[i], NULL};
+        }
+        CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+        for (int i = 0; i < 5; i++) {
+            CHECK_NEAR(h.report.outer[i].gap / sizes[k], 0, 1e-13);
+            CHECK_NEAR(h.report.outer[i].angle, 0, 1e-9);
+            CHECK_NEAR(h.report.inner[i].angle, 0, 1e-9);
+        }
+        hole_free(&h);
+        hole_free(&plain);
+    }
+}
+
+TEST(G7_open_loops_and_ribbons_that_cannot_be_are_refused_by_name)
+{
+    hole h;
+    batten_ribbon ribbons[9];
+    hole_on_paraboloid(5, round_corners, 0.8, &h);
+    CHECK_STATUS(batten_surface_fill(1, h.ribbons, NULL, NULL, h.patches), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("a hole of 1 sides cannot be filled");
+    CHECK_STATUS(batten_surface_fill(9, ribbons, NULL, NULL, h.patches), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_fill(4, h.ribbons, NULL, NULL, h.patches),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("is open by 1.1");
+    memcpy(ribbons, h.ribbons, sizeof ribbons);
+    ribbons[4] = ribbons[3];
+    CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_COINCIDENT);
+    ribbons[4] = h.ribbons[4];
+    const batten_affine outwards = batten_affine_scaling(-1, -1, -1);
+    batten_curve *out = NULL;
+    CHECK_OK(batten_curve_transform(h.slopes[2], &outwards, &out));
+    ribbons[2].slope = out;
+    CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the ribbon of curve 2 points out of the hole");
+    batten_fill_options options = batten_fill_defaults();
+    options.tolerance = -1;
+    CHECK_STATUS(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches),
+                 BATTEN_BAD_ARGUMENT);
+    batten_curve_unref(out);
+    hole_free(&h);
+}
+
+TEST(G5_a_ribbon_without_a_plane_is_refused)
+{
+    static const double side[2][3] = {{0, 0, 0}, {1, 0, 0}};
+    static const double left[2][3] = {{1, 0, 0}, {0, 1, 0}},
+                        right[2][3] = {{0, 1, 0}, {0, 0, 0}};
+    static const double knots[4] = {0, 0, 1, 1}, none[2][3] = {{0}};
+    hole h = {0};
+    hole_add(&h, 1, side[0], 1, none[0]);
+    hole_add(&h, 1, left[0], 0, NULL);
+    hole_add(&h, 1, right[0], 0, NULL);
+    CHECK_STATUS(batten_surface_fill(3, h.ribbons, NULL, NULL, h.patches),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("the slope of the ribbon of curve 0 is zero");
+    static const double along[2][3] = {{1, 0, 0}, {2, 0, 0}};
+    batten_curve_unref(h.slopes[0]);
+    h.slopes[0] = NULL;
+    CHECK_OK(batten_curve_create(3, 1, 2, along[0], NULL, knots, &h.slopes[0]));
+    h.ribbons[0].slope = h.slopes[0];
+    CHECK_STATUS(batten_surface_fill(3, h.ribbons, NULL, NULL, h.patches),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("its slope runs along the curve");
+    hole_free(&h);
+}
