@@ -35,6 +35,7 @@
 #include <batten/geometry.h>
 #include <batten/grid_fit.h>
 #include <batten/gordon.h>
+#include <batten/gregory.h>
 #include <batten/implicit.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>

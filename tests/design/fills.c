@@ -51,9 +51,11 @@ TEST(a_fill_goes_on_from_the_surfaces_around_and_says_how_well)
     CHECK_INT(batten_model_count(model), 3);
     CHECK_TEXT(batten_model_object(model, 0)->name, "x.1");
     CHECK_TEXT(batten_model_object(model, 2)->name, "x.3");
-    CHECK_CONTAINS(note_with(notes, "along 'a'", true), "degrees");
-    CHECK_CONTAINS(note_with(notes, "between surfaces 3 and 1", true), "curvature across");
-    CHECK_CONTAINS(note_with(notes, "none of the sides", false), "surface 'wall'");
+    if (batten_notes_dropped(notes) == 0) { /* for lack of memory */
+        CHECK_CONTAINS(note_with(notes, "along 'a'", true), "degrees");
+        CHECK_CONTAINS(note_with(notes, "between surfaces 3 and 1", true), "curvature across");
+        CHECK_CONTAINS(note_with(notes, "none of the sides", false), "surface 'wall'");
+    }
     for (int i = 0; i < 3; i++) /* the fill of an octant is nearly a sphere */
         for (int k = 0; k <= 10; k++) {
             double p[3];
@@ -74,7 +76,8 @@ TEST(without_tangent_planes_a_fill_has_the_position_alone)
         batten_design *design = NULL;
         CHECK_OK(batten_notes_create(100, &notes));
         CHECK_OK(evaluate(features[i], notes, &design));
-        CHECK(*note_with(notes, "along 'a': gap", true));
+        if (batten_notes_dropped(notes) == 0)
+            CHECK(*note_with(notes, "along 'a': gap", true));
         CHECK(!strstr(note_with(notes, "along 'a'", true), "degrees"));
         batten_design_free(design);
         batten_notes_free(notes);
