@@ -53,6 +53,7 @@
 #include <batten/primitives.h>
 #include <batten/quadratic.h>
 #include <batten/ribbon.h>
+#include <batten/scattered.h>
 #include <batten/skin.h>
 #include <batten/spiro.h>
 #include <batten/standard.h>

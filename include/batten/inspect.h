@@ -159,6 +159,12 @@ BATTEN_API batten_status batten_surface_deviation(const batten_surface *surface,
                                                   const batten_job *job, double *distances,
                                                   batten_deviation *out);
 
+/** The same, and where the feet are. @param[out] uv [count][2], their parameters, or NULL */
+BATTEN_API batten_status batten_surface_project(const batten_surface *surface, int count,
+                                                const double *points, const double *start,
+                                                const batten_job *job, double *uv,
+                                                double *distances, batten_deviation *out);
+
 /** A polyline in space. */
 typedef struct batten_polyline {
     int count;

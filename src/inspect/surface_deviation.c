@@ -371,6 +371,14 @@ batten_status batten_surface_deviation(const batten_surface *surface, int count,
                                        const batten_job *job, double *distances,
                                        batten_deviation *out)
 {
+    return batten_surface_project(surface, count, points, start, job, NULL, distances, out);
+}
+
+batten_status batten_surface_project(const batten_surface *surface, int count,
+                                     const double *points, const double *start,
+                                     const batten_job *job, double *uv, double *distances,
+                                     batten_deviation *out)
+{
     query q = {.points = points, .start = start};
     batten_surface *nurbs = NULL;
     batten_status status =
@@ -387,6 +395,8 @@ batten_status batten_surface_deviation(const batten_surface *surface, int count,
         status = bat_parallel(job, (size_t)count, 16, search_chunk, &q);
     if (status == BATTEN_OK)
         status = bat_deviation_finish(count, q.nearest, distances, out);
+    for (int i = 0; status == BATTEN_OK && uv && i < count; i++)
+        memcpy(uv + 2 * (size_t)i, q.nearest[i].at, sizeof q.nearest[i].at);
     bat_release(q.nearest);
     patches_end(&q.patches);
     batten_surface_unref(nurbs);
