@@ -265,6 +265,25 @@ static batten_status thin(bat_scatter *s, double tolerance, double most)
     return status;
 }
 
+/* ---- as calm as may be ---- */
+
+/* Where there are no data, at corners above all, only the penalty holds the surface: let it
+ * weigh as much as more than half of what is left of the tolerance allows. */
+static batten_status calm(bat_scatter *s, double tolerance, double most)
+{
+    const double target = most + 0.6 * (tolerance - most);
+    double good = s->lambda;
+    size_t worst = 0;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < 16 && status == BATTEN_OK; i++) {
+        status = bat_scatter_solve(s, 10 * good);
+        if (status == BATTEN_OK && worst_of(s, &worst) > target)
+            break;
+        good *= 10;
+    }
+    return status == BATTEN_OK && s->lambda != good ? bat_scatter_solve(s, good) : status;
+}
+
 /* ---- the loop ---- */
 
 static batten_status fit_and_correct(bat_scatter *s)
@@ -308,8 +327,10 @@ batten_status bat_scatter_within(bat_scatter *s)
             return status;
         s->report.rounds = round + 1;
         const double most = worst_of(s, &worst);
-        if (most <= tolerance)
-            return thin(s, tolerance, most);
+        if (most <= tolerance) {
+            status = calm(s, tolerance, most);
+            return status == BATTEN_OK ? thin(s, tolerance, worst_of(s, &worst)) : status;
+        }
         status = refine(s, tolerance, &split);
         if (status == BATTEN_OK && !split)
             return fail(s, worst, most);
