@@ -148,9 +148,10 @@ typedef struct batten_sweep_report {
  * @param[out] report may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
  * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
- * spine no longer than the tolerance); SINGULAR_HERE (no tangent, no frame); BAD_ARGUMENT (a
- * scale that is not above 0, with its place); TOLERANCE_NOT_MET at 2000 sections, with what was
- * reached; TOO_LARGE, OVERFLOW ...
+ * spine no longer than the tolerance, a section that is a point); SINGULAR_HERE (no tangent, no
+ * frame); BAD_ARGUMENT (a scale that is not above 0, with its place); TOLERANCE_NOT_MET at 2000
+ * sections, with what was reached; TOO_LARGE (a path of too many spans, or a surface of more
+ * than a million control points, before the work), OVERFLOW ...
  *
  * Cost: each section that is placed or measured costs a frame, 6 evaluations of the spine, and
  * one step for each of its control points; minimising frames are found to 1e-10 radians first.

@@ -12,6 +12,15 @@ batten_sweep_options batten_sweep_defaults(void)
 
 /* ---- sections ---- */
 
+static batten_status take_section(const batten_curve *section, batten_curve **out)
+{
+    const batten_box box = batten_curve_box(section);
+    if (bat_vec3_norm(bat_vec3_subtract(box.high, box.low)) == 0)
+        return bat_fail(BATTEN_COINCIDENT, "the section is a point, (%g, %g, %g)", box.low.x,
+                        box.low.y, box.low.z);
+    return batten_curve_to_dimension(section, 3, out);
+}
+
 /* One section, or several as a skin in their own plane over the shares of the way. */
 static batten_status take_sections(int count, const batten_curve *const *sections,
                                    const double *at, bat_sweep *sweep)
@@ -20,7 +29,7 @@ static batten_status take_sections(int count, const batten_curve *const *section
         return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d sections, and a sweep needs 1",
                         count);
     if (count == 1)
-        return batten_curve_to_dimension(sections[0], 3, &sweep->section);
+        return take_section(sections[0], &sweep->section);
     double *even = bat_array((size_t)count, sizeof *even);
     batten_curve **raised = bat_array((size_t)count, sizeof *raised);
     batten_status status = even && raised ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -338,13 +347,9 @@ batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 orig
     batten_sweep_report found = {.error = 0, .clearance = 1};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
-    const batten_box box = batten_curve_box(curve);
-    if (bat_vec3_norm(bat_vec3_subtract(box.high, box.low)) == 0)
-        return bat_fail(BATTEN_COINCIDENT, "the curve is a point, (%g, %g, %g)", box.low.x,
-                        box.low.y, box.low.z);
     batten_status status = bat_motion_screw(origin, axis, pitch, angle, &sweep.motion);
     if (status == BATTEN_OK)
-        status = batten_curve_to_dimension(curve, 3, &sweep.section);
+        status = take_section(curve, &sweep.section);
     if (status == BATTEN_OK) {
         sweep.part = (batten_interval){0, angle};
         status = bat_sweep_fit(&sweep, 3, tolerance, &work, &found, out);

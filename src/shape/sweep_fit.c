@@ -241,6 +241,13 @@ static batten_status not_met(const fitting *f)
         f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, (int)MOST_SECTIONS);
 }
 
+static batten_status too_many_spans(const bat_motion *m)
+{
+    return bat_fail(BATTEN_TOO_LARGE,
+                    "the path has %d spans, too many for a sweep of at most %d sections",
+                    m->break_count - 1, (int)MOST_SECTIONS);
+}
+
 /* The breaks of the motion inside the part, as often as it is not smooth there. */
 static batten_status begin_mesh(fitting *f)
 {
@@ -255,15 +262,13 @@ static batten_status begin_mesh(fitting *f)
         if (inner && m->smoothness[i] < 0)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "the sections do not meet at the corner of the spine at %.17g", at);
-        if (f->mesh_count * f->degree > MOST_SECTIONS)
-            return bat_fail(BATTEN_TOO_LARGE,
-                            "the path has %d spans: a sweep has at most %d sections",
-                            m->break_count - 1, (int)MOST_SECTIONS);
+        if (f->mesh_count == MOST_SECTIONS)
+            return too_many_spans(m);
         f->mesh[f->mesh_count] = at;
         f->times[f->mesh_count++] =
             f->degree - (inner ? bat_min_int(m->smoothness[i], f->degree - 1) : 0);
     }
-    return BATTEN_OK;
+    return count_rows(f) <= MOST_SECTIONS ? BATTEN_OK : too_many_spans(m);
 }
 
 static batten_status one_round(fitting *f, bat_work *work, int places)
@@ -329,8 +334,10 @@ static void close_seam(fitting *f)
     double gap = 0;
     for (size_t c = 0; c < f->row; c++)
         gap = bat_max(gap, fabs(f->rows[c] - last[c]));
-    if (gap <= bat_min(1e-9 * f->size, f->tolerance / 16))
-        memcpy(last, f->rows, f->row * sizeof *last);
+    if (gap > bat_min(1e-9 * f->size, f->tolerance / 16))
+        return;
+    memcpy(last, f->rows, f->row * sizeof *last);
+    f->worst += gap;
 }
 
 static void fill_knots_u(const bat_sweep *s, bat_nurbs *made)

@@ -202,3 +202,31 @@ TEST(exact_sweeps_refuse_what_they_cannot_do)
     batten_curve_unref(curve);
     batten_curve_unref(circle);
 }
+
+TEST(affine_maps_of_both_curves_make_the_mapped_translational_surface)
+{
+    const batten_affine map = {{{1, 2, -1}, {0.5, 1, 3}, {2, -1, 0.3}}, {4, 5, 6}};
+    batten_curve *flat = arc(2, 1.9), *curve = NULL, *path = bow(), *images[2] = {NULL, NULL};
+    batten_surface *plain = NULL, *image = NULL, *expected = NULL;
+    CHECK_OK(batten_curve_to_dimension(flat, 3, &curve));
+    CHECK_OK(batten_curve_transform(curve, &map, &images[0]));
+    CHECK_OK(batten_curve_transform(path, &map, &images[1]));
+    CHECK_OK(batten_surface_translational(curve, path, &plain));
+    CHECK_OK(batten_surface_translational(images[0], images[1], &image));
+    CHECK_OK(batten_surface_transform(plain, &map, &expected));
+    for (int i = 0; i <= 64; i++) {
+        double p[3], q[3];
+        CHECK_OK(batten_surface_evaluate(image, (i % 9) / 8.0, i / 64.0, 0, p));
+        CHECK_OK(batten_surface_evaluate(expected, (i % 9) / 8.0, i / 64.0, 0, q));
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(p[k], q[k], 2e-14);
+    }
+    batten_surface_unref(expected);
+    batten_surface_unref(image);
+    batten_surface_unref(plain);
+    for (int k = 0; k < 2; k++)
+        batten_curve_unref(images[k]);
+    batten_curve_unref(path);
+    batten_curve_unref(curve);
+    batten_curve_unref(flat);
+}
