@@ -6,81 +6,7 @@
 
 #include <string.h>
 
-enum {
-    STEPS = 64, /* nodes of a span */
-    MOST_NODES = 1 << 22
-};
-
-/* ---- the pose ---- */
-
-static const bat_spine_motion *motion_of(const bat_motion *motion)
-{
-    return (const bat_spine_motion *)(const void *)motion;
-}
-
-/* The run that holds u: of two that meet there, by the side. */
-static const bat_spine_run *run_at(const bat_spine_motion *m, double u, batten_side side)
-{
-    int k = 0;
-    while (k + 1 < m->run_count) {
-        const double end = m->u[m->runs[k].last];
-        if (u < end || (u == end && side == BATTEN_FROM_LEFT))
-            break;
-        k++;
-    }
-    return &m->runs[k];
-}
-
-/* The last node of the run at or before u; not the last of the run. */
-static int node_before(const bat_spine_motion *m, const bat_spine_run *r, double u)
-{
-    int low = r->first, high = r->last;
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        if (m->u[middle] <= u)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-static void put_pose(const bat_bare_frame *f, const bat_jet *share, bat_pose *out)
-{
-    const bat_jet3 *columns[4] = {&f->x, &f->y, &f->z, &f->point};
-    for (int k = 0; k <= BAT_POSE_ORDER; k++) {
-        for (int c = 0; c < 4; c++) {
-            const batten_vec3 at = bat_jet3_in_v(columns[c], k);
-            memcpy(out->d[k][c], (double[3]){at.x, at.y, at.z}, sizeof out->d[k][c]);
-        }
-        out->share[k] = bat_jet_in_v(share, k);
-    }
-}
-
-batten_status bat_spine_pose(const bat_motion *motion, double v, batten_side side,
-                             bat_pose *out)
-{
-    const bat_spine_motion *m = motion_of(motion);
-    const bat_spine_run *r = run_at(m, v, side);
-    const int node = node_before(m, r, v);
-    bat_bare_frame f;
-    double length = 0;
-    batten_status status = bat_spine_frame(m, node, v, side, &f);
-    if (status == BATTEN_OK)
-        status = bat_spine_length(m, m->u[node], v, &length);
-    if (status != BATTEN_OK)
-        return status;
-    length += m->length[node];
-    const bat_jet share = bat_share(length, &f.speed, m->total);
-    status = bat_spine_turn(m, &share, side, &f);
-    if (status == BATTEN_OK)
-        status = bat_spine_scale(m, &share, side, &f);
-    if (status != BATTEN_OK)
-        return status;
-    bat_spine_lean(m, r, length, &f);
-    put_pose(&f, &share, out);
-    return BATTEN_OK;
-}
+enum { MOST_NODES = 1 << 22 };
 
 static void spine_free(bat_motion *motion)
 {
@@ -98,7 +24,6 @@ static void spine_free(bat_motion *motion)
 
 /* ---- building ---- */
 
-/* Nodes and runs: a new run, with a node of its own, begins at every corner. */
 typedef struct {
     bat_spine_motion *m;
     const batten_sweep_options *options;
@@ -106,157 +31,6 @@ typedef struct {
     int knot_count;
     batten_sweep_report *report;
 } building;
-
-/* The angle between the tangents on both sides of a knot. */
-static batten_status corner_at(const bat_spine_motion *m, double u, double *angle)
-{
-    batten_vec3 point, tangent[2];
-    batten_status status = bat_spine_tangent(m, u, BATTEN_FROM_LEFT, &point, &tangent[0]);
-    if (status == BATTEN_OK)
-        status = bat_spine_tangent(m, u, BATTEN_FROM_RIGHT, &point, &tangent[1]);
-    if (status == BATTEN_OK)
-        *angle = atan2(bat_vec3_norm(bat_vec3_cross(tangent[0], tangent[1])),
-                       bat_vec3_dot(tangent[0], tangent[1]));
-    return status;
-}
-
-static batten_status check_corner(const building *b, double u, double angle)
-{
-    const double degrees = angle * 180 / BAT_PI;
-    if (angle > BAT_PI - 1e-3)
-        return bat_fail(BATTEN_SINGULAR_HERE, "the spine turns back at %.17g", u);
-    if (b->options->corners != BATTEN_CORNER_REFUSE)
-        return BATTEN_OK;
-    return bat_fail(
-        BATTEN_NOT_COMPATIBLE,
-        "the spine has a corner of %g degrees at %.17g: ask for a mitre, or split it "
-        "there",
-        degrees, u);
-}
-
-static void begin_run(bat_spine_motion *m, double u)
-{
-    m->runs[m->run_count++] = (bat_spine_run){.first = m->node_count, .last = m->node_count};
-    m->u[m->node_count++] = u;
-}
-
-static batten_status lay_nodes(building *b)
-{
-    bat_spine_motion *m = b->m;
-    begin_run(m, b->knots[0]);
-    for (int s = 0; s + 1 < b->knot_count; s++) {
-        const double low = b->knots[s], high = b->knots[s + 1];
-        double angle = 0;
-        if (s > 0) {
-            const batten_status status = corner_at(m, low, &angle);
-            if (status != BATTEN_OK)
-                return status;
-        }
-        /* A smaller bend is rounding: sections there differ by less than that of themselves. */
-        if (angle > 1e-9) {
-            const batten_status status = check_corner(b, low, angle);
-            if (status != BATTEN_OK)
-                return status;
-            begin_run(m, low);
-        }
-        for (int i = 1; i <= STEPS; i++)
-            m->u[m->node_count++] = i < STEPS ? low + (high - low) * i / STEPS : high;
-        m->runs[m->run_count - 1].last = m->node_count - 1;
-    }
-    return BATTEN_OK;
-}
-
-static batten_status measure(bat_spine_motion *m)
-{
-    for (int i = 1; i < m->node_count; i++) {
-        double step = 0;
-        const batten_status status = bat_spine_length(m, m->u[i - 1], m->u[i], &step);
-        if (status != BATTEN_OK)
-            return status;
-        m->length[i] = m->length[i - 1] + step;
-    }
-    m->total = m->length[m->node_count - 1];
-    return BATTEN_OK;
-}
-
-/* Minimising axes of one run that begin with `x`. */
-static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batten_vec3 x)
-{
-    const int count = r->last - r->first + 1;
-    const batten_interval whole = batten_curve_domain(m->spine);
-    const double a = m->u[r->first], b = m->u[r->last];
-    batten_curve *part = NULL;
-    batten_frame *frames = bat_array((size_t)count, sizeof *frames);
-    batten_status status = frames ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK && a == whole.a && b == whole.b)
-        part = batten_curve_ref(m->spine);
-    else if (status == BATTEN_OK)
-        status = batten_curve_subrange(m->spine, a, b, &part);
-    if (status == BATTEN_OK)
-        status =
-            batten_curve_minimising_frames(part, count, m->u + r->first, 1e-9, frames, NULL);
-    const double angle = status == BATTEN_OK ? bat_angle_about(frames[0].z, frames[0].x, x) : 0;
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const batten_vec3 y = bat_vec3_cross(frames[i].z, frames[i].x);
-        m->x[r->first + i] =
-            bat_vec3_along(bat_vec3_scale(frames[i].x, cos(angle)), sin(angle), y);
-    }
-    batten_curve_unref(part);
-    bat_release(frames);
-    return status;
-}
-
-/* The first X: the wanted one, or that of batten_curve_frames. */
-static batten_status first_axis(const building *b, batten_vec3 *x, batten_vec3 *z)
-{
-    batten_frame frame;
-    const double start = b->knots[0];
-    batten_status status =
-        batten_curve_frames(b->m->spine, 1, &start, BATTEN_FRAME_FIXED, &frame);
-    if (status != BATTEN_OK)
-        return status;
-    *x = frame.x;
-    *z = frame.z;
-    const batten_vec3 wanted = b->options->x;
-    if (!isfinite(bat_vec3_norm(wanted)))
-        return bat_fail(BATTEN_NOT_FINITE, "the first x-axis is (%g, %g, %g)", wanted.x,
-                        wanted.y, wanted.z);
-    if (bat_vec3_norm(wanted) > 0)
-        *x = bat_unit_across(wanted, *z);
-    if (bat_vec3_norm(*x) == 0)
-        return bat_fail(BATTEN_SINGULAR_HERE,
-                        "the first x-axis, (%g, %g, %g), lies along the spine", wanted.x,
-                        wanted.y, wanted.z);
-    return BATTEN_OK;
-}
-
-static batten_status frame_runs(building *b)
-{
-    bat_spine_motion *m = b->m;
-    batten_vec3 x, z;
-    batten_status status = first_axis(b, &x, &z);
-    if (status != BATTEN_OK)
-        return status;
-    m->fixed[0] = x;
-    m->fixed[1] = z;
-    if (m->has_up || m->guide || m->kind == BATTEN_FRAME_FIXED ||
-        m->kind == BATTEN_FRAME_FRENET)
-        return BATTEN_OK;
-    for (int k = 0; k < m->run_count && status == BATTEN_OK; k++) {
-        batten_vec3 point, t[2];
-        if (k > 0) {
-            const double u = m->u[m->runs[k].first];
-            status = bat_spine_tangent(m, u, BATTEN_FROM_LEFT, &point, &t[0]);
-            if (status == BATTEN_OK)
-                status = bat_spine_tangent(m, u, BATTEN_FROM_RIGHT, &point, &t[1]);
-            if (status == BATTEN_OK)
-                x = bat_turn_least(m->x[m->runs[k - 1].last], t[0], t[1]);
-        }
-        if (status == BATTEN_OK)
-            status = frame_run(m, &m->runs[k], x);
-    }
-    return status;
-}
 
 /* ---- breaks ---- */
 
@@ -371,9 +145,9 @@ static batten_status make_room(building *b)
 {
     bat_spine_motion *m = b->m;
     const size_t spans = (size_t)b->knot_count - 1;
-    if (spans * (STEPS + 1) > MOST_NODES)
+    if (spans * (BAT_SPINE_STEPS + 1) > MOST_NODES)
         return bat_fail(BATTEN_TOO_LARGE, "a spine of %zu spans is too long", spans);
-    const size_t nodes = spans * (STEPS + 1) + 1;
+    const size_t nodes = spans * (BAT_SPINE_STEPS + 1) + 1;
     const size_t breaks = (size_t)b->knot_count + (size_t)count_law_knots(m);
     b->knots = bat_array(spans + 1, sizeof *b->knots);
     m->u = bat_array(nodes, sizeof *m->u);
@@ -435,13 +209,13 @@ static batten_status build(building *b)
     batten_curve_spans(m->spine, b->knots);
     memcpy(m->base.breaks, b->knots, (size_t)b->knot_count * sizeof *b->knots);
     m->base.break_count = b->knot_count;
-    status = lay_nodes(b);
+    status = bat_spine_lay_nodes(m, b->knot_count, b->knots, b->options->corners);
     if (status == BATTEN_OK)
-        status = measure(m);
+        status = bat_spine_measure(m);
     if (status == BATTEN_OK)
         status = check_length(b);
     if (status == BATTEN_OK)
-        status = frame_runs(b);
+        status = bat_spine_frame_runs(m, b->options->x);
     if (status == BATTEN_OK)
         status = check_turns(m);
     if (status == BATTEN_OK)

@@ -6,6 +6,8 @@
 #include "numeric/jet3.h"
 #include "shape/motion.h"
 
+enum { BAT_SPINE_STEPS = 64 }; /* nodes of a span */
+
 /* A smooth part of the spine. */
 typedef struct {
     int first, last;    /* its nodes */
@@ -51,6 +53,17 @@ batten_status bat_spine_scale(const bat_spine_motion *m, const bat_jet *share, b
 /* At corners sections lean so that they lie in the plane halfway; between, less and less. */
 void bat_spine_lean(const bat_spine_motion *m, const bat_spine_run *r, double length,
                     bat_bare_frame *f);
+
+/* ---- motion_spine_nodes.c ---- */
+
+/* Lay the nodes of all spans. A new run, with a node of its own, begins at every corner;
+ * NOT_COMPATIBLE where corners are refused, SINGULAR_HERE where the spine turns back. */
+batten_status bat_spine_lay_nodes(bat_spine_motion *m, int knot_count, const double *knots,
+                                  batten_corner_kind corners);
+/* Their lengths. */
+batten_status bat_spine_measure(bat_spine_motion *m);
+/* The axes at the nodes; the first looks along `wanted`, as far as it can, unless that is 0. */
+batten_status bat_spine_frame_runs(bat_spine_motion *m, batten_vec3 wanted);
 
 /* ---- motion_spine_corners.c ---- */
 

@@ -723,3 +723,101 @@ TEST(a_section_that_is_a_point_is_refused)
     batten_curve_unref(spine);
     batten_curve_unref(point);
 }
+
+TEST(frenet_frames_look_to_the_centre_of_a_circle)
+{
+    const double a[3] = {0, 0, 0}, b[3] = {0.5, 0, 0};
+    batten_curve *section = NULL, *spine = circle(2);
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface *truth = NULL;
+    options.frames = BATTEN_FRAME_FRENET;
+    CHECK_OK(batten_curve_line(3, a, b, &section));
+    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+    for (int j = 0; j <= 16; j++) {
+        double p[3], c[3];
+        CHECK_OK(batten_curve_evaluate(spine, j / 16.0, 0, c));
+        CHECK_OK(batten_surface_evaluate(truth, 1, j / 16.0, 0, p));
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(p[k], 0.75 * c[k], 1e-14);
+    }
+    batten_surface_unref(truth);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+    /* At an inflection they turn over. */
+    const double wave[12] = {0, 0, 0, 1, 1, 0, 2, -1, 0, 3, 0, 0};
+    batten_surface *none = NULL;
+    section = circle(0.01);
+    spine = through(4, wave);
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_SINGULAR_HERE);
+    CHECK(none == NULL);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(G6_a_skew_loop_of_straight_sides_closes_with_mitres_and_closing_frames)
+{
+    static const double corners[15] = {0, 0, 0, 4, 0, 1, 4, 3, -1, 0, 3, 2, 0, 0, 0};
+    batten_curve *section = NULL, *spine = NULL;
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_sweep_report report;
+    batten_surface *surface = NULL;
+    options.corners = BATTEN_CORNER_MITRE;
+    options.frames = BATTEN_FRAME_CLOSING;
+    options.tolerance = 1e-4;
+    CHECK_OK(batten_curve_ellipse(0.3, 0.1, 0, 2 * PI, &section));
+    CHECK_OK(batten_curve_polyline(3, 5, corners, &spine));
+    CHECK_OK(
+        batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report, &surface));
+    CHECK(fabs(report.turn) > 0.1);
+    CHECK(report.error <= 1e-4);
+    CHECK(batten_surface_is_closed(surface, BATTEN_V, 0));
+    batten_surface_unref(surface);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(a_spine_that_turns_back_has_no_mitre)
+{
+    static const double points[9] = {0, 0, 0, 3, 0, 0, 1, 0, 0};
+    batten_curve *section = circle(0.2), *spine = NULL;
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface *none = NULL;
+    options.corners = BATTEN_CORNER_MITRE;
+    CHECK_OK(batten_curve_polyline(3, 3, points, &spine));
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("the spine turns back at 3");
+    CHECK(none == NULL);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(K7_sections_of_different_knots_are_blended_exactly_where_they_stand)
+{
+    static const double arch[12] = {-1, 0, 0, -0.5, 0.7, 0, 0.4, 0.6, 0, 1, 0, 0},
+                        hump[15] = {-1, 0.2, 0,   -0.7, 0.8, 0,   0, 0.3,
+                                    0,  0.6, 0.9, 0,    1,   0.1, 0};
+    batten_curve *sections[2] = {through(4, arch), through(5, hump)}, *spine = circle(5);
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface *surface = NULL;
+    options.x = (batten_vec3){1, 0, 0};
+    options.tolerance = 1e-5;
+    CHECK_OK(batten_surface_sweep(2, (curves)sections, spine, &options, NULL, NULL, &surface));
+    for (int end = 0; end < 2; end++) {
+        const batten_interval u = batten_curve_domain(sections[end]);
+        for (int i = 0; i <= 16; i++) {
+            double p[3], q[3];
+            CHECK_OK(batten_curve_evaluate(sections[end], fmin(u.b, u.a + (u.b - u.a) * i / 16),
+                                           0, q));
+            CHECK_OK(batten_surface_evaluate(surface, i / 16.0, end, 0, p));
+            /* The tangent is y: Y = y cross x. */
+            const double expected[3] = {5 + q[0], 0, -q[1]};
+            CHECK_NEAR(distance(p, expected), 0, 1e-12);
+        }
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(spine);
+    batten_curve_unref(sections[0]);
+    batten_curve_unref(sections[1]);
+}
