@@ -821,3 +821,70 @@ TEST(K7_sections_of_different_knots_are_blended_exactly_where_they_stand)
     batten_curve_unref(sections[0]);
     batten_curve_unref(sections[1]);
 }
+
+/* A periodic curve of the xy-plane with some lobes. */
+static batten_curve *flower(double radius)
+{
+    double points[3 * 10] = {0};
+    for (int i = 0; i < 10; i++) {
+        const double r = radius * (i % 2 ? 1 : 0.7);
+        points[3 * i] = r * cos(2 * PI * i / 10);
+        points[3 * i + 1] = r * sin(2 * PI * i / 10);
+    }
+    batten_curve *curve = NULL;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.periodic = true;
+    CHECK_OK(batten_curve_interpolate(3, 10, points, &options, NULL, &curve));
+    return curve;
+}
+
+TEST(K5_periodic_sections_and_shifted_domains_are_swept_as_they_are)
+{
+    batten_curve *sections[2] = {flower(0.5), flower(0.3)}, *spine = through(5, bend_points);
+    batten_curve *shifted = NULL;
+    CHECK_OK(batten_curve_set_domain(spine, -7, -2, &shifted));
+    for (int count = 1; count <= 2; count++) {
+        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface *surface = NULL, *truth = NULL;
+        options.tolerance = 1e-4;
+        CHECK_OK(batten_surface_sweep(count, (curves)sections, shifted, &options, NULL, NULL,
+                                      &surface));
+        CHECK_OK(batten_surface_true_sweep(count, (curves)sections, shifted, &options, &truth));
+        CHECK(batten_surface_is_periodic(surface, BATTEN_U));
+        CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).a, -7, 0);
+        CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).b, -2, 0);
+        CHECK(deviation(surface, truth, 30) <= 1e-4);
+        batten_surface_unref(truth);
+        batten_surface_unref(surface);
+    }
+    batten_curve_unref(shifted);
+    batten_curve_unref(spine);
+    batten_curve_unref(sections[0]);
+    batten_curve_unref(sections[1]);
+}
+
+TEST(G10_a_reversed_spine_makes_the_same_pipe)
+{
+    batten_curve *spine = through(5, bend_points), *back = NULL;
+    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface **made = NULL;
+    int count = 0;
+    options.tolerance = 1e-6;
+    CHECK_OK(batten_curve_reverse(spine, &back));
+    CHECK_OK(batten_surfaces_pipe(0.3, back, &options, NULL, NULL, &count, &made));
+    const batten_interval v = batten_curve_domain(spine);
+    for (int j = 0; j <= 32; j++) {
+        const double at = v.a + (v.b - v.a) * j / 32;
+        double p[3], c[6], along = 0;
+        CHECK_OK(batten_curve_evaluate(spine, at, 1, c));
+        CHECK_OK(batten_surface_evaluate(made[0], j / 32.0, -at, 0, p));
+        CHECK_NEAR(distance(p, c), 0.3, 1e-6);
+        for (int k = 0; k < 3; k++)
+            along += (p[k] - c[k]) * c[3 + k];
+        CHECK_NEAR(along, 0, 1e-5);
+    }
+    batten_surface_unref(made[0]);
+    batten_release(made);
+    batten_curve_unref(back);
+    batten_curve_unref(spine);
+}
