@@ -10,6 +10,13 @@ static const char common[] =
     "  sail: {bezier-triangle: net}\n"
     "  high: {points: [[2, 2, -1], [2, 1, 0], [1, 2, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
     "  jib: {bezier-triangle: high}\n"
+    "  l2: {line: [[1, 0], [0, 1, 1]]}\n  l3: {line: [[0, 1, 1], [0, 0]]}\n"
+    "  az: {arc: 1, angle: 90 deg}\n"
+    "  ax: {arc: 1, angle: 90 deg, axis: x, from: y}\n"
+    "  ay: {arc: 1, angle: 90 deg, axis: y, from: z}\n"
+    "  ez: {extrude: az, along: [0, 0, -1]}\n"
+    "  ex: {extrude: ax, along: [-1, 0, 0]}\n"
+    "  ey: {extrude: ay, along: [0, -1, 0]}\n"
     "  l1: {line: [[0, 0], [1, 0]]}\n  s: {extrude: l1, along: z}\n";
 
 static batten_status evaluate(const char *feature, batten_design **out)
@@ -91,6 +98,10 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
         {"{bezier-triangle: s}", "points are needed"},
         {"{bezier-triangle: net, halve: 12}", "more than"},
         {"{join-triangles: sail}", "0 edges are shared"},
+        {"{triangle-patch: [l1, l2]}", "between 3 curves, not 2"},
+        {"{triangle-patch: [l1, l2, sail]}", "between 3 curves, not 2"},
+        {"{triangle-patch: [l1, l2, az]}", "is open by"},
+        {"{triangle-patch: [l1, l2, l3], along: l1}", "surfaces are needed"},
         {"{triangles-of: sail}", "surfaces are needed"},
         {"{patches-of: s}", "triangles are needed"},
     };
@@ -131,4 +142,31 @@ TEST(outputs_show_write_and_check_triangles)
         batten_release(data);
     }
     batten_design_free(design);
+}
+
+/* The patch in the corner of three cylinders is nearly the ball, and leaves it nowhere where it
+ * meets them. */
+TEST(a_triangle_patch_goes_on_from_the_surfaces_beside_it)
+{
+    static const char *const methods[] = {"side-vertex", "parallels", "corners"};
+    for (int m = 0; m < 3; m++) {
+        char feature[200];
+        batten_design *design = NULL;
+        snprintf(feature, sizeof feature,
+                 "{triangle-patch: [ay, ax, az], along: [ex, ey, ez], method: %s}", methods[m]);
+        CHECK_OK(evaluate(feature, &design));
+        const batten_surface *surface = last_object(design)->surface;
+        for (int i = 1; i <= 10; i++) /* the B-spline near it has a pole at u = 0 */
+            for (int j = 0; j <= 10; j++) {
+                double p[3];
+                batten_vec3 n = {0, 0, 0};
+                CHECK_OK(batten_surface_evaluate(surface, i / 10.0, j / 10.0, 0, p));
+                const double radius = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+                CHECK_NEAR(radius, 1, m == 0 ? 0.07 : m == 1 ? 0.05 : 0.02);
+                CHECK_OK(batten_surface_normal(surface, i / 10.0, j / 10.0, &n, NULL));
+                const double facing = fabs(n.x * p[0] + n.y * p[1] + n.z * p[2]) / radius;
+                CHECK_NEAR(facing, 1, i == 10 || j == 0 || j == 10 ? 1e-5 : 0.02);
+            }
+        batten_design_free(design);
+    }
 }
