@@ -260,14 +260,14 @@ static batten_status permute(task *t, int family)
     return BATTEN_OK;
 }
 
-/* Where the curves of a family close, the first one of the other family is its last, too. */
-static batten_status repeat_first(bat_network *net, int family)
+/* Where the curves of a family close, the first one of the other family is its last, too. Each
+ * curve has room for `nodes` parameters. */
+static batten_status repeat_first(bat_network *net, int family, size_t nodes)
 {
     bat_network_family *across = &net->family[1 - family];
     if (!net->family[family].closed)
         return BATTEN_OK;
     const bat_network_curve *first = &across->curves[0];
-    const size_t nodes = (size_t)net->family[family].count + 1;
     bat_network_curve *last = &across->curves[across->count];
     *last = (bat_network_curve){.index = first->index,
                                 .point = first->point,
@@ -303,8 +303,10 @@ static batten_status order(task *t)
         status = turn_family(t, k);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         status = permute(t, k);
+    const size_t nodes[2] = {(size_t)family_of(t, 0)->count + 1,
+                             (size_t)family_of(t, 1)->count + 1};
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = repeat_first(t->net, k);
+        status = repeat_first(t->net, k, nodes[k]);
     return status;
 }
 
