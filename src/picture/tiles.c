@@ -46,6 +46,17 @@ static double bulge(const double *a, const double *b, const double *c)
     return sqrt(sum);
 }
 
+/* How far the corners of a cell are from a parallelogram. */
+static double twist(const double *a, const double *b, const double *c, const double *d)
+{
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const double t = (a[k] - b[k]) - (c[k] - d[k]);
+        sum += t * t;
+    }
+    return sqrt(sum);
+}
+
 /* Points probed on a grid: four steps in each span along the axis, lines across it. */
 typedef struct {
     size_t count_along, count_across;
@@ -60,7 +71,9 @@ static const double *probed(const probe *p, size_t along, size_t across)
 }
 
 /* Linear pieces of n steps err n^2 times less than one piece, whose error is that of the halves
- * and four times that of the quarters. */
+ * and four times that of the quarters. A cell that is cut into triangles errs by a quarter of
+ * its twist; lines across are half a span apart, and n steps there too make it n^2 times less.
+ */
 static int steps_for(const probe *p, size_t span, double tolerance, int least)
 {
     double error = 0;
@@ -71,6 +84,9 @@ static int steps_for(const probe *p, size_t span, double tolerance, int least)
         error = bat_max(error, bulge(q[0], q[2], q[4]));
         error = bat_max(error, 4 * bulge(q[0], q[1], q[2]));
         error = bat_max(error, 4 * bulge(q[2], q[3], q[4]));
+        if (j + 1 < p->count_across)
+            error = bat_max(error, 0.5 * twist(q[0], q[4], probed(p, 4 * span, j + 1),
+                                               probed(p, 4 * span + 4, j + 1)));
     }
     const double steps = ceil(sqrt(error / tolerance));
     return steps < least ? least : steps > MOST_STEPS ? MOST_STEPS : (int)steps;

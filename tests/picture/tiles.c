@@ -28,6 +28,26 @@ TEST(tiles_lie_as_close_to_a_sphere_as_asked)
     batten_surface_unref(sphere);
 }
 
+TEST(tiles_of_a_twisted_patch_of_straight_lines_are_as_close_as_asked)
+{
+    const double points[] = {0, 0, 0, 0, 8, 6, 8, 0, 6, 8, 8, 0};
+    batten_surface *patch = scene_net(1, 2, 1, 2, points);
+    bat_tiles t;
+    CHECK_OK(bat_tiles_make(patch, 0.01, 4, 100000, false, NULL, &t));
+    for (size_t i = 0; i + 1 < t.count_u; i++)
+        for (size_t j = 0; j + 1 < t.count_v; j++) {
+            const double *p = t.points + 3 * (i * t.count_v + j);
+            const double *q = p + 3 * (t.count_v + 1);
+            double s[3];
+            CHECK_OK(batten_surface_evaluate(patch, (t.u[i] + t.u[i + 1]) / 2,
+                                             (t.v[j] + t.v[j + 1]) / 2, 0, s));
+            for (int k = 0; k < 3; k++)
+                CHECK_NEAR((p[k] + q[k]) / 2, s[k], 0.01);
+        }
+    bat_tiles_free(&t);
+    batten_surface_unref(patch);
+}
+
 TEST(S5_the_number_of_tiles_stays_below_its_limit)
 {
     batten_surface *sphere = scene_sphere(5);
