@@ -55,6 +55,7 @@
 #include <batten/ribbon.h>
 #include <batten/scattered.h>
 #include <batten/skin.h>
+#include <batten/skin_rows.h>
 #include <batten/spiro.h>
 #include <batten/standard.h>
 #include <batten/surface.h>

@@ -102,7 +102,7 @@ typedef struct batten_skin_report {
  * sections and `start`, `end` hold; an even degree has averaged knots. Circle and curvature
  * ends are not possible. A clamped end has the given derivative all along the section. A
  * section may be a point (all control points equal): a pole. Sections that are periodic, all of
- * them, stay so and are unified exactly whatever the tolerance. With `align` the message says
+ * them, stay so, and so does the surface along u. With `align` the message says
  * which sections were reversed.
  *
  * With a tolerance, spans of sections are first stretched, corners held, so that their speed
@@ -114,7 +114,8 @@ typedef struct batten_skin_report {
  * Nothing twists when the right points belong together: `align` looks for the direction,
  * `turn` or `starts` for the begin of closed sections, `match` for all between. All go by
  * distances, so mirrored sections give the mirrored surface. A section matched otherwise than
- * by its parameters is replaced within half the tolerance, and periodic ones are then clamped.
+ * by its parameters is replaced within a quarter of the tolerance, and periodic ones are then
+ * clamped.
  *
  * A crease (report->crease above 1e-4 radians) is cured as `creases` says, and the report says
  * how. A weight between the sections that is not positive is cured by polynomial sections in
@@ -137,6 +138,30 @@ BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *cons
                                              const batten_skin_options *options,
                                              const batten_job *job, double *v,
                                              batten_skin_report *report, batten_surface **out);
+
+/**
+ * The procedural skin: S(u, v) = sum of L_k(v) C_k(u), with the cardinal splines L_k of the
+ * same interpolation across, 1 at section k and 0 at the others. u runs over [0, 1] and the
+ * sections stay as they are: no knots are merged, and between rational sections points are
+ * blended, not weights. So it passes them exactly, has no slivers, and as many creases as the
+ * sections have corners.
+ *
+ * Parameters across come from the distances of 33 places of the sections.
+ * batten_surface_to_nurbs gives the skin of common knots within its tolerance, 0 of polynomial
+ * sections the one with all knots; the error is that of batten_surface_skin times the largest
+ * sum of |L_k|.
+ *
+ * @param options as for batten_surface_skin; the tolerance and `creases` do not matter, but for
+ *        matching. DIRECTION ends are not possible
+ * @param[out] v [count]; may be NULL
+ * @param[out] out of the kind "skin", evaluated to order 3; later changes need NURBS
+ * @return as batten_surface_skin
+ * Cost: a point costs as many evaluations of sections as there are. Source: [FB89].
+ */
+BATTEN_API batten_status batten_surface_skin_procedural(int count,
+                                                        const batten_curve *const *sections,
+                                                        const batten_skin_options *options,
+                                                        double *v, batten_surface **out);
 
 /** (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1]. */
 BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,

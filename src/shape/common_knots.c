@@ -51,7 +51,9 @@ static batten_status take_rows(const bat_fitting *f, const batten_curve *curve, 
 static batten_status take_sections(bat_fitting *f, const batten_curve *const *sections)
 {
     batten_status status = BATTEN_OK;
+    f->periodic = true;
     for (int k = 0; k < f->count; k++) {
+        f->periodic = f->periodic && batten_curve_is_periodic(sections[k]);
         f->degree = bat_max_int(f->degree, batten_curve_degree(sections[k]));
         f->rational = f->rational || batten_curve_is_rational(sections[k]);
     }
@@ -174,6 +176,7 @@ static batten_status grow(bat_fitting *f, bat_comb *c, bool *met)
 static batten_status shrink(const bat_fitting *f, bat_comb *c, bat_comb *scratch)
 {
     int suspect = 0;
+    const int least = f->periodic ? f->degree : 0;
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < (f->symmetric ? (c->inner + 1) / 2 : c->inner);) {
             bool keep = false;
@@ -185,7 +188,7 @@ static batten_status shrink(const bat_fitting *f, bat_comb *c, bat_comb *scratch
                 batten_status status =
                     bat_work_step(f->work, fit_steps(f, c),
                                   0.1 + 0.2 * (pass + (double)i / c->inner), "common knots");
-                if (status == BATTEN_OK)
+                if (status == BATTEN_OK && scratch->inner >= least)
                     status = all_keep(f, scratch, &suspect, &keep);
                 if (status != BATTEN_OK)
                     return status;
@@ -226,7 +229,7 @@ static batten_status attempt(bat_fitting *f, int averaged, bat_comb *c, bat_comb
     c->inner = 0;
     if (!bat_comb_hold(f, c) || !bat_comb_corners(f, c))
         return BATTEN_OK;
-    bat_comb_average(f, averaged, c);
+    bat_comb_average(f, f->periodic ? bat_max_int(averaged, f->degree) : averaged, c);
     if (f->symmetric)
         bat_comb_mirror(c);
     batten_status status = grow(f, c, &reached);
@@ -286,7 +289,8 @@ static batten_status hand_over(bat_fitting *f, const bat_comb *best, batten_curv
     batten_status status = fit_all(f, best, &worst);
     int made = 0;
     for (; status == BATTEN_OK && made < f->count; made++)
-        status = to_curve(f, &f->fitted[made], &out[made]);
+        status = f->periodic ? bat_common_ring_curve(f, made, best, &out[made])
+                             : to_curve(f, &f->fitted[made], &out[made]);
     for (int k = 0; status != BATTEN_OK && k < made; k++) {
         batten_curve_unref(out[k]);
         out[k] = NULL;

@@ -6,8 +6,9 @@
 
 /*
  * Give curves of one dimension the same degree, few common knots and the domain [0, 1], no
- * curve moving farther than `tolerance` at equal parameters; corners and ends stay. When that
- * takes as many knots as the exact union, that.
+ * curve moving farther than `tolerance` at equal parameters; corners stay, and the ends, but of
+ * periodic curves: these, all of them, stay periodic. When that takes as many knots as the
+ * exact union, that.
  * @param[out] out [count]; @param[out] deviation [count] bounds on how far each moved
  */
 batten_status bat_common_knots(int count, const batten_curve *const *curves, double tolerance,

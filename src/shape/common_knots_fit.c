@@ -135,6 +135,8 @@ static batten_status close_seam(const bat_fitting *f, const double *gram, bat_sp
 
 batten_status bat_common_fit(const bat_fitting *f, int k, const bat_comb *c, bat_spline *out)
 {
+    if (f->periodic)
+        return bat_common_ring_fit(f, k, c, out);
     const int p = f->degree, n = c->inner + p + 1;
     const bat_spline *given = &f->given[k];
     bat_spline fit;

@@ -16,6 +16,7 @@ typedef struct {
     int count, degree, dimension;
     size_t width;
     bool rational;
+    bool periodic;  /* each curve: so are the fitted ones */
     bool symmetric; /* each curve about its middle: so are its knots then */
     double tolerance;
     const bat_common_request *request;
@@ -49,8 +50,14 @@ void bat_comb_mirror(bat_comb *c);
 
 /* ---- one curve upon a comb (common_knots_fit.c) ---- */
 
-/* Least squares with the ends held. */
+/* Least squares with the ends held; of a periodic curve without. */
 batten_status bat_common_fit(const bat_fitting *f, int k, const bat_comb *c, bat_spline *out);
+/* The same of a periodic curve, cut at its seam, so that both kinds are compared in one way;
+ * and as the periodic curve that it is (common_knots_ring.c). */
+batten_status bat_common_ring_fit(const bat_fitting *f, int k, const bat_comb *c,
+                                  bat_spline *out);
+batten_status bat_common_ring_curve(const bat_fitting *f, int k, const bat_comb *c,
+                                    batten_curve **out);
 /* Bounds on the distance at equal parameters: in each span of the comb (`error` grows, may be
  * NULL), and of the whole. */
 batten_status bat_common_deviation(const bat_fitting *f, const bat_spline *given,

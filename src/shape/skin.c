@@ -2,10 +2,12 @@
 
 #include <string.h>
 
+static const batten_skin_options standard = {
+    .size = sizeof(batten_skin_options), .degree = 3, .parameters = BATTEN_CENTRIPETAL};
+
 batten_skin_options batten_skin_defaults(void)
 {
-    return (batten_skin_options){
-        .size = sizeof(batten_skin_options), .degree = 3, .parameters = BATTEN_CENTRIPETAL};
+    return standard;
 }
 
 /* ---- checks ---- */
@@ -147,8 +149,8 @@ static batten_status skin(bat_skin *t, batten_surface **out)
     const batten_skin_options *o = t->options;
     const bool cures = t->cures;
     batten_surface *surface = NULL;
-    batten_status status = prepare(t);
-    if (status == BATTEN_OK && cures && o->tolerance > 0)
+    batten_status status = BATTEN_OK;
+    if (cures && o->tolerance > 0)
         status = bat_skin_stretch(t); /* it saves knots too */
     bool again = status == BATTEN_OK;
     while (again) {
@@ -173,7 +175,21 @@ static batten_status skin(bat_skin *t, batten_surface **out)
     return status;
 }
 
-static void release(bat_skin *t)
+batten_status bat_skin_begin(int count, const batten_curve *const *sections,
+                             const batten_skin_options *options, bool mixed, bat_skin *t)
+{
+    *t = (bat_skin){.count = count,
+                    .options = options ? options : &standard,
+                    .given = sections,
+                    .mixed = mixed};
+    const batten_skin_options *o = t->options;
+    t->cures = o->creases == BATTEN_CREASES_CURE ||
+               (o->creases == BATTEN_CREASES_WITHIN && o->tolerance > 0);
+    const batten_status status = check(count, o);
+    return status == BATTEN_OK ? prepare(t) : status;
+}
+
+void bat_skin_end(bat_skin *t)
 {
     forget(t);
     for (int k = 0; t->placed && k < t->count; k++)
@@ -190,25 +206,17 @@ batten_status bat_surface_skin(int count, const batten_curve *const *sections,
                                const batten_job *job, double *v, batten_skin_report *report,
                                batten_surface **out)
 {
-    const batten_skin_options defaults = batten_skin_defaults();
-    bat_skin t = {.count = count,
-                  .options = options ? options : &defaults,
-                  .given = sections,
-                  .work = {job, 0},
-                  .mixed = mixed,
-                  .reports = report != NULL};
-    batten_status status = check(count, t.options);
-    if (status != BATTEN_OK)
-        return status;
-    const batten_skin_options *o = t.options;
-    t.cures = o->creases == BATTEN_CREASES_CURE ||
-              (o->creases == BATTEN_CREASES_WITHIN && o->tolerance > 0);
-    status = skin(&t, out);
+    bat_skin t;
+    batten_status status = bat_skin_begin(count, sections, options, mixed, &t);
+    t.work.job = job;
+    t.reports = report != NULL;
+    if (status == BATTEN_OK)
+        status = skin(&t, out);
     if (status == BATTEN_OK && v)
         memcpy(v, t.v, (size_t)count * sizeof *v);
     if (status == BATTEN_OK && report)
         *report = t.found;
-    release(&t);
+    bat_skin_end(&t);
     return status;
 }
 

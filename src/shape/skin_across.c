@@ -28,25 +28,30 @@ batten_status bat_skin_rows(bat_skin *t)
 batten_status bat_skin_parameters(bat_skin *t)
 {
     const size_t d = (size_t)t->dimension, row = (size_t)t->points * d;
-    double *points = bat_array3((size_t)t->count, row, sizeof *points);
+    double *points = NULL;
     t->v = bat_array((size_t)t->count + 1, sizeof *t->v);
-    batten_status status = points && t->v ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
+    if (!t->v)
+        return BATTEN_OUT_OF_MEMORY;
+    if (t->rational) { /* else the rows are the points */
+        points = bat_array3((size_t)t->count, row, sizeof *points);
+        if (!points)
+            return BATTEN_OUT_OF_MEMORY;
         for (int k = 0; k < t->count; k++)
             memcpy(points + (size_t)k * row, batten_curve_points(t->unified[k]),
                    row * sizeof *points);
-        const bat_family family = {.name = "sections",
-                                   .dimension = t->dimension,
-                                   .count = t->count,
-                                   .lines = t->points,
-                                   .point_step = row,
-                                   .line_step = d,
-                                   .periodic = t->options->periodic,
-                                   .points = points,
-                                   .given = t->options->given};
-        double spread = 0;
-        status = bat_family_parametrize(&family, t->options->parameters, t->v, &spread);
     }
+    const bat_family family = {.name = "sections",
+                               .dimension = t->dimension,
+                               .count = t->count,
+                               .lines = t->points,
+                               .point_step = row,
+                               .line_step = d,
+                               .periodic = t->options->periodic,
+                               .points = points ? points : t->rows,
+                               .given = t->options->given};
+    double spread = 0;
+    const batten_status status =
+        bat_family_parametrize(&family, t->options->parameters, t->v, &spread);
     bat_release(points);
     return status;
 }
@@ -54,6 +59,17 @@ batten_status bat_skin_parameters(bat_skin *t)
 static batten_end_kind linear_kind(batten_end_kind kind)
 {
     return kind == BATTEN_END_DIRECTION ? BATTEN_END_CLAMPED : kind;
+}
+
+bat_request bat_skin_request(const batten_skin_options *o, int count, const double *v)
+{
+    return (bat_request){.degree = o->degree,
+                         .count = count,
+                         .parameters = v,
+                         .knots_at_data = o->degree % 2 == 1,
+                         .periodic = o->periodic,
+                         .start = linear_kind(o->start.kind),
+                         .end = linear_kind(o->end.kind)};
 }
 
 /* What the end asks of each control point: the same derivative of the surface along the whole
@@ -78,13 +94,7 @@ static void fill_end(const bat_skin *t, const batten_end *end, int here, int nex
 batten_status bat_skin_across(bat_skin *t)
 {
     const batten_skin_options *o = t->options;
-    const bat_request request = {.degree = o->degree,
-                                 .count = t->count,
-                                 .parameters = t->v,
-                                 .knots_at_data = o->degree % 2 == 1,
-                                 .periodic = o->periodic,
-                                 .start = linear_kind(o->start.kind),
-                                 .end = linear_kind(o->end.kind)};
+    const bat_request request = bat_skin_request(o, t->count, t->v);
     batten_status status = bat_operator_make(&request, &t->across);
     if (status != BATTEN_OK)
         return status;

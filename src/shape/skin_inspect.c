@@ -23,7 +23,7 @@ static batten_status parameter_rounding(const batten_curve *section, double u, d
 
 /* How far the section with common knots is from the section at the same parameter s in [0, 1],
  * beyond the rounding of the parameter; that is looked into where it matters. */
-static batten_status miss_at(const bat_skin *t, int k, double s, double *miss)
+static batten_status miss_at(const bat_skin *t, int k, double s, double allowed, double *miss)
 {
     const batten_curve *section = t->placed[k];
     const batten_interval domain = batten_curve_domain(section);
@@ -35,27 +35,28 @@ static batten_status miss_at(const bat_skin *t, int k, double s, double *miss)
     if (status != BATTEN_OK)
         return status;
     *miss = bat_distance(t->dimension, given, found);
-    if (*miss > t->deviation[k] && *miss > 0)
+    if (*miss > allowed / 2)
         status = parameter_rounding(section, u, &rounding);
     *miss -= rounding;
     return status;
 }
 
 /* The largest distance of a section from itself with common knots, beyond the rounding of
- * parameters: at its knots and at p places between. Common knots only refine its spans. */
-static batten_status knots_distance(const bat_skin *t, int k, double *knots, double *worst)
+ * parameters: at its knots and midway between. Common knots only refine its spans. */
+static batten_status knots_distance(const bat_skin *t, int k, double allowed, double *knots,
+                                    double *worst)
 {
     const batten_curve *section = t->placed[k];
     const batten_interval domain = batten_curve_domain(section);
-    const int count = batten_curve_spans(section, knots), p = batten_curve_degree(section);
+    const int count = batten_curve_spans(section, knots);
     const double length = domain.b - domain.a;
     for (int i = 0; i < count; i++)
-        for (int j = 0; j <= (i + 1 < count ? p : 0); j++) {
-            const double part = (double)j / (p + 1),
-                         next = knots[bat_min_int(i + 1, count - 1)];
-            const double s = ((1 - part) * knots[i] + part * next - domain.a) / length;
+        for (int j = 0; j < 2 && i + j < count; j++) {
+            const double at = j ? knots[i] + (knots[i + 1] - knots[i]) / 2 : knots[i];
+            const double s = (at - domain.a) / length;
             double miss = 0;
-            const batten_status status = miss_at(t, k, bat_min(1, bat_max(0, s)), &miss);
+            const batten_status status =
+                miss_at(t, k, bat_min(1, bat_max(0, s)), allowed, &miss);
             if (status != BATTEN_OK)
                 return status;
             *worst = bat_max(*worst, miss);
@@ -76,19 +77,19 @@ static double row_distance(const bat_skin *t, const batten_surface *surface, int
     double basis[BATTEN_MAX_DEGREE + 1], worst = 0;
     bat_basis(q, V, span, t->v[k], 0, basis);
     for (int i = 0; i < t->points; i++) {
-        double sum[3] = {0, 0, 0}, weight = 0;
+        const size_t first = (size_t)i * (size_t)count + (size_t)(span - q);
+        const double *row = P + first * (size_t)d;
+        double sum[3] = {0, 0, 0}, weight = w ? 0 : 1;
         for (int j = 0; j <= q; j++) {
-            const size_t at = (size_t)i * (size_t)count + (size_t)(span - q + j);
-            const double factor = w ? basis[j] * w[at] : basis[j];
+            const double factor = w ? basis[j] * w[first + (size_t)j] : basis[j];
+            weight += w ? factor : 0;
             for (int c = 0; c < d; c++)
-                sum[c] += factor * P[at * (size_t)d + (size_t)c];
-            weight += factor;
+                sum[c] += factor * *row++;
         }
         for (int c = 0; c < d; c++)
-            sum[c] /= weight;
-        worst = bat_max(worst, bat_distance(d, sum, section + (size_t)i * (size_t)d));
+            worst = bat_max(worst, fabs(sum[c] / weight - section[i * d + c]));
     }
-    return worst;
+    return sqrt(d) * worst;
 }
 
 static batten_status check_section(const bat_skin *t, const batten_surface *surface, int k,
@@ -98,11 +99,11 @@ static batten_status check_section(const bat_skin *t, const batten_surface *surf
     double worst = 0, size = 0;
     for (int i = 0; i < n; i++)
         size = bat_max(size, fabs(batten_curve_points(t->placed[k])[i]));
-    const batten_status status = knots_distance(t, k, knots, &worst);
+    const double allowed = t->deviation[k] + 1e-13 * size;
+    const batten_status status = knots_distance(t, k, allowed, knots, &worst);
     if (status != BATTEN_OK)
         return status;
     worst += row_distance(t, surface, k);
-    const double allowed = t->deviation[k] + 1e-13 * size;
     if (!(worst <= allowed))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "section %d is missed by %g, more than %g", k,
                         worst, allowed);

@@ -131,8 +131,7 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Rising; of those nearer than 1e-12 of the whole the first is kept, and the end. */
-static int sort_breaks(int count, double *breaks)
+int bat_skin_sort_knots(int count, double *breaks)
 {
     qsort(breaks, (size_t)count, sizeof *breaks, by_value);
     const double end = breaks[count - 1], near = 1e-12 * (end - breaks[0]);
@@ -168,7 +167,7 @@ static batten_status compose(const batten_curve *curve, const batten_curve *map,
         bat_release(at.at);
     }
     if (status == BATTEN_OK) {
-        count = sort_breaks(count, breaks);
+        count = bat_skin_sort_knots(count, breaks);
         status = make_pieces(&m, count, breaks, out);
     }
     *error = m.error;

@@ -31,6 +31,13 @@ typedef struct {
     double *control; /* [across.count][points][width] */
 } bat_skin;
 
+/* ---- skin.c ---- */
+
+/* Options checked, and sections placed, aligned and matched; end it after a failure too. */
+batten_status bat_skin_begin(int count, const batten_curve *const *sections,
+                             const batten_skin_options *options, bool mixed, bat_skin *t);
+void bat_skin_end(bat_skin *t);
+
 /* ---- skin_sections.c ---- */
 
 /* The sections where they stand, in one dimension: `placed`. */
@@ -56,6 +63,8 @@ batten_status bat_skin_align(bat_skin *t);
 
 /* Sections by arc length or by their marks: `moved` grows. */
 batten_status bat_skin_match(bat_skin *t);
+/* Sorted; of those nearer than 1e-12 of the whole the first is kept, and the end. How many. */
+int bat_skin_sort_knots(int count, double *knots);
 
 /* ---- skin_cure.c ---- */
 
@@ -67,6 +76,9 @@ batten_status bat_skin_rescale(bat_skin *t, bool *done);
 batten_status bat_skin_polynomial(bat_skin *t);
 
 /* ---- skin_across.c ---- */
+
+/* What the options ask of the splines across. */
+bat_request bat_skin_request(const batten_skin_options *o, int count, const double *v);
 
 /* `rows`, `v`, and `control` from them. */
 batten_status bat_skin_rows(bat_skin *t);

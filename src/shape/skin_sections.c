@@ -52,7 +52,7 @@ batten_status bat_skin_unify(bat_skin *t)
 {
     const batten_curve *const *placed = (const batten_curve *const *)t->placed;
     t->periodic_u = all_periodic(t);
-    const bool exact = t->periodic_u || t->options->tolerance == 0;
+    const bool exact = t->options->tolerance == 0;
     double moved = 0;
     for (int k = 0; k < t->count; k++)
         moved = bat_max(moved, t->moved[k]);

@@ -271,3 +271,55 @@ TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
     batten_surface_unref(surface);
     unref_all(3, sections);
 }
+
+/* A closed profile at jittered places: periodic, with knots of its own. */
+static batten_curve *jittered_ring(test_random *random, int count, double x)
+{
+    double points[3 * 64], s[65];
+    for (int i = 0; i < count; i++) {
+        s[i] = (i + (i > 0 ? test_random_in(random, -0.3, 0.3) : 0)) / count;
+        const double a = 4 * acos(0) * s[i], r = 1 + 0.1 * x + 0.2 * cos(2 * a + 0.3 * x);
+        points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a), points[3 * i + 2] = x;
+    }
+    s[count] = 1;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given = s;
+    options.periodic = true;
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_interpolate(3, count, points, &options, NULL, &curve));
+    return curve;
+}
+
+TEST(K7_closed_profiles_share_few_knots_and_stay_periodic)
+{
+    enum { COUNT_ALL = 20 };
+    const int count = test_cases(COUNT_ALL) < COUNT_ALL ? 3 : COUNT_ALL;
+    test_random random = test_random_begin("rings");
+    batten_curve *rings[COUNT_ALL];
+    for (int k = 0; k < count; k++)
+        rings[k] = jittered_ring(&random, 32, 3.0 * k / (count - 1));
+    const double tolerances[] = {1e-2, 1e-3};
+    for (int c = 0; c < COUNT(tolerances); c++) {
+        batten_skin_options options = batten_skin_defaults();
+        options.tolerance = tolerances[c];
+        double v[COUNT_ALL];
+        batten_skin_report report;
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)rings, &options, NULL,
+                                     v, &report, &surface));
+        CHECK(batten_surface_is_periodic(surface, BATTEN_U));
+        CHECK(report.deviation <= tolerances[c] && report.knot_count < 40);
+        CHECK(report.exact_knot_count == 31 * count && report.span_ratio > 0.05);
+        CHECK(measured(count, rings, v, surface) <= report.deviation * (1 + 1e-9));
+        double low[18], high[18]; /* C2 over the seam */
+        CHECK_OK(batten_surface_evaluate_side(surface, 0, 0.4, BATTEN_FROM_RIGHT,
+                                              BATTEN_FROM_RIGHT, 2, low));
+        CHECK_OK(batten_surface_evaluate_side(surface, 1, 0.4, BATTEN_FROM_LEFT,
+                                              BATTEN_FROM_RIGHT, 2, high));
+        for (int i = 0; i < 18; i++)
+            CHECK_NEAR(low[i], high[i], 1e-9);
+        batten_surface_unref(surface);
+    }
+    unref_all(count, rings);
+}

@@ -170,7 +170,7 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
     }
     batten_skin_options options = batten_skin_defaults();
     options.periodic = true;
-    options.tolerance = 1e-3; /* periodic sections are always exact */
+    options.tolerance = 1e-3; /* their knots are common already */
     double v[8];
     batten_skin_report report;
     batten_surface *torus = NULL;

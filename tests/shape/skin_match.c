@@ -314,3 +314,34 @@ TEST(G7_sections_that_cross_or_stand_in_disorder_are_named)
     batten_surface_unref(surface);
     unref_all(5, sections);
 }
+
+TEST(N2_sections_of_huge_and_tiny_size_are_turned_and_matched)
+{
+    const double sizes[] = {1e80, 1e-80};
+    for (int c = 0; c < COUNT(sizes); c++) {
+        const batten_affine scale = batten_affine_scaling(sizes[c], sizes[c], sizes[c]);
+        batten_curve *given[3], *sections[3];
+        for (int k = 0; k < 3; k++) {
+            given[k] = ring(k, 1.1 * k, true, k == 1);
+            sections[k] = NULL;
+            CHECK_OK(batten_curve_transform(given[k], &scale, &sections[k]));
+        }
+        batten_skin_options options = batten_skin_defaults();
+        options.turn = options.align = true;
+        batten_skin_report report;
+        batten_surface *surface = NULL;
+        CHECK_OK(
+            batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+        CHECK(report.turned_count == 2 && report.reversed_count == 1);
+        batten_surface_unref(surface);
+        surface = NULL;
+        options.match = BATTEN_MATCH_ARC_LENGTH;
+        options.tolerance = 1e-3 * sizes[c];
+        CHECK_OK(
+            batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
+        CHECK(report.deviation <= options.tolerance);
+        batten_surface_unref(surface);
+        unref_all(3, sections);
+        unref_all(3, given);
+    }
+}
