@@ -65,6 +65,7 @@ static void json_moves(batten_text *out, const batten_feature_result *r)
 
 static void json_skin(batten_text *out, const batten_skin_report *s)
 {
+    static const char *const cures[] = {"none", "stretched", "rescaled", "polynomial"};
     batten_text_add(out, ", \"skin\": {");
     json_number(out, "deviation", s->deviation);
     batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
@@ -72,7 +73,14 @@ static void json_skin(batten_text *out, const batten_skin_report *s)
     json_number(out, "span_ratio", s->span_ratio);
     batten_text_add(out, ", ");
     json_number(out, "normal_jump", s->normal_jump);
-    batten_text_add(out, "}");
+    batten_text_add(out, ", ");
+    json_number(out, "speed_jump", s->speed_jump);
+    batten_text_add(out, ", ");
+    json_number(out, "crease", s->crease);
+    batten_text_add(out, ", \"cure\": \"%s\", \"reversed\": %d, \"turned\": %d, ",
+                    cures[s->cure], s->reversed_count, s->turned_count);
+    batten_text_add(out, "\"crossings\": %d, \"disorders\": %d}", s->crossing_count,
+                    s->disorder_count);
 }
 
 static void json_feature(batten_text *out, const batten_feature_result *r)
