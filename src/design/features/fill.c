@@ -12,11 +12,9 @@ static const batten_parameter parameters[] = {
     {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1",
      "what the fill takes over from them: the edge, the tangent planes"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, and sides from the edges of surfaces; the tolerance of the "
-     "design by default"},
+     "how far corners may be open, and sides from edges; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
-     "where two surfaces twist against each other at a corner, the tangent plane may leave "
-     "them by so much"},
+     "how far the tangent plane may leave surfaces that twist against each other at a corner"},
 };
 
 /* The ribbons of one fill; the sides are those of the surfaces where these lie beside them. */

@@ -7,13 +7,12 @@ static const batten_parameter parameters[] = {
     {"triangle-patch", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "the three curves, in any order and direction"},
     {"method", BATTEN_VALUE_WORD, false, false, "side-vertex", "side-vertex parallels corners",
-     "Nielson's lines from sides to corners; the parallels of Barnhill, Birkhoff and Gordon; "
-     "the corners of Charrot and Gregory"},
+     "lines from sides to corners; lines parallel to the sides; corners of Charrot and "
+     "Gregory"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces beside the curves, whose tangent planes the patch takes over"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, and curves from the edges of the surfaces; the tolerance of "
-     "the design by default"},
+     "how far corners may be open, and curves from edges; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.1 deg", NULL,
      "how far a curve may leave the tangent plane of a surface beside its neighbour, where "
      "they meet"},
