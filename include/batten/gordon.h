@@ -56,14 +56,15 @@ typedef struct batten_gordon_report {
 /**
  * Gordon's surface: u runs along the profiles, v along the guides, both over [0, 1].
  *
- * Where each profile meets each guide is searched for. The order of the curves and their
- * directions are found; the first profile and the first guide in the result are the outermost
- * ones that come first in the lists, and the first profile that is no point, and the first
- * guide keep their direction. Curves that are not parametrised alike are reparametrised by a
- * monotone function such that all nodes stand at common parameters, the means. Then the curves
- * of each family get few common knots (exactly all when they are compatible and that is not
- * many more), and the surface is the sum of the skin of the guides and that of the profiles
- * minus the tensor surface of the nodes, which are met to rounding.
+ * Where each profile meets each guide is searched for; the order of the curves and their
+ * directions are found: u runs as the first profile does that is no point, v as the first such
+ * guide. Curves that are not parametrised alike are reparametrised by a monotone function such
+ * that all nodes stand at common parameters, the means. Then the curves of each family get few
+ * common knots (all they have, exactly, when they fit together as they are and that is no more
+ * than twice the mean), and the surface is the sum of the skin of the guides and that of the
+ * profiles minus the tensor surface of the nodes, which are met to rounding. What closes
+ * smoothly is clamped at the seam and has two continuous derivatives across it, as far as the
+ * curves have.
  *
  * Each profile must meet each guide in one place. A curve that is closed may start anywhere; a
  * network whose profiles (guides) all close, closes; the guide at the seam may be given once or

@@ -208,13 +208,22 @@ static int by_count(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
+/* Distinct inner knots. */
+static int knot_places(const bat_spline *s)
+{
+    int places = 0;
+    for (int i = s->degree + 1; i < s->count; i++)
+        places += s->knots[i] != s->knots[i - 1];
+    return places;
+}
+
 static batten_status median_knots(const bat_fitting *f, int *median)
 {
     int *counts = bat_array((size_t)f->count, sizeof *counts);
     if (!counts)
         return BATTEN_OUT_OF_MEMORY;
     for (int k = 0; k < f->count; k++)
-        counts[k] = f->given[k].count - f->degree - 1;
+        counts[k] = knot_places(&f->given[k]);
     qsort(counts, (size_t)f->count, sizeof *counts, by_count);
     *median = counts[f->count / 2];
     bat_release(counts);
@@ -242,6 +251,15 @@ static batten_status attempt(bat_fitting *f, int averaged, bat_comb *c, bat_comb
     return status;
 }
 
+/* Nothing but what must stand: no beginning leads to less. */
+static bool is_least(const bat_comb *c)
+{
+    for (int i = 0; i < c->inner; i++)
+        if (!c->held[i])
+            return false;
+    return true;
+}
+
 static batten_status search(bat_fitting *f, bat_comb *best, bool *met)
 {
     bat_comb c = {0}, scratch = {0};
@@ -253,7 +271,7 @@ static batten_status search(bat_fitting *f, bat_comb *best, bool *met)
         status = median_knots(f, &median);
     if (status == BATTEN_OK)
         status = attempt(f, 0, &c, &scratch, best, met);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && !(*met && is_least(best)))
         status = attempt(f, median, &c, &scratch, best, met);
     bat_comb_free(&scratch);
     bat_comb_free(&c);
@@ -341,7 +359,8 @@ static batten_status find(bat_fitting *f, const batten_curve *const *sections, b
     if (status != BATTEN_OK)
         return status;
     bat_comb best = {0};
-    f->symmetric = bat_common_symmetry(f);
+    /* Held knots stay to the bit, and need not be symmetric. */
+    f->symmetric = f->request->held_count == 0 && !f->request->seam && bat_common_symmetry(f);
     f->limit = union_limit(f);
     f->error = bat_array((size_t)f->limit + 2, sizeof *f->error);
     status = f->error ? bat_comb_make(f->limit, &best) : BATTEN_OUT_OF_MEMORY;

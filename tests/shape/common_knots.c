@@ -1,5 +1,6 @@
 #include "shape/sections.h"
 
+#include "shape/common_knots.h"
 #include "shape/skin.h"
 
 /* The farthest that a line of the surface is from its section, at the same parameters. */
@@ -322,4 +323,32 @@ TEST(K7_closed_profiles_share_few_knots_and_stay_periodic)
         batten_surface_unref(surface);
     }
     unref_all(count, rings);
+}
+
+/* Symmetric sections, and held knots that are not. */
+TEST(K7_held_knots_stand_in_the_result_to_the_bit)
+{
+    const double held[] = {0.123, 0.4, 0.77};
+    const double points[] = {0, 0, 0, 1, 2, 0, 2, -1, 0, 3, 2, 0, 4, 0, 0};
+    batten_curve *sections[2] = {NULL, NULL}, *common[2] = {NULL, NULL};
+    double deviation[2];
+    bat_work work = {NULL, 0};
+    for (int k = 0; k < 2; k++) {
+        batten_interpolate_options options = batten_interpolate_defaults();
+        options.parameters = k ? BATTEN_UNIFORM : BATTEN_CHORD;
+        CHECK_OK(batten_curve_interpolate(3, 5, points, &options, NULL, &sections[k]));
+    }
+    const bat_common_request request = {.tolerance = 1e-2, .held_count = 3, .held = held};
+    CHECK_OK(bat_common_knots_held(2, (const batten_curve *const *)sections, &request, &work,
+                                   common, deviation));
+    const double *U = batten_curve_knots(common[0]);
+    for (int i = 0; i < 3; i++) {
+        int times = 0;
+        for (int k = 0; k < batten_curve_knot_count(common[0]); k++)
+            times += U[k] == held[i];
+        CHECK_INT(times, 1);
+    }
+    CHECK(deviation[0] <= 1e-2 && deviation[1] <= 1e-2);
+    unref_all(2, common);
+    unref_all(2, sections);
 }
