@@ -76,7 +76,8 @@ typedef enum batten_twist_policy {
     BATTEN_TWIST_KEEP_V,
     BATTEN_TWIST_MEAN,   /**< all give way by half */
     BATTEN_TWIST_GREGORY /**< all hold; the twist turns from the one to the other about the
-                              corner, and the patch is no spline any more */
+                              corner, and the patch is no spline any more. Of order 2; with
+                            order 3 they are refused */
 } batten_twist_policy;
 
 typedef struct batten_coons_options {
@@ -85,7 +86,8 @@ typedef struct batten_coons_options {
     batten_blending blending_u, blending_v;
     const batten_curve *const *given_u; /**< [2 * order], with BATTEN_BLENDING_GIVEN */
     const batten_curve *const *given_v;
-    double tolerance; /**< of all gaps, model units (the parameters run over 0..1) */
+    double tolerance; /**< of all gaps, model units (the parameters run over 0..1); rounding is
+                           let pass beyond it */
     batten_twist_policy twist;
     bool repair;          /**< a slope or curvature that does not fit the boundary curve at a
                                corner is corrected (F times the gap is added), not refused */
@@ -123,8 +125,9 @@ typedef struct batten_coons_report {
  *
  * batten_surface_to_nurbs gives one tensor B-spline, equal but for rounding, when nothing is
  * rational, or the rational curves along each direction share their weights; else, and with
- * Gregory's twists, one within the tolerance.
- * Cost of a point: one of each line and function. Source: [Coons67], [Coons74], [SL] V.2.
+ * Gregory's twists, one within the tolerance. With a tolerance above 0 knots of different
+ * curves that are nearer than 1e-9 become one, and the error says how far the surface moved by
+ * that. Cost of a point: one of each line and function. Source: [Coons67], [Coons74], [SL] V.2.
  */
 BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
                                               const batten_coons_options *options,
@@ -166,22 +169,25 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
  * of it. The slope is the surface's, continued, times a + b t, plus (c + d t) times the
  * derivative of the curve: such that at both ends it is `ends`, as far as that lies in the
  * tangent plane of the surface. So the patch has the tangent planes of its neighbour, while its
- * boundary curves need not have their speeds.
+ * boundary curves need not have their speeds. With curvatures there is one factor for the whole
+ * edge, a, and a^2 for them: the boundary curves beside it must fit.
  *
- * @param curve  the boundary, over [0, 1]
+ * @param order  0: the edge; 1: and the slope; 2: and the second derivative
  * @param ends   [2][d] inward derivatives wanted at the ends, those of the boundary curves
- * beside it
- * @param[out] ribbon [2] the edge as the surface has it, in the direction of the curve and over
- * [0, 1], and the slope
+ * beside it; NULL with order 0
+ * @param[out] ribbon [order + 1] the edge as the surface has it, in the direction of the curve
+ * and over [0, 1], and the derivatives across
  * @param[out] misfit [2] sine of the angle between ends and tangent plane; may be NULL
- * @param[out] error  how far the slope is from the truth; may be NULL
+ * @param[out] error  how far the derivatives are from the truth; may be NULL
  * @return BATTEN_OK; NOT_FOUND when no edge runs along the curve, with the distance of the
- * nearest; SINGULAR_HERE where the surface has no tangent plane at an end
+ * nearest; SINGULAR_HERE where the surface has no tangent plane at an end; NOT_COMPATIBLE when
+ * `ends` leave the surface to different sides
  */
 BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
-                                             const batten_curve *curve, const double *ends,
-                                             double tolerance, batten_curve **ribbon,
-                                             double *misfit, double *error);
+                                             const batten_curve *curve, int order,
+                                             const double *ends, double tolerance,
+                                             batten_curve **ribbon, double *misfit,
+                                             double *error);
 
 /* ---- twists of nets ---- */
 

@@ -138,10 +138,10 @@ static batten_status evaluate(const void *data, double u, double v, batten_side 
 static batten_status to_nurbs(const void *data, double tolerance, batten_surface **out,
                               double *error)
 {
-    (void)tolerance;
-    const batten_status status = bat_coons_to_spline(data, out);
+    double moved = 0;
+    const batten_status status = bat_coons_to_spline(data, bat_max(0, tolerance), &moved, out);
     if (status == BATTEN_OK && error)
-        *error = 0;
+        *error = moved;
     return status;
 }
 

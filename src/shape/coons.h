@@ -33,7 +33,10 @@ batten_status bat_coons_surface(bat_coons *coons, bool *exact, batten_surface **
 
 /* Is there an equal NURBS surface? */
 batten_status bat_coons_is_exact(const bat_coons *coons, bool *exact);
-/* It, over [0, 1] x [0, 1], where there is one. TOO_LARGE before the work. */
-batten_status bat_coons_to_spline(const bat_coons *coons, batten_surface **out);
+/* It, over [0, 1] x [0, 1], where there is one. TOO_LARGE before the work. With a tolerance
+ * above 0 lines may move for the sake of knots that nearly coincide (near_knots.h); *error says
+ * by how much the surface does. */
+batten_status bat_coons_to_spline(const bat_coons *coons, double tolerance, double *error,
+                                  batten_surface **out);
 
 #endif

@@ -117,17 +117,19 @@ static batten_status take_part(const batten_curve *whole, const double at[2],
     return status;
 }
 
-/* Edge and outward derivative, polynomial. */
-static batten_status take_ribbon(const batten_surface *surface, batten_edge edge,
-                                 double tolerance, batten_curve *ribbon[2], double *error)
+/* Edge and outward derivatives, polynomial. */
+static batten_status take_ribbon(const batten_surface *surface, batten_edge edge, int order,
+                                 double tolerance, batten_curve *ribbon[3], double *error)
 {
     if (surface->kind == &bat_nurbs_kind && !batten_surface_is_rational(surface))
-        return batten_edge_ribbon(surface, edge, 1, tolerance, ribbon, error);
-    double far[2] = {0, 0};
+        return batten_edge_ribbon(surface, edge, bat_max_int(1, order), tolerance, ribbon,
+                                  error);
     batten_status status = BATTEN_OK;
-    for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        status = bat_edge_fit(surface, edge, k, tolerance / 4, &ribbon[k], &far[k]);
-    *error = bat_max(far[0], far[1]);
+    for (int k = 0; status == BATTEN_OK && k <= order; k++) {
+        double far = 0;
+        status = bat_edge_fit(surface, edge, k, tolerance / 4, &ribbon[k], &far);
+        *error = bat_max(*error, far);
+    }
     return status;
 }
 
@@ -255,15 +257,12 @@ static batten_status thin(const batten_curve *curve, batten_curve **out)
     return batten_curve_remove_knots(curve, 32 * DBL_EPSILON * size, NULL, NULL, out);
 }
 
-static batten_status make_slope(const batten_curve *edge, const batten_curve *n,
-                                const double *ends, double misfit[2], double *factor,
-                                batten_curve **out)
+/* The slope from both ends' factors. */
+static batten_status combine(double factors[2][2], const batten_curve *edge,
+                             const batten_curve *n, batten_curve **out)
 {
     batten_curve *along = NULL, *across = NULL, *shear = NULL, *sum = NULL;
-    double factors[2][2] = {{0}};
-    batten_status status = find_factors(n, edge, ends, factors, misfit);
-    if (status == BATTEN_OK)
-        status = times_linear(factors[0], n, &across);
+    batten_status status = times_linear(factors[0], n, &across);
     if (status == BATTEN_OK && (factors[1][0] != 0 || factors[1][1] != 0)) {
         status = derive(edge, &along);
         if (status == BATTEN_OK)
@@ -275,7 +274,6 @@ static batten_status make_slope(const batten_curve *edge, const batten_curve *n,
     }
     if (status == BATTEN_OK)
         status = thin(sum, out);
-    *factor = bat_max(fabs(factors[0][0]), fabs(factors[0][1]));
     batten_curve_unref(sum);
     batten_curve_unref(shear);
     batten_curve_unref(across);
@@ -283,39 +281,83 @@ static batten_status make_slope(const batten_curve *edge, const batten_curve *n,
     return status;
 }
 
-batten_status batten_ribbon_along(const batten_surface *surface, const batten_curve *curve,
-                                  const double *ends, double tolerance, batten_curve **ribbon,
-                                  double *misfit, double *error)
+/* From the part of the edge and its derivatives, part [order + 1], to those of the ribbon. */
+static batten_status fit_ribbon(int order, batten_curve *const *part, const double *ends,
+                                batten_curve **ribbon, double misfit[2], double *factor)
 {
-    assert(surface && curve && ends && ribbon);
-    if (!(tolerance > 0))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
-    if (curve->dimension != surface->dimension)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "curve and surface have %d and %d dimensions",
-                        curve->dimension, surface->dimension);
-    batten_curve *whole[2] = {NULL, NULL}, *part[2] = {NULL, NULL}, *slope = NULL;
-    batten_edge edge = BATTEN_EDGE_V0;
-    double at[2] = {0, 0}, far = 0, factor = 0, off[2] = {0, 0};
-    batten_status status = find_edge(surface, curve, tolerance, &edge, at);
+    double factors[2][2] = {{0}};
+    batten_status status = find_factors(part[1], part[0], ends, factors, misfit);
+    *factor = bat_max(fabs(factors[0][0]), fabs(factors[0][1]));
+    if (status != BATTEN_OK || order < 2)
+        return status == BATTEN_OK ? combine(factors, part[0], part[1], &ribbon[1]) : status;
+    /* One factor for all of the edge: only so curvatures stay what they are. */
+    const double a = factors[0][0] / 2 + factors[0][1] / 2, whole[2] = {a, a},
+                 square[2] = {a * a, a * a};
+    status = times_linear(whole, part[1], &ribbon[1]);
     if (status == BATTEN_OK)
-        status = take_ribbon(surface, edge, tolerance, whole, &far);
+        status = times_linear(square, part[2], &ribbon[2]);
+    return status;
+}
+
+/* The ribbon from the edge that was found; `at` are the ends of the curve on it. */
+static batten_status ribbon_of(const batten_surface *surface, batten_edge edge, double at[2],
+                               int order, const double *ends, double tolerance,
+                               batten_curve *made[3], double misfit[2], double *error)
+{
+    batten_curve *whole[3] = {NULL, NULL, NULL}, *part[3] = {NULL, NULL, NULL};
+    double factor = 1;
+    batten_status status = take_ribbon(surface, edge, order, tolerance, whole, error);
     for (int e = 0; status == BATTEN_OK && e < 2; e++)
         status = snap(whole[0], tolerance, &at[e]);
-    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+    for (int k = 0; status == BATTEN_OK && k <= order; k++)
         status = take_part(whole[k], at, &part[k]);
+    if (status == BATTEN_OK && order > 0)
+        status = fit_ribbon(order, part, ends, made, misfit, &factor);
     if (status == BATTEN_OK)
-        status = make_slope(part[0], part[1], ends, off, &factor, &slope);
-    if (status == BATTEN_OK) {
-        ribbon[0] = batten_curve_ref(part[0]);
-        ribbon[1] = slope;
-        for (int e = 0; misfit && e < 2; e++)
-            misfit[e] = off[e];
-        if (error)
-            *error = far * bat_max(1, factor);
-    }
-    for (int k = 0; k < 2; k++) {
+        made[0] = batten_curve_ref(part[0]);
+    *error *= bat_max(1, order < 2 ? factor : factor * factor);
+    for (int k = 0; k < 3; k++) {
         batten_curve_unref(part[k]);
         batten_curve_unref(whole[k]);
     }
+    return status;
+}
+
+static batten_status check(const batten_surface *surface, const batten_curve *curve, int order,
+                           const double *ends, double tolerance)
+{
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
+    if (order < 0 || order > 2 || (order > 0 && !ends))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a ribbon of order %d cannot be", order);
+    if (curve->dimension != surface->dimension)
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "curve and surface have %d and %d dimensions",
+                        curve->dimension, surface->dimension);
+    return BATTEN_OK;
+}
+
+batten_status batten_ribbon_along(const batten_surface *surface, const batten_curve *curve,
+                                  int order, const double *ends, double tolerance,
+                                  batten_curve **ribbon, double *misfit, double *error)
+{
+    assert(surface && curve && ribbon);
+    batten_curve *made[3] = {NULL, NULL, NULL};
+    batten_edge edge = BATTEN_EDGE_V0;
+    double at[2] = {0, 0}, far = 0, off[2] = {0, 0};
+    batten_status status = check(surface, curve, order, ends, tolerance);
+    if (status == BATTEN_OK)
+        status = find_edge(surface, curve, tolerance, &edge, at);
+    if (status == BATTEN_OK)
+        status = ribbon_of(surface, edge, at, order, ends, tolerance, made, off, &far);
+    for (int k = 0; k <= order && k < 3; k++) {
+        if (status == BATTEN_OK)
+            ribbon[k] = made[k];
+        else
+            batten_curve_unref(made[k]);
+    }
+    for (int e = 0; status == BATTEN_OK && misfit && e < 2; e++)
+        misfit[e] = off[e];
+    if (status == BATTEN_OK && error)
+        *error = far;
     return status;
 }

@@ -233,6 +233,7 @@ static batten_status build(network *net, batten_surface **out)
 {
     bat_coons coons = {0};
     batten_surface *unit = NULL, *along = NULL;
+    double moved;
     batten_status status = find_crossings(net);
     if (status == BATTEN_OK)
         status = bat_coons_begin(net->dimension, net->order * net->count[0],
@@ -241,7 +242,7 @@ static batten_status build(network *net, batten_surface **out)
         status = make_blends(net, &coons);
     if (status == BATTEN_OK) {
         fill(net, &coons);
-        status = bat_coons_to_spline(&coons, &unit);
+        status = bat_coons_to_spline(&coons, 0, &moved, &unit);
     }
     const double *u = net->at[0], *v = net->at[1];
     if (status == BATTEN_OK)

@@ -15,6 +15,7 @@
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
+#include <float.h>
 #include <string.h>
 
 enum { SAMPLES = 64 };
@@ -29,6 +30,7 @@ typedef struct {
     /* [line along v][line along u]: as seen by the former, by the latter */
     double seen[2][6][6][3];
     double corner[6][6][3]; /* C */
+    double allowed;         /* gaps: the tolerance, and the rounding of what was seen */
 } patch;
 
 batten_coons_options batten_coons_defaults(void)
@@ -171,7 +173,7 @@ static batten_status refuse(const patch *p, const char *what, int i, int j, doub
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "corner %d, between edges %s and %s: %s differ by %g, more than %g",
                     corner_number(i, j), edge_name(edge_of(1, j)), edge_name(edge_of(0, i)),
-                    what, gap, p->options->tolerance);
+                    what, gap, p->allowed);
 }
 
 static void choose(int d, const double *a, const double *b, double share, double *out)
@@ -184,7 +186,7 @@ static void choose(int d, const double *a, const double *b, double share, double
 static batten_status choose_twist(patch *p, int i, int j, double gap)
 {
     const double *a = p->seen[0][i][j], *b = p->seen[1][i][j];
-    const bool differ = gap > p->options->tolerance;
+    const bool differ = gap > p->allowed;
     batten_twist_policy policy = p->options->twist;
     if (differ && policy == BATTEN_TWIST_GREGORY && p->order > 2)
         policy = BATTEN_TWIST_REFUSE;
@@ -207,7 +209,7 @@ static batten_status settle(patch *p, int i, int j)
 {
     const double *a = p->seen[0][i][j], *b = p->seen[1][i][j];
     const double gap = bat_distance(p->dimension, a, b);
-    const bool differ = !(gap <= p->options->tolerance);
+    const bool differ = !(gap <= p->allowed);
     batten_coons_report *r = &p->report;
     if (i < 2 && j < 2) {
         widen(gap, &r->corner_gap, &r->corner, i, j);
@@ -235,10 +237,22 @@ static batten_status settle(patch *p, int i, int j)
     return BATTEN_OK;
 }
 
+/* Derivatives at the corners are differences of control points: some hundred roundings. */
+static void allow_for_rounding(patch *p)
+{
+    double largest = 0;
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 2 * p->order; i++)
+            for (int j = 0; j < 2 * p->order; j++)
+                largest = bat_max(largest, bat_largest(p->dimension, p->seen[k][i][j]));
+    p->allowed = p->options->tolerance + 256 * DBL_EPSILON * largest;
+}
+
 static batten_status settle_corners(patch *p)
 {
     batten_status status = BATTEN_OK;
     const int n = 2 * p->order, d = p->dimension;
+    allow_for_rounding(p);
     for (int i = 0; i < n; i++)
         for (int j = 0; status == BATTEN_OK && j < n; j++) {
             const bool by_u = p->coons.line[0][i], by_v = p->coons.line[1][j];
@@ -387,8 +401,9 @@ batten_status batten_surface_corner_patch(int dimension, const double *corners,
             memcpy(coons.corner + (i * 4 + j) * dimension,
                    corners + (((i % 2) * 2 + j % 2) * 4 + (i / 2) + 2 * (j / 2)) * dimension,
                    (size_t)dimension * sizeof *corners);
+    double moved;
     if (status == BATTEN_OK)
-        status = bat_coons_to_spline(&coons, out);
+        status = bat_coons_to_spline(&coons, 0, &moved, out);
     bat_coons_clear(&coons);
     return status;
 }

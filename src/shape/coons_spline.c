@@ -9,6 +9,7 @@
 #include "shape/coons.h"
 
 #include "numeric/vector.h"
+#include "shape/near_knots.h"
 #include "spline/curve.h"
 #include "spline/product.h"
 #include "spline/surface.h"
@@ -198,7 +199,8 @@ static batten_status strip_unify(strip *s, bool rational)
     return BATTEN_OK;
 }
 
-static batten_status strip_make(const bat_coons *coons, int k, strip *out)
+static batten_status strip_make(const bat_coons *coons, int k, double tolerance, double *error,
+                                strip *out)
 {
     const int lines = coons->count[1 - k], most = coons->count[k] + lines + 1;
     int rational = 0;
@@ -216,6 +218,9 @@ static batten_status strip_make(const bat_coons *coons, int k, strip *out)
         status = list_curves(coons, k, rational, unified, out);
         unref_all(rational, unified);
     }
+    if (status == BATTEN_OK && rational == 0 && tolerance > 0)
+        status =
+            bat_near_knots_join(out->blend_count, out->count, out->curves, tolerance, error);
     if (status == BATTEN_OK)
         status = strip_unify(out, rational > 0);
     bat_release(unified);
@@ -308,12 +313,16 @@ static batten_status assemble(const bat_coons *coons, const strip *u, const stri
     return status;
 }
 
-batten_status bat_coons_to_spline(const bat_coons *coons, batten_surface **out)
+batten_status bat_coons_to_spline(const bat_coons *coons, double tolerance, double *error,
+                                  batten_surface **out)
 {
     strip u = {0}, v = {0};
-    batten_status status = strip_make(coons, 0, &u);
+    const int lines = coons->count[0] + coons->count[1];
+    *error = 0;
+    /* No blending function is above 1: errors of lines add up at most. */
+    batten_status status = strip_make(coons, 0, tolerance / lines, error, &u);
     if (status == BATTEN_OK)
-        status = strip_make(coons, 1, &v);
+        status = strip_make(coons, 1, tolerance / lines, error, &v);
     if (status == BATTEN_OK)
         status = assemble(coons, &u, &v, out);
     strip_release(&v);

@@ -1,5 +1,7 @@
 #include "shape/coons.h"
 
+#include <batten/standard.h>
+
 static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
                                            BATTEN_BLENDING_QUINTIC, BATTEN_BLENDING_COONS};
 static const int orders[] = {1, 2, 3, 3};
@@ -523,5 +525,151 @@ TEST(huge_and_tiny_patches_are_as_exact)
         batten_surface_unref(nurbs);
         batten_surface_unref(coons);
         release(curves, 4);
+    }
+}
+
+/* ---- knots that nearly coincide ---- */
+
+static batten_curve *bent(double x0, double y0, double x1, double y1, double knot)
+{
+    const double points[] = {x0,
+                             y0,
+                             0,
+                             (2 * x0 + x1) / 3,
+                             (2 * y0 + y1) / 3,
+                             0.3,
+                             (x0 + 2 * x1) / 3,
+                             (y0 + 2 * y1) / 3,
+                             -0.1,
+                             x1,
+                             y1,
+                             0};
+    const double knots[] = {0, 0, 0, knot, 1, 1, 1};
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_create(3, 2, 4, points, NULL, knots, &curve));
+    return curve;
+}
+
+TEST(K7_near_knots_leave_no_slivers_within_a_tolerance)
+{
+    const double third = 1 / 3.0;
+    batten_curve *curves[4] = {bent(0, 0, 1, 0, third + 3e-10), bent(1, 0, 1, 1, 0.5),
+                               bent(0, 1, 1, 1, third - 2e-10), bent(0, 0, 0, 1, 0.5 + 1e-10)};
+    batten_ribbon sides[4];
+    for (int e = 0; e < 4; e++)
+        sides[e] = (batten_ribbon){curves[e], NULL, NULL};
+    batten_surface *coons = patch(sides, 1, BATTEN_BLENDING_COONS, BATTEN_BLENDING_COONS, NULL);
+    batten_surface *exact = NULL, *near = NULL;
+    double error = 1;
+    CHECK_OK(batten_surface_to_nurbs(coons, 0, &exact, &error));
+    CHECK(error == 0);
+    CHECK_INT(batten_surface_spans(exact, BATTEN_U, NULL), 6);
+    CHECK_INT(batten_surface_spans(exact, BATTEN_V, NULL), 6);
+    CHECK_OK(batten_surface_to_nurbs(coons, 1e-6, &near, &error));
+    CHECK(error > 0 && error < 1e-9);
+    CHECK_INT(batten_surface_spans(near, BATTEN_U, NULL), 4);
+    CHECK_INT(batten_surface_spans(near, BATTEN_V, NULL), 5);
+    CHECK_NEAR(apart(coons, near, 50, 0, 0, false), 0, error);
+    CHECK_NEAR(apart(coons, exact, 50, 0, 0, false), 0, 1e-14);
+    batten_surface_unref(near);
+    batten_surface_unref(exact);
+    batten_surface_unref(coons);
+    release(curves, 4);
+}
+
+/* Patches of the second kind with the true slopes of a torus: their error falls with the fourth
+ * power of their size. */
+TEST(patches_with_the_slopes_of_a_torus_converge_with_the_fourth_power)
+{
+    const batten_frame frame = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+    batten_surface *torus = NULL;
+    CHECK_OK(batten_surface_torus(&frame, 3, 1, &torus));
+    const batten_interval u = batten_surface_domain(torus, BATTEN_U);
+    const batten_interval v = batten_surface_domain(torus, BATTEN_V);
+    double before = 0;
+    for (int halved = 0; halved < 3; halved++) {
+        const double part = 0.2 / (1 << halved);
+        batten_surface *strip = NULL, *piece = NULL, *unit = NULL, *square = NULL;
+        CHECK_OK(batten_surface_subrange(torus, BATTEN_U, u.a + 0.02 * (u.b - u.a),
+                                         u.a + (0.02 + part) * (u.b - u.a), &strip));
+        CHECK_OK(batten_surface_subrange(strip, BATTEN_V, v.a + 0.02 * (v.b - v.a),
+                                         v.a + (0.02 + part) * (v.b - v.a), &piece));
+        CHECK_OK(batten_surface_set_domain(piece, BATTEN_U, 0, 1, &unit));
+        CHECK_OK(batten_surface_set_domain(unit, BATTEN_V, 0, 1, &square));
+        frame_of_surface around;
+        frame_surface(square, &around);
+        batten_coons_report report;
+        batten_surface *coons =
+            patch(around.sides, 2, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, &report);
+        CHECK_NEAR(report.twist_gap, 0, 1e-12);
+        const double error = apart(coons, square, 15, 0, 0, false);
+        if (halved > 0)
+            CHECK(error < before / 14);
+        before = error;
+        batten_surface_unref(coons);
+        frame_release(&around);
+        batten_surface_unref(unit);
+        batten_surface_unref(piece);
+        batten_surface_unref(strip);
+    }
+    CHECK(before < 1e-4);
+    batten_surface_unref(torus);
+}
+
+/* Three equal vertices in the middle of a side: a corner to the eye, C2 for the parameters. */
+TEST(G5_a_side_with_a_triple_vertex_has_a_corner_with_a_normal)
+{
+    const double knots[] = {0, 0, 0, 0, 1 / 4.0, 2 / 4.0, 3 / 4.0, 1, 1, 1, 1};
+    const double points[] = {0, 1,   0,   0.1, 1.2, 0,   0.5, 1.5, 0, 0.5, 1.5,
+                             0, 0.5, 1.5, 0,   0.9, 1.2, 0,   1,   1, 0};
+    batten_curve *curves[4] = {line(0, 0, 0, 1, 0, 0), line(1, 0, 0, 1, 1, 0), NULL,
+                               line(0, 0, 0, 0, 1, 0)};
+    CHECK_OK(batten_curve_create(3, 3, 7, points, NULL, knots, &curves[2]));
+    batten_ribbon sides[4];
+    for (int e = 0; e < 4; e++)
+        sides[e] = (batten_ribbon){curves[e], NULL, NULL};
+    batten_surface *coons = patch(sides, 1, BATTEN_BLENDING_COONS, BATTEN_BLENDING_COONS, NULL);
+    batten_surface *nurbs = NULL;
+    CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+    double speed = 1;
+    for (int i = 5; i <= 10; i++) {
+        double out[9];
+        CHECK_OK(batten_surface_evaluate(nurbs, 0.5, i / 10.0, 1, out));
+        CHECK(hypot(out[3], out[4]) < speed);
+        speed = hypot(out[3], out[4]);
+    }
+    CHECK_NEAR(speed, 0, 1e-14);
+    batten_vec3 normal;
+    bool is_limit = false;
+    CHECK_OK(batten_surface_normal(nurbs, 0.5, 1, &normal, &is_limit));
+    CHECK(is_limit);
+    CHECK_NEAR(normal.z, 1, 1e-12);
+    batten_surface_unref(nurbs);
+    batten_surface_unref(coons);
+    release(curves, 4);
+}
+
+/* Slopes of a surface of 1e80 fit its edges but for rounding, which is far above any tolerance.
+ */
+TEST(rounding_of_huge_numbers_is_no_gap)
+{
+    test_random random = test_random_begin("rounding");
+    for (int turn = 0; turn < 2; turn++) {
+        const double s = turn ? 1e80 : 1e-80;
+        const batten_affine scale = batten_affine_scaling(s, s, s);
+        batten_surface *small = bumpy(&random, 3, 3, 2, 2), *scaled = NULL, *nurbs = NULL;
+        CHECK_OK(batten_surface_transform(small, &scale, &scaled));
+        frame_of_surface frame;
+        frame_surface(scaled, &frame);
+        batten_coons_report report;
+        batten_surface *coons =
+            patch(frame.sides, 3, BATTEN_BLENDING_QUINTIC, BATTEN_BLENDING_COONS, &report);
+        CHECK(report.exact && report.twist_gap <= 1e-12 * s);
+        CHECK_OK(batten_surface_to_nurbs(coons, 0, &nurbs, NULL));
+        CHECK_NEAR(apart(coons, nurbs, 15, 0, 0, false) / s, 0, 1e-13);
+        batten_surface_unref(nurbs);
+        batten_surface_unref(coons);
+        frame_release(&frame);
+        batten_surface_unref(small);
     }
 }

@@ -232,7 +232,7 @@ static void check_join(const batten_surface *surface, double a, double b, double
         CHECK_OK(batten_curve_evaluate(curves[k ? 1 : 3], 0, 1, out));
         memcpy(ends + 3 * k, out + 3, 3 * sizeof *ends);
     }
-    CHECK_OK(batten_ribbon_along(surface, part, ends, 1e-6, ribbon, misfit, &error));
+    CHECK_OK(batten_ribbon_along(surface, part, 1, ends, 1e-6, ribbon, misfit, &error));
     CHECK_NEAR(misfit[0], 0, 1e-9);
     CHECK_NEAR(misfit[1], 0, 1e-9);
     const batten_ribbon sides[4] = {{ribbon[0], ribbon[1], NULL},
@@ -289,11 +289,62 @@ TEST(surfaces_that_are_not_beside_a_curve_are_told)
     batten_surface *surface = bumpy(&random, 3, 3, 2, 2);
     const double a[] = {4, 4}, b[] = {5, 4}, ends[6] = {0, 1, 0, 0, 1, 0};
     batten_curve *curve = bow(a, b, 1), *ribbon[2];
-    CHECK_STATUS(batten_ribbon_along(surface, curve, ends, 1e-6, ribbon, NULL, NULL),
+    CHECK_STATUS(batten_ribbon_along(surface, curve, 1, ends, 1e-6, ribbon, NULL, NULL),
                  BATTEN_NOT_FOUND);
     CHECK_MESSAGE("no edge of the surface runs along the curve");
-    CHECK_STATUS(batten_ribbon_along(surface, curve, ends, 0, ribbon, NULL, NULL),
+    CHECK_STATUS(batten_ribbon_along(surface, curve, 1, ends, 0, ribbon, NULL, NULL),
                  BATTEN_BAD_ARGUMENT);
     batten_curve_unref(curve);
     batten_surface_unref(surface);
+}
+
+/* A surface cut in two: from one half's edge, and the other three sides of the other half, the
+ * third kind makes what has the curvatures of both. */
+TEST(curvatures_along_a_neighbour_are_its_own)
+{
+    test_random random = test_random_begin("curvature");
+    batten_surface *whole = bumpy(&random, 5, 4, 1, 2), *low = NULL, *high = NULL,
+                   *patch = NULL;
+    CHECK_OK(batten_surface_split(whole, BATTEN_U, 0.5, &low, &high));
+    frame_of_surface frame;
+    frame_surface(high, &frame);
+    /* The patch runs over [0, 1] in u, the half over [0.5, 1]. */
+    double ends[6];
+    batten_curve *ribbon[3] = {NULL, NULL, NULL};
+    for (int k = 0; k < 2; k++) {
+        double out[6];
+        CHECK_OK(batten_curve_evaluate(frame.curves[k ? 2 : 0][0], 0.5, 1, out));
+        for (int x = 0; x < 3; x++)
+            ends[3 * k + x] = out[3 + x] / 2;
+    }
+    double misfit[2], error = 1;
+    CHECK_OK(
+        batten_ribbon_along(low, frame.curves[3][0], 2, ends, 1e-9, ribbon, misfit, &error));
+    CHECK(error == 0);
+    const batten_ribbon sides[4] = {{frame.curves[0][0], NULL, NULL},
+                                    {frame.curves[1][0], NULL, NULL},
+                                    {frame.curves[2][0], NULL, NULL},
+                                    {ribbon[0], ribbon[1], ribbon[2]}};
+    batten_coons_options options = batten_coons_defaults();
+    batten_coons_report report;
+    options.order = 3;
+    options.blending_u = options.blending_v = BATTEN_BLENDING_QUINTIC;
+    CHECK_OK(batten_surface_coons(sides, &options, &report, &patch));
+    CHECK_NEAR(report.slope_gap + report.higher_gap, 0, 1e-11);
+    for (int i = 0; i <= 20; i++) {
+        double p[18], q[18];
+        CHECK_OK(batten_surface_evaluate(patch, 0, i / 20.0, 2, p));
+        CHECK_OK(batten_surface_evaluate(whole, 0.5, i / 20.0, 2, q));
+        for (int x = 0; x < 3; x++) {
+            CHECK_NEAR(p[3 + x], q[3 + x] / 2, 1e-12);
+            CHECK_NEAR(p[9 + x], q[9 + x] / 4, 1e-10);
+            CHECK_NEAR(p[12 + x], q[12 + x] / 2, 1e-10);
+        }
+    }
+    batten_surface_unref(patch);
+    for (int k = 0; k < 3; k++)
+        batten_curve_unref(ribbon[k]);
+    frame_release(&frame);
+    batten_surface_unref(low);
+    batten_surface_unref(whole);
 }

@@ -1,0 +1,30 @@
+/* The boundary of a patch out of a feature's arguments. */
+#ifndef BAT_DESIGN_BOUNDARY_H
+#define BAT_DESIGN_BOUNDARY_H
+#include "design/feature.h"
+#include <batten/coons.h>
+
+/* How boundary curves are shared out among four sides. */
+#define BAT_BOUNDARY_SIDES                                                                    \
+    {                                                                                         \
+        "sides", BATTEN_VALUE_COUNT, true, false, NULL, NULL,                                 \
+            "how many curves each of the four sides has, from that of the first curve on; 0 " \
+            "makes a side a point"                                                            \
+    }
+
+typedef struct {
+    batten_curve *curves[4][3]; /* by batten_edge: curve, slope, curvature */
+    batten_ribbon sides[4];
+} bat_boundary;
+
+/* The curves of an argument, in space, put into a loop and cut into sides; remarks say which
+ * were reversed, and where a side stands still. */
+batten_status bat_boundary_take(bat_run *run, const char *parameter, double tolerance,
+                                bat_boundary *out);
+/* Slopes (order 2) and curvatures (order 3) where surfaces of an argument lie along a side; a
+ * surface that lies along none is an error. */
+batten_status bat_boundary_along(bat_run *run, const char *parameter, int order,
+                                 double tolerance, bat_boundary *boundary);
+void bat_boundary_release(bat_boundary *boundary);
+
+#endif
