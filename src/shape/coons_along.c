@@ -15,72 +15,7 @@
 
 #include <float.h>
 
-enum { PROBES = 9 };
-
 /* ---- the edge ---- */
-
-static batten_status edge_curve(const batten_surface *surface, batten_edge edge,
-                                double tolerance, batten_curve **out)
-{
-    const bat_edge_place place = bat_edge_of(surface, edge);
-    double error;
-    if (surface->kind != &bat_nurbs_kind)
-        return bat_edge_fit(surface, edge, 0, tolerance / 4, out, &error);
-    return batten_surface_isocurve(surface, bat_other(place.along), place.at, out);
-}
-
-/* How far the curve is from an edge, and where its ends are on it. */
-static batten_status probe(const batten_curve *edge, const batten_curve *curve, double *far,
-                           double at[2])
-{
-    const batten_interval domain = batten_curve_domain(curve);
-    double points[PROBES * 3];
-    batten_deviation found;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < PROBES; i++)
-        status =
-            batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * i / (PROBES - 1), 0,
-                                  points + i * curve->dimension);
-    if (status == BATTEN_OK)
-        status = batten_curve_deviation(edge, PROBES, points, NULL, NULL, NULL, &found);
-    if (status == BATTEN_OK)
-        *far = found.max;
-    for (int e = 0; status == BATTEN_OK && e < 2; e++) {
-        status =
-            batten_curve_deviation(edge, 1, points + (e ? (PROBES - 1) * curve->dimension : 0),
-                                   NULL, NULL, NULL, &found);
-        at[e] = found.at[0];
-    }
-    return status;
-}
-
-/* The edge that runs along the curve. */
-static batten_status find_edge(const batten_surface *surface, const batten_curve *curve,
-                               double tolerance, batten_edge *edge, double at[2])
-{
-    double nearest = INFINITY;
-    batten_status status = BATTEN_OK;
-    for (int e = 0; status == BATTEN_OK && e < 4; e++) {
-        batten_curve *candidate = NULL;
-        double far = 0, places[2] = {0, 0};
-        status = edge_curve(surface, (batten_edge)e, tolerance, &candidate);
-        if (status == BATTEN_OK)
-            status = probe(candidate, curve, &far, places);
-        if (status == BATTEN_OK && far < nearest && places[0] != places[1]) {
-            nearest = far;
-            *edge = (batten_edge)e;
-            at[0] = places[0];
-            at[1] = places[1];
-        }
-        batten_curve_unref(candidate);
-    }
-    if (status == BATTEN_OK && !(nearest <= tolerance))
-        return bat_fail(BATTEN_NOT_FOUND,
-                        "no edge of the surface runs along the curve: the nearest is %g away, "
-                        "more than %g",
-                        nearest, tolerance);
-    return status;
-}
 
 /* An end of the curve that is an end of the edge, is it to the bit. */
 static batten_status snap(const batten_curve *edge, double tolerance, double *at)
@@ -346,7 +281,7 @@ batten_status batten_ribbon_along(const batten_surface *surface, const batten_cu
     double at[2] = {0, 0}, far = 0, off[2] = {0, 0};
     batten_status status = check(surface, curve, order, ends, tolerance);
     if (status == BATTEN_OK)
-        status = find_edge(surface, curve, tolerance, &edge, at);
+        status = bat_edge_beside(surface, curve, tolerance, &edge, at);
     if (status == BATTEN_OK)
         status = ribbon_of(surface, edge, at, order, ends, tolerance, made, off, &far);
     for (int k = 0; k <= order && k < 3; k++) {

@@ -1,4 +1,5 @@
-/* What a surface's edge is where no exact curve is at hand. */
+/* The edges of surfaces: which one runs along a curve, and what it is where no exact curve is
+ * at hand. */
 #ifndef BAT_RIBBON_FIT_H
 #define BAT_RIBBON_FIT_H
 #include "base/base.h"
@@ -22,5 +23,14 @@ bat_edge_place bat_edge_of(const batten_surface *surface, batten_edge edge);
  */
 batten_status bat_edge_fit(const batten_surface *surface, batten_edge edge, int k,
                            double tolerance, batten_curve **out, double *error);
+
+/*
+ * The edge that runs along a curve within `tolerance`, or of which the curve runs along a part,
+ * and the places of the curve's two ends on it (ribbon_edge.c). A surface that is no NURBS
+ * needs a tolerance above 0.
+ * @return NOT_FOUND with the distance of the nearest
+ */
+batten_status bat_edge_beside(const batten_surface *surface, const batten_curve *curve,
+                              double tolerance, batten_edge *edge, double at[2]);
 
 #endif
