@@ -98,7 +98,7 @@ static batten_status take_slope(bat_run *run, const bat_objects *surfaces, int p
     for (int k = 0; k < surfaces->count && status == BATTEN_OK && *found < 0; k++) {
         batten_curve *ribbon[2] = {NULL, NULL};
         double error = 0;
-        status = batten_ribbon_along(surfaces->at[k]->surface, all->owned[i][0], ends[0],
+        status = batten_ribbon_along(surfaces->at[k]->surface, all->owned[i][0], 1, ends[0],
                                      all->within, ribbon, NULL, &error);
         if (status == BATTEN_NOT_FOUND) {
             status = BATTEN_OK;
