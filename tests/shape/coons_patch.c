@@ -1,5 +1,6 @@
 #include "shape/coons.h"
 
+#include <batten/inspect.h>
 #include <batten/standard.h>
 
 static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
@@ -155,6 +156,28 @@ TEST(flat_spots_are_what_the_formula_says_and_twists_cure_them)
     batten_surface_unref(cured);
     batten_surface_unref(flat);
     batten_surface_unref(bilinear);
+    release(curves, 4);
+}
+
+/* Of z = u v the Gaussian curvature is -1 / (1 + u^2 + v^2)^2; without twists it is 0 at the
+ * corners. */
+TEST(the_curvature_at_the_corners_tells_flat_spots)
+{
+    batten_curve *curves[4];
+    batten_ribbon sides[4];
+    saddle(curves, sides);
+    batten_surface *flat = patch(sides, 1, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, NULL);
+    batten_surface *cured = patch(sides, 2, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, NULL);
+    for (int c = 0; c < 4; c++) {
+        const double u = c / 2, v = c % 2, w = 1 + u * u + v * v;
+        batten_surface_local local;
+        CHECK_OK(batten_surface_local_at(flat, u, v, &local));
+        CHECK_NEAR(local.gaussian, 0, 1e-14);
+        CHECK_OK(batten_surface_local_at(cured, u, v, &local));
+        CHECK_NEAR(local.gaussian, -1 / (w * w), 1e-13);
+    }
+    batten_surface_unref(cured);
+    batten_surface_unref(flat);
     release(curves, 4);
 }
 
