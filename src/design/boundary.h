@@ -5,11 +5,10 @@
 #include <batten/coons.h>
 
 /* How boundary curves are shared out among four sides. */
-#define BAT_BOUNDARY_SIDES                                                                    \
-    {                                                                                         \
-        "sides", BATTEN_VALUE_COUNT, true, false, NULL, NULL,                                 \
-            "how many curves each of the four sides has, from that of the first curve on; 0 " \
-            "makes a side a point"                                                            \
+#define BAT_BOUNDARY_SIDES                                                    \
+    {                                                                         \
+        "sides", BATTEN_VALUE_COUNT, true, false, NULL, NULL,                 \
+            "how many curves each side has, the first curve's first; 0: none" \
     }
 
 typedef struct {

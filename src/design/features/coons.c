@@ -5,26 +5,23 @@ static const batten_parameter parameters[] = {
      "the boundary curves, in any order and direction"},
     BAT_BOUNDARY_SIDES,
     {"kind", BATTEN_VALUE_WORD, false, false, NULL, "first twists second third",
-     "what it takes from the boundary: curves; and twists at the corners; slopes; curvatures. "
-     "Of itself 'first', with 'along' 'second'"},
+     "what it takes from the sides; of itself 'first', with 'along' 'second'"},
     {"blend", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
-     "the blending functions; of itself 'linear', 'cubic', 'cubic' and 'quintic' by kind"},
+     "the blending functions; of itself as the kind needs them"},
     {"blend-v", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
-     "others from the first side to the one across it"},
+     "other ones from the first side to the one across it"},
     {"functions", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "blending functions of one's own, F0 F1 and as needed G0 G1 H0 H1: graphs over 0 .. 1 in "
-     "the xy-plane"},
+     "blending functions of one's own, F0 F1 G0 G1 H0 H1: graphs over 0 .. 1 in the xy-plane"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "surfaces beside it, whose slopes (and curvatures) it continues; found by where they are"},
+     "surfaces beside it that it continues smoothly; found by where they are"},
     {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
-     "one for all corners, or four: where the first side begins and ends, then across"},
+     "one for all corners, or four: at the ends of the first side, then across"},
     {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
      "where slopes of two sides ask for different twists"},
     {"repair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "correct slopes that do not fit the boundary curves at a corner"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, and curves from the surfaces beside them; of itself the "
-     "design's tolerance"},
+     "how far corners may be open, curves from surfaces; of itself the design's tolerance"},
 };
 
 /* What a run takes and holds. */
@@ -197,7 +194,8 @@ const bat_feature bat_feature_coons = {
          "those of the bilinear patch), which cure flat spots; 'second' has the slopes of the\n"
          "surfaces it lies along, 'third' their curvatures too. Blending functions: 'linear'\n"
          "('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with continuous\n"
-         "curvature. Unless curves are rational, or twists differ under the policy 'gregory',\n"
+         "curvature. Of itself 'linear' for 'first', 'quintic' for 'third', else 'cubic'.\n"
+         "Unless curves are rational, or twists differ under the policy 'gregory',\n"
          "the result is exact.",
          "features:\n"
          "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"

@@ -12,8 +12,7 @@ static const batten_parameter parameters[] = {
     {"at-v", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "where the curves along u stand; of itself evenly"},
     {"blend", BATTEN_VALUE_WORD, false, false, "coons", "linear cubic quintic coons",
-     "the blending functions: 'cubic' joins patches with tangents, 'coons' and 'quintic' with "
-     "curvatures"},
+     "the blending functions; patches join with tangents ('cubic') or curvatures"},
     {"twists", BATTEN_VALUE_WORD, false, false, "adini",
      "zero bilinear bessel adini spline energy selesnick", "where the twists come from"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
