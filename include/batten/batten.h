@@ -61,6 +61,7 @@
 #include <batten/surface.h>
 #include <batten/sweep.h>
 #include <batten/tension.h>
+#include <batten/tensor.h>
 #include <batten/text.h>
 #include <batten/thin.h>
 #include <batten/triangle_patch.h>

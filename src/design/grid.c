@@ -66,3 +66,16 @@ void bat_grid_release(bat_grid *grid)
     bat_release(grid->points);
     grid->points = NULL;
 }
+
+batten_status bat_grid_surface(bat_run *run, const char *parameter,
+                               batten_status (*make)(bat_run *run, const bat_grid *grid,
+                                                     batten_surface **out))
+{
+    bat_grid grid = {0, 0, NULL};
+    batten_surface *surface = NULL;
+    batten_status status = bat_grid_of(run, parameter, &grid);
+    if (status == BATTEN_OK)
+        status = make(run, &grid, &surface);
+    bat_grid_release(&grid);
+    return bat_put_surface(run, status, surface);
+}

@@ -14,4 +14,9 @@ typedef struct {
 batten_status bat_grid_of(const bat_run *run, const char *parameter, bat_grid *out);
 void bat_grid_release(bat_grid *grid);
 
+/* What `make` makes of the grid of an argument becomes the feature's surface. */
+batten_status bat_grid_surface(bat_run *run, const char *parameter,
+                               batten_status (*make)(bat_run *run, const bat_grid *grid,
+                                                     batten_surface **out));
+
 #endif

@@ -30,14 +30,13 @@ static batten_grid_options options_of(const bat_run *run)
     return options;
 }
 
-static batten_status fit(bat_run *run, const bat_grid *grid)
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
     const batten_grid_options options = options_of(run);
     batten_grid_report report;
-    batten_surface *surface = NULL;
     const batten_status status =
         batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points, &options,
-                                   run->job, NULL, NULL, &report, &surface);
+                                   run->job, NULL, NULL, &report, surface);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
         bat_note(run,
                  "the parameters of single rows differ from the average by %.2g steps; "
@@ -45,17 +44,12 @@ static batten_status fit(bat_run *run, const bat_grid *grid)
                  bat_max(report.spread_u, report.spread_v));
     if (status == BATTEN_OK)
         bat_report_error(run, report.residual, report.residual);
-    return bat_put_surface(run, status, surface);
+    return status;
 }
 
 static batten_status run(bat_run *run)
 {
-    bat_grid grid = {0, 0, NULL};
-    batten_status status = bat_grid_of(run, "interpolate-grid", &grid);
-    if (status == BATTEN_OK)
-        status = fit(run, &grid);
-    bat_grid_release(&grid);
-    return status;
+    return bat_grid_surface(run, "interpolate-grid", make);
 }
 
 const bat_feature bat_feature_interpolate_grid = {

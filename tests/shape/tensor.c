@@ -1,0 +1,356 @@
+#include <batten/tensor.h>
+
+#include "support/test.h"
+#include <batten/interpolate.h>
+
+enum { NU = 5, NV = 4 };
+
+/* A hilly grid over uneven stations. */
+static const double stations_u[NU] = {0, 0.1, 0.4, 0.8, 1}, stations_v[NV] = {0, 0.3, 0.5, 1};
+
+static void hills(double points[NU * NV * 3])
+{
+    for (int i = 0; i < NU; i++)
+        for (int j = 0; j < NV; j++) {
+            double *p = points + (i * NV + j) * 3;
+            p[0] = 4 * stations_u[i];
+            p[1] = 3 * stations_v[j] + 0.1 * sin(3.0 * i);
+            p[2] = cos(2.0 * i) * sin(1.5 * j) + 0.2 * i;
+        }
+}
+
+static double apart(const batten_surface *a, const batten_surface *b, int order)
+{
+    double worst = 0;
+    for (int i = 0; i <= 30; i++)
+        for (int j = 0; j <= 30; j++) {
+            double p[30], q[30];
+            CHECK_OK(batten_surface_evaluate(a, i / 30.0, j / 30.0, order, p));
+            CHECK_OK(batten_surface_evaluate(b, i / 30.0, j / 30.0, order, q));
+            for (int k = 0; k < 3 * BATTEN_SURFACE_DERIVATIVES(order); k++)
+                worst = fmax(worst, fabs(p[k] - q[k]));
+        }
+    return worst;
+}
+
+static batten_surface *natural_bicubic(const double *points)
+{
+    batten_surface *surface = NULL;
+    batten_grid_options o = batten_grid_defaults();
+    o.parameters = BATTEN_GIVEN;
+    o.given_u = stations_u;
+    o.given_v = stations_v;
+    o.knots_at_data = true;
+    o.ends = BATTEN_END_NATURAL;
+    CHECK_OK(
+        batten_surface_interpolate(3, NU, NV, points, &o, NULL, NULL, NULL, NULL, &surface));
+    return surface;
+}
+
+static batten_surface *nu_surface(const double *points, double nu)
+{
+    batten_surface *surface = NULL;
+    batten_nu_surface_options o = batten_nu_surface_defaults();
+    o.u = stations_u;
+    o.v = stations_v;
+    o.nu_u = o.nu_v = nu;
+    CHECK_OK(batten_surface_nu(3, NU, NV, points, &o, NULL, &surface));
+    return surface;
+}
+
+static batten_surface *tension_surface(const double *points, double tension)
+{
+    batten_surface *surface = NULL;
+    batten_tension_surface_options o = batten_tension_surface_defaults();
+    o.u = stations_u;
+    o.v = stations_v;
+    o.tension_u = o.tension_v = tension;
+    CHECK_OK(batten_surface_tension(3, NU, NV, points, &o, &surface));
+    return surface;
+}
+
+TEST(without_tension_and_nu_all_are_the_natural_bicubic_spline)
+{
+    double points[NU * NV * 3];
+    hills(points);
+    batten_surface *spline = natural_bicubic(points), *nu = nu_surface(points, 0),
+                   *tension = tension_surface(points, 0);
+    CHECK(apart(spline, nu, 1) < 1e-11);
+    CHECK(apart(spline, tension, 1) < 1e-11);
+    batten_surface_unref(spline);
+    batten_surface_unref(nu);
+    batten_surface_unref(tension);
+}
+
+/* How far a cubic goes that halts at both ends, but begins or ends without bending at the first
+ * or last. */
+static double halting(bool first, bool last, double x)
+{
+    return first  ? x * (3 - x * x) / 2
+           : last ? 1 - (1 - x) * (3 - (1 - x) * (1 - x)) / 2
+                  : x * x * (3 - 2 * x);
+}
+
+/* The bilinear patch of the cell that holds (u, v); `slow`: the parameter halts at grid lines.
+ */
+static void bilinear(const double *points, bool slow, double u, double v, double out[3])
+{
+    int i = 0, j = 0;
+    while (i + 2 < NU && u >= stations_u[i + 1])
+        i++;
+    while (j + 2 < NV && v >= stations_v[j + 1])
+        j++;
+    double x = (u - stations_u[i]) / (stations_u[i + 1] - stations_u[i]),
+           y = (v - stations_v[j]) / (stations_v[j + 1] - stations_v[j]);
+    if (slow) {
+        x = halting(i == 0, i + 2 == NU, x);
+        y = halting(j == 0, j + 2 == NV, y);
+    }
+    const double *p = points + (i * NV + j) * 3, *q = p + 3 * NV;
+    for (int k = 0; k < 3; k++)
+        out[k] =
+            (1 - x) * ((1 - y) * p[k] + y * p[3 + k]) + x * ((1 - y) * q[k] + y * q[3 + k]);
+}
+
+TEST(with_very_much_of_either_they_are_bilinear_patches)
+{
+    double points[NU * NV * 3];
+    hills(points);
+    batten_surface *surfaces[2] = {nu_surface(points, 1e7), tension_surface(points, 1e7)};
+    for (int s = 0; s < 2; s++) {
+        for (int i = 0; i <= 20; i++)
+            for (int j = 0; j <= 20; j++) {
+                double at[3], expected[3];
+                CHECK_OK(batten_surface_evaluate(surfaces[s], i / 20.0, j / 20.0, 0, at));
+                bilinear(points, s == 0, i / 20.0, j / 20.0, expected);
+                for (int k = 0; k < 3; k++)
+                    CHECK_NEAR(at[k], expected[k], 1e-5);
+            }
+        batten_surface_unref(surfaces[s]);
+    }
+}
+
+TEST(a_tension_surface_passes_its_points_and_is_c2)
+{
+    double points[NU * NV * 3], left[18], right[18];
+    hills(points);
+    batten_surface *surface = tension_surface(points, 6);
+    CHECK_TEXT(batten_surface_kind(surface), "tension");
+    for (int i = 0; i < NU; i++)
+        for (int j = 0; j < NV; j++) {
+            CHECK_OK(batten_surface_evaluate(surface, stations_u[i], stations_v[j], 0, left));
+            for (int k = 0; k < 3; k++)
+                CHECK_NEAR(left[k], points[(i * NV + j) * 3 + k], 1e-14);
+        }
+    for (int j = 0; j <= 12; j++) {
+        CHECK_OK(batten_surface_evaluate_side(surface, stations_u[2], j / 12.0,
+                                              BATTEN_FROM_LEFT, BATTEN_FROM_RIGHT, 2, left));
+        CHECK_OK(batten_surface_evaluate_side(surface, stations_u[2], j / 12.0,
+                                              BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 2, right));
+        for (int k = 0; k < 18; k++)
+            CHECK_NEAR(left[k], right[k], 1e-9);
+    }
+    batten_surface_unref(surface);
+}
+
+/* In its strip the equation S_uuuu = sigma^2 S_uu holds: seen by differences of third
+ * derivatives. */
+TEST(a_tension_surface_obeys_the_equation_of_its_strips)
+{
+    double points[NU * NV * 3], at[30], before[30], after[30];
+    hills(points);
+    batten_surface *surface = tension_surface(points, 4);
+    const double sigma = 4 / 0.25, h = 1e-5, u = 0.63, v = 0.71; /* 4 strips over 1 */
+    CHECK_OK(batten_surface_evaluate(surface, u, v, 2, at));
+    CHECK_OK(batten_surface_evaluate(surface, u - h, v, 3, before));
+    CHECK_OK(batten_surface_evaluate(surface, u + h, v, 3, after));
+    for (int k = 0; k < 3; k++) {
+        const double fourth = (after[18 + k] - before[18 + k]) / (2 * h);
+        CHECK_NEAR(fourth, sigma * sigma * at[9 + k], 1e-4 * (1 + fabs(fourth)));
+    }
+    batten_surface_unref(surface);
+}
+
+TEST(a_surface_in_tension_comes_out_as_nurbs_within_a_tolerance)
+{
+    double points[NU * NV * 3], error = 0;
+    hills(points);
+    batten_surface *surface = tension_surface(points, 6), *nurbs = NULL;
+    CHECK_OK(batten_surface_to_nurbs(surface, 1e-6, &nurbs, &error));
+    CHECK(error > 0 && error <= 1e-6);
+    CHECK(apart(surface, nurbs, 0) <= error);
+    batten_surface_unref(surface);
+    batten_surface_unref(nurbs);
+}
+
+static void swap_grid(const double *from, double *to)
+{
+    for (int i = 0; i < NU; i++)
+        for (int j = 0; j < NV; j++)
+            memcpy(to + (j * NU + i) * 3, from + (i * NV + j) * 3, 3 * sizeof *to);
+}
+
+TEST(the_other_direction_first_gives_the_same_surface)
+{
+    double points[NU * NV * 3], turned[NU * NV * 3];
+    hills(points);
+    swap_grid(points, turned);
+    batten_nu_surface_options o = batten_nu_surface_defaults();
+    const double nus[NU] = {0, 3, 20, 0, 0};
+    batten_surface *one = NULL, *other = NULL, *back = NULL;
+    o.u = stations_u;
+    o.v = stations_v;
+    o.nus_u = nus;
+    CHECK_OK(batten_surface_nu(3, NU, NV, points, &o, NULL, &one));
+    o.u = stations_v;
+    o.v = stations_u;
+    o.nus_u = NULL;
+    o.nus_v = nus;
+    CHECK_OK(batten_surface_nu(3, NV, NU, turned, &o, NULL, &other));
+    CHECK_OK(batten_surface_swap(other, &back));
+    CHECK(apart(one, back, 1) < 1e-12);
+    batten_surface_unref(one);
+    batten_surface_unref(other);
+    batten_surface_unref(back);
+}
+
+/* The cubic of Catmull and Rom on the inner cell of 4 x 4 points with equal steps:
+ * (u^3 u^2 u 1) M G M' (v^3 v^2 v 1)'. */
+TEST(catmull_rom_is_the_matrix_form_on_an_inner_cell)
+{
+    static const double M[4][4] = {
+        {-0.5, 1.5, -1.5, 0.5}, {1, -2.5, 2, -0.5}, {-0.5, 0, 0.5, 0}, {0, 1, 0, 0}};
+    static const double steps[4] = {0, 1, 2, 3};
+    double G[16], off = 1;
+    for (int i = 0; i < 16; i++)
+        G[i] = sin(1.7 * i) + 0.1 * i;
+    batten_catmull_rom_options o = batten_catmull_rom_defaults();
+    batten_surface *surface = NULL;
+    CHECK_OK(
+        batten_surface_catmull_rom(1, 4, 4, G, steps, steps, &o, &o, NULL, &off, &surface));
+    CHECK(off < 1e-14);
+    for (int a = 0; a <= 4; a++)
+        for (int b = 0; b <= 4; b++) {
+            const double x = a / 4.0, y = b / 4.0;
+            const double U[4] = {x * x * x, x * x, x, 1}, V[4] = {y * y * y, y * y, y, 1};
+            double expected = 0, at;
+            for (int i = 0; i < 4; i++)
+                for (int j = 0; j < 4; j++)
+                    for (int k = 0; k < 4; k++)
+                        for (int l = 0; l < 4; l++)
+                            expected += U[i] * M[i][k] * G[k * 4 + l] * M[j][l] * V[j];
+            CHECK_OK(batten_surface_evaluate(surface, 1 + x, 1 + y, 0, &at));
+            CHECK_NEAR(at, expected, 1e-13);
+        }
+    batten_surface_unref(surface);
+}
+
+/* A ring of 12 x 8 points: closed both ways, and smooth over the seam. */
+TEST(closed_grids_close_smoothly)
+{
+    double points[12 * 8 * 3];
+    for (int i = 0; i < 12; i++)
+        for (int j = 0; j < 8; j++) {
+            const double a = 6.283185307179586 * i / 12, b = 6.283185307179586 * j / 8;
+            double *p = points + (i * 8 + j) * 3;
+            p[0] = (3 + cos(b)) * cos(a);
+            p[1] = (3 + cos(b)) * sin(a);
+            p[2] = sin(b);
+        }
+    batten_nu_surface_options nu = batten_nu_surface_defaults();
+    batten_tension_surface_options tension = batten_tension_surface_defaults();
+    batten_catmull_rom_options local = batten_catmull_rom_defaults();
+    batten_surface *surfaces[3] = {NULL};
+    nu.closed_u = nu.closed_v = tension.closed_u = tension.closed_v = local.closed = true;
+    CHECK_OK(batten_surface_nu(3, 12, 8, points, &nu, NULL, &surfaces[0]));
+    CHECK_OK(batten_surface_tension(3, 12, 8, points, &tension, &surfaces[1]));
+    CHECK_OK(batten_surface_catmull_rom(3, 12, 8, points, NULL, NULL, &local, &local, NULL,
+                                        NULL, &surfaces[2]));
+    for (int s = 0; s < 3; s++) {
+        for (int k = 0; k < 2; k++) {
+            double first[9], last[9];
+            const batten_interval d = batten_surface_domain(surfaces[s], (batten_direction)k);
+            CHECK(batten_surface_is_closed(surfaces[s], (batten_direction)k, 1e-12));
+            CHECK_OK(batten_surface_evaluate_side(surfaces[s], k ? 0.2 : d.a, k ? d.a : 0.2,
+                                                  BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT, 1,
+                                                  first));
+            CHECK_OK(batten_surface_evaluate_side(surfaces[s], k ? 0.2 : d.b, k ? d.b : 0.2,
+                                                  BATTEN_FROM_LEFT, BATTEN_FROM_LEFT, 1, last));
+            for (int x = 0; x < 9; x++)
+                CHECK_NEAR(first[x], last[x], 1e-11);
+        }
+        double at[3];
+        CHECK_OK(batten_surface_evaluate(surfaces[s], 0.54, 0.31, 0, at));
+        const double ring = hypot(hypot(at[0], at[1]) - 3, at[2]);
+        CHECK_NEAR(ring, 1, 0.02);
+        batten_surface_unref(surfaces[s]);
+    }
+}
+
+static batten_status own_knots(void *user, int dimension, int count, const double *points,
+                               const double *parameters, batten_curve **out)
+{
+    (void)user;
+    (void)parameters;
+    return batten_curve_interpolate(dimension, count, points, NULL, NULL, out);
+}
+
+TEST(a_method_that_is_not_linear_is_refused)
+{
+    double points[NU * NV * 3];
+    hills(points);
+    const batten_line_method method = {own_knots, NULL, false};
+    batten_surface *surface = NULL;
+    CHECK_STATUS(batten_surface_tensor(3, NU, NV, points, stations_u, stations_v, &method,
+                                       &method, NULL, NULL, &surface),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("along u, line 1");
+    CHECK_MESSAGE("other knots");
+}
+
+TEST(bad_grids_are_refused_by_name) /* G5 G6 K7 */
+{
+    double points[NU * NV * 3];
+    batten_surface *surface = NULL;
+    hills(points);
+    points[20] = NAN;
+    CHECK_STATUS(batten_surface_nu(3, NU, NV, points, NULL, NULL, &surface), BATTEN_NOT_FINITE);
+    CHECK_MESSAGE("6");
+    hills(points);
+    memcpy(points + 3 * NV, points, 3 * NV * sizeof *points);
+    CHECK_STATUS(batten_surface_tension(3, NU, NV, points, NULL, &surface), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("u grid lines");
+    CHECK_STATUS(batten_surface_nu(3, 1, NV, points, NULL, NULL, &surface),
+                 BATTEN_TOO_FEW_POINTS);
+    hills(points);
+    const double falling[NU] = {0, 0.2, 0.1, 0.8, 1};
+    CHECK_STATUS(batten_surface_catmull_rom(3, NU, NV, points, falling, stations_v, NULL, NULL,
+                                            NULL, NULL, &surface),
+                 BATTEN_NOT_INCREASING);
+    batten_tension_surface_options o = batten_tension_surface_defaults();
+    o.tension_v = -1;
+    CHECK_STATUS(batten_surface_tension(3, NU, NV, points, &o, &surface), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("along v, line 0: the tension of span 0 is -1");
+}
+
+/* A line of the grid that is a single point: a pole of the surface. */
+TEST(a_pole_stays_a_pole)
+{
+    double points[NU * NV * 3], at[3];
+    hills(points);
+    for (int j = 1; j < NV; j++)
+        memcpy(points + 3 * j, points, 3 * sizeof *points);
+    batten_surface *surfaces[3] = {NULL};
+    CHECK_OK(batten_surface_nu(3, NU, NV, points, NULL, NULL, &surfaces[0]));
+    CHECK_OK(batten_surface_tension(3, NU, NV, points, NULL, &surfaces[1]));
+    CHECK_OK(batten_surface_catmull_rom(3, NU, NV, points, NULL, NULL, NULL, NULL, NULL, NULL,
+                                        &surfaces[2]));
+    for (int s = 0; s < 3; s++) {
+        for (int j = 0; j <= 10; j++) {
+            CHECK_OK(batten_surface_evaluate(surfaces[s], 0, j / 10.0, 0, at));
+            for (int k = 0; k < 3; k++)
+                CHECK_NEAR(at[k], points[k], 1e-14);
+        }
+        batten_surface_unref(surfaces[s]);
+    }
+}
