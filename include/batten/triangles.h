@@ -197,8 +197,8 @@ typedef struct batten_triangle_join {
  * @param tolerance  in model units, > 0
  * @param[out] joins  in the order of the first edges; release with batten_release
  * @return BATTEN_OK, BAD_ARGUMENT ...
- * Cost: O(m log m + 33 m n^3) for m edges; corners that crowd within `tolerance` in x cost
- * their square.
+ * Cost: O(m log m + 33 m n^3) for m edges; corners of which very many lie between two planes
+ * `tolerance` apart cost their square.
  * Source: [Farin86] for C1, [Farin02] ch. 17 for the determinant.
  */
 BATTEN_API batten_status batten_triangles_joins(const batten_triangles *triangles,
@@ -219,6 +219,11 @@ BATTEN_API batten_status batten_triangles_to_patches(const batten_triangles *tri
  */
 BATTEN_API batten_status batten_triangles_to_pole_patch(const batten_triangles *triangles,
                                                         int triangle, batten_surface **out);
+/** The half of a triangle next to an edge, as a surface whose side u = 1 is that edge: so that
+ * ribbons can be taken from it. Exact. */
+BATTEN_API batten_status batten_triangles_half_at_edge(const batten_triangles *triangles,
+                                                       int triangle, int edge,
+                                                       batten_surface **out);
 /**
  * Each Bezier patch m x n of a NURBS surface as two triangles of degree m + n, over the domain
  * (u, v): corners at (0, 0), (1, 0), (1, 1) and at (0, 0), (1, 1), (0, 1) of the patch. Exact.

@@ -132,6 +132,8 @@ typedef struct {
     batten_status (*curve)(const bat_run *run, const batten_curve *curve, batten_curve **out);
     batten_status (*surface)(const bat_run *run, const batten_surface *surface,
                              batten_surface **out);
+    batten_status (*triangles)(const bat_run *run, const batten_triangles *triangles,
+                               batten_triangles **out);
     /* Beside `curve`, of a chain; NULL: the curve is none any more. */
     batten_status (*chain)(const bat_run *run, const batten_chain *chain, batten_chain **out);
     bool keeps_data; /* the points that a curve was made from still belong to it */

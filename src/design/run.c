@@ -301,10 +301,24 @@ static batten_status change_surface(bat_run *run, const bat_change *change,
     return bat_put_surface_like(run, status, surface, object);
 }
 
+static batten_status change_triangles(bat_run *run, const bat_change *change,
+                                      const batten_object *object)
+{
+    batten_object made = *object;
+    batten_triangles *triangles = NULL;
+    batten_status status = change->triangles(run, object->triangles, &triangles);
+    made.triangles = triangles;
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &made);
+    batten_triangles_unref(triangles);
+    return status;
+}
+
 static unsigned changed_kinds(const bat_change *change)
 {
     return (change->curve || change->near_curve ? BAT_CURVES : 0) |
-           (change->surface || change->near_surface ? BAT_SURFACES : 0);
+           (change->surface || change->near_surface ? BAT_SURFACES : 0) |
+           (change->triangles ? BAT_TRIANGLES : 0);
 }
 
 batten_status bat_change_all(bat_run *run, const bat_change *change)
@@ -323,6 +337,8 @@ batten_status bat_change_all(bat_run *run, const bat_change *change)
             status = batten_model_add(run->model, object);
         else if (object->kind == BATTEN_OBJECT_CURVE)
             status = change_curve(run, change, object);
+        else if (object->kind == BATTEN_OBJECT_TRIANGLES)
+            status = change_triangles(run, change, object);
         else
             status = change_surface(run, change, object);
     }

@@ -11,8 +11,11 @@ enum { PLACES = 33, FORMS = 100 };
 
 /* ---- who meets whom ---- */
 
+/* A unit vector (but for 2e-6 less) along which the points of grids do not coincide. */
+static const double sweep[3] = {0.754877, 0.56984, 0.324718};
+
 typedef struct {
-    double x;
+    double x; /* along the sweep */
     int corner;
 } corner_place;
 
@@ -43,7 +46,7 @@ static batten_status number_corners(const batten_triangles *triangles, double to
     if (!places)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++)
-        places[i] = (corner_place){corner_point(triangles, i)[0], i};
+        places[i] = (corner_place){bat_dot(d, sweep, corner_point(triangles, i)), i};
     qsort(places, (size_t)count, sizeof *places, compare_places);
     for (int i = 0; i < count; i++) {
         const int corner = places[i].corner;

@@ -33,6 +33,12 @@ typedef struct {
     double turn[3][2][3];    /* at both ends of side i, d/dt of the derivative across */
 } bat_triangle_patch;
 
+/* Take curves and slopes over, as the loop has them; what was taken is the patch's also after a
+ * failure. */
+batten_status bat_triangle_fill(const batten_ribbon ribbons[3],
+                                const batten_loop_place places[3], double angle_tolerance,
+                                bat_triangle_patch *patch);
+
 /* Where the formula is asked: the barycentric coordinates, and along[i] = b[k] / (b[j] + b[k]).
  */
 typedef struct {

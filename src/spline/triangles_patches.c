@@ -155,6 +155,33 @@ batten_status batten_triangles_to_pole_patch(const batten_triangles *triangles, 
     return status;
 }
 
+batten_status batten_triangles_half_at_edge(const batten_triangles *triangles, int triangle,
+                                            int edge, batten_surface **out)
+{
+    assert(triangles && out && triangle >= 0 && triangle < triangles->count && edge >= 0 &&
+           edge < 3);
+    bat_triangles_shape shape = bat_triangles_shape_of(triangles);
+    shape.count = 1;
+    shape.vertex_count = 0;
+    double *net = bat_array(triangles->net_count * triangles->width, sizeof *net);
+    batten_triangles *made = NULL, *turned = NULL;
+    batten_surface *whole = NULL;
+    batten_status status = net ? bat_triangles_make(&shape, &made) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        turn_net(triangles, triangle, edge, net);
+        bat_triangle_set(made, 0, triangles->weight_scale, net);
+        status = bat_triangles_finish(made, &turned);
+    }
+    if (status == BATTEN_OK)
+        status = batten_triangles_to_pole_patch(turned, 0, &whole);
+    if (status == BATTEN_OK)
+        status = batten_surface_subrange(whole, BATTEN_U, 0.5, 1, out);
+    batten_surface_unref(whole);
+    batten_triangles_unref(turned);
+    bat_release(net);
+    return status;
+}
+
 /* ---- an edge ---- */
 
 batten_status batten_triangles_edge(const batten_triangles *triangles, int triangle, int edge,

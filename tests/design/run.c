@@ -44,7 +44,7 @@ TEST(what_is_missing_for_an_operation_is_said)
     batten_design *design = NULL;
     CHECK_STATUS(make("  p: {points: [0, 9]}\n  e: {elevate: p}\n", &design),
                  BATTEN_BAD_ARGUMENT);
-    CHECK_MESSAGE("e (elevate): curves or surfaces are needed, and 'p' has none");
+    CHECK_MESSAGE("e (elevate): curves or surfaces or triangles are needed, and 'p' has none");
     CHECK_STATUS(make("  p: {points: [0, 9]}\n  e: {swap: p}\n", &design), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("surfaces are needed");
 }

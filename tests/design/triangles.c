@@ -56,6 +56,7 @@ TEST(triangles_flow_through_designs)
         {"{rotate: sail, by: 180 deg}", 1, 2, -2},
         {"{scale: sail, by: 2}", 1, 2, 0},
         {"{join-triangles: [sail, jib]}", 2, 3, 0},
+        {"{elevate: sail, by: 3}", 1, 5, 0},
         {"{mirror: sail, plane: x}", 1, 2, -2},
         {"{collect: [sail]}", 1, 2, 0},
         {"{select: sail, names: [sail]}", 1, 2, 0},
@@ -101,7 +102,7 @@ TEST(nets_that_are_none_are_refused_with_their_numbers)
         {"{triangle-patch: [l1, l2]}", "between 3 curves, not 2"},
         {"{triangle-patch: [l1, l2, sail]}", "between 3 curves, not 2"},
         {"{triangle-patch: [l1, l2, az]}", "is open by"},
-        {"{triangle-patch: [l1, l2, l3], along: l1}", "surfaces are needed"},
+        {"{triangle-patch: [l1, l2, l3], along: l1}", "surfaces or triangles are needed"},
         {"{triangles-of: sail}", "surfaces are needed"},
         {"{patches-of: s}", "triangles are needed"},
     };
@@ -169,4 +170,36 @@ TEST(a_triangle_patch_goes_on_from_the_surfaces_beside_it)
             }
         batten_design_free(design);
     }
+}
+
+TEST(a_triangle_patch_goes_on_from_bezier_triangles)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
+        "  sail: {bezier-triangle: net}\n"
+        "  edge: {points: [[2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n  a: {bezier: edge}\n"
+        "  right: {points: [[0, 2, 0], [1, 2.3, -0.3], [2, 2, -1.5]]}\n  b: {bezier: right}\n"
+        "  high: {points: [[2, 2, -1.5], [2.3, 1, -0.3], [2, 0, 0]]}\n  c: {bezier: high}\n"
+        "  p: {triangle-patch: [a, b, c], along: sail, method: corners, angle: 1 deg}\n";
+    batten_design *design = NULL;
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, "p", NULL, NULL));
+    const batten_triangles *sail =
+        batten_model_object(batten_design_result(design, "sail")->value, 0)->triangles;
+    const batten_surface *patch =
+        batten_model_object(batten_design_result(design, "p")->value, 0)->surface;
+    for (int k = 1; k < 10; k++) {
+        const double at[3] = {0, 1 - k / 10.0, k / 10.0};
+        double p[3], q[3];
+        batten_vec3 m = {0, 0, 0}, n = {0, 0, 0};
+        CHECK_OK(batten_triangles_evaluate(sail, 0, at, 0, p));
+        CHECK_OK(batten_surface_evaluate(patch, 1, at[2], 0, q));
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(q[c], p[c], 1e-3);
+        CHECK_OK(batten_triangles_normal(sail, 0, at, &m, NULL));
+        CHECK_OK(batten_surface_normal(patch, 1, at[2], &n, NULL));
+        CHECK_NEAR(fabs(m.x * n.x + m.y * n.y + m.z * n.z), 1, 1e-4);
+    }
+    batten_design_free(design);
 }

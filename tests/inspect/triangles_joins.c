@@ -182,3 +182,26 @@ TEST(rational_triangles_of_one_surface_are_coplanar_along_their_edges)
     batten_triangles_unref(whole);
     batten_triangles_unref(parts);
 }
+
+/* A flat grid: along x or y alone half a million pairs of corners would have to be compared. */
+TEST(S3_the_joints_of_a_grid_are_found_in_good_time)
+{
+    enum { SIDE = 60 };
+    double *points = test_array(SIDE * SIDE * 2 * 9, sizeof *points), *to = points;
+    static const int at[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    for (int cell = 0; cell < SIDE * SIDE; cell++)
+        for (int k = 0; k < 6; k++, to += 3) {
+            to[1] = (cell / SIDE + at[k][0]) / 8.0;
+            to[2] = (cell % SIDE + at[k][1]) / 8.0;
+        }
+    batten_triangles *triangles = NULL;
+    batten_triangle_join *joins = NULL;
+    int count = 0;
+    CHECK_OK(batten_triangles_create(3, 1, SIDE * SIDE * 2, points, NULL, NULL, &triangles));
+    CHECK_OK(batten_triangles_joins(triangles, 1e-9, &count, &joins));
+    CHECK_INT(count, SIDE * SIDE + 2 * SIDE * (SIDE - 1));
+    for (int i = 0; i < count; i++)
+        CHECK(joins[i].gap == 0 && joins[i].angle < 1e-14 && !joins[i].same_way);
+    batten_release(joins);
+    batten_triangles_unref(triangles);
+}

@@ -126,3 +126,27 @@ TEST(K9_surfaces_of_too_high_degrees_are_refused_as_triangles)
     CHECK(!none);
     batten_surface_unref(surface);
 }
+
+TEST(the_half_at_an_edge_has_that_edge_and_the_slopes_there)
+{
+    test_random random = test_random_begin(__func__);
+    batten_triangles *triangles = NULL;
+    CHECK_OK(random_triangles(&random, 3, 4, 2, true, NULL, &triangles));
+    for (int e = 0; e < 3; e++) {
+        batten_surface *half = NULL;
+        CHECK_OK(batten_triangles_half_at_edge(triangles, 1, e, &half));
+        for (int k = 0; k < 9; k++) {
+            const double u = 0.5 + k % 3 / 4.0, v = k / 3 / 2.0;
+            double at[3], a[3], b[3];
+            at[e] = 1 - u;
+            at[(e + 1) % 3] = u * (1 - v);
+            at[(e + 2) % 3] = u * v;
+            CHECK_OK(batten_surface_evaluate(half, u, v, 0, a));
+            CHECK_OK(batten_triangles_evaluate(triangles, 1, at, 0, b));
+            for (int x = 0; x < 3; x++)
+                CHECK_NEAR(a[x], b[x], 1e-14);
+        }
+        batten_surface_unref(half);
+    }
+    batten_triangles_unref(triangles);
+}

@@ -1,7 +1,7 @@
 #include "design/feature.h"
 
 static const batten_parameter parameters[] = {
-    {"elevate", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves and surfaces"},
+    {"elevate", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "curves, surfaces, triangles"},
     {"by", BATTEN_VALUE_COUNT, false, false, "1", NULL, "how much higher the degree becomes"},
     {"direction", BATTEN_VALUE_WORD, false, false, "u", "u v", "of surfaces"},
 };
@@ -18,10 +18,18 @@ static batten_status surface(const bat_run *run, const batten_surface *given,
                                   bat_count(run, "by"), out);
 }
 
+static batten_status triangles(const bat_run *run, const batten_triangles *given,
+                               batten_triangles **out)
+{
+    return batten_triangles_elevate(given, bat_count(run, "by"), out);
+}
+
 static batten_status run(bat_run *run)
 {
-    return bat_change_all(
-        run, &(bat_change){.curve = curve, .surface = surface, .keeps_data = true});
+    return bat_change_all(run, &(bat_change){.curve = curve,
+                                             .surface = surface,
+                                             .triangles = triangles,
+                                             .keeps_data = true});
 }
 
 const bat_feature bat_feature_elevate = {

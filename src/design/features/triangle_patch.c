@@ -3,19 +3,19 @@
 #include <batten/coons.h>
 #include <batten/triangle_patch.h>
 
+enum { MOST_NEIGHBOURS = 10000 };
+
 static const batten_parameter parameters[] = {
     {"triangle-patch", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "the three curves, in any order and direction"},
     {"method", BATTEN_VALUE_WORD, false, false, "side-vertex", "side-vertex parallels corners",
-     "lines from sides to corners; lines parallel to the sides; corners of Charrot and "
-     "Gregory"},
+     "after Nielson; Barnhill, Birkhoff and Gordon; Charrot and Gregory"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "surfaces beside the curves, whose tangent planes the patch takes over"},
+     "surfaces or Bezier triangles beside the curves, whose tangent planes it takes over"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, and curves from edges; the design's tolerance by default"},
+     "of corners, and of curves and edges; the tolerance of the design by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.1 deg", NULL,
-     "how far a curve may leave the tangent plane of a surface beside its neighbour, where "
-     "they meet"},
+     "between a curve and the tangent plane of a surface beside its neighbour, at a corner"},
 };
 
 /* The curves over [0, 1], or the edges of the surfaces that lie beside them, with slopes. */
@@ -86,19 +86,79 @@ static batten_status inward_tangents(const sides *all, int place, double ends[2]
     return status;
 }
 
-/* The slope of the first surface that has the side at a place as its edge; *found is its index.
- */
-static batten_status take_slope(bat_run *run, const bat_objects *surfaces, int place,
-                                sides *all, int *found)
+/* What may lie beside a curve: the surfaces, and of triangles a half at each edge. */
+typedef struct {
+    bat_objects objects;
+    int count;
+    batten_surface **surfaces;
+    int *owner;    /* [count] which object */
+    bool *touched; /* by object */
+} neighbours;
+
+static void neighbours_release(neighbours *all)
+{
+    for (int i = 0; i < all->count; i++)
+        batten_surface_unref(all->surfaces[i]);
+    bat_release(all->surfaces);
+    bat_release(all->owner);
+    bat_release(all->touched);
+    bat_objects_release(&all->objects);
+}
+
+static batten_status add_neighbour(neighbours *all, int owner, int part)
+{
+    const batten_object *object = all->objects.at[owner];
+    all->owner[all->count] = owner;
+    if (object->surface) {
+        all->surfaces[all->count++] = batten_surface_ref(object->surface);
+        return BATTEN_OK;
+    }
+    const batten_status status = batten_triangles_half_at_edge(
+        object->triangles, part / 3, part % 3, &all->surfaces[all->count]);
+    all->count += status == BATTEN_OK;
+    return status;
+}
+
+static int parts_of(const batten_object *object)
+{
+    return object->surface ? 1 : 3 * batten_triangles_count(object->triangles);
+}
+
+static batten_status find_neighbours(const bat_run *run, neighbours *all)
+{
+    long long count = 0;
+    batten_status status =
+        bat_gather(run, "along", BAT_SURFACES | BAT_TRIANGLES, &all->objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < all->objects.count; i++)
+        count += parts_of(all->objects.at[i]);
+    if (count > MOST_NEIGHBOURS)
+        return bat_fail(
+            BATTEN_TOO_LARGE,
+            "%lld surfaces and edges of triangles beside the curves; the limit is %d", count,
+            MOST_NEIGHBOURS);
+    all->surfaces = bat_array((size_t)count, sizeof(batten_surface *));
+    all->owner = bat_array((size_t)count, sizeof *all->owner);
+    all->touched = bat_array((size_t)all->objects.count, sizeof *all->touched);
+    if (!all->surfaces || !all->owner || !all->touched)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < all->objects.count; i++)
+        for (int k = 0; k < parts_of(all->objects.at[i]) && status == BATTEN_OK; k++)
+            status = add_neighbour(all, i, k);
+    return status;
+}
+
+/* The slope of the first one that has the side at a place of the loop as its edge. */
+static batten_status take_slope(bat_run *run, neighbours *beside, int place, sides *all)
 {
     const int i = all->places[place].curve;
     double ends[2][3];
     batten_status status = inward_tangents(all, place, ends);
-    *found = -1;
-    for (int k = 0; k < surfaces->count && status == BATTEN_OK && *found < 0; k++) {
+    for (int k = 0; k < beside->count && status == BATTEN_OK; k++) {
         batten_curve *ribbon[2] = {NULL, NULL};
         double error = 0;
-        status = batten_ribbon_along(surfaces->at[k]->surface, all->owned[i][0], 1, ends[0],
+        status = batten_ribbon_along(beside->surfaces[k], all->owned[i][0], 1, ends[0],
                                      all->within, ribbon, NULL, &error);
         if (status == BATTEN_NOT_FOUND) {
             status = BATTEN_OK;
@@ -106,7 +166,7 @@ static batten_status take_slope(bat_run *run, const bat_objects *surfaces, int p
         }
         if (status != BATTEN_OK)
             break;
-        *found = k;
+        beside->touched[beside->owner[k]] = true;
         for (int c = 0; c < 2; c++) {
             batten_curve_unref(all->owned[i][c]);
             all->owned[i][c] = ribbon[c];
@@ -114,31 +174,22 @@ static batten_status take_slope(bat_run *run, const bat_objects *surfaces, int p
         all->ribbons[i] = (batten_ribbon){ribbon[0], ribbon[1], NULL};
         if (error > 0)
             bat_report_error(run, error, error);
+        break;
     }
     return status;
 }
 
 static batten_status take_slopes(bat_run *run, sides *all)
 {
-    bat_objects surfaces;
-    batten_status status = bat_gather(run, "along", BAT_SURFACES, &surfaces);
-    if (status != BATTEN_OK)
-        return status;
-    bool *touched = bat_array((size_t)surfaces.count, sizeof *touched);
-    if (!touched)
-        status = BATTEN_OUT_OF_MEMORY;
-    for (int place = 0; place < 3 && status == BATTEN_OK; place++) {
-        int found = -1;
-        status = take_slope(run, &surfaces, place, all, &found);
-        if (status == BATTEN_OK && found >= 0)
-            touched[found] = true;
-    }
-    for (int i = 0; i < surfaces.count && status == BATTEN_OK; i++)
-        if (!touched[i])
-            bat_note(run, "surface '%s' has none of the curves as its edge, within %g",
-                     surfaces.at[i]->name, all->within);
-    bat_release(touched);
-    bat_objects_release(&surfaces);
+    neighbours beside = {.count = 0};
+    batten_status status = find_neighbours(run, &beside);
+    for (int place = 0; place < 3 && status == BATTEN_OK; place++)
+        status = take_slope(run, &beside, place, all);
+    for (int i = 0; i < beside.objects.count && status == BATTEN_OK; i++)
+        if (!beside.touched[i])
+            bat_note(run, "'%s' has none of the curves as its edge, within %g",
+                     beside.objects.at[i]->name, all->within);
+    neighbours_release(&beside);
     return status;
 }
 
