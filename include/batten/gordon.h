@@ -49,7 +49,7 @@ typedef struct batten_gordon_report {
     bool closed_u, closed_v; /**< the profiles close; the guides close */
     bool smooth_u, smooth_v; /**< and do so smoothly */
     bool exact_u, exact_v;   /**< profiles, guides are met exactly, with all their knots */
-    int points_u, points_v;  /**< control points of the surface */
+    int points_u, points_v;  /**< control points of the surface; of a period */
     int exact_knots_u, exact_knots_v; /**< inner knots that all curves have together */
 } batten_gordon_report;
 
@@ -63,8 +63,8 @@ typedef struct batten_gordon_report {
  * common knots (all they have, exactly, when they fit together as they are and that is no more
  * than twice the mean), and the surface is the sum of the skin of the guides and that of the
  * profiles minus the tensor surface of the nodes, which are met to rounding. What closes
- * smoothly is clamped at the seam and has two continuous derivatives across it, as far as the
- * curves have.
+ * smoothly becomes periodic, with two continuous derivatives across the seam; where it stays
+ * exact, or the blend is no spline, it is clamped there and as smooth as the curves are.
  *
  * Each profile must meet each guide in one place. A curve that is closed may start anywhere; a
  * network whose profiles (guides) all close, closes; the guide at the seam may be given once or

@@ -106,6 +106,7 @@ typedef struct {
     double *rows;  /* [curves][count][3] */
     double *blend; /* [count][cardinals] */
     bool exact;
+    bool seam; /* rows and blends close with two derivatives, in cubics: they can be periodic */
     int exact_knots;
 } bat_network_side;
 batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out);

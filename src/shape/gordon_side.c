@@ -267,6 +267,7 @@ static batten_status fill(task *t)
     side->count = t->cardinal.count;
     side->curves = f->count;
     side->cardinals = (int)t->cardinal.width;
+    side->seam = t->periodic && !side->exact && side->degree == 3;
     side->knots = t->cardinal.knots;
     side->blend = t->cardinal.values;
     t->cardinal = (bat_spline){0}; /* handed over */

@@ -57,6 +57,49 @@ static void keep_rims(const bat_network_side *u, const bat_network_side *v, doub
     }
 }
 
+/* ---- periodic ---- */
+
+/* Clamped rows of a cubic whose ends go on in each other with two derivatives become those of
+ * the periodic form: all but the first two stay, and the last three are not needed. These two
+ * are blossoms of the first span at the knots before it, which are those at the end, a period
+ * less. */
+static void wrap(const bat_network_side *side, size_t count, size_t step, double *rows)
+{
+    const double *U = side->knots + 4;
+    const double a = side->knots[side->count - 1] - 1, b = side->knots[side->count - 2] - 1;
+    for (size_t i = 0; i < count; i++) {
+        double *P0 = rows + i, *P1 = P0 + step;
+        const double P2 = *(P1 + step);
+        const double at_a = *P0 + (*P1 - *P0) * (a / U[0]); /* (0, 0, a) */
+        *P1 += (P2 - *P1) * (a / U[1]);                     /* (0, u1, a) */
+        *P0 = at_a + (*P1 - at_a) * (b / U[0]);             /* (0, b, a) */
+    }
+}
+
+static void wrap_net(const bat_network_side *u, const bat_network_side *v, double *points)
+{
+    const size_t across = 3 * (size_t)v->count;
+    if (u->seam)
+        wrap(u, across, across, points);
+    for (size_t i = 0; v->seam && i < (size_t)u->count; i++)
+        wrap(v, 3, 3, points + i * across);
+}
+
+/* The net without the last three lines of v, closed up. */
+static void drop_last(const bat_network_side *u, const bat_network_side *v, double *points)
+{
+    const size_t across = 3 * (size_t)v->count, kept = across - 9;
+    for (size_t i = 1; v->seam && i < (size_t)u->count; i++)
+        memmove(points + i * kept, points + i * across, kept * sizeof *points);
+}
+
+static batten_axis axis_of(const bat_network_side *side)
+{
+    const int p = side->degree;
+    return side->seam ? (batten_axis){p, side->count - p, side->knots + p, true}
+                      : (batten_axis){p, side->count, side->knots, false};
+}
+
 static batten_status check_size(const bat_network_side *u, const bat_network_side *v)
 {
     if ((double)u->count * v->count > BAT_MAX_MADE_POINTS)
@@ -80,8 +123,9 @@ static batten_status make_surface(const bat_network *net, const bat_network_side
             for (int b = 0; b < v->count; b++)
                 find_point(u, v, lacks, a, b, points + 3 * ((size_t)a * across + (size_t)b));
         keep_rims(u, v, points);
-        const batten_axis axis_u = {u->degree, u->count, u->knots, false},
-                          axis_v = {v->degree, v->count, v->knots, false};
+        wrap_net(u, v, points);
+        drop_last(u, v, points);
+        const batten_axis axis_u = axis_of(u), axis_v = axis_of(v);
         status = batten_surface_create(3, &axis_u, &axis_v, points, NULL, out);
     }
     bat_release(points);
@@ -214,8 +258,8 @@ static void fill_report(bat_network *net, const bat_network_side sides[2])
     r->smooth_v = r->closed_v && net->family[1].smooth;
     r->exact_u = sides[0].exact;
     r->exact_v = sides[1].exact;
-    r->points_u = sides[0].count;
-    r->points_v = sides[1].count;
+    r->points_u = axis_of(&sides[0]).point_count;
+    r->points_v = axis_of(&sides[1]).point_count;
     r->exact_knots_u = sides[0].exact_knots;
     r->exact_knots_v = sides[1].exact_knots;
 }

@@ -219,12 +219,16 @@ static network closed_network(surface_at at, int profiles, int guides, bool both
 static void check_seam(const batten_surface *surface, bool along_u, double tolerance)
 {
     for (int i = 0; i <= 10; i++) {
-        double a[18], b[18];
+        double sides[2][18];
         const double s = i / 10.0;
-        CHECK_OK(batten_surface_evaluate(surface, along_u ? 0 : s, along_u ? s : 0, 2, a));
-        CHECK_OK(batten_surface_evaluate(surface, along_u ? 1 : s, along_u ? s : 1, 2, b));
+        for (int k = 0; k < 2; k++) {
+            const batten_side side = k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
+            CHECK_OK(batten_surface_evaluate_side(
+                surface, along_u ? k : s, along_u ? s : k, along_u ? side : BATTEN_FROM_RIGHT,
+                along_u ? BATTEN_FROM_RIGHT : side, 2, sides[k]));
+        }
         for (int c = 0; c < 18; c++)
-            CHECK_NEAR(a[c], b[c], c < 3 ? 1e-13 : tolerance);
+            CHECK_NEAR(sides[0][c], sides[1][c], c < 3 ? 1e-13 : tolerance);
     }
 }
 
@@ -236,6 +240,7 @@ TEST(G6_closed_profiles_may_begin_anywhere_and_the_surface_closes_smoothly)
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.closed_u && report.smooth_u && !report.closed_v);
+    CHECK(batten_surface_is_periodic(surface, BATTEN_U));
     CHECK(batten_surface_is_closed(surface, BATTEN_U, 1e-12));
     check_seam(surface, true, 1e-7);
     check_curves(&n, surface, &report);
@@ -252,6 +257,8 @@ TEST(a_net_may_close_both_ways)
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.smooth_u && report.smooth_v);
+    CHECK(batten_surface_is_periodic(surface, BATTEN_U) &&
+          batten_surface_is_periodic(surface, BATTEN_V));
     check_seam(surface, true, 1e-6);
     check_seam(surface, false, 1e-6);
     CHECK(distance_from(torus, surface) < 0.05);

@@ -154,7 +154,7 @@ const bat_feature bat_feature_gordon = {
               "Two families of curves, each of which meets all those of the other once. Their "
               "order\n"
               "and directions are found, and where they meet; curves of different speed are\n"
-              "reparametrised. Closed curves make a closed surface, smooth where they are; "
+              "reparametrised. Closed curves make a closed surface, periodic where smooth; "
               "curves of\n"
               "one family may end in a common point. Without 'guides' one list holds both "
               "families,\n"
