@@ -49,11 +49,14 @@ static batten_vec3 first_axis(batten_vec3 t)
     return across(y <= z ? (batten_vec3){0, 1, 0} : (batten_vec3){0, 0, 1}, t);
 }
 
-/* v mirrored in the plane at right angles to n. */
+/* v mirrored in the plane at right angles to n, whose square need be no number. */
 static batten_vec3 reflect(batten_vec3 v, batten_vec3 n)
 {
-    const double square = bat_vec3_dot(n, n);
-    return square > 0 ? bat_vec3_along(v, -2 * bat_vec3_dot(n, v) / square, n) : v;
+    const double length = bat_vec3_norm(n);
+    if (!(length > 0))
+        return v;
+    const batten_vec3 unit = {n.x / length, n.y / length, n.z / length};
+    return bat_vec3_along(v, -2 * bat_vec3_dot(unit, v), unit);
 }
 
 /* One step of the double reflection: the axis at `to` that turned least from `x` at `from`. */

@@ -23,9 +23,10 @@ static batten_status stretch(const batten_curve *section, batten_curve **out, do
     status = batten_curve_evaluate(space, domain.a, 0, a);
     if (status == BATTEN_OK)
         status = batten_curve_evaluate(space, domain.b, 0, b);
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], c2 = x * x + y * y;
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
     const double size = bat_largest(3 * space->count, space->points);
-    *chord = sqrt(c2);
+    const double length = bat_norm(2, (const double[2]){x, y});
+    *chord = length;
     if (status == BATTEN_OK && !(*chord > 1e-12 * size))
         status =
             bat_fail(BATTEN_COINCIDENT,
@@ -36,9 +37,10 @@ static batten_status stretch(const batten_curve *section, batten_curve **out, do
                      "the section begins at z = %g and ends at z = %g: it must be drawn in "
                      "the xy-plane",
                      a[2], b[2]);
+    const double c = x / length, n = y / length; /* cosine and sine */
     const batten_affine map = {
-        {{x / c2, y / c2, 0}, {-y / c2, x / c2, 0}, {0, 0, 1 / *chord}},
-        {-(x * a[0] + y * a[1]) / c2, (y * a[0] - x * a[1]) / c2, -a[2] / *chord}};
+        {{c / length, n / length, 0}, {-n / length, c / length, 0}, {0, 0, 1 / length}},
+        {-(c * a[0] + n * a[1]) / length, (n * a[0] - c * a[1]) / length, -a[2] / length}};
     if (status == BATTEN_OK)
         status = batten_curve_transform(space, &map, out);
     batten_curve_unref(space);

@@ -188,3 +188,39 @@ TEST(G7_rails_that_cross_are_refused_with_the_place)
     batten_curve_unref(left);
     batten_curve_unref(section);
 }
+
+TEST(N2_rails_of_huge_or_tiny_size_make_the_scaled_surface)
+{
+    static const double sizes[] = {1e80, 1e-80, 1e200, 1e-200};
+    batten_curve *section = arch(), *left = through(4, left_points),
+                 *right = through(4, right_points);
+    batten_rails_options options = batten_rails_defaults();
+    batten_surface *plain = NULL;
+    options.tolerance = 1e-4;
+    CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &plain));
+    for (int k = 0; k < COUNT(sizes); k++) {
+        const batten_affine map = batten_affine_scaling(sizes[k], sizes[k], sizes[k]);
+        batten_curve *images[3] = {NULL, NULL, NULL};
+        batten_surface *surface = NULL;
+        CHECK_OK(batten_curve_transform(section, &map, &images[0]));
+        CHECK_OK(batten_curve_transform(left, &map, &images[1]));
+        CHECK_OK(batten_curve_transform(right, &map, &images[2]));
+        options.tolerance = 1e-4 * sizes[k];
+        CHECK_OK(batten_surface_two_rails(images[0], images[1], images[2], &options, NULL, NULL,
+                                          &surface));
+        for (int i = 0; i <= 10; i++) {
+            double p[3], q[3];
+            CHECK_OK(batten_surface_evaluate(plain, 0.3, i / 10.0, 0, p));
+            CHECK_OK(batten_surface_evaluate(surface, 0.3, i / 10.0, 0, q));
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(q[c] / sizes[k], p[c], 1e-12);
+        }
+        batten_surface_unref(surface);
+        for (int c = 0; c < 3; c++)
+            batten_curve_unref(images[c]);
+    }
+    batten_surface_unref(plain);
+    batten_curve_unref(right);
+    batten_curve_unref(left);
+    batten_curve_unref(section);
+}
