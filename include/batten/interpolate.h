@@ -136,9 +136,19 @@ typedef struct batten_grid_options {
     bool knots_at_data;                /**< false: averaged knots (the default) */
     bool periodic_u, periodic_v;
     batten_end_kind ends; /**< what holds on the rim when no derivatives are given */
-    const double *du;     /**< [2][count_v][d], Su on the first and last row; or NULL */
-    const double *dv;     /**< [2][count_u][d], Sv on the first and last column; or NULL */
-    const double *twists; /**< [2][2][d], Suv at the corners (u end first); or NULL */
+    const double *du; /**< [orders_u][2][count_v][d], Su (Suu ..) on the first and last row; or
+                           NULL */
+    const double *dv; /**< [orders_v][2][count_u][d], Sv (Svv ..) on the first and last column;
+                           or NULL */
+    const double *twists; /**< [orders_u][2][orders_v][2][d], Suv (Suuv ..) at the corners (u
+                             end first); or NULL */
+    int orders_u,
+        orders_v; /**< how many derivatives `du` and `dv` give; 0: one. Knots at the data
+                       take (degree - 1) / 2, averaged ones as many as the degree */
+    const double *weights; /**< [count_u][count_v], > 0, of the points of a rational surface; or
+                                NULL. Not with derivatives */
+    const bool *gaps; /**< [count_u][count_v], where there is no point: what stands there is not
+                           looked at; or NULL */
 } batten_grid_options;
 
 BATTEN_API batten_grid_options batten_grid_defaults(void);
@@ -148,6 +158,7 @@ typedef struct batten_grid_report {
     double residual;           /**< largest distance from a data point */
     double spread_u, spread_v; /**< largest |row parameter - average|, in steps; above 0.5
                                   skinning is better */
+    int filled; /**< how many points were none, and stand where least energy puts them */
 } batten_grid_report;
 
 /**
@@ -155,16 +166,21 @@ typedef struct batten_grid_report {
  *
  * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point
  * are left out of their average, and a rim that is one stays one: a pole. Where both `du` and
- * `dv` are given but not `twists`, the twists are estimated with Bessel's parabolas. Few points
- * lower a degree.
+ * `dv` are given, of one order, but not `twists`, the twists are estimated with Bessel's
+ * parabolas. Few points lower a degree.
+ *
+ * With `weights` the points (w x, w y, w z, w) are interpolated; BAD_WEIGHT naming the control
+ * point whose weight is not above 0 then. Gaps are filled first, with the points that make the
+ * second differences over the grid, as sums for the integral of Suu^2 + 2 Suv^2 + Svv^2, least:
+ * a plane with gaps stays plane. SINGULAR_SYSTEM when the others do not determine them.
  *
  * @param points [count_u][count_v][dimension]
  * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
  * @param[out] report may be NULL
  * @return as batten_curve_interpolate; the message names the direction
  *
- * Cost: linear in the number of points; each direction is factored once.
- * Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
+ * Cost: linear in the number of points; each direction is factored once. Gaps: their number
+ * times the square of those in two lines. Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
  */
 BATTEN_API batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
                                                     const double *points,

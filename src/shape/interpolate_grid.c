@@ -1,5 +1,5 @@
 #include "base/work.h"
-#include "shape/shape.h"
+#include "shape/gaps.h"
 #include "spline/curve.h"
 
 #include <float.h>
@@ -13,104 +13,17 @@ batten_grid_options batten_grid_defaults(void)
                                  .parameters = BATTEN_CENTRIPETAL};
 }
 
-/* ---- parameters ---- */
-
-static int step_count(const bat_family *g)
-{
-    return g->periodic ? g->count : g->count - 1;
-}
-
-/* The steps of one line as shares of its length; false when it has none. */
-static bool line_shares(const bat_family *g, int line, batten_parametrization kind,
-                        double *points, double *shares)
-{
-    const size_t d = (size_t)g->dimension;
-    const double *from = g->points + (size_t)line * g->line_step;
-    for (size_t i = 0; i < (size_t)g->count; i++)
-        memcpy(points + i * d, from + i * g->point_step, d * sizeof *points);
-    bat_steps(g->dimension, g->count, points, kind, g->periodic, shares);
-    double total = 0;
-    for (int i = 0; i < step_count(g); i++)
-        total += shares[i];
-    for (int i = 0; i < step_count(g) && total != 0; i++)
-        shares[i] /= total;
-    return total != 0; /* an overflow is found by accumulate */
-}
-
-/* From average shares to parameters 0 .. 1. */
-static batten_status accumulate(const bat_family *g, int used, double *u)
-{
-    const int n = step_count(g);
-    if (used == 0)
-        return bat_fail(BATTEN_COINCIDENT,
-                        "all %s coincide: every line across them is a single point", g->name);
-    u[0] = 0;
-    for (int i = 0; i < n; i++) {
-        const double share = u[i + 1] / used;
-        if (!isfinite(share))
-            return bat_fail(BATTEN_OVERFLOW, "%s %d and %d are too far apart", g->name, i,
-                            (i + 1) % g->count);
-        /* A millionth of the mean step would leave a crease, not a surface. */
-        if (share * n < 1e-6)
-            return bat_fail(BATTEN_COINCIDENT,
-                            "%s %d and %d coincide: the step is %g of the length", g->name, i,
-                            (i + 1) % g->count, share);
-        u[i + 1] = u[i] + share;
-    }
-    u[n] = 1;
-    return BATTEN_OK;
-}
-
-/* How far the parameters of one line are from u, in steps. */
-static double line_spread(const bat_family *g, const double *shares, const double *u)
-{
-    double at = 0, spread = 0;
-    for (int i = 1; i < step_count(g); i++) {
-        at += shares[i - 1];
-        spread = bat_max(spread, fabs(at - u[i]) / bat_min(u[i] - u[i - 1], u[i + 1] - u[i]));
-    }
-    return spread;
-}
-
-static batten_status average(const bat_family *g, batten_parametrization kind, double *u,
-                             double *spread)
-{
-    const size_t n = (size_t)step_count(g);
-    double *points = bat_array3((size_t)g->count, (size_t)g->dimension, sizeof *points);
-    double *shares = bat_array(n, sizeof *shares);
-    batten_status status = points && shares ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    int used = 0;
-    for (int line = 0; status == BATTEN_OK && line < g->lines; line++)
-        if (line_shares(g, line, kind, points, shares)) {
-            used++;
-            for (size_t i = 0; i < n; i++)
-                u[i + 1] += shares[i];
-        }
-    if (status == BATTEN_OK)
-        status = accumulate(g, used, u);
-    for (int line = 0; status == BATTEN_OK && line < g->lines; line++)
-        if (line_shares(g, line, kind, points, shares))
-            *spread = bat_max(*spread, line_spread(g, shares, u));
-    bat_release(shares);
-    bat_release(points);
-    return status;
-}
-
-batten_status bat_family_parametrize(const bat_family *g, batten_parametrization kind,
-                                     double *u, double *spread)
-{
-    if ((int)kind < 0 || kind > BATTEN_GIVEN)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d", (int)kind);
-    if (kind != BATTEN_GIVEN)
-        return average(g, kind, u, spread);
-    if (!g->given)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the parameters of the %s shall be given, and are not", g->name);
-    memcpy(u, g->given, ((size_t)g->count + g->periodic) * sizeof *u);
-    return bat_parameters_check(g->count + g->periodic, u);
-}
-
 /* ---- checks ---- */
+
+static int orders_u(const batten_grid_options *o)
+{
+    return bat_max_int(1, o->orders_u);
+}
+
+static int orders_v(const batten_grid_options *o)
+{
+    return bat_max_int(1, o->orders_v);
+}
 
 static batten_status check_derivatives(const batten_grid_options *o, int d, int count_u,
                                        int count_v)
@@ -120,16 +33,23 @@ static batten_status check_derivatives(const batten_grid_options *o, int d, int 
         size_t count;
         const char *name;
         bool periodic;
-    } given[] = {{o->du, 2 * (size_t)count_v * (size_t)d, "du", o->periodic_u},
-                 {o->dv, 2 * (size_t)count_u * (size_t)d, "dv", o->periodic_v},
-                 {o->twists, 4 * (size_t)d, "twists", o->periodic_u || o->periodic_v}};
+    } given[] = {
+        {o->du, 2 * (size_t)orders_u(o) * (size_t)count_v * (size_t)d, "du", o->periodic_u},
+        {o->dv, 2 * (size_t)orders_v(o) * (size_t)count_u * (size_t)d, "dv", o->periodic_v},
+        {o->twists, 4 * (size_t)orders_u(o) * (size_t)orders_v(o) * (size_t)d, "twists",
+         o->periodic_u || o->periodic_v}};
+    if (o->orders_u < 0 || o->orders_v < 0 || o->orders_u > BATTEN_MAX_DEGREE ||
+        o->orders_v > BATTEN_MAX_DEGREE)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%d orders along u, %d along v: 0 to %d are possible", o->orders_u,
+                        o->orders_v, BATTEN_MAX_DEGREE);
     for (int i = 0; i < 3; i++) {
         if (!given[i].values)
             continue;
-        if (!o->knots_at_data || given[i].periodic)
+        if (given[i].periodic || o->weights)
             return bat_fail(BATTEN_BAD_ARGUMENT, "`%s` is given, but %s", given[i].name,
-                            o->knots_at_data ? "a periodic surface has no rim there"
-                                             : "averaged knots leave no freedom for it");
+                            o->weights ? "a rational surface takes no derivatives"
+                                       : "a periodic surface has no rim there");
         const size_t bad = bat_first_not_finite(given[i].values, given[i].count);
         if (bad < given[i].count)
             return bat_fail(BATTEN_NOT_FINITE, "number %zu of `%s` is %g", bad, given[i].name,
@@ -137,6 +57,10 @@ static batten_status check_derivatives(const batten_grid_options *o, int d, int 
     }
     if (o->twists && (!o->du || !o->dv))
         return bat_fail(BATTEN_BAD_ARGUMENT, "`twists` are given, but not both `du` and `dv`");
+    if (!o->twists && o->du && o->dv && (orders_u(o) > 1 || orders_v(o) > 1))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "`du` and `dv` give %d and %d orders: then `twists` must be given too",
+                        orders_u(o), orders_v(o));
     return BATTEN_OK;
 }
 
@@ -156,38 +80,74 @@ static batten_status check_ends(const batten_grid_options *o)
     }
 }
 
-static batten_status check_grid(int d, int count_u, int count_v, const double *points,
-                                const batten_grid_options *o)
+static batten_status check_weights(size_t count, const double *weights)
 {
-    if (count_u < 2 || count_v < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2",
-                        count_u, count_v);
-    const long long total = (long long)count_u * count_v;
-    if (total > BAT_MAX_POINTS)
-        return bat_fail(BATTEN_TOO_LARGE, "the grid has %lld points; the limit is %d", total,
-                        (int)BAT_MAX_POINTS);
-    batten_status status = bat_points_check(d, (int)total, points, 4);
-    if (status == BATTEN_OK)
-        status = check_derivatives(o, d, count_u, count_v);
-    if (status == BATTEN_OK)
-        status = check_ends(o);
-    return status;
+    for (size_t i = 0; weights && i < count; i++)
+        if (!(weights[i] > 0 && weights[i] < HUGE_VAL))
+            return bat_fail(BATTEN_BAD_WEIGHT,
+                            "the weight of point %zu is %g; it must be above 0", i, weights[i]);
+    return BATTEN_OK;
 }
 
 /* ---- one interpolation on its way ---- */
 
 typedef struct {
     int dimension, count_u, count_v;
-    const double *points;
+    int width;            /* of data and control points: dimension, with weights one more */
+    const double *points; /* [count_u][count_v][d] */
+    const double *data;   /* [count_u][count_v][width]: the points, or (w x .., w) */
+    double *homogeneous, *filled; /* of these what is ours */
     const batten_grid_options *options;
     bat_work work;
     double *u, *v; /* [count + 1] */
     double spread_u, spread_v;
     bat_operator along_u, along_v;
-    double *lines;   /* [along_u.count][count_v][d]: control points of the lines along u */
-    double *slopes;  /* [2][along_u.count][d]: those of Sv on the rims, when `dv` is given */
-    double *control; /* [along_u.count][along_v.count][d] */
+    double *lines;  /* [along_u.count][count_v][width]: control points of the lines along u */
+    double *slopes; /* [orders_v][2][along_u.count][d]: those of Sv .. on the rims, when `dv` is
+                       given */
+    double *control; /* [along_u.count][along_v.count][width], then Cartesian */
+    double *weights; /* [along_u.count][along_v.count] or NULL */
+    int gap_count;
 } task;
+
+/* A copy of the points in which gaps are zeros for now. */
+static batten_status begin_gaps(task *t)
+{
+    const size_t d = (size_t)t->dimension, count = (size_t)t->count_u * (size_t)t->count_v;
+    const bool *gaps = t->options->gaps;
+    for (size_t i = 0; gaps && i < count; i++)
+        t->gap_count += gaps[i];
+    if (t->gap_count == 0 || t->dimension < 1 || t->dimension > 3)
+        return BATTEN_OK;
+    t->filled = bat_array3(count, d, sizeof *t->filled);
+    if (!t->filled)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < count; i++)
+        if (!gaps[i])
+            memcpy(t->filled + i * d, t->points + i * d, d * sizeof *t->filled);
+    t->points = t->filled;
+    return BATTEN_OK;
+}
+
+static batten_status check_grid(task *t)
+{
+    const batten_grid_options *o = t->options;
+    if (t->count_u < 2 || t->count_v < 2)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2",
+                        t->count_u, t->count_v);
+    const long long total = (long long)t->count_u * t->count_v;
+    if (total > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE, "the grid has %lld points; the limit is %d", total,
+                        (int)BAT_MAX_POINTS);
+    batten_status status = begin_gaps(t);
+    if (status == BATTEN_OK)
+        status = bat_points_check(t->dimension, (int)total, t->points, 4);
+    if (status == BATTEN_OK)
+        status = check_weights((size_t)total, o->weights);
+    if (status == BATTEN_OK)
+        status = check_derivatives(o, t->dimension, t->count_u, t->count_v);
+    return status == BATTEN_OK ? check_ends(o) : status;
+}
 
 static batten_status find_both_parameters(task *t)
 {
@@ -197,8 +157,11 @@ static batten_status find_both_parameters(task *t)
                           o->periodic_u,  t->points,    o->given_u};
     const bat_family v = {"v grid lines", t->dimension, t->count_v, t->count_u, d, row,
                           o->periodic_v,  t->points,    o->given_v};
+    bat_release(t->u);
+    bat_release(t->v);
     t->u = bat_array((size_t)t->count_u + 1, sizeof *t->u);
     t->v = bat_array((size_t)t->count_v + 1, sizeof *t->v);
+    t->spread_u = t->spread_v = 0;
     if (!t->u || !t->v)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = bat_family_parametrize(&u, o->parameters, t->u, &t->spread_u);
@@ -207,29 +170,64 @@ static batten_status find_both_parameters(task *t)
     return status;
 }
 
-static batten_status make_operators(task *t)
+/* The derivatives of a rim, in the order in which they are given. */
+static void fill_conditions(int orders, int count, batten_derivative *conditions)
+{
+    for (int order = 1; order <= orders; order++)
+        for (int end = 0; end < 2; end++)
+            conditions[2 * (order - 1) + end] =
+                (batten_derivative){.index = end ? count - 1 : 0, .order = order};
+}
+
+static batten_status make_operator(const task *t, bool along_u, bat_operator *out)
 {
     const batten_grid_options *o = t->options;
-    const batten_end_kind end_u = o->du ? BATTEN_END_CLAMPED : o->ends;
-    const batten_end_kind end_v = o->dv ? BATTEN_END_CLAMPED : o->ends;
-    const bat_request u = {.degree = o->degree_u,
-                           .count = t->count_u,
-                           .parameters = t->u,
-                           .knots_at_data = o->knots_at_data,
-                           .periodic = o->periodic_u,
-                           .start = end_u,
-                           .end = end_u};
-    const bat_request v = {.degree = o->degree_v,
-                           .count = t->count_v,
-                           .parameters = t->v,
-                           .knots_at_data = o->knots_at_data,
-                           .periodic = o->periodic_v,
-                           .start = end_v,
-                           .end = end_v};
-    batten_status status = bat_operator_make(&u, &t->along_u);
-    if (status == BATTEN_OK)
-        status = bat_operator_make(&v, &t->along_v);
-    return status;
+    batten_derivative conditions[2 * BATTEN_MAX_DEGREE];
+    const bool given = along_u ? o->du != NULL : o->dv != NULL;
+    const int orders = along_u ? orders_u(o) : orders_v(o);
+    const batten_end_kind ends = given ? BATTEN_END_NOT_A_KNOT : o->ends;
+    const bat_request request = {.degree = along_u ? o->degree_u : o->degree_v,
+                                 .count = along_u ? t->count_u : t->count_v,
+                                 .parameters = along_u ? t->u : t->v,
+                                 .knots_at_data = o->knots_at_data,
+                                 .periodic = along_u ? o->periodic_u : o->periodic_v,
+                                 .start = ends,
+                                 .end = ends,
+                                 .condition_count = given ? 2 * orders : 0,
+                                 .conditions = conditions};
+    fill_conditions(orders, request.count, conditions);
+    return bat_operator_make(&request, out);
+}
+
+/* Gaps are filled for even parameters, then for those of the filled points. */
+static batten_status fill_gaps(task *t)
+{
+    const batten_grid_options *o = t->options;
+    bat_gaps gaps = {.dimension = t->dimension,
+                     .count = {t->count_u, t->count_v},
+                     .periodic = {o->periodic_u, o->periodic_v},
+                     .missing = o->gaps,
+                     .points = t->filled};
+    batten_status status = BATTEN_OK;
+    const bool given = o->parameters == BATTEN_GIVEN;
+    for (int round = given ? 1 : 0; status == BATTEN_OK && round < 3; round++) {
+        if (round > 0)
+            status = find_both_parameters(t);
+        if (status == BATTEN_OK) {
+            gaps.parameters[0] = round > 0 ? t->u : NULL;
+            gaps.parameters[1] = round > 0 ? t->v : NULL;
+            status = bat_gaps_fill(&gaps);
+        }
+        if (given)
+            return status;
+    }
+    return status == BATTEN_OK ? find_both_parameters(t) : status;
+}
+
+static batten_status make_operators(task *t)
+{
+    const batten_status status = make_operator(t, true, &t->along_u);
+    return status == BATTEN_OK ? make_operator(t, false, &t->along_v) : status;
 }
 
 /* ---- twists that are not given ---- */
@@ -268,37 +266,48 @@ static void estimate_twists(const task *t, double *twists)
 
 static batten_status solve_along_u(task *t)
 {
-    const size_t d = (size_t)t->dimension, row = (size_t)t->count_v * d;
-    const double *du = t->options->du;
+    const size_t row = (size_t)t->count_v * (size_t)t->width;
     t->lines = bat_array3((size_t)t->along_u.count, row, sizeof *t->lines);
     if (!t->lines)
         return BATTEN_OUT_OF_MEMORY;
-    return bat_operator_apply(&t->along_u, row, t->points, du, du ? du + row : NULL, NULL,
-                              t->lines);
+    return bat_operator_apply(&t->along_u, row, t->data, NULL, NULL, t->options->du, t->lines);
 }
 
-/* Sv on the two rims is interpolated along u as the points were; the twists are its end slopes.
- */
+/* The twists that a derivative of the rims has at its ends: [orders_u][2][d] of one order and
+ * end of v. */
+static void pick_twists(const task *t, const double *twists, size_t which, double *out)
+{
+    const size_t d = (size_t)t->dimension, across = 2 * (size_t)orders_v(t->options);
+    for (size_t k = 0; k < 2 * (size_t)orders_u(t->options); k++)
+        memcpy(out + k * d, twists + (k * across + which) * d, d * sizeof *out);
+}
+
+/* Sv .. on the two rims is interpolated along u as the points were; the twists are its
+ * derivatives at the ends. */
 static batten_status solve_rims(task *t)
 {
     const size_t d = (size_t)t->dimension;
     const batten_grid_options *o = t->options;
-    double twists[12];
+    const size_t rims = 2 * (size_t)orders_v(o);
+    double estimated[12], ends[6 * BATTEN_MAX_DEGREE];
+    const double *twists = o->twists;
     if (!o->dv)
         return BATTEN_OK;
-    t->slopes = bat_array3(2 * (size_t)t->along_u.count, d, sizeof *t->slopes);
+    t->slopes = bat_array3(rims * (size_t)t->along_u.count, d, sizeof *t->slopes);
     if (!t->slopes)
         return BATTEN_OUT_OF_MEMORY;
-    if (o->twists)
-        memcpy(twists, o->twists, 4 * d * sizeof *twists);
-    else if (o->du)
-        estimate_twists(t, twists);
+    if (!twists && o->du) {
+        estimate_twists(t, estimated);
+        twists = estimated;
+    }
     batten_status status = BATTEN_OK;
-    for (size_t j = 0; status == BATTEN_OK && j < 2; j++)
-        status = bat_operator_apply(&t->along_u, d, o->dv + j * (size_t)t->count_u * d,
-                                    o->du ? twists + j * d : NULL,
-                                    o->du ? twists + (2 + j) * d : NULL, NULL,
+    for (size_t j = 0; status == BATTEN_OK && j < rims; j++) {
+        if (o->du)
+            pick_twists(t, twists, j, ends);
+        status = bat_operator_apply(&t->along_u, d, o->dv + j * (size_t)t->count_u * d, NULL,
+                                    NULL, o->du ? ends : NULL,
                                     t->slopes + j * (size_t)t->along_u.count * d);
+    }
     return status;
 }
 
@@ -313,7 +322,7 @@ static void transpose(int rows, int columns, size_t d, const double *from, doubl
 
 static batten_status solve_along_v(task *t)
 {
-    const size_t d = (size_t)t->dimension;
+    const size_t d = (size_t)t->width;
     const int nu = t->along_u.count, nv = t->along_v.count;
     const size_t row = (size_t)nu * d;
     double *data = bat_array3((size_t)t->count_v, row, sizeof *data);
@@ -322,14 +331,60 @@ static batten_status solve_along_v(task *t)
     batten_status status = data && solved && t->control ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         transpose(nu, t->count_v, d, t->lines, data);
-        status = bat_operator_apply(&t->along_v, row, data, t->slopes,
-                                    t->slopes ? t->slopes + row : NULL, NULL, solved);
+        status = bat_operator_apply(&t->along_v, row, data, NULL, NULL, t->slopes, solved);
     }
     if (status == BATTEN_OK)
         transpose(nv, nu, d, solved, t->control);
     bat_release(solved);
     bat_release(data);
     return status;
+}
+
+/* ---- weights ---- */
+
+static batten_status make_homogeneous(task *t)
+{
+    const size_t d = (size_t)t->dimension, count = (size_t)t->count_u * (size_t)t->count_v;
+    const double *weights = t->options->weights;
+    t->data = t->points;
+    t->width = t->dimension;
+    if (!weights)
+        return BATTEN_OK;
+    t->width++;
+    t->homogeneous = bat_array3(count, d + 1, sizeof *t->homogeneous);
+    if (!t->homogeneous)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        double *to = t->homogeneous + i * (d + 1);
+        for (size_t k = 0; k < d; k++)
+            to[k] = weights[i] * t->points[i * d + k];
+        to[d] = weights[i];
+    }
+    t->data = t->homogeneous;
+    return BATTEN_OK;
+}
+
+/* Control points and their weights from the homogeneous ones, in place. */
+static batten_status divide(task *t)
+{
+    const size_t d = (size_t)t->dimension, nv = (size_t)t->along_v.count;
+    const size_t count = (size_t)t->along_u.count * nv;
+    if (!t->options->weights)
+        return BATTEN_OK;
+    t->weights = bat_array(count, sizeof *t->weights);
+    if (!t->weights)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        const double w = t->weights[i] = t->control[i * (d + 1) + d];
+        if (!(w > 0))
+            return bat_fail(BATTEN_BAD_WEIGHT,
+                            "the weight of control point (%zu, %zu) comes out as %g; the given "
+                            "weights vary too much between neighbours",
+                            i / nv, i % nv, w);
+        for (size_t k = 0; k < d; k++)
+            t->control[i * d + k] = t->control[i * (d + 1) + k] / w;
+    }
+    return BATTEN_OK;
 }
 
 /* ---- poles ---- */
@@ -398,6 +453,17 @@ static batten_status row_residual(const task *t, const batten_surface *surface, 
     return BATTEN_OK;
 }
 
+/* The largest weight in least ones: how much the quotient may multiply rounding. */
+static double weight_spread(const task *t, size_t count)
+{
+    double low = HUGE_VAL, high = 0;
+    for (size_t i = 0; i < count; i++) {
+        low = bat_min(low, t->weights[i]);
+        high = bat_max(high, t->weights[i]);
+    }
+    return 2 * high / low;
+}
+
 static batten_status check_residual(const task *t, const batten_surface *surface,
                                     double *residual)
 {
@@ -413,8 +479,9 @@ static batten_status check_residual(const task *t, const batten_surface *surface
     const double size = largest(control_count * d, t->control);
     /* Each of the two steps may miss a coordinate by 8 eps, and evaluation by 4 for each
      * degree. */
+    const double spread = t->weights ? weight_spread(t, control_count) : 1;
     const double allowed =
-        2 * (16 + 4 * (t->along_u.degree + t->along_v.degree)) * DBL_EPSILON * size;
+        2 * (16 + 4 * (t->along_u.degree + t->along_v.degree)) * DBL_EPSILON * size * spread;
     if (worst > allowed)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "a data point is missed by %g, more than %g, the rounding of %g", worst,
@@ -431,9 +498,11 @@ static batten_status report(task *t, double fraction)
 
 static batten_status find_control(task *t)
 {
-    batten_status status = find_both_parameters(t);
+    batten_status status = t->gap_count > 0 ? fill_gaps(t) : find_both_parameters(t);
     if (status == BATTEN_OK)
         status = report(t, 0.3);
+    if (status == BATTEN_OK)
+        status = make_homogeneous(t);
     if (status == BATTEN_OK)
         status = make_operators(t);
     if (status == BATTEN_OK)
@@ -444,6 +513,8 @@ static batten_status find_control(task *t)
         status = solve_rims(t);
     if (status == BATTEN_OK)
         status = solve_along_v(t);
+    if (status == BATTEN_OK)
+        status = divide(t);
     if (status == BATTEN_OK)
         status = report(t, 0.7);
     return status;
@@ -459,7 +530,8 @@ static batten_status solve(task *t, double *residual, batten_surface **out)
     const batten_axis axis_u = {u->degree, u->count, u->knots, u->periodic};
     const batten_axis axis_v = {v->degree, v->count, v->knots, v->periodic};
     batten_surface *surface = NULL;
-    status = batten_surface_create(t->dimension, &axis_u, &axis_v, t->control, NULL, &surface);
+    status =
+        batten_surface_create(t->dimension, &axis_u, &axis_v, t->control, t->weights, &surface);
     if (status == BATTEN_OK)
         status = check_residual(t, surface, residual);
     if (status == BATTEN_OK)
@@ -471,6 +543,9 @@ static batten_status solve(task *t, double *residual, batten_surface **out)
 
 static void release(task *t)
 {
+    bat_release(t->homogeneous);
+    bat_release(t->filled);
+    bat_release(t->weights);
     bat_release(t->control);
     bat_release(t->slopes);
     bat_release(t->lines);
@@ -493,7 +568,7 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
               .points = points,
               .options = options ? options : &defaults,
               .work = {job, 0}};
-    batten_status status = check_grid(dimension, count_u, count_v, points, t.options);
+    batten_status status = check_grid(&t);
     double residual = 0;
     if (status == BATTEN_OK)
         status = solve(&t, &residual, out);
@@ -503,7 +578,7 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
         if (v)
             memcpy(v, t.v, (size_t)count_v * sizeof *v);
         if (report)
-            *report = (batten_grid_report){residual, t.spread_u, t.spread_v};
+            *report = (batten_grid_report){residual, t.spread_u, t.spread_v, t.gap_count};
     }
     release(&t);
     return status;

@@ -407,9 +407,11 @@ TEST(grids_that_make_no_sense_are_refused)
     batten_surface *surface = NULL;
     for (int c = 0; c < 12; c++) {
         batten_grid_options options = batten_grid_defaults();
-        options.knots_at_data = c != 2;
+        options.knots_at_data = true;
         if (c == 0 || c == 1 || c == 2)
             options.du = some;
+        if (c == 2) /* two orders, and no twists */
+            options.dv = some, options.orders_v = 2, options.degree_v = 5;
         options.periodic_u = c == 0;
         if (c == 1)
             options.twists = some;

@@ -41,34 +41,28 @@ static batten_grid_fit_options options_of(const bat_run *run)
     return options;
 }
 
-static batten_status fit(bat_run *run, const bat_grid *grid)
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
     batten_grid_fit_options options = options_of(run);
     batten_surface_fit_report report;
-    batten_surface *surface = NULL;
     batten_status status = bat_smoothness_of(run, &options.by, &options.amount);
     const bool smooth =
         bat_word(run, "method") == 1 || bat_has(run, "rms") || bat_has(run, "lambda");
     if (status == BATTEN_OK)
         status = (smooth ? batten_surface_smooth_grid : batten_surface_fit_grid)(
             3, grid->count_u, grid->count_v, grid->points, &options, run->job, NULL, NULL,
-            &report, &surface);
+            &report, surface);
     if (status == BATTEN_OK)
         bat_report_surface_fit(run, &report);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
         bat_note(run, "the parameters of single rows differ from the average by %.2g steps",
                  bat_max(report.spread_u, report.spread_v));
-    return bat_put_surface(run, status, surface);
+    return status;
 }
 
 static batten_status run(bat_run *run)
 {
-    bat_grid grid = {0, 0, NULL};
-    batten_status status = bat_grid_of(run, "fit-grid", &grid);
-    if (status == BATTEN_OK)
-        status = fit(run, &grid);
-    bat_grid_release(&grid);
-    return status;
+    return bat_grid_surface(run, "fit-grid", make);
 }
 
 const bat_feature bat_feature_fit_grid = {

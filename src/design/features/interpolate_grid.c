@@ -1,5 +1,6 @@
 #include "design/grid.h"
 #include "design/place.h"
+#include "design/through.h"
 
 static const batten_parameter parameters[] = {
     {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
@@ -12,6 +13,10 @@ static const batten_parameter parameters[] = {
      "where the knots are"},
     {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
      "what holds on the rim, with knots at the data"},
+    {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "of the points in their order, above 0, or one for all: a rational surface"},
+    {"gaps", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points, counted from 0, that are none: what stands there is not looked at"},
     {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
     {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the first row follows the last"},
@@ -30,20 +35,77 @@ static batten_grid_options options_of(const bat_run *run)
     return options;
 }
 
-static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+/* What is listed row after row, turned as the points are: u runs along the rows. */
+static size_t turned(const bat_grid *grid, int index)
 {
-    const batten_grid_options options = options_of(run);
-    batten_grid_report report;
-    const batten_status status =
-        batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points, &options,
-                                   run->job, NULL, NULL, &report, surface);
-    if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
+    return (size_t)(index % grid->count_u) * (size_t)grid->count_v +
+           (size_t)(index / grid->count_u);
+}
+
+static batten_status find_weights(const bat_run *run, const bat_grid *grid, double **out)
+{
+    const int count = grid->count_u * grid->count_v;
+    double *listed = NULL;
+    if (bat_argument_of(run, "weights")->count == 0)
+        return BATTEN_OK;
+    batten_status status = bat_numbers_each(run, "weights", count, "points", &listed);
+    if (status == BATTEN_OK && !(*out = bat_array((size_t)count, sizeof **out)))
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        (*out)[turned(grid, i)] = listed[i];
+    bat_release(listed);
+    return status;
+}
+
+static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **out)
+{
+    const bat_argument *given = bat_argument_of(run, "gaps");
+    const int count = grid->count_u * grid->count_v;
+    if (given->count == 0)
+        return BATTEN_OK;
+    *out = bat_array((size_t)count, sizeof **out);
+    if (!*out)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < given->count; i++) {
+        const int index = given->items[i].count;
+        if (index < 0 || index >= count)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "gap %d: the points are counted 0 to %d",
+                            index, count - 1);
+        (*out)[turned(grid, index)] = true;
+    }
+    return BATTEN_OK;
+}
+
+static void say(bat_run *run, const batten_grid_report *report)
+{
+    if (bat_max(report->spread_u, report->spread_v) > 0.5)
         bat_note(run,
                  "the parameters of single rows differ from the average by %.2g steps; "
                  "'interpolate' and 'skin' will follow such points better",
-                 bat_max(report.spread_u, report.spread_v));
+                 bat_max(report->spread_u, report->spread_v));
+    if (report->filled > 0)
+        bat_remark(run, "%d gaps are filled with the points of least energy", report->filled);
+    bat_report_error(run, report->residual, report->residual);
+}
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    batten_grid_options options = options_of(run);
+    batten_grid_report report;
+    double *weights = NULL;
+    bool *gaps = NULL;
+    batten_status status = find_weights(run, grid, &weights);
     if (status == BATTEN_OK)
-        bat_report_error(run, report.residual, report.residual);
+        status = find_gaps(run, grid, &gaps);
+    options.weights = weights;
+    options.gaps = gaps;
+    if (status == BATTEN_OK)
+        status = batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points,
+                                            &options, run->job, NULL, NULL, &report, surface);
+    if (status == BATTEN_OK)
+        say(run, &report);
+    bat_release(gaps);
+    bat_release(weights);
     return status;
 }
 
@@ -54,7 +116,10 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_interpolate_grid = {
     .shown = {"interpolate-grid", "The surface through a grid of points",
-              "Every row must have as many points; u runs along the rows, v across them.",
+              "Every row must have as many points; u runs along the rows, v across them. Where "
+              "there\n"
+              "is no point, 'gaps' says so, and least energy puts one: the surface passes all "
+              "others.",
               "features:\n"
               "  grid:\n"
               "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, "
