@@ -5,9 +5,11 @@
 #include <batten/interpolate.h>
 #include <batten/local.h>
 #include <batten/nonlinear.h>
+#include <batten/scattered.h>
 #include <batten/skin.h>
 #include <batten/tension.h>
 #include <batten/weighted.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -325,6 +327,30 @@ static void gather_length(void *object, double *result)
     *result = *c->out / 1e3;
 }
 
+static void run_scattered(void *object)
+{
+    contest *c = object;
+    batten_scattered_options options = batten_scattered_defaults();
+    options.tolerance = 1e-3;
+    batten_surface_unref(c->surface);
+    c->surface = NULL;
+    must(batten_surface_scattered(1, (int)c->work->count, c->work->u, c->work->data, &options,
+                                  NULL, NULL, &c->surface));
+}
+
+static void gather_scattered(void *object, double *result)
+{
+    contest *c = object;
+    double most = 0;
+    for (size_t i = 0; i < c->work->count; i++) {
+        double z;
+        must(batten_surface_evaluate(c->surface, c->work->u[2 * i], c->work->u[2 * i + 1], 0,
+                                     &z));
+        most = fmax(most, fabs(z - c->work->data[i]));
+    }
+    *result = most <= 1e-3;
+}
+
 const bench_entry bench_batten[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -336,5 +362,6 @@ const bench_entry bench_batten[KIND_COUNT] = {
     [SKIN] = {open_sections, run_skin, gather_skin, close_contest},
     [FUNCTION_THROUGH] = {open_function, run_function, gather_function, close_contest},
     [PLANE_THROUGH] = {open_plane, run_plane, gather_plane, close_contest},
+    [SCATTERED_NEAR] = {open_data, run_scattered, gather_scattered, close_contest},
     [CURVE_LENGTH] = {open_curve, run_length, gather_length, close_contest},
 };

@@ -26,6 +26,7 @@ typedef enum {
     FUNCTION_THROUGH, /* a function of one variable, by its method */
     PLANE_THROUGH,    /* a curve through points of the plane, by its method */
     CURVE_LENGTH,     /* arc length of the curve */
+    SCATTERED_NEAR,   /* a surface within 1e-3 of values at scattered places */
     KIND_COUNT
 } bench_kind;
 
@@ -78,7 +79,8 @@ typedef struct {
 /* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
  * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data,
  * FUNCTION_THROUGH midway between them; CURVE_LENGTH: the length / 1e3;
- * SKIN: each section at the parameters u [BENCH_PLACES]. */
+ * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR: nothing but that the
+ * tolerance is met. */
 enum { BENCH_PLACES = 20 };
 
 extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],

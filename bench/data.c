@@ -241,6 +241,20 @@ static double *grid_points(size_t count, const double *u, const double *v)
     return points;
 }
 
+/* Franke's function at places [count][2]. */
+static double *franke_values(size_t count, const double *uv)
+{
+    double *values = bench_numbers(count);
+    for (size_t i = 0; i < count; i++) {
+        const double x = 9 * uv[2 * i], y = 9 * uv[2 * i + 1];
+        values[i] = 0.75 * exp(-((x - 2) * (x - 2) + (y - 2) * (y - 2)) / 4) +
+                    0.75 * exp(-(x + 1) * (x + 1) / 49 - (y + 1) / 10) +
+                    0.5 * exp(-((x - 7) * (x - 7) + (y - 3) * (y - 3)) / 4) -
+                    0.2 * exp(-(x - 4) * (x - 4) - (y - 7) * (y - 7));
+    }
+    return values;
+}
+
 void bench_fill(bench_work *work)
 {
     const size_t n = work->count;
@@ -278,6 +292,11 @@ void bench_fill(bench_work *work)
     case PLANE_THROUGH:
         work->data = make_loop(n);
         work->result_count = 2 * n;
+        break;
+    case SCATTERED_NEAR:
+        work->u = make_parameters(2 * n, true, 61);
+        work->data = franke_values(n, work->u);
+        work->result_count = 1;
         break;
     case CURVE_LENGTH:
         work->curve = make_curve(false);

@@ -70,6 +70,10 @@ static const bench_work rows[] = {
     BENCH("elastica, 1e5 points", .kind = PLANE_THROUGH, .method = ELASTICA, .count = 100000,
           .unit = "ms"),
     BENCH("arc length of a curve of 997 spans", .kind = CURVE_LENGTH, .count = 1, .unit = "ms"),
+    BENCH("surface within 1e-3 of 1e5 scattered values", .kind = SCATTERED_NEAR,
+          .count = 100000, .unit = "ms"),
+    BENCH("surface within 1e-3 of 1e6 scattered values", .kind = SCATTERED_NEAR,
+          .count = 1000000, .unit = "ms"),
     BENCH("skin of 50 sections", .kind = SKIN, .count = 50, .unit = "ms"),
 };
 
