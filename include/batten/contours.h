@@ -26,7 +26,8 @@ typedef enum batten_field_kind {
     BATTEN_FIELD_HIGHLIGHT,  /**< signed distance of the normal line from the light line through
                                   `point` along `direction`, model units */
     BATTEN_FIELD_REFLECTION, /**< the same of the ray from `eye` that the surface reflects;
-                                  `eye` is the direction towards the one who looks */
+                                  `eye` is the direction towards the one who looks. Both have no
+                                  value where the lines are within 6 degrees of parallel */
     BATTEN_FIELD_SILHOUETTE  /**< n . (point - S) / |point - S|: level 0 is the outline as seen
                                   from `point` */
 } batten_field_kind;
@@ -95,7 +96,7 @@ typedef struct batten_contours {
  * @param levels [level_count], increasing
  * @param tolerance model units, above 0
  * @return BATTEN_OK, NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (direction 0, tolerance
- * not above 0), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than 4 million triangles),
+ * not above 0), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than a million triangles),
  * CANCELLED, INCOMPLETE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in spans and in what is drawn; 16 to 1024 triangles for each span.

@@ -7,7 +7,7 @@
 
 /* A triangulation is refined this often where it needs it, and has at most so many triangles.
  */
-enum { ROUNDS = 6, MOST_TRIANGLES = 4194304 };
+enum { ROUNDS = 6, MOST_TRIANGLES = 1048576 };
 
 /* ---- pairs ---- */
 
@@ -100,17 +100,19 @@ int bat_net_levels_below(const bat_net *net, double value)
     return low;
 }
 
-/* The field at a corner of a triangle, or a millionth inside where the surface is singular. */
+/* The field at a corner of a triangle, or a little inside where the surface is singular: a
+ * millionth of the way to the middle, and for curvature, which loses digits there, a tenth. */
 static batten_status corner_value(const bat_net *net, const bat_triangle *t, int corner,
                                   double *value)
 {
     batten_status status = bat_net_field(net, t->piece, t->uv[corner], value, NULL, NULL);
     if (status != BATTEN_OK || !isnan(*value))
         return status;
+    const double step = net->order == 3 ? 0.1 : 1e-6;
     double inside[2];
     for (int k = 0; k < 2; k++) {
         const double middle = (t->uv[0][k] + t->uv[1][k] + t->uv[2][k]) / 3;
-        inside[k] = t->uv[corner][k] + 1e-6 * (middle - t->uv[corner][k]);
+        inside[k] = t->uv[corner][k] + step * (middle - t->uv[corner][k]);
     }
     return bat_net_field(net, t->piece, inside, value, NULL, NULL);
 }
@@ -127,12 +129,16 @@ batten_status bat_net_add_node(bat_net *net, double value, int *out)
         bool *critical = bat_resize(net->critical, capacity, sizeof *critical);
         if (critical)
             net->critical = critical;
-        if (!values || !critical)
+        int *owner = bat_resize(net->owner, capacity, sizeof *owner);
+        if (owner)
+            net->owner = owner;
+        if (!values || !critical || !owner)
             return BATTEN_OUT_OF_MEMORY;
         net->node_capacity = capacity;
     }
     net->values[net->node_count] = value;
     net->critical[net->node_count] = false;
+    net->owner[net->node_count] = -1;
     *out = (int)net->node_count++;
     return BATTEN_OK;
 }
@@ -158,8 +164,11 @@ batten_status bat_net_add_triangle(bat_net *net, const bat_triangle *triangle)
 /* The value of node `corner` of a triangle, measured when it has none yet. */
 static batten_status measure(bat_net *net, const bat_triangle *t, int corner)
 {
-    double *value = &net->values[t->node[corner]];
-    return isnan(*value) ? corner_value(net, t, corner, value) : BATTEN_OK;
+    const int node = t->node[corner];
+    if (net->owner[node] >= 0 || !isnan(net->values[node]))
+        return BATTEN_OK;
+    net->owner[node] = t->piece;
+    return corner_value(net, t, corner, &net->values[node]);
 }
 
 static batten_status add_measured(bat_net *net, const bat_triangle *t)
@@ -209,9 +218,41 @@ static batten_status add_pieces(bat_net *net)
 
 /* ---- refining ---- */
 
+/* A value within rounding of a level is that level. */
+static double snapped(const bat_net *net, double value)
+{
+    const int above = bat_net_levels_below(net, value);
+    if (above < net->level_count && net->levels[above] - value <= net->roundoff)
+        return net->levels[above];
+    if (above > 0 && value - net->levels[above - 1] <= net->roundoff)
+        return net->levels[above - 1];
+    return value;
+}
+
+/* The field at a corner as the piece of the triangle has it: on a line where the field jumps
+ * the value of the node may be that of the piece beside it. */
+static batten_status end_value(const bat_net *net, const bat_triangle *t, int corner,
+                               double *value)
+{
+    const int node = t->node[corner];
+    *value = net->values[node];
+    if (net->owner[node] == t->piece || net->owner[node] < 0 || isnan(*value))
+        return BATTEN_OK;
+    const batten_status status = corner_value(net, t, corner, value);
+    *value = snapped(net, *value);
+    return status;
+}
+
 static bool has_critical(const bat_net *net, const bat_triangle *t)
 {
     return net->critical[t->node[0]] || net->critical[t->node[1]] || net->critical[t->node[2]];
+}
+
+/* Edges shorter than this part of the shape are left as they are: no picture shows more, and
+ * near a pole a curvature has less and less digits. */
+static double shortest_edge(const bat_net *net)
+{
+    return (net->order == 3 ? 2e-3 : 1e-6) * net->pieces->size;
 }
 
 /* Must the edge from corner a to corner b be halved? Yes while the field along it is far from
@@ -220,29 +261,40 @@ static bool has_critical(const bat_net *net, const bat_triangle *t)
 static batten_status judge(const bat_net *net, const bat_triangle *t, int a, int b, bool *halve)
 {
     const int parts = has_critical(net, t) ? 64 : 4;
-    const double from = net->values[t->node[a]], to = net->values[t->node[b]];
-    double bend = 0, last = from;
+    double from, to, bend = 0, ends[2][9];
     int crossed = 0;
     *halve = false;
-    if (isnan(from) || isnan(to))
-        return BATTEN_OK;
+    batten_status status = end_value(net, t, a, &from);
+    if (status == BATTEN_OK)
+        status = end_value(net, t, b, &to);
+    if (status != BATTEN_OK || isnan(from) || isnan(to))
+        return status;
+    double last = from;
     for (int k = 1; k <= parts; k++) {
         const double at = (double)k / parts;
         const double uv[2] = {t->uv[a][0] + at * (t->uv[b][0] - t->uv[a][0]),
                               t->uv[a][1] + at * (t->uv[b][1] - t->uv[a][1])};
         double value = to;
-        const batten_status status =
-            k < parts ? bat_net_field(net, t->piece, uv, &value, NULL, NULL) : BATTEN_OK;
+        if (k < parts)
+            status = bat_net_field(net, t->piece, uv, &value, NULL, ends[k > 1]);
         if (status != BATTEN_OK)
             return status;
         if (isnan(value))
             return BATTEN_OK;
+        value = snapped(net, value);
         bend = bat_max(bend, fabs(value - from - at * (to - from)));
         crossed += abs(bat_net_levels_below(net, value) - bat_net_levels_below(net, last));
         last = value;
     }
     const int told = abs(bat_net_levels_below(net, to) - bat_net_levels_below(net, from));
-    *halve = crossed != told || bend > 0.1 * (net->greatest - net->least);
+    /* What changes by no more than roundings has no levels between. */
+    if (bend + fabs(to - from) <= 4 * net->roundoff)
+        return BATTEN_OK;
+    /* The first and the last probe are half an edge apart, or nearly a whole one. */
+    if (bat_distance(3, ends[0], ends[1]) < 0.5 * shortest_edge(net))
+        return BATTEN_OK;
+    *halve = crossed != told ||
+             bend > bat_max(0.1 * (net->greatest - net->least), 100 * net->roundoff);
     return BATTEN_OK;
 }
 
@@ -326,8 +378,11 @@ static void find_range(bat_net *net)
         net->greatest = bat_max(net->greatest, value);
         largest = bat_max(largest, fabs(value));
     }
-    /* A value that is a level but for so much is that level: some hundred roundings. */
-    net->roundoff = bat_max(1e-12 * (net->greatest - net->least), 1e-14 * largest);
+    /* A value that is a level but for so much is that level: some hundred roundings, and many
+     * more where second derivatives are divided by small first ones, as near a pole. */
+    const double roundings = net->order == 3 ? 1e-10 : 1e-14;
+    net->roundoff = bat_max(1e-12 * (net->greatest - net->least), roundings * largest);
+    net->roundoff = bat_max(net->roundoff, bat_field_roundoff(net->field, net->pieces->size));
 }
 
 /* Triangles at critical nodes decide first. */
@@ -368,17 +423,10 @@ static batten_status refine(bat_net *net, bool always, bool *changed)
     return status;
 }
 
-/* A value within rounding of a level becomes that level. */
-static void snap(bat_net *net)
+static void snap_all(bat_net *net)
 {
-    for (size_t i = 0; i < net->node_count; i++) {
-        double *value = &net->values[i];
-        const int above = bat_net_levels_below(net, *value);
-        if (above < net->level_count && net->levels[above] - *value <= net->roundoff)
-            *value = net->levels[above];
-        else if (above > 0 && *value - net->levels[above - 1] <= net->roundoff)
-            *value = net->levels[above - 1];
-    }
+    for (size_t i = 0; i < net->node_count; i++)
+        net->values[i] = snapped(net, net->values[i]);
 }
 
 /* How often all triangles are quartered before anything is asked: few pieces are long. */
@@ -394,11 +442,11 @@ static batten_status refine_all(bat_net *net, int always)
     bool changed = true;
     for (int i = 0; i < always + ROUNDS && status == BATTEN_OK && changed; i++) {
         find_range(net);
-        snap(net);
+        snap_all(net);
         status = refine(net, i < always, &changed);
     }
     find_range(net);
-    snap(net);
+    snap_all(net);
     return status;
 }
 
@@ -420,5 +468,6 @@ void bat_net_free(bat_net *net)
     bat_release(net->triangles);
     bat_release(net->values);
     bat_release(net->critical);
+    bat_release(net->owner);
     bat_release(net->criticals);
 }

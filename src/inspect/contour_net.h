@@ -58,6 +58,7 @@ typedef struct {
     double *values; /* [node_count]; NaN where the field has none; a value within rounding of a
                        level is that level */
     bool *critical; /* [node_count]: the field stands still there */
+    int *owner;     /* [node_count]: the piece in which its value was measured, or -1 */
     double least, greatest, roundoff;
     int critical_count, critical_capacity;
     batten_critical *criticals;

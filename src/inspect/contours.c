@@ -148,10 +148,10 @@ static batten_status list_spans(spans *s)
     }
     const size_t m = (size_t)s->count[0] - 1, n = (size_t)s->count[1] - 1;
     /* Each span becomes four triangles at least. */
-    if ((double)m * (double)n > 1048576)
+    if ((double)m * (double)n > 262144)
         return bat_fail(BATTEN_TOO_LARGE,
-                        "contours of a surface of %zu x %zu spans: more than "
-                        "4 million triangles",
+                        "contours of a surface of %zu x %zu spans: more than a "
+                        "million triangles",
                         m, n);
     s->nodes = bat_array3(m, n, 4 * sizeof *s->nodes);
     s->uv = bat_array3(m, n, 8 * sizeof *s->uv);

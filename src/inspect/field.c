@@ -121,13 +121,16 @@ static dual3 derivative(const double *derivatives, int order, double factor, int
 }
 
 /* False where the tangents do not span a plane: the cross product of parallel vectors rounds to
- * a few eps of the product of their lengths. */
+ * a few eps of the product of their lengths, and a derivative that vanishes to some thousand
+ * eps of the coordinates. */
 static bool make_local(const double *derivatives, int order, local *out)
 {
     const batten_vec3 su = bat_vec3_of(3, derivatives + 3),
                       sv = bat_vec3_of(3, derivatives + 6);
     const double u = bat_vec3_norm(su), v = bat_vec3_norm(sv);
-    if (!(u > 0 && v > 0 && isfinite(u) && isfinite(v)))
+    const double size = bat_vec3_norm(bat_vec3_of(3, derivatives));
+    const double vanishes = 4096 * DBL_EPSILON * bat_max(size, bat_max(u, v));
+    if (!(u > vanishes && v > vanishes && isfinite(u) && isfinite(v)))
         return false;
     const batten_vec3 n = bat_vec3_cross(bat_vec3_scale(su, 1 / u), bat_vec3_scale(sv, 1 / v));
     if (!(bat_vec3_norm(n) > 64 * DBL_EPSILON))
@@ -210,8 +213,9 @@ static dual line_distance(const batten_surface_field *field, const local *at, du
 {
     const dual3 b = fixed(field->direction), square = cross(b, ray);
     const dual3 from = between(at->s, fixed(bat_vec3_scale(field->point, at->scale)));
-    if (!(dot(square, square).f > 0))
-        return constant((double)NAN); /* parallel lines */
+    /* A tube of light is of finite length: of lines nearly parallel to it none is mirrored. */
+    if (!(dot(square, square).f > 0.01 * dot(ray, ray).f))
+        return constant((double)NAN);
     const dual distance = multiply(dot(square, from), reciprocal_length(square));
     return scale(1 / at->scale, distance);
 }
@@ -256,6 +260,28 @@ static bool is_curvature(batten_field_kind kind)
 int bat_field_order(const batten_surface_field *field)
 {
     return field->kind == BATTEN_FIELD_HEIGHT ? 1 : is_curvature(field->kind) ? 3 : 2;
+}
+
+double bat_field_roundoff(const batten_surface_field *field, double size)
+{
+    switch (field->kind) {
+    case BATTEN_FIELD_HEIGHT:
+        return 1e-14 * size;
+    case BATTEN_FIELD_HIGHLIGHT:
+    case BATTEN_FIELD_REFLECTION:
+        return 1e-12 * size;
+    case BATTEN_FIELD_GAUSSIAN:
+        return 1e-12 / size / size;
+    case BATTEN_FIELD_MEAN:
+    case BATTEN_FIELD_KAPPA1:
+    case BATTEN_FIELD_KAPPA2:
+        return 1e-12 / size;
+    case BATTEN_FIELD_ISOPHOTE:
+    case BATTEN_FIELD_DRAFT:
+    case BATTEN_FIELD_SILHOUETTE:
+        break;
+    }
+    return 1e-12;
 }
 
 double bat_field_value(const batten_surface_field *field, const double *derivatives,

@@ -9,6 +9,9 @@ batten_status bat_field_prepare(const batten_surface_field *field, batten_surfac
 /* To which order a surface must be evaluated for bat_field_value. */
 int bat_field_order(const batten_surface_field *field);
 
+/* What is roundoff of a field on a shape of this size, whatever its values. */
+double bat_field_roundoff(const batten_surface_field *field, double size);
+
 /* The value and, with respect to u and v, the gradient, from derivatives
  * [BATTEN_SURFACE_DERIVATIVES(order)][3]. NaN where the surface is singular. */
 double bat_field_value(const batten_surface_field *field, const double *derivatives,
