@@ -6,6 +6,7 @@
  *
  * Every function hands over the bytes of a file; save them with batten_save_file.
  */
+#include <batten/contours.h>
 #include <batten/model.h>
 
 #ifdef __cplusplus
@@ -26,8 +27,23 @@ typedef enum batten_view {
     BATTEN_VIEW_TOP,   /**< x to the right, y up */
     BATTEN_VIEW_FRONT, /**< y to the right, z up: along the ship */
     BATTEN_VIEW_SIDE,  /**< x to the right, z up */
-    BATTEN_VIEW_AXONOMETRIC
+    BATTEN_VIEW_AXONOMETRIC,
+    BATTEN_VIEW_ISOMETRIC /**< azimuth 45, elevation 35.264 degrees: all axes alike */
 } batten_view;
+
+/** What becomes of lines behind surfaces. */
+typedef enum batten_hidden {
+    BATTEN_HIDDEN_SHOWN, /**< surfaces are glass */
+    BATTEN_HIDDEN_DASHED,
+    BATTEN_HIDDEN_DROPPED
+} batten_hidden;
+
+typedef enum batten_sheet {
+    BATTEN_SHEET_ONE,         /**< one view */
+    BATTEN_SHEET_THREE_VIEWS, /**< side, front and top at one scale, and an axonometric view */
+    BATTEN_SHEET_STEREO_PARALLEL, /**< the left eye's picture is the left one */
+    BATTEN_SHEET_STEREO_CROSSED   /**< the left eye's picture is the right one: squint */
+} batten_sheet;
 
 typedef enum batten_shading {
     BATTEN_SHADING_PLAIN,
@@ -50,9 +66,18 @@ typedef struct batten_picture_options {
     bool comb;                 /**< curvature comb, plane curves and projections */
     double comb_scale; /**< 0: chosen so that the longest tooth is a tenth of the picture */
     batten_shading shading;
-    int isolines;   /**< parts into which they divide each direction, 1..1000; 10 */
-    double stripes; /**< dark zebra stripes that a cylinder shows from edge to edge; 24.
-                         They mirror tubes along the longest axis */
+    int isolines;         /**< parts into which they divide each direction, 1..1000; 10 */
+    double stripes;       /**< dark zebra stripes that a cylinder shows from edge to edge; 24.
+                               They mirror tubes along the longest axis */
+    batten_hidden hidden; /**< in line drawings of surfaces; SHOWN */
+    bool silhouettes;     /**< where surfaces turn away from the eye */
+    bool contours;        /**< lines along which `contour_field` has round values */
+    batten_surface_field contour_field;
+    double contour_spacing; /**< 0: chosen, about ten levels */
+    batten_sheet sheet;     /**< in line drawings of surfaces; ONE */
+    double distance;        /**< of the eye from the middle of what is drawn, model units, for
+                                 perspective in line drawings; 0: parallel projection */
+    double stereo_angle;    /**< between both eyes, radians; 5 degrees */
 } batten_picture_options;
 BATTEN_API batten_picture_options batten_picture_defaults(void);
 
@@ -65,6 +90,26 @@ BATTEN_API batten_picture_options batten_picture_defaults(void);
 BATTEN_API batten_status batten_draw(const batten_model *model,
                                      const batten_picture_options *options, char **data,
                                      size_t *size);
+
+/**
+ * A line drawing of surfaces: edges, creases, isoparametric lines, silhouettes and contours,
+ * each where it can be seen; curves are drawn with them, points as crosses. Surfaces hide what
+ * lies behind them, themselves and each other. Edges in which two surfaces meet are drawn once.
+ *
+ * Lines are within a quarter of a pixel. Each is cut exactly where a triangle of the surfaces
+ * begins or ends to cover it; the triangles are within a twentieth of a pixel of the surfaces,
+ * and lines less than 3 pixels behind a curved one count as lying on it.
+ *
+ * @return BATTEN_OK, BAD_ARGUMENT (no surface in space, sizes, an eye inside), NOT_FINITE,
+ * TOO_LARGE, OVERFLOW, CANCELLED, INCOMPLETE, OUT_OF_MEMORY
+ *
+ * Cost: linear in triangles and in what is drawn.
+ * Source: [Appel67] for the silhouette and edges that change visibility.
+ */
+BATTEN_API batten_status batten_draw_surface_lines(const batten_model *model,
+                                                   const batten_picture_options *options,
+                                                   const batten_job *job, char **data,
+                                                   size_t *size);
 
 /** One of several drawings side by side. */
 typedef struct batten_panel {

@@ -1,3 +1,4 @@
+#include "picture/axes.h"
 #include "picture/drawing.h"
 
 #include <stdio.h>
@@ -261,6 +262,8 @@ static batten_status choose_view(bat_drawing *d)
                         d->shape_count);
     d->kind = d->options->view == BATTEN_VIEW_AUTO ? detect_view(&e) : d->options->view;
     d->view = bat_view_make(d->kind, d->options->azimuth, d->options->elevation);
+    if (d->kind == BATTEN_VIEW_ISOMETRIC)
+        d->kind = BATTEN_VIEW_AXONOMETRIC;
     d->comb_scale = choose_comb_scale(d);
     return bat_drawing_find_range(d);
 }
@@ -491,37 +494,6 @@ static void fill_legend(const bat_drawing *d, double em, bat_legend *legend)
                        "curvature comb: 1/%s is %s %s long", unit_of(d), length, unit_of(d));
 }
 
-/* The three axes, as seen, in the lower left corner. */
-static void draw_triad(bat_canvas *canvas, const bat_drawing *d)
-{
-    static const char *const names[] = {"x", "y", "z"};
-    const bat_rectangle f = d->plot.frame;
-    const double em = canvas->em, x = f.x + 4 * em, y = f.y + f.height - 3 * em;
-    for (int k = 0; k < 3; k++) {
-        const double right = d->view.right[k], up = d->view.up[k];
-        bat_canvas_segment(canvas, (bat_pen){bat_grey, 1, BAT_SOLID}, x, y,
-                           x + 2.5 * em * right, y - 2.5 * em * up);
-        if (hypot(right, up) > 0.1)
-            bat_canvas_text(canvas, bat_grey, 0.9 * em, BAT_MIDDLE, x + 3.2 * em * right,
-                            y - 3.2 * em * up, names[k]);
-    }
-}
-
-static void draw_axes(bat_canvas *canvas, const bat_drawing *d)
-{
-    static const char *const axes[][2] = {[BATTEN_VIEW_TOP] = {"x", "y"},
-                                          [BATTEN_VIEW_FRONT] = {"y", "z"},
-                                          [BATTEN_VIEW_SIDE] = {"x", "z"}};
-    if (d->kind == BATTEN_VIEW_AXONOMETRIC) {
-        draw_triad(canvas, d);
-        return;
-    }
-    char names[2][32];
-    for (int k = 0; k < 2; k++)
-        snprintf(names[k], sizeof names[k], "%s (%s)", axes[d->kind][k], unit_of(d));
-    bat_plot_grid(canvas, &d->plot, names[0], names[1]);
-}
-
 /* The plot takes what title, legend and numbers leave. */
 static void place_plot(bat_canvas *canvas, bat_drawing *d, double legend)
 {
@@ -559,7 +531,7 @@ static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
     fill_legend(d, em, &legend);
     bat_canvas_bold(&canvas, bat_ink, 1.25 * em, BAT_MIDDLE, 0.5 * canvas.width, 1.6 * em,
                     o->title);
-    draw_axes(&canvas, d);
+    bat_axes_draw(&canvas, &d->plot, &d->view, d->kind, unit_of(d));
     bat_canvas_clip(&canvas, d->plot.frame);
     bat_drawing_draw(&canvas, d);
     bat_canvas_unclip(&canvas);

@@ -17,6 +17,8 @@ batten_picture_options batten_picture_defaults(void)
         .shading = BATTEN_SHADING_PLAIN,
         .isolines = 10,
         .stripes = 24,
+        .contour_field = {.kind = BATTEN_FIELD_HEIGHT, .direction = {0, 0, 1}},
+        .stereo_angle = 5 * BAT_PI / 180,
     };
 }
 

@@ -20,6 +20,11 @@ batten_status bat_stroke_curve(const batten_curve *curve, bat_stroke *out);
 /* The same for the curve on a surface at a fixed parameter. */
 batten_status bat_stroke_isoline(const batten_surface *surface, batten_direction direction,
                                  double at, bat_stroke *out);
+/* The same from the surface itself, of any kind: as few points as keep the polyline within
+ * `tolerance`. */
+batten_status bat_stroke_isoline_within(const batten_surface *surface,
+                                        batten_direction direction, double at, double tolerance,
+                                        bat_stroke *out);
 /* The edges of all triangles, in their order, then lines inside along which one barycentric
  * coordinate is constant: with one triangle `isolines` - 1 for each, fewer with more. */
 batten_status bat_stroke_triangles(const batten_triangles *triangles, int isolines,

@@ -9,6 +9,10 @@ bat_view bat_view_make(batten_view view, double azimuth, double elevation)
         return (bat_view){{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     case BATTEN_VIEW_SIDE:
         return (bat_view){{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+    case BATTEN_VIEW_ISOMETRIC:
+        azimuth = BAT_PI / 4;
+        elevation = atan(sqrt(0.5));
+        break;
     case BATTEN_VIEW_AUTO:
     case BATTEN_VIEW_AXONOMETRIC:
         break;
