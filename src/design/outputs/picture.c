@@ -1,13 +1,14 @@
-#include "design/feature.h"
+#include "design/field.h"
 
 typedef enum { SHADING_AUTO, SHADING_FIRST } shading_word;
+typedef enum { CONTOURS_NONE, CONTOURS_FIRST } contours_word;
 
 static const batten_parameter parameters[] = {
     {"picture", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is shown"},
     {"shading", BATTEN_VALUE_WORD, false, false, "auto", "auto plain isolines zebra gaussian",
      "of surfaces, in .png; auto is isolines"},
-    {"view", BATTEN_VALUE_WORD, false, false, "auto", "auto top front side axonometric",
-     "from where it is seen"},
+    {"view", BATTEN_VALUE_WORD, false, false, "auto",
+     "auto top front side axonometric isometric", "from where it is seen"},
     {"azimuth", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
      "of the eye, for the axonometric view"},
     {"elevation", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
@@ -21,10 +22,40 @@ static const batten_parameter parameters[] = {
      "show the points curves were made from"},
     {"isolines", BATTEN_VALUE_COUNT, false, false, "10", NULL, "in each direction of surfaces"},
     {"stripes", BATTEN_VALUE_NUMBER, false, false, "24", NULL, "of the zebra"},
+    {"hidden", BATTEN_VALUE_WORD, false, false, "shown", "shown dashed dropped",
+     "lines behind surfaces; for line drawings of surfaces, also as .png"},
+    {"silhouettes", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "lines where surfaces turn away from the eye"},
+    {"contours", BATTEN_VALUE_WORD, false, false, "none", "none " BAT_FIELD_WORDS,
+     "lines of equal height, curvature, light"},
+    BAT_FIELD_PARAMETERS,
+    {"sheet", BATTEN_VALUE_WORD, false, false, "one", "one three-views stereo stereo-crossed",
+     "one view; side, front, top and axonometric; for two eyes"},
+    {"distance", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
+     "of the eye, for perspective; 0: parallel"},
+    {"stereo-angle", BATTEN_VALUE_ANGLE, false, false, "5 deg", NULL, "between both eyes"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "above the picture"},
     {"width", BATTEN_VALUE_COUNT, false, false, "1200", NULL, "pixels, or points of 1/72 inch"},
     {"height", BATTEN_VALUE_COUNT, false, false, "800", NULL, "pixels, or points of 1/72 inch"},
 };
+
+/* What line drawings of surfaces have beyond others. */
+static void read_line_options(const bat_run *run, batten_picture_options *options)
+{
+    const int field = bat_word(run, "contours");
+    options->hidden = (batten_hidden)bat_word(run, "hidden");
+    options->silhouettes = bat_yes(run, "silhouettes");
+    options->contours = field != CONTOURS_NONE;
+    const double a = options->azimuth, e = options->elevation;
+    const batten_vec3 eye = {cos(e) * cos(a), cos(e) * sin(a), sin(e)};
+    if (options->contours)
+        options->contour_field =
+            bat_field_of(run, (batten_field_kind)(field - CONTOURS_FIRST), eye);
+    options->contour_spacing = bat_number(run, "spacing");
+    options->sheet = (batten_sheet)bat_word(run, "sheet");
+    options->distance = bat_number(run, "distance");
+    options->stereo_angle = bat_number(run, "stereo-angle");
+}
 
 static batten_picture_options options_of(const bat_run *run)
 {
@@ -47,6 +78,7 @@ static batten_picture_options options_of(const bat_run *run)
                                               : (batten_shading)(shading - SHADING_FIRST);
     if (bat_has(run, "title"))
         options.title = bat_text(run, "title");
+    read_line_options(run, &options);
     return options;
 }
 
@@ -59,6 +91,12 @@ static bool has_surfaces(const batten_model *model)
     return false;
 }
 
+static bool wants_lines(const batten_picture_options *o)
+{
+    return o->hidden != BATTEN_HIDDEN_SHOWN || o->silhouettes || o->contours ||
+           o->sheet != BATTEN_SHEET_ONE || o->distance > 0;
+}
+
 static batten_status draw(bat_run *run, const batten_model *model,
                           const batten_picture_options *options)
 {
@@ -69,6 +107,14 @@ static batten_status draw(bat_run *run, const batten_model *model,
                         run->name);
     if (wanted && !has_surfaces(model))
         return bat_fail(BATTEN_BAD_ARGUMENT, "'shading' needs a surface");
+    if (wants_lines(options) && !wanted) {
+        if (!has_surfaces(model))
+            return bat_fail(
+                BATTEN_BAD_ARGUMENT,
+                "'hidden', 'silhouettes', 'contours', 'sheet' and 'distance' need a "
+                "surface");
+        return batten_draw_surface_lines(model, options, run->job, &run->data, &run->size);
+    }
     if (is_png && has_surfaces(model))
         return batten_draw_shaded(model, options, run->job, &run->data, &run->size);
     return batten_draw(model, options, &run->data, &run->size);
@@ -91,13 +137,16 @@ const bat_feature bat_feature_picture = {
     .shown = {"picture", "A drawing of curves, a shaded picture of surfaces",
               "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
               "surfaces\n"
-              "shaded as .png, else as isoparametric lines.",
+              "shaded as .png, else as isoparametric lines. With 'hidden', 'silhouettes', "
+              "'contours', 'sheet' or\n"
+              "'distance' they are drawn as lines in every format.",
               "features:\n"
               "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
               "  sheer: {interpolate: ducks}\n"
               "  tank: {cylinder: 0.4 m, height: 1 m}\n"
               "outputs:\n"
               "  sheer.svg: {picture: sheer, comb: yes, points: yes}\n"
-              "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n",
+              "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
+              "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
               "", "batten_draw", BAT_PARAMETERS(parameters), true},
     .run = run};

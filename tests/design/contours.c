@@ -1,0 +1,82 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <math.h>
+#include <string.h>
+
+static batten_status evaluate(const char *feature, batten_design **out)
+{
+    char text[1000];
+    batten_design *design = NULL;
+    snprintf(text, sizeof text,
+             "batten: 1\nunits: m\ntolerance: 1 mm\nfeatures:\n"
+             "  ring: {torus: 3 m, minor: 1 m}\n  ball: {sphere: 2 m}\n  a: %s\n",
+             feature);
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+/* Every curve lies on one circle about the z-axis for each of its heights. */
+static void check_ring(const batten_curve *curve, double tolerance)
+{
+    const batten_interval domain = {batten_curve_knots(curve)[batten_curve_degree(curve)],
+                                    batten_curve_knots(curve)[batten_curve_point_count(curve)]};
+    for (int i = 0; i <= 200; i++) {
+        double p[3];
+        CHECK_OK(
+            batten_curve_evaluate(curve, domain.a + (domain.b - domain.a) * i / 200, 0, p));
+        CHECK_NEAR(hypot(hypot(p[0], p[1]) - 3, p[2]), 1, tolerance);
+        CHECK_NEAR(p[2], 0.5, tolerance);
+    }
+}
+
+TEST(contours_become_curves_within_the_tolerance)
+{
+    static const char *const ways[] = {"curves", "polylines"};
+    for (int i = 0; i < COUNT(ways); i++) {
+        char feature[100];
+        batten_design *design = NULL;
+        snprintf(feature, sizeof feature, "{contours: ring, levels: [0.5], as: %s}", ways[i]);
+        CHECK_OK(evaluate(feature, &design));
+        const batten_feature_result *result = batten_design_result(design, "a");
+        CHECK_INT(batten_model_count(result->value), 2);
+        for (int k = 0; k < 2; k++)
+            check_ring(batten_model_object(result->value, k)->curve, 1e-3);
+        batten_design_free(design);
+    }
+}
+
+TEST(contours_of_many_surfaces_share_their_levels)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("{contours: [ring, ball], spacing: 0.5 m}", &design));
+    /* -1.5 .. 1.5 on the ball, -2 and 2 being its poles; 5 on the ring, those at -1 and 1 once
+     */
+    const batten_model *model = batten_design_result(design, "a")->value;
+    int on_ball = 0;
+    for (int i = 0; i < batten_model_count(model); i++)
+        on_ball += strncmp(batten_model_object(model, i)->name, "ball", 4) == 0;
+    CHECK_INT(on_ball, 7);
+    CHECK(batten_model_count(model) >= on_ball + 6);
+    batten_design_free(design);
+}
+
+TEST(contours_that_cannot_be_are_refused)
+{
+    batten_design *design = NULL;
+    CHECK_STATUS(evaluate("{contours: ring, levels: [5]}", &design), BATTEN_NOT_FOUND);
+    CHECK_MESSAGE("no level from 5 to 5");
+    CHECK_STATUS(evaluate("{contours: ball, of: gaussian}", &design), BATTEN_NOT_FOUND);
+    CHECK_MESSAGE("0.25 everywhere");
+    CHECK_STATUS(evaluate("{contours: ring, levels: [1, 0]}", &design), BATTEN_NOT_INCREASING);
+    CHECK_STATUS(evaluate("{contours: ring, of: isophote, direction: [0, 0, 0]}", &design),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(evaluate("{contours: ring, spacing: 0.0001 m}", &design), BATTEN_TOO_LARGE);
+    CHECK(!design);
+}
