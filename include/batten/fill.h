@@ -20,6 +20,7 @@ typedef struct batten_fill_options {
                            well; model units; 0: a millionth of the size of the loop */
     double angle;     /**< where the ribbons of a corner twist against each other the tangent
                            plane leaves them by so much at most, radians; 0.002 degrees */
+    bool curvature;   /**< along ribbons that give a curvature take it over, too */
 } batten_fill_options;
 BATTEN_API batten_fill_options batten_fill_defaults(void);
 
@@ -64,6 +65,11 @@ typedef struct batten_fill_report {
  * centre. The sides are met exactly, the tangent planes of their ribbons too, but for small
  * zones at corners where two ribbons twist against each other; between the surfaces tangent
  * planes are the same to rounding. All that is left free makes the bending of the whole least.
+ *
+ * With `curvature` the surfaces are bent so that they have the normal curvature of the ribbons
+ * along the sides, to what the report says; at corners where the ribbons contradict each other
+ * this fades away within an eighth of half a side. Between the surfaces curvature is not the
+ * same, but nearly: the report says how nearly.
  *
  * Sides come in any order and direction, and are put into a loop. One with a corner inside is
  * divided there, and one of two is halved; then there may be 3 to 8.

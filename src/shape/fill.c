@@ -25,7 +25,7 @@ static void free_patches(batten_surface **patches)
 }
 
 /* All surfaces in the loop's coordinates, and what they reached. */
-static batten_status make_patches(const bat_fill_loop *loop, double angle,
+static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
                                   batten_fill_report *report, batten_surface **out)
 {
     bat_fill *fill = bat_array(1, sizeof *fill);
@@ -36,10 +36,12 @@ static batten_status make_patches(const bat_fill_loop *loop, double angle,
     if (status == BATTEN_OK)
         status = bat_fill_make(loop, plane, report, fill);
     for (int i = 0; status == BATTEN_OK && i < loop->count; i++)
-        status = bat_fill_patch(fill, i, angle, &out[i]);
+        status = bat_fill_patch(fill, i, options->angle, &out[i]);
     bat_fill_end(fill);
     bat_release(fill);
     free_patches(plane);
+    if (status == BATTEN_OK && options->curvature)
+        status = bat_fill_bend(loop, out);
     if (status == BATTEN_OK)
         status = bat_fill_measure(loop, out, report);
     return status;
@@ -57,7 +59,7 @@ batten_status batten_surface_fill(int count, const batten_ribbon *sides,
     if (status == BATTEN_OK)
         status = bat_fill_loop_make(count, sides, chosen.tolerance, reached, &loop);
     if (status == BATTEN_OK)
-        status = make_patches(&loop, chosen.angle, reached, patches);
+        status = make_patches(&loop, &chosen, reached, patches);
     const batten_affine map = batten_affine_compose(
         batten_affine_scaling(loop.size, loop.size, loop.size),
         batten_affine_translation(loop.centre[0], loop.centre[1], loop.centre[2]));

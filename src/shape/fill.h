@@ -98,6 +98,15 @@ double bat_fill_number(const bat_fill *fill, const double *number);
 batten_status bat_fill_patch(const bat_fill *fill, int quad, double angle,
                              batten_surface **out);
 
+/* Curvature taken over along the sides with `bend`, of surfaces that have the tangent planes
+ * already (fill_bend.c). */
+batten_status bat_fill_bend(const bat_fill_loop *loop, batten_surface **patches);
+/* What S_vv of a quad lacks along half of a side, at t from the corner to the middle, for the
+ * normal curvature of the ribbon across the side: a vector along the normal, 0 where there is
+ * none (fill_measure.c). */
+batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
+                            const batten_surface *patch, double t, double out[3]);
+
 /* What was reached (fill_measure.c). @param patches in the loop's coordinates */
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
                                batten_fill_report *report);

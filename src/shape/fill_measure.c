@@ -104,6 +104,31 @@ static void compare(const view *s, const view *r, const double along[3], batten_
     keep_largest(fabs(difference), s->point, &edge->curvature, edge->curvature_at);
 }
 
+batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
+                            const batten_surface *patch, double t, double out[3])
+{
+    view s, r;
+    memset(out, 0, 3 * sizeof *out);
+    batten_status status = see_surface(patch, half == 0 ? t : 0, half == 0 ? 0 : t, &s);
+    if (status == BATTEN_OK)
+        status = see_ribbon(&loop->sides[side], half == 0 ? t : 2 - t,
+                            half == 0 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &r);
+    if (status != BATTEN_OK || !s.regular || !r.regular || !r.bent)
+        return status;
+    const double *along = half == 0 ? s.u : s.v, *D = half == 0 ? s.v : s.u;
+    batten_vec3 across = bat_vec3_cross(bat_vec3_of(3, s.normal), bat_vec3_of(3, along));
+    across = bat_vec3_scale(across, 1 / bat_vec3_norm(across));
+    const double direction[3] = {across.x, across.y, across.z};
+    /* Both have the side and its planes in common, so they differ in S_vv alone. */
+    const double reach = bat_dot(3, D, direction);
+    const double lack =
+        reach * reach *
+        (curvature(&r, direction, s.normal) - curvature(&s, direction, s.normal));
+    for (int c = 0; c < 3; c++)
+        out[c] = lack * s.normal[c];
+    return BATTEN_OK;
+}
+
 /* The parameters in [0, 1] where an edge is looked at: PLACES + 1 in each span. */
 static batten_status places_of(const batten_surface *surface, batten_direction direction,
                                double **out, int *count)

@@ -9,8 +9,8 @@ static const batten_parameter parameters[] = {
     {"fill", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sides, in any order"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces around the hole: the fill goes on smoothly from those that have a side as edge"},
-    {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1",
-     "what the fill takes over from them: the edge, the tangent planes"},
+    {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1 G2",
+     "what the fill takes over from them: the edge, the tangent planes, the curvature"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, and sides from edges; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
@@ -149,6 +149,7 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
         return BATTEN_OUT_OF_MEMORY;
     options.tolerance = all->within;
     options.angle = bat_number(run, "angle");
+    options.curvature = bat_word(run, "continuity") == 2;
     batten_status status =
         batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
     if (status == BATTEN_OK) {
