@@ -60,7 +60,7 @@ static batten_status sample(const bat_fill_loop *loop, int side, int half,
 /* The spline through the samples, 0 with two derivatives in the corner, `slope` at the middle.
  */
 static batten_status through(const double values[NODES + 1][3], const double slope[3],
-                             bend *out)
+                             int degree, bend *out)
 {
     double nodes[NODES + 1];
     batten_derivative conditions[3] = {{0, 1, {0}}, {0, 2, {0}}, {NODES, 1, {0}}};
@@ -69,13 +69,22 @@ static batten_status through(const double values[NODES + 1][3], const double slo
         nodes[k] = node(k);
     memcpy(conditions[2].value, slope, 3 * sizeof *slope);
     memcpy(out->middle, values[NODES], sizeof out->middle);
-    options.degree = 5;
+    options.degree = degree;
     options.parameters = BATTEN_GIVEN;
     options.given = nodes;
     options.knots_at_data = false;
     options.derivative_count = 3;
     options.derivatives = conditions;
     return batten_curve_interpolate(3, NODES + 1, values[0], &options, NULL, &out->curve);
+}
+
+/* That of the surface in the half of side i, so that N brings its own knots alone; up to 9
+ * interpolation is safe. */
+static int degree_along(batten_surface *const *patches, int count, int i, int half)
+{
+    const int degree =
+        batten_surface_degree(patches[(i + half) % count], half == 0 ? BATTEN_U : BATTEN_V);
+    return bat_min_int(degree, 9);
 }
 
 /* Both halves of side i: N is one vector in the middle, and m the mean of its derivatives. */
@@ -98,7 +107,8 @@ static batten_status bend_side(const bat_fill_loop *loop, int i, double c,
         double slope[3];
         for (int k = 0; k < 3; k++)
             slope[k] = (h == 0 ? mean[k] : -mean[k]) + 2 * c * values[h][NODES][k];
-        status = through((const double(*)[3])values[h], slope, &halves[h]);
+        status = through((const double(*)[3])values[h], slope,
+                         degree_along(patches, loop->count, i, h), &halves[h]);
     }
     return status;
 }

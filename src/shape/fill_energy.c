@@ -200,6 +200,9 @@ static batten_status sum_quad(variation *b, int quad)
     return status;
 }
 
+/* How much a jump counts: enough to make the second derivatives nearly continuous. */
+static const double jump_weight = 100;
+
 /* Between quad i at u = 1 and the next at v = 1. */
 static void sum_seams(variation *b)
 {
@@ -209,7 +212,8 @@ static void sum_seams(variation *b)
             double *here = seam(b, i, 0, g);
             add(3 * b->length, here, -1, seam(b, (i + 1) % n, 1, g));
             for (int r = 0; r < 3; r++)
-                accumulate(b, here + (size_t)r * b->length, times[r] * b->weight[g]);
+                accumulate(b, here + (size_t)r * b->length,
+                           times[r] * b->weight[g] * jump_weight);
         }
 }
 

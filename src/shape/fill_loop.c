@@ -29,6 +29,24 @@ static batten_status make_polynomial(double tolerance, double *error, batten_cur
     return replace(status, &made, curve);
 }
 
+/* The same curve with knots that are 1 but for rounding at 1: there the side is halved, and a
+ * sliver of a span would be left. */
+static batten_status settle_middle(const batten_curve *curve, batten_curve **out)
+{
+    const int count = batten_curve_knot_count(curve);
+    const double *knots = batten_curve_knots(curve);
+    double *settled = bat_array((size_t)count, sizeof *settled);
+    if (!settled)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        settled[i] = fabs(knots[i] - 1) < 1e-12 ? 1 : knots[i];
+    const batten_status status = batten_curve_create(
+        batten_curve_dimension(curve), batten_curve_degree(curve),
+        batten_curve_point_count(curve), batten_curve_points(curve), NULL, settled, out);
+    bat_release(settled);
+    return status;
+}
+
 /* A curve of one side, in the direction of the loop and its coordinates. */
 static batten_status take(const batten_curve *given, bool reversed, const batten_affine *map,
                           double tolerance, double *error, batten_curve **out)
@@ -41,6 +59,8 @@ static batten_status take(const batten_curve *given, bool reversed, const batten
         status = replace(batten_curve_reverse(curve, &made), &made, &curve);
     if (status == BATTEN_OK)
         status = replace(batten_curve_set_domain(curve, 0, 2, &made), &made, &curve);
+    if (status == BATTEN_OK)
+        status = replace(settle_middle(curve, &made), &made, &curve);
     if (status == BATTEN_OK)
         *out = curve;
     else
@@ -78,7 +98,7 @@ static batten_status add_side(bat_fill_loop *loop, bat_fill_side *side)
 static batten_status cut(const batten_curve *curve, double t, batten_curve **low,
                          batten_curve **high)
 {
-    batten_curve *a = NULL, *b = NULL, *left = NULL, *right = NULL;
+    batten_curve *a = NULL, *b = NULL, *left = NULL, *right = NULL, *made = NULL;
     if (!curve)
         return BATTEN_OK;
     batten_status status = batten_curve_split(curve, t, &a, &b);
@@ -86,10 +106,15 @@ static batten_status cut(const batten_curve *curve, double t, batten_curve **low
         status = batten_curve_set_domain(a, 0, 2, &left);
     if (status == BATTEN_OK)
         status = batten_curve_set_domain(b, 0, 2, &right);
+    if (status == BATTEN_OK)
+        status = replace(settle_middle(left, &made), &made, &left);
+    if (status == BATTEN_OK)
+        status = replace(settle_middle(right, &made), &made, &right);
     batten_curve_unref(a);
     batten_curve_unref(b);
     if (status != BATTEN_OK) {
         batten_curve_unref(left);
+        batten_curve_unref(right);
         return status;
     }
     *low = left;

@@ -3,23 +3,38 @@
 #include "shape/ribbon_fit.h"
 #include <batten/fill.h>
 
-/* The part of the ribbon along the curve; parts that end within rounding of the edge's ends
- * are taken to end there. */
+/* A parameter, or the break that it is but for rounding: no sliver of a span is left. */
+static batten_status settle(const batten_curve *curve, double *at)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    double *breaks = bat_array((size_t)batten_curve_point_count(curve) + 1, sizeof *breaks);
+    if (!breaks)
+        return BATTEN_OUT_OF_MEMORY;
+    const int count = batten_curve_spans(curve, breaks);
+    for (int i = 0; i < count; i++)
+        if (fabs(*at - breaks[i]) < 1e-9 * (domain.b - domain.a)) {
+            *at = breaks[i];
+            break;
+        }
+    bat_release(breaks);
+    return BATTEN_OK;
+}
+
+/* The part of the ribbon along the curve. */
 static batten_status take_ribbon(const batten_surface *surface, batten_edge edge,
                                  batten_interval part, int order, double tolerance,
                                  batten_curve **curves)
 {
     batten_curve *whole[3] = {NULL}, *cut[3] = {NULL};
     batten_status status = batten_edge_ribbon(surface, edge, order, tolerance, whole, NULL);
-    for (int k = 0; status == BATTEN_OK && k <= order; k++) {
-        const batten_interval domain = batten_curve_domain(whole[k]);
-        const double near = 1e-9 * (domain.b - domain.a);
-        const double a = part.a - domain.a < near ? domain.a : part.a;
-        const double b = domain.b - part.b < near ? domain.b : part.b;
-        status = batten_curve_subrange(whole[k], a, b, &cut[k]);
-    }
+    if (status == BATTEN_OK)
+        status = settle(whole[0], &part.a);
+    if (status == BATTEN_OK)
+        status = settle(whole[0], &part.b);
+    for (int k = 0; status == BATTEN_OK && k <= order; k++)
+        status = batten_curve_subrange(whole[k], part.a, part.b, &cut[k]);
     for (int k = 0; k <= order; k++) {
-        if (status == BATTEN_OK && whole[k])
+        if (status == BATTEN_OK)
             curves[k] = cut[k];
         else
             batten_curve_unref(cut[k]);

@@ -67,6 +67,20 @@ TEST(a_fill_goes_on_from_the_surfaces_around_and_says_how_well)
     batten_notes_free(notes);
 }
 
+TEST(a_fill_takes_over_curvature)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_OK(evaluate("{fill: [c, a, b], along: [down, back, left], continuity: G2}", notes,
+                      &design));
+    CHECK_INT(batten_model_count(batten_design_result(design, "x")->value), 3);
+    if (batten_notes_dropped(notes) == 0)
+        CHECK_CONTAINS(note_with(notes, "along 'a'", true), "curvature across to");
+    batten_design_free(design);
+    batten_notes_free(notes);
+}
+
 TEST(without_tangent_planes_a_fill_has_the_position_alone)
 {
     static const char *features[] = {"{fill: [a, b, c]}",

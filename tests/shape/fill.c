@@ -238,3 +238,98 @@ TEST(G5_a_ribbon_without_a_plane_is_refused)
     CHECK_MESSAGE("its slope runs along the curve");
     hole_free(&h);
 }
+
+/* Sides, slopes and curvatures of z = 0.4 (x^2 + y^2) + 0.1 (x^3 - 3 x y^2) over a regular
+ * polygon, exactly. */
+static void add_curved_sides(int n, hole *h, batten_curve **curvatures)
+{
+    memset(h, 0, sizeof *h);
+    for (int i = 0; i < n; i++) {
+        const double ends[2] = {0, 1}, turn = 2 * 3.14159265358979323846 / n;
+        const double a[2] = {cos(turn * i), sin(turn * i)};
+        const double b[2] = {cos(turn * (i + 1)), sin(turn * (i + 1))};
+        const double in[2] = {a[1] - b[1], b[0] - a[0]};
+        const double d[2] = {b[0] - a[0], b[1] - a[1]};
+        double curve[3][4][3], points[4][3];
+        memset(curve, 0, sizeof curve);
+        for (int k = 0; k < 4; k++) {
+            const double t = k / 3.0, x = a[0] + t * d[0], y = a[1] + t * d[1];
+            const double fx = 0.8 * x + 0.3 * (x * x - y * y), fy = 0.8 * y - 0.6 * x * y;
+            const double fxx = 0.8 + 0.6 * x, fxy = -0.6 * y, fyy = 0.8 - 0.6 * x;
+            const double z = 0.4 * (x * x + y * y) + 0.1 * (x * x * x - 3 * x * y * y);
+            const double values[3][3] = {
+                {x, y, z},
+                {in[0], in[1], in[0] * fx + in[1] * fy},
+                {0, 0, in[0] * in[0] * fxx + 2 * in[0] * in[1] * fxy + in[1] * in[1] * fyy}};
+            for (int m = 0; m < 3; m++)
+                memcpy(curve[m][k], values[m], sizeof values[m]);
+        }
+        for (int m = 0; m < 3; m++) {
+            for (int c = 0; c < 3; c++) { /* the cubic through four values, in Bezier form */
+                const double p = curve[m][0][c], q = curve[m][1][c], r = curve[m][2][c],
+                             s = curve[m][3][c];
+                points[0][c] = p;
+                points[1][c] = (-5 * p + 18 * q - 9 * r + 2 * s) / 6;
+                points[2][c] = (2 * p - 9 * q + 18 * r - 5 * s) / 6;
+                points[3][c] = s;
+            }
+            batten_curve **to = m == 0   ? &h->curves[i]
+                                : m == 1 ? &h->slopes[i]
+                                         : &curvatures[i];
+            CHECK_OK(batten_curve_from_bezier(3, 3, 1, points[0], NULL, ends, to));
+        }
+        h->ribbons[i] = (batten_ribbon){h->curves[i], h->slopes[i], curvatures[i]};
+        h->count = i + 1;
+    }
+}
+
+TEST(curvature_is_taken_over_along_the_sides)
+{
+    for (int n = 3; n <= 8; n++) {
+        hole h;
+        batten_curve *curvatures[8] = {NULL};
+        batten_fill_options options = batten_fill_defaults();
+        options.curvature = true;
+        add_curved_sides(n, &h, curvatures);
+        CHECK_OK(batten_surface_fill(n, h.ribbons, &options, &h.report, h.patches));
+        CHECK(!h.report.folded);
+        CHECK_NEAR(hole_inner(&h).angle, 0, 1e-8);
+        for (int i = 0; i < n; i++) {
+            const batten_fill_edge *outer = &h.report.outer[i], *inner = &h.report.inner[i];
+            CHECK(outer->has_curvature && inner->has_curvature);
+            CHECK_NEAR(outer->gap, 0, 1e-13);
+            CHECK_NEAR(outer->angle * TESTS_DEGREES, 0, 1e-8);
+            CHECK_NEAR(outer->curvature, 0, 5e-4);
+            CHECK_NEAR(inner->curvature, 0, 0.05);
+        }
+        hole_free(&h);
+        for (int i = 0; i < n; i++)
+            batten_curve_unref(curvatures[i]);
+    }
+}
+
+TEST(K6_a_knot_of_a_side_next_to_its_middle_leaves_no_sliver)
+{
+    hole h, plain;
+    hole_on_paraboloid(5, uneven, 0.8, &plain);
+    hole_on_paraboloid(5, uneven, 0.8, &h);
+    batten_curve *side = NULL, *slope = NULL;
+    CHECK_OK(batten_curve_insert_knot(h.curves[1], 0.5 + DBL_EPSILON, 1, &side));
+    CHECK_OK(batten_curve_insert_knot(h.slopes[1], 0.5 - DBL_EPSILON, 1, &slope));
+    h.ribbons[1] = (batten_ribbon){side, slope, NULL};
+    CHECK_OK(batten_surface_fill(5, plain.ribbons, NULL, &plain.report, plain.patches));
+    CHECK_OK(batten_surface_fill(5, h.ribbons, NULL, &h.report, h.patches));
+    for (int i = 0; i < 5; i++) {
+        double p[3], q[3], n[3];
+        hole_see(plain.patches[i], 0.4, 0.6, p, n);
+        hole_see(h.patches[i], 0.4, 0.6, q, n);
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(p[c], q[c], 1e-12);
+        CHECK_INT(batten_surface_point_count(h.patches[i], BATTEN_U),
+                  batten_surface_point_count(plain.patches[i], BATTEN_U));
+    }
+    batten_curve_unref(side);
+    batten_curve_unref(slope);
+    hole_free(&h);
+    hole_free(&plain);
+}
