@@ -14,6 +14,17 @@ extern "C" {
 /** The most sides a hole may have. */
 #define BATTEN_FILL_SIDES 8
 
+/** What the surfaces are. */
+typedef enum batten_fill_form {
+    BATTEN_FILL_SPLIT, /**< NURBS, exact along all edges */
+    BATTEN_FILL_KATO,  /**< formulas of kind "kato": the sides, continued straight along their
+                            ribbons, weighed by the squared distances from the other sides of a
+                            regular polygon */
+    BATTEN_FILL_CHARROT_GREGORY /**< formulas of kind "charrot-gregory": the corners, each the
+                                     surface between its two ribbons, weighed by the squared
+                                     distances from the sides that do not meet there */
+} batten_fill_form;
+
 typedef struct batten_fill_options {
     size_t size;
     double tolerance; /**< corners of the loop may be open so far, and rational sides are met so
@@ -21,6 +32,7 @@ typedef struct batten_fill_options {
     double angle;     /**< where the ribbons of a corner twist against each other the tangent
                            plane leaves them by so much at most, radians; 0.002 degrees */
     bool curvature;   /**< along ribbons that give a curvature take it over, too */
+    batten_fill_form form; /**< BATTEN_FILL_SPLIT */
 } batten_fill_options;
 BATTEN_API batten_fill_options batten_fill_defaults(void);
 
@@ -71,6 +83,11 @@ typedef struct batten_fill_report {
  * this fades away within an eighth of half a side. Between the surfaces curvature is not the
  * same, but nearly: the report says how nearly.
  *
+ * The other forms are procedural: surface i is the same quarter of one formula over a polygon,
+ * smooth inside, with the positions and tangent planes of the ribbons; a side without slope is
+ * given one that goes over from the tangent of the side before to that of the side behind.
+ * batten_surface_to_nurbs and batten_surface_to_smooth_nurbs approximate them.
+ *
  * Sides come in any order and direction, and are put into a loop. One with a corner inside is
  * divided there, and one of two is halved; then there may be 3 to 8.
  *
@@ -86,7 +103,8 @@ typedef struct batten_fill_report {
  *
  * Degree and knots are those of the sides, three degrees higher. Cost: the cube of some 12 n
  * unknowns, and linear in the knots of two neighbouring sides.
- * Source: [CK83] for the division and [GZ94] for the vertex where n surfaces meet.
+ * Source: [CK83] for the division and [GZ94] for the vertex where n surfaces meet; [Kato91],
+ * [CG84].
  */
 BATTEN_API batten_status batten_surface_fill(int count, const batten_ribbon *sides,
                                              const batten_fill_options *options,

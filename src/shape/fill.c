@@ -15,6 +15,8 @@ static batten_status check_options(const batten_fill_options *options)
     if (!(options->angle > 0) || !isfinite(options->angle))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of a fill is above 0, not %g",
                         options->angle);
+    if (options->curvature && options->form != BATTEN_FILL_SPLIT)
+        return bat_fail(BATTEN_UNSUPPORTED, "a fill that is a formula takes no curvature over");
     return BATTEN_OK;
 }
 
@@ -24,9 +26,9 @@ static void free_patches(batten_surface **patches)
         batten_surface_unref(patches[i]);
 }
 
-/* All surfaces in the loop's coordinates, and what they reached. */
-static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
-                                  batten_fill_report *report, batten_surface **out)
+/* Surfaces that are exact along all edges, in the loop's coordinates. */
+static batten_status split(const bat_fill_loop *loop, const batten_fill_options *options,
+                           batten_fill_report *report, batten_surface **out)
 {
     bat_fill *fill = bat_array(1, sizeof *fill);
     if (!fill)
@@ -42,6 +44,18 @@ static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_o
     free_patches(plane);
     if (status == BATTEN_OK && options->curvature)
         status = bat_fill_bend(loop, out);
+    return status;
+}
+
+static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
+                                  batten_fill_report *report, batten_surface **out)
+{
+    batten_status status = BATTEN_OK;
+    if (options->form == BATTEN_FILL_SPLIT)
+        status = split(loop, options, report, out);
+    for (int i = 0;
+         options->form != BATTEN_FILL_SPLIT && status == BATTEN_OK && i < loop->count; i++)
+        status = bat_fill_formula(loop, i, options->form, &out[i]);
     if (status == BATTEN_OK)
         status = bat_fill_measure(loop, out, report);
     return status;

@@ -107,6 +107,10 @@ batten_status bat_fill_bend(const bat_fill_loop *loop, batten_surface **patches)
 batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
                             const batten_surface *patch, double t, double out[3]);
 
+/* Quad i of a fill that is a formula, in the loop's coordinates (fill_formula.c). */
+batten_status bat_fill_formula(const bat_fill_loop *loop, int quad, batten_fill_form form,
+                               batten_surface **out);
+
 /* What was reached (fill_measure.c). @param patches in the loop's coordinates */
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
                                batten_fill_report *report);

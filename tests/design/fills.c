@@ -81,6 +81,22 @@ TEST(a_fill_takes_over_curvature)
     batten_notes_free(notes);
 }
 
+TEST(fills_that_are_formulas_become_splines)
+{
+    static const char *features[] = {
+        "{fill: [c, a, b], along: [down, back, left], form: kato, within: 1 mm}",
+        "{fill: [c, a, b], along: [down, back, left], form: charrot-gregory, within: 1 mm}"};
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(features[i], NULL, &design));
+        const batten_model *model = batten_design_result(design, "x")->value;
+        CHECK_INT(batten_model_count(model), 3);
+        CHECK_TEXT(batten_surface_kind(batten_model_object(model, 1)->surface), "nurbs");
+        CHECK(batten_design_result(design, "x")->has_error);
+        batten_design_free(design);
+    }
+}
+
 TEST(without_tangent_planes_a_fill_has_the_position_alone)
 {
     static const char *features[] = {"{fill: [a, b, c]}",

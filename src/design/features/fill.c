@@ -1,7 +1,9 @@
 #include "design/feature.h"
 
 #include <batten/fill.h>
+#include <batten/gregory.h>
 #include <stdio.h>
+#include <string.h>
 
 #define DEGREES (180 / 3.14159265358979323846)
 
@@ -11,8 +13,10 @@ static const batten_parameter parameters[] = {
      "surfaces around the hole: the fill goes on smoothly from those that have a side as edge"},
     {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1 G2",
      "what the fill takes over from them: the edge, the tangent planes, the curvature"},
+    {"form", BATTEN_VALUE_WORD, false, false, "split", "split kato charrot-gregory",
+     "exact surfaces; or splines near a formula over a polygon"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, and sides from edges; the design's tolerance by default"},
+     "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
      "how far the tangent plane may leave surfaces that twist against each other at a corner"},
 };
@@ -128,13 +132,33 @@ static void report(const bat_run *run, const bat_objects *curves,
         bat_note(run, "the fill folds over");
 }
 
-static batten_status put_all(bat_run *run, int count, batten_surface **surfaces)
+/* The spline near a formula, and how far its normals leave those of the formula along the
+ * edges: any angle will do. */
+static batten_status approximate(bat_run *run, double within, batten_surface **surface)
+{
+    batten_surface *nurbs = NULL;
+    double error = 0, angle = 0;
+    const batten_status status = batten_surface_to_smooth_nurbs(
+        *surface, within, 0.01 / DEGREES, &nurbs, &error, &angle);
+    if (status != BATTEN_OK)
+        return status;
+    batten_surface_unref(*surface);
+    *surface = nurbs;
+    bat_report_error(run, error, error);
+    bat_remark(run, "a spline leaves the normals of its formula by %.2g degrees",
+               angle * DEGREES);
+    return BATTEN_OK;
+}
+
+static batten_status put_all(bat_run *run, int count, double within, batten_surface **surfaces)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < count; i++) {
         char name[300];
         snprintf(name, sizeof name, "%.256s.%d", run->name, i + 1);
         const batten_object like = {.name = name, .layer = ""};
+        if (status == BATTEN_OK && strcmp(batten_surface_kind(surfaces[i]), "nurbs") != 0)
+            status = approximate(run, within, &surfaces[i]);
         status = bat_put_surface_like(run, status, surfaces[i], &like);
     }
     return status;
@@ -150,12 +174,13 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     options.tolerance = all->within;
     options.angle = bat_number(run, "angle");
     options.curvature = bat_word(run, "continuity") == 2;
+    options.form = (batten_fill_form)bat_word(run, "form");
     batten_status status =
         batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
     if (status == BATTEN_OK) {
         report(run, curves, reached);
         bat_report_error(run, reached->approximation, reached->approximation);
-        status = put_all(run, reached->count, surfaces);
+        status = put_all(run, reached->count, all->within, surfaces);
     }
     bat_release(reached);
     return status;
