@@ -27,8 +27,8 @@ typedef enum batten_fill_form {
 
 typedef struct batten_fill_options {
     size_t size;
-    double tolerance; /**< corners of the loop may be open so far, and rational sides are met so
-                           well; model units; 0: a millionth of the size of the loop */
+    double tolerance; /**< corners of the loop may be open so far, and rational sides are met a
+                           thousand times better; model units; 0: a millionth of the size */
     double angle;     /**< where the ribbons of a corner twist against each other the tangent
                            plane leaves them by so much at most, radians; 0.002 degrees */
     bool curvature;   /**< along ribbons that give a curvature take it over, too */

@@ -252,7 +252,8 @@ static batten_status add_given(bat_fill_loop *loop, const batten_ribbon *ribbon,
     const batten_affine map =
         batten_affine_compose(batten_affine_translation(-o[0], -o[1], -o[2]), linear);
     bat_fill_side side = {.given = place->curve};
-    const double within = tolerance / loop->size;
+    /* A thousandth: planes at the ends are to be met as well as points. */
+    const double within = bat_max(1e-9, 1e-3 * tolerance / loop->size);
     double ignored = 0;
     batten_status status =
         take(ribbon->curve, place->reversed, &map, within, error, &side.curve);

@@ -138,8 +138,8 @@ static batten_status approximate(bat_run *run, double within, batten_surface **s
 {
     batten_surface *nurbs = NULL;
     double error = 0, angle = 0;
-    const batten_status status = batten_surface_to_smooth_nurbs(
-        *surface, within, 0.01 / DEGREES, &nurbs, &error, &angle);
+    const batten_status status =
+        batten_surface_to_smooth_nurbs(*surface, within, 180 / DEGREES, &nurbs, &error, &angle);
     if (status != BATTEN_OK)
         return status;
     batten_surface_unref(*surface);
