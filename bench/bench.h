@@ -79,8 +79,8 @@ typedef struct {
 /* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
  * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data,
  * FUNCTION_THROUGH midway between them; CURVE_LENGTH: the length / 1e3;
- * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR: nothing but that the
- * tolerance is met. */
+ * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR: the
+ * first value, when all are met within the tolerance. */
 enum { BENCH_PLACES = 20 };
 
 extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],

@@ -3,145 +3,21 @@
  * penalty; both become diagonal in one basis, and with them the equations of the tensor
  * product, so that a lambda costs one division for each control point.
  */
-#include "numeric/eigen.h"
 #include "numeric/vector.h"
 #include "shape/grid_fit.h"
+#include "shape/grid_modes.h"
 #include "shape/smooth.h"
-#include "spline/spline.h"
 
-#include <float.h>
 #include <string.h>
 
 enum { MOST_POINTS = 400, USUAL_POINTS = 43 };
-
-/* ---- one direction, made diagonal ---- */
-
-/* basis T [n][n]: row i the control values of mode i; T G T^t = 1, T R T^t = diag(penalty). */
-typedef struct {
-    int n;
-    double *penalty, *basis;
-} modes;
-
-static void modes_free(modes *m)
-{
-    bat_release(m->penalty);
-    bat_release(m->basis);
-    *m = (modes){0};
-}
-
-/* a += sum over rows of factor^2 row^t row. */
-static void add_gram(const bat_rows_of_fit *rows, const double *factors, double scale, int n,
-                     double *a)
-{
-    for (int r = 0; r < rows->count; r++) {
-        const double *row = rows->values + (size_t)r * (size_t)rows->width;
-        const double f = scale * (factors ? factors[r] * factors[r] : 1);
-        for (int i = 0; i < rows->width; i++)
-            for (int j = 0; j < rows->width; j++)
-                a[(size_t)((rows->first[r] + i) % n) * (size_t)n +
-                  (size_t)((rows->first[r] + j) % n)] += f * row[i] * row[j];
-    }
-}
-
-/* L of L L^t in the lower half. */
-static batten_status cholesky(int n, double *a)
-{
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j <= i; j++) {
-            double *row = a + (size_t)i * (size_t)n, *above = a + (size_t)j * (size_t)n;
-            const double whole = row[j], rest = whole - bat_dot(j, row, above);
-            if (i == j && !(rest > n * DBL_EPSILON * whole))
-                return bat_fail(BATTEN_SINGULAR_SYSTEM,
-                                "control point %d has no grid line of its own", i);
-            row[j] = i == j ? sqrt(rest) : rest / above[j];
-        }
-    return BATTEN_OK;
-}
-
-/* In place, for every row x of b [rows][n]: L^-1 x. */
-static void solve_lower(int n, const double *l, int rows, double *b)
-{
-    for (int r = 0; r < rows; r++)
-        for (int i = 0; i < n; i++) {
-            double *x = b + (size_t)r * (size_t)n;
-            x[i] = (x[i] - bat_dot(i, l + (size_t)i * (size_t)n, x)) / l[i * n + i];
-        }
-}
-
-/* L^-t x of every row. */
-static void solve_upper(int n, const double *l, int rows, double *b)
-{
-    for (int r = 0; r < rows; r++)
-        for (int i = n - 1; i >= 0; i--) {
-            double *x = b + (size_t)r * (size_t)n;
-            x[i] /= l[i * n + i];
-            for (int k = 0; k < i; k++)
-                x[k] -= l[i * n + k] * x[i];
-        }
-}
-
-static void turn(int n, double *a)
-{
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < i; j++) {
-            const double kept = a[i * n + j];
-            a[i * n + j] = a[j * n + i];
-            a[j * n + i] = kept;
-        }
-}
-
-/* G = L L^t; the eigenvectors Q of L^-1 R L^-t give T = Q L^-1. The polynomials that the
- * penalty does not see have the smallest values, which are 0 and come out as rounding. */
-static batten_status diagonalise(int n, double *G, double *R, int unseen, modes *m)
-{
-    const batten_status status = cholesky(n, G);
-    if (status != BATTEN_OK)
-        return status;
-    solve_lower(n, G, n, R);
-    turn(n, R);
-    solve_lower(n, G, n, R);
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < i; j++)
-            R[i * n + j] = R[j * n + i] = (R[i * n + j] + R[j * n + i]) / 2;
-    bat_eigen_symmetric(n, R, m->penalty, m->basis);
-    solve_upper(n, G, n, m->basis);
-    for (int i = 0; i < n; i++)
-        m->penalty[i] = i < unseen ? 0 : bat_max(m->penalty[i], 0);
-    return BATTEN_OK;
-}
-
-static batten_status modes_make(const bat_fit *fit, int unseen, modes *out)
-{
-    const int n = fit->count;
-    const size_t size = (size_t)n * (size_t)n;
-    modes m = {.n = n};
-    m.penalty = bat_array((size_t)n, sizeof *m.penalty);
-    m.basis = bat_array(size, sizeof *m.basis);
-    double *G = bat_array(size, sizeof *G), *R = bat_array(size, sizeof *R);
-    batten_status status = m.penalty && m.basis && G && R ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        add_gram(&fit->data, fit->factors, 1, n, G);
-        /* Scaled, so that the numbers stay near 1; undone in the values. */
-        add_gram(&fit->penalty, NULL, fit->penalty_scale, n, R);
-        status = diagonalise(n, G, R, bat_min_int(unseen, n), &m);
-    }
-    for (int i = 0; status == BATTEN_OK && i < n && fit->penalty_scale > 0; i++)
-        m.penalty[i] /= fit->penalty_scale;
-    bat_release(R);
-    bat_release(G);
-    if (status == BATTEN_OK)
-        *out = m;
-    else
-        modes_free(&m);
-    return status;
-}
 
 /* ---- the tensor product ---- */
 
 typedef struct {
     bat_grid_fit *grid;
     bat_fit fit[2];
-    modes modes[2];
+    bat_modes modes[2];
     double *data;   /* [nu][nv][d], the data in the modes */
     double outside; /* weighted squares that no surface with these knots reaches */
     double weight;  /* of all data */
@@ -219,7 +95,7 @@ static batten_status prepare_direction(smoothing *s, int k)
         status = even ? bat_fit_penalise_differences(&s->fit[k], order)
                       : bat_fit_penalise_energy(&s->fit[k], order);
     if (status == BATTEN_OK)
-        status = modes_make(&s->fit[k], t->periodic[k] ? 1 : order, &s->modes[k]);
+        status = bat_modes_make(&s->fit[k], t->periodic[k] ? 1 : order, &s->modes[k]);
     return status;
 }
 
@@ -250,7 +126,7 @@ static batten_status project(const smoothing *s, int k, size_t width, const doub
 }
 
 /* out [n][width] = T^t x. */
-static void expand(const modes *m, size_t width, const double *x, double *out)
+static void expand(const bat_modes *m, size_t width, const double *x, double *out)
 {
     const size_t n = (size_t)m->n;
     memset(out, 0, n * width * sizeof *out);
@@ -486,7 +362,7 @@ batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v
         status = smooth(&s);
     for (int k = 0; k < 2; k++) {
         bat_fit_end(&s.fit[k]);
-        modes_free(&s.modes[k]);
+        bat_modes_free(&s.modes[k]);
     }
     bat_release(s.data);
     return bat_grid_fit_finish(&t, status, u, v, report, out);

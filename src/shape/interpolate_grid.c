@@ -1,3 +1,4 @@
+#include "shape/interpolate_grid.h"
 #include "base/work.h"
 #include "shape/gaps.h"
 #include "spline/curve.h"
@@ -11,82 +12,6 @@ batten_grid_options batten_grid_defaults(void)
                                  .degree_u = 3,
                                  .degree_v = 3,
                                  .parameters = BATTEN_CENTRIPETAL};
-}
-
-/* ---- checks ---- */
-
-static int orders_u(const batten_grid_options *o)
-{
-    return bat_max_int(1, o->orders_u);
-}
-
-static int orders_v(const batten_grid_options *o)
-{
-    return bat_max_int(1, o->orders_v);
-}
-
-static batten_status check_derivatives(const batten_grid_options *o, int d, int count_u,
-                                       int count_v)
-{
-    const struct {
-        const double *values;
-        size_t count;
-        const char *name;
-        bool periodic;
-    } given[] = {
-        {o->du, 2 * (size_t)orders_u(o) * (size_t)count_v * (size_t)d, "du", o->periodic_u},
-        {o->dv, 2 * (size_t)orders_v(o) * (size_t)count_u * (size_t)d, "dv", o->periodic_v},
-        {o->twists, 4 * (size_t)orders_u(o) * (size_t)orders_v(o) * (size_t)d, "twists",
-         o->periodic_u || o->periodic_v}};
-    if (o->orders_u < 0 || o->orders_v < 0 || o->orders_u > BATTEN_MAX_DEGREE ||
-        o->orders_v > BATTEN_MAX_DEGREE)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d orders along u, %d along v: 0 to %d are possible", o->orders_u,
-                        o->orders_v, BATTEN_MAX_DEGREE);
-    for (int i = 0; i < 3; i++) {
-        if (!given[i].values)
-            continue;
-        if (given[i].periodic || o->weights)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "`%s` is given, but %s", given[i].name,
-                            o->weights ? "a rational surface takes no derivatives"
-                                       : "a periodic surface has no rim there");
-        const size_t bad = bat_first_not_finite(given[i].values, given[i].count);
-        if (bad < given[i].count)
-            return bat_fail(BATTEN_NOT_FINITE, "number %zu of `%s` is %g", bad, given[i].name,
-                            given[i].values[bad]);
-    }
-    if (o->twists && (!o->du || !o->dv))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "`twists` are given, but not both `du` and `dv`");
-    if (!o->twists && o->du && o->dv && (orders_u(o) > 1 || orders_v(o) > 1))
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "`du` and `dv` give %d and %d orders: then `twists` must be given too",
-                        orders_u(o), orders_v(o));
-    return BATTEN_OK;
-}
-
-static batten_status check_ends(const batten_grid_options *o)
-{
-    switch (o->ends) {
-    case BATTEN_END_NOT_A_KNOT:
-    case BATTEN_END_NATURAL:
-    case BATTEN_END_PARABOLIC:
-    case BATTEN_END_BESSEL:
-    case BATTEN_END_FAIR:
-        return BATTEN_OK;
-    default:
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "ends of kind %d need vectors: give a surface `du` and `dv`",
-                        (int)o->ends);
-    }
-}
-
-static batten_status check_weights(size_t count, const double *weights)
-{
-    for (size_t i = 0; weights && i < count; i++)
-        if (!(weights[i] > 0 && weights[i] < HUGE_VAL))
-            return bat_fail(BATTEN_BAD_WEIGHT,
-                            "the weight of point %zu is %g; it must be above 0", i, weights[i]);
-    return BATTEN_OK;
 }
 
 /* ---- one interpolation on its way ---- */
@@ -131,7 +56,6 @@ static batten_status begin_gaps(task *t)
 
 static batten_status check_grid(task *t)
 {
-    const batten_grid_options *o = t->options;
     if (t->count_u < 2 || t->count_v < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "the grid has %d x %d points, and needs 2 x 2",
                         t->count_u, t->count_v);
@@ -142,11 +66,9 @@ static batten_status check_grid(task *t)
     batten_status status = begin_gaps(t);
     if (status == BATTEN_OK)
         status = bat_points_check(t->dimension, (int)total, t->points, 4);
-    if (status == BATTEN_OK)
-        status = check_weights((size_t)total, o->weights);
-    if (status == BATTEN_OK)
-        status = check_derivatives(o, t->dimension, t->count_u, t->count_v);
-    return status == BATTEN_OK ? check_ends(o) : status;
+    return status == BATTEN_OK
+               ? bat_grid_options_check(t->options, t->dimension, t->count_u, t->count_v)
+               : status;
 }
 
 static batten_status find_both_parameters(task *t)
@@ -184,7 +106,7 @@ static batten_status make_operator(const task *t, bool along_u, bat_operator *ou
     const batten_grid_options *o = t->options;
     batten_derivative conditions[2 * BATTEN_MAX_DEGREE];
     const bool given = along_u ? o->du != NULL : o->dv != NULL;
-    const int orders = along_u ? orders_u(o) : orders_v(o);
+    const int orders = along_u ? bat_orders_u(o) : bat_orders_v(o);
     const batten_end_kind ends = given ? BATTEN_END_NOT_A_KNOT : o->ends;
     const bat_request request = {.degree = along_u ? o->degree_u : o->degree_v,
                                  .count = along_u ? t->count_u : t->count_v,
@@ -277,8 +199,8 @@ static batten_status solve_along_u(task *t)
  * end of v. */
 static void pick_twists(const task *t, const double *twists, size_t which, double *out)
 {
-    const size_t d = (size_t)t->dimension, across = 2 * (size_t)orders_v(t->options);
-    for (size_t k = 0; k < 2 * (size_t)orders_u(t->options); k++)
+    const size_t d = (size_t)t->dimension, across = 2 * (size_t)bat_orders_v(t->options);
+    for (size_t k = 0; k < 2 * (size_t)bat_orders_u(t->options); k++)
         memcpy(out + k * d, twists + (k * across + which) * d, d * sizeof *out);
 }
 
@@ -288,7 +210,7 @@ static batten_status solve_rims(task *t)
 {
     const size_t d = (size_t)t->dimension;
     const batten_grid_options *o = t->options;
-    const size_t rims = 2 * (size_t)orders_v(o);
+    const size_t rims = 2 * (size_t)bat_orders_v(o);
     double estimated[12], ends[6 * BATTEN_MAX_DEGREE];
     const double *twists = o->twists;
     if (!o->dv)

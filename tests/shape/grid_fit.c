@@ -345,7 +345,7 @@ TEST(dierckx_grid_is_smoothed_below_its_noise)
 
 /* ---- bad input ---- */
 
-TEST(bad_grids_and_options_are_refused)
+TEST(N1_bad_grids_and_options_are_refused)
 {
     batten_grid_fit_options options = begin();
     batten_surface *s = NULL;
@@ -395,7 +395,7 @@ TEST(bad_grids_and_options_are_refused)
     CHECK(s == NULL);
 }
 
-TEST(sizes_far_from_one_change_nothing)
+TEST(N2_sizes_far_from_one_change_nothing_of_a_grid)
 {
     const double sizes[] = {1e80, 1e-80};
     for (int c = 0; c < 2; c++) {

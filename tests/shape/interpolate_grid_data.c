@@ -153,7 +153,7 @@ TEST(rational_surfaces_are_reproduced_from_points_and_weights)
     batten_surface_unref(s);
 }
 
-TEST(weights_that_swing_too_much_are_refused_by_name)
+TEST(K8_weights_that_swing_too_much_are_refused_by_name)
 {
     double points[NU * NV * 3] = {0}, weights[NU * NV];
     for (int i = 0; i < NU * NV; i++) {
@@ -273,7 +273,7 @@ TEST(a_torus_with_gaps_closes_smoothly)
     batten_surface_unref(s);
 }
 
-TEST(gaps_that_nothing_determines_are_refused)
+TEST(G9_gaps_that_nothing_determines_are_refused)
 {
     double points[NU * NV * 3] = {0};
     bool gaps[NU * NV];

@@ -117,7 +117,7 @@ TEST(an_infinite_penalty_leaves_the_plane)
     batten_surface_unref(s);
 }
 
-TEST(where_data_leave_the_surface_open_a_small_penalty_decides)
+TEST(G9_where_data_leave_the_surface_open_a_small_penalty_decides)
 {
     batten_scattered_options options = batten_scattered_defaults();
     batten_surface *s = NULL;
@@ -401,7 +401,7 @@ TEST(clouds_are_fitted_over_corners_and_within_a_tolerance)
     batten_surface_unref(base);
 }
 
-TEST(points_on_a_line_have_no_plane)
+TEST(G2_points_on_a_line_have_no_plane)
 {
     double points[30];
     batten_surface *s = NULL;
@@ -512,7 +512,7 @@ TEST(measured_points_of_akima_are_met_within_a_tolerance)
 
 /* ---- bad input ---- */
 
-TEST(bad_scattered_data_are_refused)
+TEST(N1_bad_scattered_data_are_refused)
 {
     batten_scattered_options options = batten_scattered_defaults();
     batten_surface *s = NULL;
@@ -557,7 +557,7 @@ TEST(bad_scattered_data_are_refused)
     CHECK(s == NULL);
 }
 
-TEST(scattered_data_of_any_size_and_far_away_are_fitted)
+TEST(N2_scattered_data_of_any_size_are_fitted)
 {
     const double sizes[][2] = {{1, 1e80}, {1, 1e-80}, {1e60, 1}, {1e-60, 1}};
     scatter(200, franke, uv, z);
