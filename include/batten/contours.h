@@ -7,6 +7,7 @@
  */
 #include <batten/inspect.h>
 #include <batten/job.h>
+#include <batten/triangles.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -106,6 +107,15 @@ BATTEN_API batten_status batten_surface_contours(const batten_surface *surface,
                                                  int level_count, const double *levels,
                                                  double tolerance, const batten_job *job,
                                                  batten_contours *out);
+/** The same on Bezier triangles in space: lines go on from one to the next where they share
+ * both corners of an edge. `parameters` are the barycentric coordinates of corners 1 and 2,
+ * each in the triangle that the point was found in; those of critical points too. TOO_LARGE
+ * likewise. */
+BATTEN_API batten_status batten_triangles_contours(const batten_triangles *triangles,
+                                                   const batten_surface_field *field,
+                                                   int level_count, const double *levels,
+                                                   double tolerance, const batten_job *job,
+                                                   batten_contours *out);
 BATTEN_API void batten_contours_release(batten_contours *contours);
 
 #ifdef __cplusplus

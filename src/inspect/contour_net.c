@@ -432,7 +432,7 @@ static void snap_all(bat_net *net)
 /* How often all triangles are quartered before anything is asked: few pieces are long. */
 static int first_rounds(int pieces)
 {
-    return pieces <= 4 ? 4 : pieces <= 100 ? 3 : pieces <= 2500 ? 2 : pieces <= 40000 ? 1 : 0;
+    return pieces <= 4 ? 4 : pieces <= 100 ? 3 : pieces <= 1000 ? 2 : pieces <= 5000 ? 1 : 0;
 }
 
 /* Rounds until nothing changes; the first `always` of them everywhere. */

@@ -76,12 +76,25 @@ static batten_status add_object(bat_wires *w, const bat_eye *eye, int object)
     return status;
 }
 
+static bool is_same(const bat_eye *a, const bat_eye *b)
+{
+    bool same = a->distance == b->distance;
+    for (int k = 0; k < 3; k++)
+        same &= a->view.eye[k] == b->view.eye[k] && a->centre[k] == b->centre[k];
+    return same;
+}
+
 batten_status bat_wires_add_silhouettes(bat_wires *w, const bat_eye *eye)
 {
+    if (w->has_silhouettes && is_same(&w->silhouettes_of, eye))
+        return BATTEN_OK;
     bat_wires_drop(w, w->lasting);
+    w->has_silhouettes = false;
     batten_status status = BATTEN_OK;
     for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++)
         if (w->options->silhouettes && bat_wires_shows(batten_model_object(w->model, i)))
             status = add_object(w, eye, i);
+    w->has_silhouettes = status == BATTEN_OK;
+    w->silhouettes_of = *eye;
     return status;
 }

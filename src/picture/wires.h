@@ -47,6 +47,8 @@ typedef struct {
     size_t count, capacity;
     bat_wire *wires;
     size_t lasting; /* so many are there for every view; silhouettes follow */
+    bool has_silhouettes;
+    bat_eye silhouettes_of;
 } bat_wires;
 
 /* All that does not depend on the view; `wires` has model, options and job. `scale` is the

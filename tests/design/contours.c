@@ -8,10 +8,13 @@ static batten_status evaluate(const char *feature, batten_design **out)
 {
     char text[1000];
     batten_design *design = NULL;
-    snprintf(text, sizeof text,
-             "batten: 1\nunits: m\ntolerance: 1 mm\nfeatures:\n"
-             "  ring: {torus: 3 m, minor: 1 m}\n  ball: {sphere: 2 m}\n  a: %s\n",
-             feature);
+    snprintf(
+        text, sizeof text,
+        "batten: 1\nunits: m\ntolerance: 1 mm\nfeatures:\n"
+        "  ring: {torus: 3 m, minor: 1 m}\n  ball: {sphere: 2 m}\n"
+        "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
+        "  sail: {bezier-triangle: net}\n  a: %s\n",
+        feature);
     batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
     if (status == BATTEN_OK)
         status = batten_design_evaluate(design, "a", NULL, NULL);
@@ -64,6 +67,16 @@ TEST(contours_of_many_surfaces_share_their_levels)
         on_ball += strncmp(batten_model_object(model, i)->name, "ball", 4) == 0;
     CHECK_INT(on_ball, 7);
     CHECK(batten_model_count(model) >= on_ball + 6);
+    batten_design_free(design);
+}
+
+TEST(triangles_have_contours)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("{contours: sail, levels: [0.2, 0.4]}", &design));
+    const batten_model *model = batten_design_result(design, "a")->value;
+    CHECK(batten_model_count(model) >= 2);
+    CHECK(batten_design_result(design, "a")->error_max <= 1e-3);
     batten_design_free(design);
 }
 

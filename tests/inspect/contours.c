@@ -283,6 +283,48 @@ TEST(fields_have_their_known_values)
     batten_surface_unref(torus);
 }
 
+/* The graph of x^2 + y^2 over a triangle with these corners: its blossom is p q. */
+static void paraboloid(const double *corners, double *points)
+{
+    static const int pairs[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+    for (int i = 0; i < 6; i++) {
+        const double *p = corners + 2 * pairs[i][0], *q = corners + 2 * pairs[i][1];
+        points[3 * i] = 0.5 * (p[0] + q[0]);
+        points[3 * i + 1] = 0.5 * (p[1] + q[1]);
+        points[3 * i + 2] = p[0] * q[0] + p[1] * q[1];
+    }
+}
+
+TEST(contours_go_on_from_triangle_to_triangle)
+{
+    /* four triangles around a point beside the lowest one */
+    static const double corners[4][6] = {{0.1, 0.2, -1, -1, 1, -1},
+                                         {0.1, 0.2, 1, -1, 1, 1},
+                                         {0.1, 0.2, 1, 1, -1, 1},
+                                         {0.1, 0.2, -1, 1, -1, -1}};
+    const double levels[] = {0.003, 0.05, 0.4, 0.95};
+    double points[4 * 18];
+    for (int i = 0; i < 4; i++)
+        paraboloid(corners[i], points + 18 * i);
+    batten_triangles *triangles = NULL;
+    CHECK_OK(batten_triangles_create(3, 2, 4, points, NULL, NULL, &triangles));
+    batten_contours c = {0};
+    CHECK_OK(batten_triangles_contours(triangles, &height, 4, levels, 1e-5, NULL, &c));
+    CHECK_INT(c.count, 4);
+    for (int i = 0; i < c.count; i++) {
+        const batten_polyline *line = &c.lines[i].line;
+        CHECK(line->closed);
+        CHECK_NEAR(length_of(line), 2 * PI * sqrt(levels[i]), 1e-3);
+        for (int k = 0; k < line->count; k++)
+            CHECK_NEAR(hypot(line->points[3 * k], line->points[3 * k + 1]), sqrt(levels[i]),
+                       1e-9);
+    }
+    CHECK_INT(c.critical_count, 1);
+    CHECK_INT(c.critical[0].kind, BATTEN_CRITICAL_LEAST);
+    batten_contours_release(&c);
+    batten_triangles_unref(triangles);
+}
+
 TEST(bad_fields_and_levels_are_refused)
 {
     batten_surface *surface = graph(bowl, 0);

@@ -7,7 +7,7 @@
 enum { MOST_TOLD = 8, MOST_LEVELS = 1000 };
 
 static const batten_parameter parameters[] = {
-    {"contours", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "surfaces"},
+    {"contours", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "surfaces, triangles"},
     {"of", BATTEN_VALUE_WORD, false, false, "height", BAT_FIELD_WORDS,
      "what is equal along them"},
     {"levels", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
@@ -29,6 +29,16 @@ typedef struct {
     bool smooth;
     double error;
 } wanted;
+
+static batten_status find(const bat_run *run, const batten_object *object, const wanted *w,
+                          double tolerance, batten_contours *out)
+{
+    if (object->kind == BATTEN_OBJECT_TRIANGLES)
+        return batten_triangles_contours(object->triangles, &w->field, w->level_count,
+                                         w->levels, tolerance, run->job, out);
+    return batten_surface_contours(object->surface, &w->field, w->level_count, w->levels,
+                                   tolerance, run->job, out);
+}
 
 /* ---- levels ---- */
 
@@ -80,8 +90,7 @@ static batten_status find_levels(const bat_run *run, const bat_objects *surfaces
         return copy_levels(given, w);
     for (int i = 0; i < surfaces->count; i++) {
         batten_contours none = {0};
-        const batten_status status = batten_surface_contours(
-            surfaces->at[i]->surface, &w->field, 0, NULL, w->within, run->job, &none);
+        const batten_status status = find(run, surfaces->at[i], w, w->within, &none);
         if (status != BATTEN_OK)
             return status;
         least = bat_min(least, none.least);
@@ -163,8 +172,7 @@ static batten_status put_contours(bat_run *run, const batten_object *object, wan
 {
     batten_contours found = {0};
     const double chords = w->smooth ? 0.25 * w->within : w->within;
-    batten_status status = batten_surface_contours(object->surface, &w->field, w->level_count,
-                                                   w->levels, chords, run->job, &found);
+    batten_status status = find(run, object, w, chords, &found);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         status = put_contour(run, object, w, &found.lines[i], found.error);
     if (status == BATTEN_OK)
@@ -176,7 +184,7 @@ static batten_status put_contours(bat_run *run, const batten_object *object, wan
 static batten_status run(bat_run *run)
 {
     bat_objects surfaces;
-    batten_status status = bat_gather(run, "contours", BAT_SURFACES, &surfaces);
+    batten_status status = bat_gather(run, "contours", BAT_SURFACES | BAT_TRIANGLES, &surfaces);
     if (status != BATTEN_OK)
         return status;
     wanted w = {
