@@ -59,6 +59,7 @@
 #include <batten/spiro.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
+#include <batten/surface_match.h>
 #include <batten/sweep.h>
 #include <batten/tension.h>
 #include <batten/tensor.h>

@@ -14,6 +14,7 @@
 #include <batten/catmull_rom.h>
 #include <batten/interpolate.h>
 #include <batten/job.h>
+#include <batten/polygon.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus
@@ -98,6 +99,16 @@ BATTEN_API batten_status batten_surface_catmull_rom(int dimension, int count_u, 
                                                     const batten_catmull_rom_options *along_v,
                                                     const batten_job *job, double *off,
                                                     batten_surface **out);
+
+/** The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
+ * direction.
+ * @param points [count_u][count_v][dimension] @return as batten_surface_tensor and
+ * batten_curve_uniform. Source: [Coons74], [Riesenfeld73]. */
+BATTEN_API batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
+                                                const double *points, int degree_u,
+                                                int degree_v, batten_polygon_end ends_u,
+                                                batten_polygon_end ends_v,
+                                                batten_surface **out);
 
 /** Splines in tension in both directions. */
 typedef struct batten_tension_surface_options {

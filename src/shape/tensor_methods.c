@@ -53,6 +53,45 @@ batten_status batten_surface_nu(int dimension, int count_u, int count_v, const d
     return status;
 }
 
+/* ---- uniform B-splines of nets ---- */
+
+typedef struct {
+    int degree;
+    batten_polygon_end ends;
+} polygon_way;
+
+static batten_status make_uniform(void *user, int dimension, int count, const double *points,
+                                  const double *parameters, batten_curve **out)
+{
+    const polygon_way *way = user;
+    (void)parameters;
+    return batten_curve_uniform(dimension, way->degree, count, points, NULL, way->ends, out);
+}
+
+batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
+                                     const double *points, int degree_u, int degree_v,
+                                     batten_polygon_end ends_u, batten_polygon_end ends_v,
+                                     batten_surface **out)
+{
+    assert(points && out);
+    polygon_way ways[2] = {{degree_u, ends_u}, {degree_v, ends_v}};
+    const batten_line_method u = {make_uniform, &ways[0], false},
+                             v = {make_uniform, &ways[1], false};
+    batten_status status = bat_grid_check(dimension, count_u, count_v, points, false, false);
+    if (status != BATTEN_OK)
+        return status;
+    const int most = bat_max_int(count_u, count_v);
+    double *steps = bat_array((size_t)most, sizeof *steps);
+    if (!steps)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < most; i++)
+        steps[i] = i;
+    status = batten_surface_tensor(dimension, count_u, count_v, points, steps, steps, &u, &v,
+                                   NULL, NULL, out);
+    bat_release(steps);
+    return status;
+}
+
 /* ---- the class of Catmull and Rom ---- */
 
 static batten_status make_catmull_rom(void *user, int dimension, int count,

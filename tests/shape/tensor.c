@@ -354,3 +354,36 @@ TEST(a_pole_stays_a_pole)
         batten_surface_unref(surfaces[s]);
     }
 }
+
+/* S M V M' T' / 36 on the one cell of 4 x 4 free points. */
+TEST(a_free_uniform_surface_is_coons_matrix_form)
+{
+    static const double M[4][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 0, 3, 0}, {1, 4, 1, 0}};
+    double V[16], at;
+    batten_surface *surface = NULL;
+    for (int i = 0; i < 16; i++)
+        V[i] = cos(2.3 * i);
+    CHECK_OK(batten_surface_uniform(1, 4, 4, V, 3, 3, BATTEN_POLYGON_FREE, BATTEN_POLYGON_FREE,
+                                    &surface));
+    const batten_interval u = batten_surface_domain(surface, BATTEN_U),
+                          v = batten_surface_domain(surface, BATTEN_V);
+    for (int a = 0; a <= 4; a++)
+        for (int b = 0; b <= 4; b++) {
+            const double x = a / 4.0, y = b / 4.0;
+            const double S[4] = {x * x * x, x * x, x, 1}, T[4] = {y * y * y, y * y, y, 1};
+            double expected = 0;
+            for (int i = 0; i < 4; i++)
+                for (int j = 0; j < 4; j++)
+                    for (int k = 0; k < 4; k++)
+                        for (int l = 0; l < 4; l++)
+                            expected += S[i] * M[i][k] * V[k * 4 + l] * M[j][l] * T[j] / 36;
+            CHECK_OK(batten_surface_evaluate(surface, u.a + x * (u.b - u.a),
+                                             v.a + y * (v.b - v.a), 0, &at));
+            CHECK_NEAR(at, expected, 1e-14);
+        }
+    batten_surface_unref(surface);
+    CHECK_STATUS(batten_surface_uniform(1, 4, 3, V, 3, 3, BATTEN_POLYGON_CLAMPED,
+                                        BATTEN_POLYGON_CLAMPED, &surface),
+                 BATTEN_TOO_FEW_POINTS);
+    CHECK_MESSAGE("along v, line 0");
+}

@@ -1,0 +1,134 @@
+#include <batten/surface_match.h>
+
+#include "support/test.h"
+#include <batten/interpolate.h>
+#include <batten/standard.h>
+
+#include <string.h>
+
+/* A wavy bicubic over [0, 1] x [0, 1] of the parameters, its x from `x0` to `x0 + 2`. */
+static batten_surface *wavy(double x0, double phase, int count_v)
+{
+    double points[6 * 9 * 3];
+    batten_surface *surface = NULL;
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < count_v; j++) {
+            double *p = points + (i * count_v + j) * 3;
+            p[0] = x0 + 0.4 * i;
+            p[1] = 3.0 * j / (count_v - 1) + 0.05 * sin(phase + i);
+            p[2] = 0.3 * sin(phase + 0.8 * p[0] + 1.3 * p[1]);
+        }
+    CHECK_OK(batten_surface_interpolate(3, 6, count_v, points, NULL, NULL, NULL, NULL, NULL,
+                                        &surface));
+    return surface;
+}
+
+static void check_match(const batten_surface *first, batten_edge e1,
+                        const batten_surface *second, batten_edge e2, int order, bool reversed)
+{
+    batten_surface *made = NULL;
+    batten_surface_match_report report;
+    CHECK_OK(batten_surface_match(first, e1, second, e2, order, 1e-9, &report, &made));
+    CHECK(report.reversed == reversed);
+    CHECK(report.moved > 0 && report.moved < 1);
+    CHECK_NEAR(report.gap, 0, 1e-14);
+    if (order > 0)
+        CHECK_NEAR(report.angle, 0, 1e-13);
+    else
+        CHECK(report.angle > 0.01);
+    if (order > 1)
+        CHECK_NEAR(report.curvature, 0, 1e-11);
+    else
+        CHECK(report.curvature > 0.01);
+    for (int k = 0; k < 2; k++)
+        CHECK_NEAR(batten_surface_domain(made, (batten_direction)k).b, 1, 0);
+    /* The opposite edge has not moved. */
+    const bool along_u = e1 == BATTEN_EDGE_V0 || e1 == BATTEN_EDGE_V1;
+    const double far = e1 == BATTEN_EDGE_V0 || e1 == BATTEN_EDGE_U0 ? 1 : 0;
+    for (int i = 0; i <= 10; i++) {
+        double p[3], q[3];
+        const double t = i / 10.0;
+        CHECK_OK(batten_surface_evaluate(first, along_u ? t : far, along_u ? far : t, 0, p));
+        CHECK_OK(batten_surface_evaluate(made, along_u ? t : far, along_u ? far : t, 0, q));
+        for (int x = 0; x < 3; x++)
+            CHECK_NEAR(p[x], q[x], 1e-14);
+    }
+    batten_surface_unref(made);
+}
+
+TEST(a_surface_joins_another_with_tangent_plane_and_curvature)
+{
+    batten_surface *left = wavy(0, 0, 5), *right = wavy(2.1, 0.4, 7);
+    for (int order = 0; order <= 2; order++) {
+        check_match(right, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, order, false);
+        check_match(left, BATTEN_EDGE_U1, right, BATTEN_EDGE_U0, order, false);
+    }
+    batten_surface_unref(left);
+    batten_surface_unref(right);
+}
+
+TEST(edges_of_any_kind_and_direction_are_matched)
+{
+    batten_surface *left = wavy(0, 0, 5), *right = wavy(2.1, 0.4, 7), *turned = NULL,
+                   *reversed = NULL;
+    CHECK_OK(batten_surface_swap(right, &turned));
+    CHECK_OK(batten_surface_reverse(turned, BATTEN_U, &reversed));
+    batten_surface *unit = NULL;
+    CHECK_OK(batten_surface_set_domain(reversed, BATTEN_U, 0, 1, &unit));
+    batten_edge e1 = BATTEN_EDGE_V1, e2 = BATTEN_EDGE_V1;
+    double apart = 0;
+    CHECK_OK(batten_surfaces_near_edges(unit, left, &e1, &e2, &apart));
+    CHECK_INT(e1, BATTEN_EDGE_V0);
+    CHECK_INT(e2, BATTEN_EDGE_U1);
+    CHECK(apart > 0.01 && apart < 0.5);
+    check_match(unit, e1, left, e2, 2, true);
+    check_match(left, e2, unit, e1, 2, true);
+    batten_surface_unref(left);
+    batten_surface_unref(right);
+    batten_surface_unref(turned);
+    batten_surface_unref(reversed);
+    batten_surface_unref(unit);
+}
+
+/* What joins already does not move: a part of a surface and the rest of it. */
+TEST(a_surface_that_is_cut_and_matched_again_stays)
+{
+    batten_surface *whole = wavy(0, 0, 6), *low = NULL, *high = NULL, *made = NULL;
+    batten_surface_match_report report;
+    CHECK_OK(batten_surface_split(whole, BATTEN_U, 0.45, &low, &high));
+    CHECK_OK(batten_surface_match(high, BATTEN_EDGE_U0, low, BATTEN_EDGE_U1, 2, 1e-9, &report,
+                                  &made));
+    CHECK_NEAR(report.moved, 0, 1e-13);
+    batten_surface_unref(whole);
+    batten_surface_unref(low);
+    batten_surface_unref(high);
+    batten_surface_unref(made);
+}
+
+TEST(what_cannot_be_matched_is_refused)
+{
+    batten_surface *left = wavy(0, 0, 5), *ball = NULL, *made = NULL, *linear = NULL;
+    CHECK_OK(batten_surface_sphere(&(batten_frame){.z = {0, 0, 1}, .x = {1, 0, 0}}, 1, &ball));
+    CHECK_STATUS(
+        batten_surface_match(ball, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 1, 1e-9, NULL, &made),
+        BATTEN_UNSUPPORTED);
+    CHECK_STATUS(
+        batten_surface_match(left, BATTEN_EDGE_U0, ball, BATTEN_EDGE_V0, 1, 1e-9, NULL, &made),
+        BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(
+        batten_surface_match(left, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 3, 1e-9, NULL, &made),
+        BATTEN_BAD_ARGUMENT);
+    const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
+    const double knots[4] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &linear));
+    CHECK_STATUS(batten_surface_match(linear, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 2, 1e-9,
+                                      NULL, &made),
+                 BATTEN_BAD_DEGREE);
+    CHECK_STATUS(batten_surface_match(linear, BATTEN_EDGE_U0, left, BATTEN_EDGE_U1, 1, 1e-9,
+                                      NULL, &made),
+                 BATTEN_TOO_FEW_POINTS);
+    batten_surface_unref(left);
+    batten_surface_unref(ball);
+    batten_surface_unref(linear);
+}
