@@ -64,7 +64,8 @@ typedef struct batten_fill_report {
                             surface has a curvature */
     int twisted;      /**< corners with such a disagreement */
     int flat_corners; /**< corners where two sides go on smoothly: surfaces have no normal at
-                            the point itself */
+                            the point itself, and none is compared where their parameter
+                            lines meet at less than 1e-4 */
     bool folded;      /**< normals of neighbouring points turn back: the fill overlaps */
 } batten_fill_report;
 

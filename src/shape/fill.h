@@ -47,6 +47,10 @@ typedef struct {
  * cubic in each half. */
 typedef struct {
     bool has_slope;
+    bool flat_corner; /* at its start the side goes on from the one before */
+    int middle_speed; /* which unknown is a in the middle; -1 without a slope */
+    int corner_turn;  /* which unknown is the part of the twist at its start that goes into
+                         the hole; -1 where the twist is free */
     bat_fill_place place[FILL_STATIONS];
     double *across[FILL_STATIONS][2];    /* D, D' */
     double *factor[FILL_STATIONS][2][2]; /* a, a'; b, b' of a side with a slope */

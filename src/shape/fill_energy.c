@@ -5,6 +5,7 @@
  */
 #include "numeric/dense.h"
 #include "numeric/quadrature.h"
+#include "numeric/vector.h"
 #include "shape/fill.h"
 #include <string.h>
 
@@ -22,6 +23,7 @@ typedef struct {
     double *rows;           /* [ROWS][length] in the plane: S_xx, S_xy, S_yy ... */
     double *seams;          /* [n][2: u = 1, v = 1][PLACES][3][length]: second derivatives */
     double *matrix, *right; /* the normal equations */
+    double *lu, *solution;  /* work */
     int *used, *pivots;     /* unknowns that a row touches */
 } variation;
 
@@ -235,7 +237,7 @@ static batten_status begin(variation *b)
     const size_t room = ALL_PLACES * 4 * b->step;
     b->edges[0] = bat_array(
         2 * room + (16 + DERIVATIVES + ROWS + 6 * PLACES * quads) * b->length, sizeof(double));
-    b->matrix = bat_array(n * (n + 1), sizeof(double));
+    b->matrix = bat_array(2 * n * (n + 1), sizeof(double));
     b->used = bat_array(2 * n, sizeof(int));
     if (!b->edges[0] || !b->matrix || !b->used)
         return BATTEN_OUT_OF_MEMORY;
@@ -245,30 +247,105 @@ static batten_status begin(variation *b)
     b->rows = b->derivatives + DERIVATIVES * b->length;
     b->seams = b->rows + ROWS * b->length;
     b->right = b->matrix + n * n;
+    b->lu = b->right + n;
+    b->solution = b->lu + n * n;
     b->pivots = b->used + n;
     set_places(b);
     return BATTEN_OK;
 }
 
+/* ---- surfaces that would not leave their sides ---- */
+
+/* How fast the quads leave side i in its middle, in space, when they do it as the polygon's. */
+static batten_status usual_speed(const variation *b, int i, double *out)
+{
+    const double *along = b->fill->side[i].place[FILL_BEFORE].curve[1];
+    double d[3][3];
+    const batten_status status = batten_surface_evaluate(b->plane[i], 1, 0, 1, d[0]);
+    if (status == BATTEN_OK)
+        *out = bat_norm(3, d[2]) * bat_norm(3, along) / bat_norm(3, d[1]);
+    return status;
+}
+
+/* Keep an unknown at a value by a weight beside which the others are nothing. */
+static void hold(variation *b, int unknown, double value)
+{
+    const size_t n = (size_t)b->fill->unknowns;
+    double *diagonal = b->matrix + (size_t)unknown * n + (size_t)unknown;
+    const double weight = 1e8 * *diagonal;
+    *diagonal += weight;
+    b->right[unknown] += weight * value;
+}
+
+/*
+ * Curvature varies least of all where the fill does not follow its ribbons: where these stand
+ * upright on the hole it would rather not leave the sides at all. What leaves a side with less
+ * than a third of the usual speed, or leaves a corner between sides that go on smoothly at less
+ * than a third of the usual rate, is held at what is usual.
+ */
+static batten_status hold_slow(variation *b, bool *held, bool *changed)
+{
+    const int n = b->fill->count;
+    double usual[BATTEN_FILL_SIDES];
+    *changed = false;
+    for (int i = 0; i < n; i++) {
+        const batten_status status = usual_speed(b, i, &usual[i]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    for (int i = 0; i < n; i++) {
+        const bat_fill_fields *side = &b->fill->side[i];
+        const bat_fill_place *p = &side->place[FILL_BEFORE];
+        const double corner = (usual[i] + usual[(i + n - 1) % n]) / 2;
+        if (side->middle_speed >= 0 && !held[2 * i]) {
+            const batten_vec3 C = bat_vec3_of(3, p->curve[1]), T = bat_vec3_of(3, p->slope[0]);
+            const double reach = bat_vec3_norm(bat_vec3_cross(C, T)) / bat_vec3_norm(C);
+            held[2 * i] = b->solution[side->middle_speed] * reach < 0.3 * usual[i];
+            if (held[2 * i])
+                hold(b, side->middle_speed, usual[i] / reach);
+            *changed |= held[2 * i];
+        }
+        if (side->flat_corner && side->corner_turn >= 0 && !held[2 * i + 1]) {
+            held[2 * i + 1] = b->solution[side->corner_turn] < 0.3 * corner;
+            if (held[2 * i + 1])
+                hold(b, side->corner_turn, corner);
+            *changed |= held[2 * i + 1];
+        }
+    }
+    return BATTEN_OK;
+}
+
+static batten_status solve(variation *b)
+{
+    const int n = b->fill->unknowns;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j <= i; j++)
+            b->lu[j * n + i] = b->lu[i * n + j] = b->matrix[i * n + j];
+    const batten_status status = bat_dense_factor(n, b->lu, b->pivots);
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(b->solution, b->right, (size_t)n * sizeof(double));
+    bat_dense_solve(n, b->lu, b->pivots, 1, b->solution);
+    return BATTEN_OK;
+}
+
 batten_status bat_fill_relax(bat_fill *fill, batten_surface *const *plane)
 {
-    const int n = fill->unknowns;
     variation b = {.fill = fill, .plane = plane, .length = bat_fill_length(fill)};
+    bool held[2 * BATTEN_FILL_SIDES] = {false}, changed = true;
     b.step = FILL_ORDERS * b.length;
     batten_status status = begin(&b);
     for (int quad = 0; status == BATTEN_OK && quad < fill->count; quad++)
         status = sum_quad(&b, quad);
-    if (status == BATTEN_OK) {
+    if (status == BATTEN_OK)
         sum_seams(&b);
-        for (int i = 0; i < n; i++)
-            for (int j = 0; j < i; j++)
-                b.matrix[j * n + i] = b.matrix[i * n + j];
-        status = bat_dense_factor(n, b.matrix, b.pivots);
+    while (status == BATTEN_OK && changed) { /* each round holds one more at least */
+        status = solve(&b);
+        if (status == BATTEN_OK)
+            status = hold_slow(&b, held, &changed);
     }
-    if (status == BATTEN_OK) {
-        bat_dense_solve(n, b.matrix, b.pivots, 1, b.right);
-        memcpy(fill->x, b.right, (size_t)n * sizeof(double));
-    }
+    if (status == BATTEN_OK)
+        memcpy(fill->x, b.solution, (size_t)fill->unknowns * sizeof(double));
     bat_release(b.used);
     bat_release(b.matrix);
     bat_release(b.edges[0]);

@@ -140,13 +140,14 @@ static void set_factors(const bat_fill *fill, const corner_side *c, const double
     }
 }
 
-static void corner_report(int i, const corner_side c[2], batten_fill_report *report)
+static void corner_report(int i, corner_side c[2], batten_fill_report *report)
 {
     double tangent[3];
     const double *C = c[0].side->place[FILL_START].curve[1];
     cross(C, c[0].across, tangent);
     const double product = bat_norm(3, C) * bat_norm(3, c[0].across);
-    report->flat_corners += bat_norm(3, tangent) < 1e-3 * product;
+    c[0].side->flat_corner = bat_norm(3, tangent) < 1e-3 * product;
+    report->flat_corners += c[0].side->flat_corner;
     for (int k = 0; k < 2; k++)
         if (c[k].side->has_slope) {
             const double off = fabs(bat_dot(3, c[k].across, c[k].normal));
@@ -182,6 +183,7 @@ static batten_status set_corner(bat_fill *fill, int i, int *next, batten_fill_re
             return status;
     }
     double *turn = c[0].side->across[FILL_START][1];
+    c[0].side->corner_turn = -1;
     const int known = c[0].side->has_slope + c[1].side->has_slope;
     if (known == 0) {
         new_vector(turn, next);
@@ -199,6 +201,7 @@ static batten_status set_corner(bat_fill *fill, int i, int *next, batten_fill_re
             across[m] /= speed;
         }
         new_along(turn, along, next);
+        c[0].side->corner_turn = *next;
         new_along(turn, across, next);
         add_fixed(fill, turn, sum / known, plane->normal);
     }
@@ -217,6 +220,7 @@ static batten_status set_corner(bat_fill *fill, int i, int *next, batten_fill_re
 static void set_middle(const bat_fill *fill, bat_fill_fields *side, int *next)
 {
     double *turn = side->turn[0][1];
+    side->middle_speed = side->has_slope ? *next : -1;
     if (!side->has_slope) {
         new_vector(side->across[FILL_BEFORE][0], next);
         new_vector(turn, next);

@@ -320,6 +320,25 @@ static batten_status halve_first(bat_fill_loop *loop)
     return BATTEN_OK;
 }
 
+/* More control points than this in one surface are refused before they are made. */
+static const double most_points = 4e6;
+
+/* The least that the surface between two sides can have. */
+static batten_status check_size(const bat_fill_loop *loop)
+{
+    for (int i = 0; i < loop->count; i++) {
+        const bat_fill_side *a = &loop->sides[i], *b = &loop->sides[(i + 1) % loop->count];
+        const double u = batten_curve_point_count(a->curve) / 2.0;
+        const double v = batten_curve_point_count(b->curve) / 2.0;
+        if (u * v > most_points)
+            return bat_fail(BATTEN_TOO_LARGE,
+                            "the surface between curves %d and %d would have more than %.0f x "
+                            "%.0f control points; %.0f are the most",
+                            a->given, b->given, u, v, most_points);
+    }
+    return BATTEN_OK;
+}
+
 batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double tolerance,
                                  batten_fill_report *report, bat_fill_loop *out)
 {
@@ -342,6 +361,8 @@ batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double t
         status = add_given(&loop, &sides[places[i].curve], &places[i], tolerance,
                            &report->approximation);
     }
+    if (status == BATTEN_OK)
+        status = check_size(&loop);
     if (status == BATTEN_OK && loop.count == 2)
         status = halve_first(&loop);
     for (int i = 0; status == BATTEN_OK && i < loop.count; i++)

@@ -9,17 +9,20 @@ enum { PLACES = 16, GRID = 12 };
 typedef struct {
     double point[3], u[3], v[3], uu[3], uv[3], vv[3];
     double normal[3];
+    double sine;        /* between both first derivatives */
     bool regular, bent; /* there is a normal; second derivatives are known */
 } view;
 
-/* Below this part of the product of speeds a normal is noise: two sides go on smoothly. */
-static const double flat = 1e-7;
+/* Below this part of the product of speeds, next to a corner where two sides go on smoothly, a
+ * normal is noise of what the sides were approximated by. */
+static const double flat = 1e-4;
 
 static void see_normal(view *s)
 {
     const batten_vec3 n = bat_vec3_cross(bat_vec3_of(3, s->u), bat_vec3_of(3, s->v));
     const double size = bat_vec3_norm(n);
-    s->regular = size > flat * bat_norm(3, s->u) * bat_norm(3, s->v);
+    s->sine = size / (bat_norm(3, s->u) * bat_norm(3, s->v));
+    s->regular = s->sine > flat;
     s->normal[0] = n.x / size;
     s->normal[1] = n.y / size;
     s->normal[2] = n.z / size;
@@ -193,22 +196,22 @@ static batten_status measure_spoke(const batten_surface *patch, const batten_sur
     return status;
 }
 
-/* Do normals of neighbouring places turn by more than a right angle? */
+/* Do normals of neighbouring places turn by more than a right angle? Places that hardly have
+ * one do not count: a corner where sides go on smoothly may do so to rounding. */
 static batten_status look_for_folds(const batten_surface *patch, bool *folded)
 {
-    double places[GRID + 1], *normals = bat_array((GRID + 1) * (GRID + 1), 3 * sizeof(double));
-    if (!normals)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int k = 0; k <= GRID; k++)
-        places[k] = (double)k / GRID;
-    const batten_status status = batten_surface_normal_grid(patch, GRID + 1, places, GRID + 1,
-                                                            places, NULL, NULL, normals);
-    for (int i = 0; status == BATTEN_OK && i <= GRID; i++)
-        for (int j = 0; j <= GRID; j++) {
-            const double *n = normals + (size_t)3 * (size_t)(i * (GRID + 1) + j);
-            *folded |= i > 0 && bat_dot(3, n, n - 3 * (GRID + 1)) < 0;
-            *folded |= j > 0 && bat_dot(3, n, n - 3) < 0;
-        }
+    double(*normals)[3] = bat_array((GRID + 1) * (GRID + 1), sizeof *normals);
+    batten_status status = normals ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; status == BATTEN_OK && k < (GRID + 1) * (GRID + 1); k++) {
+        const int i = k / (GRID + 1), j = k % (GRID + 1);
+        view s;
+        status = see_surface(patch, (double)i / GRID, (double)j / GRID, &s);
+        if (status != BATTEN_OK || !(s.sine > 1e-3))
+            continue;
+        memcpy(normals[k], s.normal, sizeof s.normal);
+        *folded |= i > 0 && bat_dot(3, normals[k], normals[k - GRID - 1]) < 0;
+        *folded |= j > 0 && bat_dot(3, normals[k], normals[k - 1]) < 0;
+    }
     bat_release(normals);
     return status;
 }

@@ -333,3 +333,69 @@ TEST(K6_a_knot_of_a_side_next_to_its_middle_leaves_no_sliver)
     hole_free(&h);
     hole_free(&plain);
 }
+
+/* A quarter of a circle in space, turned about z; rational. */
+static batten_curve *quarter_circle(int i)
+{
+    const double ends[2] = {0, 1}, weights[3] = {1, sqrt(0.5), 1};
+    static const double corners[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    batten_curve *curve = NULL;
+    double points[3][3] = {{0}};
+    for (int c = 0; c < 2; c++) {
+        points[0][c] = corners[i][c];
+        points[2][c] = corners[i + 1][c];
+        points[1][c] = corners[i][c] + corners[i + 1][c];
+    }
+    CHECK_OK(batten_curve_from_bezier(3, 2, 1, points[0], weights, ends, &curve));
+    return curve;
+}
+
+TEST(G5_a_round_hole_is_filled_though_its_corners_have_no_normal)
+{
+    static const double up[2][3] = {{0, 0, 1}, {0, 0, 1}}, knots[4] = {0, 0, 1, 1};
+    for (int dome = 0; dome < 2; dome++) {
+        hole h = {0};
+        h.count = 4;
+        for (int i = 0; i < 4; i++) {
+            h.curves[i] = quarter_circle(i);
+            if (dome)
+                CHECK_OK(batten_curve_create(3, 1, 2, up[0], NULL, knots, &h.slopes[i]));
+            h.ribbons[i] = (batten_ribbon){h.curves[i], h.slopes[i], NULL};
+        }
+        CHECK_OK(batten_surface_fill(4, h.ribbons, NULL, &h.report, h.patches));
+        CHECK_INT(h.report.flat_corners, 4);
+        CHECK(!h.report.folded);
+        CHECK_NEAR(hole_inner(&h).angle, 0, 1e-7);
+        double top[3], normal[3];
+        hole_see(h.patches[0], 1, 1, top, normal);
+        CHECK_NEAR(hypot(top[0], top[1]), 0, 1e-6);
+        /* upright ribbons are left at the usual speed: the top is about half a ball's */
+        CHECK(dome ? top[2] > 0.2 && top[2] < 1 : fabs(top[2]) < 1e-9);
+        CHECK(normal[2] > 0);
+        for (int i = 0; dome && i < 4; i++)
+            CHECK_NEAR(h.report.outer[i].angle * TESTS_DEGREES, 0, 0.01);
+        hole_free(&h);
+    }
+}
+
+TEST(S5_a_fill_that_would_be_too_large_is_refused_before_the_work)
+{
+    hole h;
+    enum { MANY = 5000 };
+    double *knots = test_array(MANY, sizeof *knots);
+    batten_ribbon ribbons[5];
+    batten_curve *fine[2] = {NULL};
+    hole_on_paraboloid(5, uneven, 0.8, &h);
+    memcpy(ribbons, h.ribbons, sizeof ribbons);
+    for (int k = 0; k < MANY; k++)
+        knots[k] = (k + 1.0) / (MANY + 1);
+    for (int i = 0; i < 2; i++) {
+        CHECK_OK(batten_curve_refine(h.curves[i], MANY, knots, &fine[i]));
+        ribbons[i].curve = fine[i];
+    }
+    CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("between curves 0 and 1 would have more than 2502 x 2502 control points");
+    batten_curve_unref(fine[0]);
+    batten_curve_unref(fine[1]);
+    hole_free(&h);
+}
