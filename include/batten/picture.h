@@ -49,7 +49,10 @@ typedef enum batten_shading {
     BATTEN_SHADING_PLAIN,
     BATTEN_SHADING_ISOLINES, /**< plain, with isoparametric lines */
     BATTEN_SHADING_ZEBRA,
-    BATTEN_SHADING_GAUSSIAN /**< colours of the Gaussian curvature, with a legend */
+    BATTEN_SHADING_GAUSSIAN, /**< colours of the Gaussian curvature, with a legend */
+    BATTEN_SHADING_MEAN,     /**< the same of the mean curvature */
+    BATTEN_SHADING_ISOPHOTES /**< stripes of equal light from above left: `stripes` dark ones
+                                from facing the light to facing away from it */
 } batten_shading;
 
 typedef struct batten_picture_options {
@@ -166,7 +169,7 @@ BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
 /**
  * Shade all surfaces of a model, seen in parallel projection; curves are drawn over them. PNG.
  *
- * The colours of Gaussian curvature end where 95 of 100 samples lie inside; the legend has the
+ * The colours of curvature end where 95 of 100 samples lie inside; the legend has the
  * true extremes.
  * @return BATTEN_OK, BAD_ARGUMENT (no surface, sizes), UNSUPPORTED (SVG, PDF), NOT_FINITE,
  * TOO_LARGE, OVERFLOW, CANCELLED, OUT_OF_MEMORY

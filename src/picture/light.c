@@ -94,6 +94,16 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
     return times(stripe, 0.55 + 0.45 * diffuse(scene, n));
 }
 
+bat_light bat_light_isophotes(const bat_scene *scene, const double normal[3])
+{
+    double n[3];
+    face(scene, normal, n);
+    const double angle = acos(bat_max(-1, bat_min(1, bat_dot(n, scene->key))));
+    const double phase = angle * scene->stripes / BAT_PI;
+    const bat_light dark = {0.10, 0.16, 0.24}, bright = {0.90, 0.92, 0.94};
+    return times(phase - floor(phase) < 0.5 ? bright : dark, 0.55 + 0.45 * diffuse(scene, n));
+}
+
 bat_colour bat_colour_diverging(double t)
 {
     /* Even in lightness to both sides, so that neither sign looks larger. */
@@ -108,7 +118,7 @@ bat_colour bat_colour_diverging(double t)
                         a.blue + part * (b.blue - a.blue)};
 }
 
-bat_light bat_light_gaussian(const bat_scene *scene, double curvature, const double normal[3])
+bat_light bat_light_curvature(const bat_scene *scene, double curvature, const double normal[3])
 {
     double n[3];
     face(scene, normal, n);

@@ -16,7 +16,7 @@ typedef struct {
         half[3]; /* unit vectors in space; half lies between eye and key */
     double along[3], across[3], third[3]; /* the zebra's tubes run along the first */
     double stripes;
-    double range; /* the Gaussian curvature at the ends of the colours */
+    double range; /* the curvature at the ends of the colours */
 } bat_scene;
 
 /* Lights that stand with the eye: the key to the left and above, the fill to the right. The
@@ -32,9 +32,11 @@ bat_light bat_light_plain(const bat_scene *scene, bat_light albedo, const double
 /* Stripes: the mirror image of a half turn of parallel tubes. A cylinder along the tubes shows
  * `stripes` dark ones from edge to edge. */
 bat_light bat_light_zebra(const bat_scene *scene, const double n[3]);
-/* The colour of a Gaussian curvature: red for bowls and domes, blue for saddles; grey for
- * NaN. */
-bat_light bat_light_gaussian(const bat_scene *scene, double curvature, const double n[3]);
+/* Stripes of equal angle between the normal, on whichever side, and the key light. */
+bat_light bat_light_isophotes(const bat_scene *scene, const double n[3]);
+/* The colour of a curvature; of the Gaussian: red for bowls and domes, blue for saddles; grey
+ * for NaN. */
+bat_light bat_light_curvature(const bat_scene *scene, double curvature, const double n[3]);
 /* The same without light, sRGB, for t in -1 .. 1. */
 bat_colour bat_colour_diverging(double t);
 

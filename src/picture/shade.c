@@ -34,7 +34,7 @@ typedef struct {
     solid *solids;
     bat_strokes curves; /* after fit_picture in samples too */
     bat_light *curve_lights;
-    double least, greatest; /* raw Gaussian curvatures */
+    double least, greatest; /* raw curvatures */
     double em;
 } picture;
 
@@ -92,14 +92,26 @@ static bat_colour colour_of(const batten_object *object, bat_colour otherwise)
     return (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
 }
 
+static bat_curvature curvature_of(batten_shading shading)
+{
+    return shading == BATTEN_SHADING_GAUSSIAN ? BAT_CURVATURE_GAUSSIAN
+           : shading == BATTEN_SHADING_MEAN   ? BAT_CURVATURE_MEAN
+                                              : BAT_CURVATURE_NONE;
+}
+
+static bool has_stripes(batten_shading shading)
+{
+    return shading == BATTEN_SHADING_ZEBRA || shading == BATTEN_SHADING_ISOPHOTES;
+}
+
 static batten_status make_solid(picture *p, const batten_object *object, double size,
                                 solid *out)
 {
     const batten_picture_options *o = p->options;
     /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror
      * images change faster than the shape, so that they need more. */
-    const bool curvature = o->shading == BATTEN_SHADING_GAUSSIAN;
-    const bool finer = curvature || o->shading == BATTEN_SHADING_ZEBRA;
+    const bat_curvature curvature = curvature_of(o->shading);
+    const bool finer = curvature != BAT_CURVATURE_NONE || has_stripes(o->shading);
     const double tolerance = (finer ? 0.02 : 0.2) * size / bat_max_int(o->width, o->height);
     const int least = finer ? 16 : 4;
     const batten_surface *s = object->surface;
@@ -175,12 +187,12 @@ static size_t sample_curvatures(picture *p, size_t room, double *samples)
     for (int i = 0; i < p->solid_count; i++) {
         const bat_tiles *t = &p->solids[i].tiles;
         for (size_t k = 0; k < t->count_u * t->count_v; k++) {
-            if (isnan(t->gaussian[k]))
+            if (isnan(t->curvature[k]))
                 continue;
-            p->least = bat_min(p->least, t->gaussian[k]);
-            p->greatest = bat_max(p->greatest, t->gaussian[k]);
+            p->least = bat_min(p->least, t->curvature[k]);
+            p->greatest = bat_max(p->greatest, t->curvature[k]);
             if (k % every == 0)
-                samples[kept++] = fabs(t->gaussian[k]);
+                samples[kept++] = fabs(t->curvature[k]);
         }
     }
     return kept;
@@ -197,7 +209,8 @@ static batten_status choose_range(picture *p, double size)
     const size_t count = sample_curvatures(p, ROOM, samples);
     qsort(samples, count, sizeof *samples, ascending);
     /* What is developable but for roundings stays white. */
-    double range = 1e-6 / (size * size);
+    double range =
+        p->options->shading == BATTEN_SHADING_MEAN ? 1e-6 / size : 1e-6 / (size * size);
     if (count > 0)
         range = bat_max(range, samples[(size_t)(0.95 * (double)(count - 1))]);
     bat_release(samples);
@@ -205,8 +218,7 @@ static batten_status choose_range(picture *p, double size)
     p->scene.range = ceil(range / power) * power; /* two digits */
     return isfinite(p->scene.range)
                ? BATTEN_OK
-               : bat_fail(BATTEN_OVERFLOW, "Gaussian curvatures up to %g are too large to show",
-                          range);
+               : bat_fail(BATTEN_OVERFLOW, "curvatures up to %g are too large to show", range);
 }
 
 /* ---- from space to samples ---- */
@@ -240,8 +252,8 @@ static bat_rectangle stage(const picture *p)
 {
     const batten_picture_options *o = p->options;
     const double em = p->em, top = *o->title ? 4 * em : 2 * em;
-    const double right = o->shading == BATTEN_SHADING_GAUSSIAN ? 9 * em : 2 * em;
-    const double bottom = o->shading == BATTEN_SHADING_ZEBRA ? 3.5 * em : 2 * em;
+    const double right = curvature_of(o->shading) != BAT_CURVATURE_NONE ? 9 * em : 2 * em;
+    const double bottom = has_stripes(o->shading) ? 3.5 * em : 2 * em;
     return (bat_rectangle){2 * em, top, bat_max(o->width - 2 * em - right, 8),
                            bat_max(o->height - top - bottom, 8)};
 }
@@ -301,8 +313,10 @@ static void shade_solid(const void *user, const bat_fragment *f, float colour[3]
     bat_light light;
     if (s->scene->shading == BATTEN_SHADING_ZEBRA)
         light = bat_light_zebra(s->scene, n);
-    else if (s->scene->shading == BATTEN_SHADING_GAUSSIAN)
-        light = bat_light_gaussian(s->scene, f->value[CURVATURE], n);
+    else if (s->scene->shading == BATTEN_SHADING_ISOPHOTES)
+        light = bat_light_isophotes(s->scene, n);
+    else if (curvature_of(s->scene->shading) != BAT_CURVATURE_NONE)
+        light = bat_light_curvature(s->scene, f->value[CURVATURE], n);
     else
         light = bat_light_plain(s->scene, s->albedo, n);
     const double ink = is_on_line(s, f, 0) || is_on_line(s, f, 1) ? 0.12 : 1;
@@ -328,7 +342,7 @@ static bat_corner corner(const solid *s, size_t i, size_t j)
         p[0],
         p[1],
         p[2],
-        {n[0], n[1], n[2], s->lines * u, s->lines * v, t->gaussian ? t->gaussian[at] : 0}};
+        {n[0], n[1], n[2], s->lines * u, s->lines * v, t->curvature ? t->curvature[at] : 0}};
 }
 
 /* Does the cell reach into the band? Most do not, and making corners costs more than asking. */
@@ -473,7 +487,8 @@ static void write_colours(bat_canvas *canvas, const picture *p)
     }
     const char *unit = batten_unit_name(batten_model_unit_metres(p->model));
     char text[64], number[BATTEN_NUMBER_SIZE];
-    snprintf(text, sizeof text, "K in 1/%s\u00b2", unit ? unit : "unit");
+    const bool mean = p->options->shading == BATTEN_SHADING_MEAN;
+    snprintf(text, sizeof text, mean ? "H in 1/%s" : "K in 1/%s\u00b2", unit ? unit : "unit");
     bat_canvas_bold(canvas, bat_ink, 0.85 * em, BAT_LEFT, x, y - 3.2 * em, text);
     bat_digits_text(p->greatest, 3, number);
     snprintf(text, sizeof text, "max %s", number);
@@ -487,12 +502,14 @@ static void write_around(bat_canvas *canvas, const picture *p)
 {
     const double em = p->em, middle = 0.5 * canvas->width;
     bat_canvas_bold(canvas, bat_ink, 1.25 * em, BAT_MIDDLE, middle, 2 * em, p->options->title);
-    if (p->options->shading == BATTEN_SHADING_GAUSSIAN && p->least <= p->greatest)
+    if (curvature_of(p->options->shading) != BAT_CURVATURE_NONE && p->least <= p->greatest)
         write_colours(canvas, p);
-    if (p->options->shading == BATTEN_SHADING_ZEBRA) {
+    if (has_stripes(p->options->shading)) {
         char text[BATTEN_NUMBER_SIZE + 80], number[BATTEN_NUMBER_SIZE];
         bat_digits_text(p->options->stripes, 4, number);
-        snprintf(text, sizeof text, "zebra: %s stripes over the half turn", number);
+        const bool zebra = p->options->shading == BATTEN_SHADING_ZEBRA;
+        snprintf(text, sizeof text, "%s: %s stripes over the half turn",
+                 zebra ? "zebra" : "isophotes", number);
         bat_canvas_text(canvas, bat_grey, 0.85 * em, BAT_MIDDLE, middle,
                         canvas->height - 1.5 * em, text);
     }
@@ -555,7 +572,7 @@ static batten_status prepare(picture *p)
     batten_status status = gather_solids(p, size);
     if (status == BATTEN_OK)
         status = gather_curves(p);
-    if (status == BATTEN_OK && o->shading == BATTEN_SHADING_GAUSSIAN)
+    if (status == BATTEN_OK && curvature_of(o->shading) != BAT_CURVATURE_NONE)
         status = choose_range(p, size);
     return status == BATTEN_OK ? fit_picture(p) : status;
 }

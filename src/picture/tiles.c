@@ -178,25 +178,27 @@ static batten_status list_parameters(const axis *a, size_t *count, double **out)
     return BATTEN_OK;
 }
 
-static batten_status evaluate(const batten_surface *surface, bool curvature,
+static batten_status evaluate(const batten_surface *surface, bat_curvature curvature,
                               const batten_job *job, bat_tiles *t)
 {
     t->points = bat_array3(t->count_u, t->count_v, 3 * sizeof *t->points);
     t->normals = bat_array3(t->count_u, t->count_v, 3 * sizeof *t->normals);
     if (curvature)
-        t->gaussian = bat_array3(t->count_u, t->count_v, sizeof *t->gaussian);
-    if (!t->points || !t->normals || (curvature && !t->gaussian))
+        t->curvature = bat_array3(t->count_u, t->count_v, sizeof *t->curvature);
+    if (!t->points || !t->normals || (curvature && !t->curvature))
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = batten_surface_normal_grid(surface, t->count_u, t->u, t->count_v,
                                                       t->v, job, t->points, t->normals);
     if (status == BATTEN_OK && curvature)
-        status = batten_surface_curvature_grid(surface, t->count_u, t->u, t->count_v, t->v, job,
-                                               t->gaussian, NULL);
+        status = batten_surface_curvature_grid(
+            surface, t->count_u, t->u, t->count_v, t->v, job,
+            curvature == BAT_CURVATURE_GAUSSIAN ? t->curvature : NULL,
+            curvature == BAT_CURVATURE_MEAN ? t->curvature : NULL);
     return status;
 }
 
 batten_status bat_tiles_make(const batten_surface *surface, double tolerance, int least,
-                             size_t limit, bool curvature, const batten_job *job,
+                             size_t limit, bat_curvature curvature, const batten_job *job,
                              bat_tiles *out)
 {
     axis u = {0, NULL, NULL}, v = {0, NULL, NULL};
@@ -231,5 +233,5 @@ void bat_tiles_free(bat_tiles *tiles)
     bat_release(tiles->v);
     bat_release(tiles->points);
     bat_release(tiles->normals);
-    bat_release(tiles->gaussian);
+    bat_release(tiles->curvature);
 }

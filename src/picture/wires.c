@@ -340,9 +340,9 @@ static batten_status gather_object(bat_wires *w, int i, int surfaces)
     if (status == BATTEN_OK)
         status = add_lines(w, i, BATTEN_V);
     if (status == BATTEN_OK && w->options->hidden != BATTEN_HIDDEN_SHOWN)
-        status =
-            bat_tiles_make(object->surface, w->tolerance, 2,
-                           (size_t)(facet_limit / 2 / surfaces), false, w->job, &w->tiles[i]);
+        status = bat_tiles_make(object->surface, w->tolerance, 2,
+                                (size_t)(facet_limit / 2 / surfaces), BAT_CURVATURE_NONE,
+                                w->job, &w->tiles[i]);
     return status;
 }
 

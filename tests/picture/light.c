@@ -69,7 +69,32 @@ TEST(a_point_without_curvature_is_grey)
 {
     const bat_view view = bat_view_make(BATTEN_VIEW_TOP, 0, 0);
     const bat_scene scene = bat_scene_make(BATTEN_SHADING_GAUSSIAN, &view, 0, 24);
-    const bat_light light = bat_light_gaussian(&scene, NAN, (double[]){0, 0, 1});
+    const bat_light light = bat_light_curvature(&scene, NAN, (double[]){0, 0, 1});
     CHECK_BITS(light.red, light.blue);
     CHECK(isfinite(light.red));
+}
+
+TEST(isophotes_are_stripes_of_equal_angle_to_the_light)
+{
+    const bat_view view = bat_view_make(BATTEN_VIEW_AXONOMETRIC, 0.4, 0.3);
+    const double stripes = 18;
+    const bat_scene scene = bat_scene_make(BATTEN_SHADING_ISOPHOTES, &view, 0, stripes);
+    /* From the light through the eye and on, through 2 radians: all of it faces the eye. */
+    const double facing = bat_dot(scene.eye, scene.key), off = sqrt(1 - facing * facing);
+    int changes = 0;
+    double before = -1;
+    for (int i = 0; i <= 20000; i++) {
+        double n[3], back[3];
+        for (int k = 0; k < 3; k++) {
+            const double towards = (scene.eye[k] - facing * scene.key[k]) / off;
+            n[k] = cos(i * 1e-4) * scene.key[k] + sin(i * 1e-4) * towards;
+            back[k] = -n[k];
+        }
+        const bat_light light = bat_light_isophotes(&scene, n);
+        CHECK_BITS(light.red, bat_light_isophotes(&scene, back).red);
+        const double bright = light.red > 0.3;
+        changes += before >= 0 && bright != before;
+        before = bright;
+    }
+    CHECK_INT(changes, (int)(2 * stripes * 2 / pi));
 }

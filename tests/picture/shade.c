@@ -314,3 +314,28 @@ TEST(a_very_small_and_an_uneven_picture_are_made)
     CHECK_INT(image.height, 97);
     batten_model_unref(model);
 }
+
+TEST(the_mean_curvature_of_a_thick_torus_changes_its_sign)
+{
+    /* n outwards: H = -(R + 2 r cos v) / (2 r (R + r cos v)), 0.5 inside and -0.7 outside */
+    batten_model *model = scene_of(scene_torus(1.5, 1));
+    batten_picture_options options = small(BATTEN_SHADING_MEAN);
+    options.width = 600;
+    options.height = 400;
+    options.view = BATTEN_VIEW_TOP;
+    const scene_image image = image_of(model, options);
+    int left = 0, right = 0;
+    const int y = 200;
+    while (!is_covered(&image, left, y) && left < 300)
+        left++;
+    for (int x = left; x < 530; x++)
+        if (is_covered(&image, x, y))
+            right = x;
+    const double scale = (right - left) / 5.0, middle = 0.5 * (left + right);
+    const uint32_t outside = scene_pixel(&image, (int)(middle + 2.2 * scale), y);
+    const uint32_t inside = scene_pixel(&image, (int)(middle + 0.6 * scale), y);
+    const int sign = scene_red(outside) > scene_blue(outside) ? 1 : -1;
+    CHECK(sign * (scene_red(outside) - scene_blue(outside)) > 40);
+    CHECK(sign * (scene_blue(inside) - scene_red(inside)) > 40);
+    batten_model_unref(model);
+}

@@ -5,7 +5,8 @@ typedef enum { CONTOURS_NONE, CONTOURS_FIRST } contours_word;
 
 static const batten_parameter parameters[] = {
     {"picture", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is shown"},
-    {"shading", BATTEN_VALUE_WORD, false, false, "auto", "auto plain isolines zebra gaussian",
+    {"shading", BATTEN_VALUE_WORD, false, false, "auto",
+     "auto plain isolines zebra gaussian mean isophotes",
      "of surfaces, in .png; auto is isolines"},
     {"view", BATTEN_VALUE_WORD, false, false, "auto",
      "auto top front side axonometric isometric", "from where it is seen"},
@@ -21,7 +22,7 @@ static const batten_parameter parameters[] = {
     {"points", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "show the points curves were made from"},
     {"isolines", BATTEN_VALUE_COUNT, false, false, "10", NULL, "in each direction of surfaces"},
-    {"stripes", BATTEN_VALUE_NUMBER, false, false, "24", NULL, "of the zebra"},
+    {"stripes", BATTEN_VALUE_NUMBER, false, false, "24", NULL, "of the zebra and of isophotes"},
     {"hidden", BATTEN_VALUE_WORD, false, false, "shown", "shown dashed dropped",
      "lines behind surfaces; for line drawings of surfaces, also as .png"},
     {"silhouettes", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
@@ -107,7 +108,12 @@ static batten_status draw(bat_run *run, const batten_model *model,
                         run->name);
     if (wanted && !has_surfaces(model))
         return bat_fail(BATTEN_BAD_ARGUMENT, "'shading' needs a surface");
-    if (wants_lines(options) && !wanted) {
+    if (wants_lines(options) && wanted)
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "'shading' goes with none of 'hidden', 'silhouettes', 'contours', 'sheet' "
+            "and 'distance': these are line drawings");
+    if (wants_lines(options)) {
         if (!has_surfaces(model))
             return bat_fail(
                 BATTEN_BAD_ARGUMENT,
