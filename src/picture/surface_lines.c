@@ -188,8 +188,7 @@ static bat_pen pen_of(const drawing *d, const bat_wire *wire)
 }
 
 /* The value of a contour in the middle of its longest visible run. */
-static void write_label(bat_canvas *canvas, const drawing *d, const bat_wire *wire,
-                        const bat_runs *runs)
+static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs *runs)
 {
     const bat_run *longest = NULL;
     double most = 6 * canvas->em;
@@ -206,7 +205,7 @@ static void write_label(bat_canvas *canvas, const drawing *d, const bat_wire *wi
     if (!longest)
         return;
     char text[BATTEN_NUMBER_SIZE];
-    bat_number_text(wire->value, bat_decimals_of_step(d->wires.level_step), text);
+    bat_digits_text(wire->value, 6, text);
     const double *middle = longest->xy + 2 * (longest->count / 2);
     bat_canvas_label(canvas, contour_colour, 0.75 * canvas->em, BAT_MIDDLE, middle[0],
                      middle[1], text);
@@ -219,7 +218,7 @@ static void draw_runs(bat_canvas *canvas, const drawing *d, const bat_wire *wire
 {
     bat_pen pen = pen_of(d, wire);
     if (which == LABELS) {
-        write_label(canvas, d, wire, runs);
+        write_label(canvas, wire, runs);
         return;
     }
     if (which == HIDDEN)
