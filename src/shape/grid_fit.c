@@ -185,6 +185,10 @@ static batten_status solve(bat_grid_fit *t)
     }
     if (status == BATTEN_OK)
         bat_grid_transpose(t->wanted[1], t->wanted[0], d, solved, t->control);
+    for (int k = 0; k < 4 && status == BATTEN_OK && t->options->hold_rims; k++)
+        if (!t->periodic[k / 2])
+            bat_keep_pole(t->dimension, t->count, t->points, t->wanted, t->control, k / 2,
+                          k % 2);
     bat_release(solved);
     bat_release(turned);
     bat_release(along);

@@ -311,37 +311,17 @@ static batten_status divide(task *t)
 
 /* ---- poles ---- */
 
-/* When all data of a rim are one point, so are, but for rounding, all its control points: make
- * them it. */
-static void keep_pole(const task *t, bool rim_of_u, bool at_start)
-{
-    const size_t d = (size_t)t->dimension;
-    const size_t cv = (size_t)t->count_v, nv = (size_t)t->along_v.count;
-    const size_t data_count = rim_of_u ? cv : (size_t)t->count_u;
-    const size_t control_count = rim_of_u ? nv : (size_t)t->along_u.count;
-    const size_t data_step = rim_of_u ? d : cv * d, control_step = rim_of_u ? d : nv * d;
-    const double *data = t->points;
-    double *control = t->control;
-    if (!at_start) {
-        data += rim_of_u ? (size_t)(t->count_u - 1) * cv * d : (cv - 1) * d;
-        control += rim_of_u ? (size_t)(t->along_u.count - 1) * nv * d : (nv - 1) * d;
-    }
-    for (size_t i = 1; i < data_count; i++)
-        for (size_t k = 0; k < d; k++)
-            if (data[i * data_step + k] != data[k])
-                return;
-    for (size_t i = 0; i < control_count; i++)
-        memcpy(control + i * control_step, data, d * sizeof *data);
-}
-
 /* Given derivatives along a rim make it more than a point. */
 static void keep_poles(const task *t)
 {
+    const int data[2] = {t->count_u, t->count_v},
+              control[2] = {t->along_u.count, t->along_v.count};
+    const batten_grid_options *o = t->options;
     for (int at_start = 0; at_start < 2; at_start++) {
-        if (!t->options->periodic_u && !t->options->dv)
-            keep_pole(t, true, at_start);
-        if (!t->options->periodic_v && !t->options->du)
-            keep_pole(t, false, at_start);
+        if (!o->periodic_u && !o->dv)
+            bat_keep_pole(t->dimension, data, t->points, control, t->control, 0, at_start);
+        if (!o->periodic_v && !o->du)
+            bat_keep_pole(t->dimension, data, t->points, control, t->control, 1, at_start);
     }
 }
 

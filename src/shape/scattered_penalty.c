@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { PROBES = 8, FEW = 256, MOST_SPANS = 40 };
+enum { PROBES = 8, FEW = 256, MOST_SPANS = 40, DIRECT_SPANS = 80 };
 
 /* ---- lambda ---- */
 
@@ -99,7 +99,7 @@ static batten_status reweigh(bat_scatter *s, double lambda)
             break; /* half of the data are met exactly */
         change = weigh(s, threshold);
         status = bat_scatter_assemble(s);
-        if (status == BATTEN_OK && round < 5)
+        if (status == BATTEN_OK && round < 5 && s->system.factor)
             status = choose(s, &lambda);
         if (status == BATTEN_OK)
             status = solve(s, lambda);
@@ -120,30 +120,65 @@ static int usual_spans(const bat_scatter *s, int k)
     return (int)bat_min(MOST_SPANS * bat_max(1, ratio), bat_max(4, wanted));
 }
 
-static batten_status make_net(bat_scatter *s)
+static batten_status make_net(bat_scatter *s, const int spans[2])
 {
-    const batten_scattered_options *o = s->options;
-    const int degrees[2] = {o->degree_u, o->degree_v}, spans[2] = {o->spans_u, o->spans_v};
+    const int degrees[2] = {s->options->degree_u, s->options->degree_v};
     batten_status status = BATTEN_OK;
-    for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
-        s->axis[k].degree = degrees[k];
-        status = bat_scatter_even(&s->axis[k], degrees[k],
-                                  spans[k] ? spans[k] : usual_spans(s, k), s->side[k]);
-    }
-    s->probes = s->count <= FEW ? (int)s->count : PROBES;
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+        status = bat_scatter_even(&s->axis[k], degrees[k], spans[k], s->side[k]);
     if (status == BATTEN_OK)
         status = bat_scatter_make(s);
     return status;
 }
 
-batten_status bat_scatter_penalised(bat_scatter *s)
+/* Beyond what is solved directly many data are needed: gaps take conjugate gradients too long.
+ */
+static batten_status check_net(const bat_scatter *s)
 {
-    double lambda = 0;
-    /* The net stays when a cloud is fitted again. */
-    batten_status status = s->control ? BATTEN_OK : make_net(s);
+    const double unknowns = (double)s->system.unknowns;
+    if (s->system.factor || unknowns <= 2.0 * (double)s->count)
+        return BATTEN_OK;
+    return bat_fail(BATTEN_TOO_LARGE, "%zu control points for %zu data; %zu are possible",
+                    s->system.unknowns, s->count, 2 * s->count);
+}
+
+/* The weight of the penalty hardly depends on the knots when they are many: it is chosen on a
+ * net that is solved directly. */
+static batten_status begin(bat_scatter *s, double *lambda)
+{
+    const batten_scattered_options *o = s->options;
+    int spans[2] = {o->spans_u ? o->spans_u : usual_spans(s, 0),
+                    o->spans_v ? o->spans_v : usual_spans(s, 1)};
+    s->probes = s->count <= FEW ? (int)s->count : PROBES;
+    batten_status status = make_net(s, spans);
+    if (status == BATTEN_OK)
+        status = check_net(s);
+    if (status != BATTEN_OK || s->system.factor)
+        return status;
+    if (o->by == BATTEN_SMOOTH_BY_LAMBDA) {
+        s->probes = 0;
+        return make_net(s, spans);
+    }
+    const int few[2] = {bat_min_int(spans[0], DIRECT_SPANS),
+                        bat_min_int(spans[1], DIRECT_SPANS)};
+    status = make_net(s, few);
     if (status == BATTEN_OK)
         status = bat_scatter_assemble(s);
     if (status == BATTEN_OK)
+        status = choose(s, lambda);
+    s->probes = 0;
+    return status == BATTEN_OK ? make_net(s, spans) : status;
+}
+
+batten_status bat_scatter_penalised(bat_scatter *s)
+{
+    double lambda = s->lambda;
+    /* The net stays when a cloud is fitted again. */
+    batten_status status = s->control ? BATTEN_OK : begin(s, &lambda);
+    const bool direct = s->system.factor || s->options->by == BATTEN_SMOOTH_BY_LAMBDA;
+    if (status == BATTEN_OK)
+        status = bat_scatter_assemble(s);
+    if (status == BATTEN_OK && direct)
         status = choose(s, &lambda);
     if (status == BATTEN_OK)
         status = solve(s, lambda);

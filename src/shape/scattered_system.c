@@ -11,7 +11,7 @@
 #include <float.h>
 #include <string.h>
 
-enum { MAX_DEGREE = 9, WIDE = MAX_DEGREE + 1 };
+enum { MAX_DEGREE = 9, WIDE = MAX_DEGREE + 1, MOST_STEPS = 5000 };
 
 /* ---- the penalty ---- */
 
@@ -311,12 +311,12 @@ static batten_status descend(bat_scatter *s, double lambda, const gradients *g, 
     for (size_t i = 0; i < n; i++)
         g->rest[i] = b[i] - g->image[i];
     double square = scaled_square(n, g->rest, g->diagonal), before = 0;
-    const double enough = 1e-20 * scaled_square(n, b, g->diagonal);
+    const double enough = 1e-18 * scaled_square(n, b, g->diagonal);
     for (int step = 0; square > enough; step++, y->iterations++) {
-        if (step == 20000)
+        if (step == MOST_STEPS)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "conjugate gradients leave %g of the right side after %d steps",
-                            sqrt(square / enough) * 1e-10, step);
+                            sqrt(square / enough) * 1e-9, step);
         for (size_t i = 0; i < n; i++)
             g->way[i] =
                 g->rest[i] / g->diagonal[i] + (step > 0 ? square / before * g->way[i] : 0);

@@ -272,10 +272,11 @@ static batten_status thin(bat_scatter *s, double tolerance, double most)
 static batten_status calm(bat_scatter *s, double tolerance, double most)
 {
     const double target = most + 0.6 * (tolerance - most);
+    const int tries = s->system.factor ? 16 : 0; /* else each would cost too much */
     double good = s->lambda;
     size_t worst = 0;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < 16 && status == BATTEN_OK; i++) {
+    for (int i = 0; i < tries && status == BATTEN_OK; i++) {
         status = bat_scatter_solve(s, 10 * good);
         if (status == BATTEN_OK && worst_of(s, &worst) > target)
             break;

@@ -57,6 +57,11 @@ typedef struct {
 batten_status bat_family_parametrize(const bat_family *family, batten_parametrization kind,
                                      double *u, double *spread);
 
+/* When all data of a rim, that at the start or end of direction 0 (u) or 1, are one point, so
+ * are, but for rounding, all its control points: make them it. */
+void bat_keep_pole(int dimension, const int data_count[2], const double *data,
+                   const int control_count[2], double *control, int direction, bool at_start);
+
 /* What is asked of the spline: its value at each parameter, and more. */
 typedef struct {
     int degree;

@@ -317,6 +317,25 @@ TEST(grids_that_close_are_fitted_and_smoothed)
     }
 }
 
+TEST(G5_a_rim_that_is_one_point_stays_one)
+{
+    enum { U = 9, V = 12 };
+    double p[U * V * 3];
+    for (int i = 0; i < U; i++) /* the pole at the first row */
+        for (int j = 0; j < V; j++) {
+            const double a = 0.15 * i, b = 0.5 * j;
+            const double q[] = {sin(a) * cos(b) + 1 / 3., sin(a) * sin(b) + 1 / 7., cos(a)};
+            memcpy(p + (i * V + j) * 3, i == 0 ? (double[]){1 / 3., 1 / 7., 1} : q, sizeof q);
+        }
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    CHECK_OK(batten_surface_fit_grid(3, U, V, p, NULL, NULL, NULL, NULL, &report, &s));
+    for (int j = 0; j < report.points_v; j++)
+        for (int k = 0; k < 3; k++)
+            CHECK(batten_surface_points(s)[3 * j + k] == p[k]);
+    batten_surface_unref(s);
+}
+
 TEST(dierckx_grid_is_smoothed_below_its_noise)
 {
     FILE *file = fopen(test_data("grids/dierckx_regrid11.txt"), "r");

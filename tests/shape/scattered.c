@@ -189,7 +189,7 @@ TEST(outliers_draw_a_robust_fit_less)
 TEST(conjugate_gradients_give_what_the_band_gives)
 {
     /* More control points than a band is made for; data of a surface that both know. */
-    enum { N = 8000 };
+    enum { N = 8200 };
     double *at = test_array(2 * N, sizeof *at), *h = test_array(N, sizeof *h);
     test_random random = test_random_begin("gradients");
     for (int i = 0; i < N; i++) {
@@ -208,6 +208,11 @@ TEST(conjugate_gradients_give_what_the_band_gives)
     options.spans_u = options.spans_v = 60;
     CHECK_OK(batten_surface_scattered(1, N, at, h, &options, NULL, &report, &s[1]));
     CHECK_INT(report.iterations, 0);
+    options.spans_u = options.spans_v = 140;
+    batten_surface *none = NULL;
+    CHECK_STATUS(batten_surface_scattered(1, N / 2, at, h, &options, NULL, NULL, &none),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("20449 control points for 4100 data");
     for (int k = 1; k < 50; k++)
         CHECK_NEAR(value(s[0], 0.02 * k, 0.5), value(s[1], 0.02 * k, 0.5), 1e-5);
     batten_surface_unref(s[0]);
