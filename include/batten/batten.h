@@ -67,6 +67,7 @@
 #include <batten/thin.h>
 #include <batten/triangle_patch.h>
 #include <batten/triangles.h>
+#include <batten/triangulate.h>
 #include <batten/trim.h>
 #include <batten/units.h>
 #include <batten/weighted.h>
