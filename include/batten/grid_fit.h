@@ -58,6 +58,9 @@ typedef struct batten_grid_fit_options {
     int order;                   /**< of the derivatives or differences, 1..4; 2 */
     batten_smooth_by by;         /**< BATTEN_SMOOTH_BY_VALIDATION */
     double amount;               /**< lambda, or the rms */
+    double tolerance; /**< least squares: > 0: control points are added, from `points_u` by
+                           `points_v` (0: the fewest) on, along the direction that gains more,
+                           until no datum is farther; 0 */
 } batten_grid_fit_options;
 
 BATTEN_API batten_grid_fit_options batten_grid_fit_defaults(void);
@@ -68,7 +71,8 @@ BATTEN_API batten_grid_fit_options batten_grid_fit_defaults(void);
  * Curves are fitted along u to the data of each line, and then along v to their control points:
  * with the weights of lines that is the least squares of the tensor product. Knots follow the
  * data ([PT97] 9.69). With `hold_rims` the corners are met, and surfaces that share the data of
- * a rim share the rim.
+ * a rim share the rim. With a tolerance the fewest control points are sought that meet it,
+ * TOLERANCE_NOT_MET when none do.
  *
  * @param points [count_u][count_v][dimension]
  * @param options NULL for the defaults

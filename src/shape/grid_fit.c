@@ -344,6 +344,12 @@ batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
                       .count = {count_u, count_v},
                       .points = points,
                       .options = options ? options : &defaults};
+    if (!(t.options->tolerance >= 0 && t.options->tolerance < HUGE_VAL))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or above",
+                        t.options->tolerance);
+    if (t.options->tolerance > 0)
+        return bat_grid_fit_within(dimension, t.count, points, t.options, job, u, v, report,
+                                   out);
     batten_status status = bat_grid_fit_begin(&t, job);
     if (status == BATTEN_OK)
         status = solve(&t);

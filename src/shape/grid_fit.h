@@ -31,6 +31,12 @@ batten_status bat_grid_fit_line(const bat_grid_fit *t, int direction, int width,
 batten_status bat_grid_fit_finish(bat_grid_fit *t, batten_status status, double *u, double *v,
                                   batten_surface_fit_report *report, batten_surface **out);
 
+/* Least squares with as many control points as the tolerance of the options asks for. */
+batten_status bat_grid_fit_within(int dimension, const int count[2], const double *points,
+                                  const batten_grid_fit_options *options, const batten_job *job,
+                                  double *u, double *v, batten_surface_fit_report *report,
+                                  batten_surface **out);
+
 /* [rows][columns][d] to [columns][rows][d]. */
 void bat_grid_transpose(int rows, int columns, size_t d, const double *from, double *to);
 

@@ -173,6 +173,42 @@ TEST(a_knot_more_never_makes_squares_more)
     }
 }
 
+static double ridge(double u, double v)
+{
+    return cos(u / 2) + 0.01 * v;
+}
+
+TEST(few_control_points_keep_within_a_tolerance)
+{
+    const double tolerances[] = {0.3, 0.01, 1e-9};
+    int last = 0;
+    for (int c = 0; c < 3; c++) {
+        batten_grid_fit_options options = begin();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        fill(wave);
+        options.tolerance = tolerances[c];
+        CHECK_OK(
+            batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
+        CHECK(report.max <= tolerances[c] && report.points_u * report.points_v > last);
+        last = report.points_u * report.points_v;
+        batten_surface_unref(s);
+        fill(ridge); /* a line across needs no more */
+        if (c == 1) {
+            CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
+                                             &report, &s));
+            CHECK_INT(report.points_v, 4);
+            batten_surface_unref(s);
+        }
+    }
+    batten_grid_fit_options options = begin();
+    batten_surface *s = NULL;
+    options.tolerance = NAN;
+    CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK(s == NULL);
+}
+
 /* ---- smoothing ---- */
 
 static double noise(int i, int j)

@@ -15,6 +15,8 @@ static const batten_parameter parameters[] = {
      "centripetal chord uniform foley foley-chord", "how parameters are given to the points"},
     {"hold-rims", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
      "least squares: the corners are met, and a rim depends on its own points alone"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "least squares: no point farther than this; control points are added until that holds"},
     BAT_SMOOTHNESS,
     {"penalty", BATTEN_VALUE_WORD, false, false, "energy", "energy differences",
      "smoothing: integrals of derivatives, or differences of control points with even knots"},
@@ -48,6 +50,13 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     batten_status status = bat_smoothness_of(run, &options.by, &options.amount);
     const bool smooth =
         bat_word(run, "method") == 1 || bat_has(run, "rms") || bat_has(run, "lambda");
+    if (status == BATTEN_OK && bat_has(run, "within")) {
+        options.tolerance = bat_number(run, "within");
+        if (smooth || !(options.tolerance > 0))
+            status = bat_fail(BATTEN_BAD_ARGUMENT,
+                              smooth ? "'within' is for least squares; smoothing bounds 'rms'"
+                                     : "'within' must be above 0");
+    }
     if (status == BATTEN_OK)
         status = (smooth ? batten_surface_smooth_grid : batten_surface_fit_grid)(
             3, grid->count_u, grid->count_v, grid->points, &options, run->job, NULL, NULL,
