@@ -377,12 +377,17 @@ int test_random_int(test_random *random, int a, int b)
 
 /* ---- main ---- */
 
+/* `--part 1/3`: each third test, from the first on, so that several processes share the work. */
 int main(int argument_count, char **arguments)
 {
+    unsigned part = 1, parts = 1, index = 0;
     for (int i = 1; i < argument_count; i++) {
         if (strcmp(arguments[i], "--faults") == 0)
             fault_mode = true;
-        else
+        else if (strcmp(arguments[i], "--part") == 0 && i + 1 < argument_count) {
+            if (sscanf(arguments[++i], "%u/%u", &part, &parts) != 2 || part < 1 || part > parts)
+                return 2;
+        } else
             cmocka_set_test_filter(arguments[i]);
     }
     const batten_allocator counting = {counting_resize, counting_release, NULL};
@@ -391,7 +396,8 @@ int main(int argument_count, char **arguments)
     static struct CMUnitTest tests[2048];
     size_t count = 0;
     for (test_entry *e = entries; e && count < 2048; e = e->next)
-        tests[count++] = (struct CMUnitTest){e->name, run_entry, NULL, NULL, e};
+        if (index++ % parts == part - 1)
+            tests[count++] = (struct CMUnitTest){e->name, run_entry, NULL, NULL, e};
     const int failures = _cmocka_run_group_tests(TESTS_GROUP, tests, count, NULL, NULL);
     printf("%s: %d passed, %d failed, %d skipped\n", TESTS_GROUP,
            (int)count - failures - skipped_count, failures, skipped_count);
