@@ -70,6 +70,7 @@
 #include <batten/triangulate.h>
 #include <batten/trim.h>
 #include <batten/units.h>
+#include <batten/unroll.h>
 #include <batten/weighted.h>
 #include <batten/within.h>
 #endif

@@ -1,0 +1,71 @@
+#include "support/test.h"
+
+#include <batten/design.h>
+#include <string.h>
+
+/* What the plates below are made from. */
+static const char common[] =
+    "batten: 1\nunits: m\nfeatures:\n"
+    "  can: {cylinder: 1, height: 2}\n  cap: {cone: 1, height: 1}\n  ball: {sphere: 1}\n"
+    "  low: {line: [[0, 0, 0], [1, 0, 0]]}\n  high: {line: [[0, 1, 0], [1, 1, 0.1]]}\n"
+    "  plank: {ruled: [low, high]}\n  both: {collect: [can, cap]}\n";
+
+static batten_status evaluate(const char *feature, batten_design **out)
+{
+    char text[4000];
+    snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_evaluate(design, "a", NULL, NULL);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
+    return status;
+}
+
+TEST(features_of_plates_make_outlines_and_rulings)
+{
+    static const struct {
+        const char *feature;
+        int count;
+    } rows[] = {
+        {"{unroll: can, within: 1 mm}", 13},
+        {"{unroll: cap, lines: 3, within: 1 mm}", 4},
+        {"{unroll: plank, lines: 0}", 1},
+        {"{unroll: plank, lines: 2, rulings: u, strain: 0.01}", 3},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(rows[i].feature, &design));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        CHECK_INT(batten_model_count(model), rows[i].count);
+        const batten_object *outline = batten_model_object(model, 0);
+        CHECK_TEXT(outline->layer, "cut");
+        CHECK(batten_curve_is_closed(outline->curve, 1e-9));
+        batten_design_free(design);
+    }
+}
+
+TEST(plates_that_cannot_be_say_why)
+{
+    static const struct {
+        const char *feature, *message;
+    } rows[] = {
+        {"{unroll: ball}", "from its chord"},
+        {"{unroll: both}", "one surface is unrolled at a time, not 2"},
+        {"{unroll: plank, strain: 0.0001}", "more than 0.0001"},
+        {"{unroll: can, lines: 2000}", "there may be 0 to 1000"},
+        {"{unroll: can, within: 0}", "not above 0"},
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        batten_status status = evaluate(rows[i].feature, &design);
+        if (status == BATTEN_OUT_OF_MEMORY)
+            status = evaluate(rows[i].feature, &design);
+        CHECK(status != BATTEN_OK);
+        if (status != BATTEN_OUT_OF_MEMORY)
+            CHECK_MESSAGE(rows[i].message);
+    }
+}

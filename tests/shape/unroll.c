@@ -1,0 +1,219 @@
+#include <batten/unroll.h>
+
+#include <batten/inspect.h>
+#include <batten/skin.h>
+#include <batten/standard.h>
+#include <batten/sweep.h>
+
+#include "support/test.h"
+
+static const double pi = 3.14159265358979323846;
+
+static batten_unroll_options within(double tolerance)
+{
+    batten_unroll_options options = batten_unroll_defaults();
+    options.tolerance = tolerance;
+    return options;
+}
+
+static double gap(const double *a, const double *b, int dimension)
+{
+    double sum = 0;
+    for (int c = 0; c < dimension; c++)
+        sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sqrt(sum);
+}
+
+TEST(a_cylinder_unrolls_to_a_rectangle)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *cylinder = NULL;
+    batten_unrolled flat = {0};
+    const batten_unroll_options options = within(1e-9);
+    CHECK_OK(batten_surface_cylinder(&world, 2, 3, &cylinder));
+    CHECK_OK(batten_surface_unroll(cylinder, &options, &flat));
+    const double *last = flat.points + 4 * (flat.count - 1);
+    CHECK_NEAR(fabs(last[0]), 4 * pi, 1e-10);
+    CHECK_NEAR(last[1], 0, 1e-10);
+    CHECK_NEAR(last[3] - last[1], 3, 1e-12);
+    CHECK_NEAR(flat.area[1], 12 * pi, 1e-10);
+    CHECK_NEAR(flat.area[0], flat.area[1], 1e-12);
+    CHECK_NEAR(flat.turn, 0, 1e-12);
+    CHECK(flat.error <= 1e-9 && flat.strain < 1e-14 && flat.diagonal[0] < 1e-2);
+    batten_unrolled_release(&flat);
+    batten_surface_unref(cylinder);
+}
+
+/* Half-angle 30 degrees: the sector is the half plane. */
+TEST(a_cone_of_30_degrees_unrolls_to_a_sector_of_180)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *cone = NULL;
+    batten_unrolled flat = {0};
+    const batten_unroll_options options = within(1e-8);
+    CHECK_OK(batten_surface_cone(&world, 1, 0, sqrt(3), &cone));
+    CHECK_OK(batten_surface_unroll(cone, &options, &flat));
+    CHECK_NEAR(fabs(flat.turn), pi, 1e-11);
+    CHECK_NEAR(flat.area[1], 2 * pi, 1e-10);
+    CHECK_NEAR(flat.length_first[0] + flat.length_second[0], 2 * pi, 1e-10);
+    CHECK_NEAR(flat.length_first[1] + flat.length_second[1], 2 * pi, 1e-10);
+    CHECK(flat.strain < 1e-14 && flat.error <= 1e-8);
+    /* One edge is the apex, the other the circle about it with the slant height. */
+    const int apex = flat.length_first[0] < flat.length_second[0] ? 0 : 1;
+    for (int k = 0; k <= 200; k++) {
+        double centre[2], rim[2];
+        const double u = flat.u[0] + (flat.u[flat.count - 1] - flat.u[0]) * k / 200;
+        CHECK_OK(batten_curve_evaluate(apex ? flat.second : flat.first, u, 0, centre));
+        CHECK_OK(batten_curve_evaluate(apex ? flat.first : flat.second, u, 0, rim));
+        CHECK_NEAR(gap(centre, rim, 2), 2, 2e-8);
+        CHECK_NEAR(gap(centre, flat.points + 2 * apex, 2), 0, 1e-10);
+    }
+    batten_unrolled_release(&flat);
+    batten_surface_unref(cone);
+}
+
+/* The tangent surface of a helix, from 0.5 to 1.5 along its tangents. */
+static batten_surface *tangents_of_a_helix(void)
+{
+    enum { COUNT = 60 };
+    double t[COUNT], values[2][COUNT][3][3];
+    batten_curve *edges[2] = {NULL, NULL};
+    batten_surface *surface = NULL;
+    for (int i = 0; i < COUNT; i++) {
+        t[i] = 2.0 * i / (COUNT - 1);
+        const double c = cos(t[i]), s = sin(t[i]);
+        for (int e = 0; e < 2; e++) {
+            const double w = e ? 1.5 : 0.5;
+            const double rows[3][3] = {{c - w * s, s + w * c, 0.7 * (t[i] + w)},
+                                       {-s - w * c, c - w * s, 0.7},
+                                       {-c + w * s, -s - w * c, 0}};
+            memcpy(values[e][i], rows, sizeof rows);
+        }
+    }
+    for (int e = 0; e < 2; e++)
+        CHECK_OK(batten_curve_from_hermite(3, COUNT, 3, t, &values[e][0][0][0], &edges[e]));
+    CHECK_OK(batten_surface_ruled(edges[0], edges[1], &surface));
+    batten_curve_unref(edges[0]);
+    batten_curve_unref(edges[1]);
+    return surface;
+}
+
+TEST(the_tangents_of_a_helix_unroll_without_strain_onto_the_tangents_of_a_circle)
+{
+    batten_surface *surface = tangents_of_a_helix();
+    batten_unrolled flat = {0};
+    const batten_unroll_options options = within(1e-9);
+    CHECK_OK(batten_surface_unroll(surface, &options, &flat));
+    CHECK(flat.strain < 1e-10);
+    CHECK_NEAR(flat.area[0], flat.area[1], 1e-9);
+    CHECK_NEAR(flat.length_first[0], flat.length_first[1], 1e-9);
+    CHECK_NEAR(flat.length_second[0], flat.length_second[1], 1e-9);
+    /* The helix becomes a circle of its radius of curvature, 1 + 0.7^2: lengths and turn. */
+    CHECK_NEAR(fabs(flat.turn), 2 / sqrt(1.49), 1e-9);
+    /* Flat edges as curves are as long as the edges in space. */
+    double length = 0;
+    CHECK_OK(batten_curve_length(flat.second, 1e-11, &length, NULL));
+    CHECK_NEAR(length, flat.length_second[0], 1e-8);
+    /* A mark midway along a ruling lies midway in the plane. */
+    double mark[2];
+    CHECK_OK(batten_unrolled_at(&flat, flat.u[5], 0.5, mark));
+    for (int c = 0; c < 2; c++)
+        CHECK_NEAR(mark[c], (flat.points[20 + c] + flat.points[22 + c]) / 2, 1e-11);
+    batten_unrolled_release(&flat);
+    batten_surface_unref(surface);
+}
+
+TEST(the_flat_edges_converge_with_the_fourth_order)
+{
+    batten_surface *surface = tangents_of_a_helix();
+    const double tolerances[2] = {1e-4, 1e-8};
+    int counts[2];
+    for (int k = 0; k < 2; k++) {
+        const batten_unroll_options options = within(tolerances[k]);
+        batten_unrolled flat = {0};
+        CHECK_OK(batten_surface_unroll(surface, &options, &flat));
+        CHECK(flat.error <= tolerances[k]);
+        counts[k] = flat.count;
+        batten_unrolled_release(&flat);
+    }
+    /* 1e4 finer takes ten times the rulings, here fewer as the knots are many already. */
+    CHECK(counts[1] <= 16 * counts[0]);
+    batten_surface_unref(surface);
+}
+
+/* z = a x y on [0, 1]^2: the tangent planes along x = const turn by about a. */
+static batten_surface *saddle(double a)
+{
+    const double south[6] = {0, 0, 0, 1, 0, 0}, north[6] = {0, 1, 0, 1, 1, a};
+    batten_curve *first = NULL, *second = NULL;
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_curve_line(3, south, south + 3, &first));
+    CHECK_OK(batten_curve_line(3, north, north + 3, &second));
+    CHECK_OK(batten_surface_ruled(first, second, &surface));
+    batten_curve_unref(first);
+    batten_curve_unref(second);
+    return surface;
+}
+
+TEST(the_strain_of_a_warped_plate_is_that_of_its_tilt)
+{
+    const double a = 0.1;
+    batten_surface *surface = saddle(a);
+    batten_unrolled flat = {0};
+    CHECK_OK(batten_surface_unroll(surface, NULL, &flat));
+    /* At the ends of a ruling the tilt from the middle is about a / 2. */
+    const double tilt = atan(a / 2);
+    CHECK_NEAR(flat.strain, 1 - cos(tilt), 1e-5);
+    CHECK(flat.strain_rms > 0.3 * flat.strain && flat.strain_rms < flat.strain);
+    CHECK(flat.area[0] > flat.area[1] && flat.length_first[0] > flat.length_first[1]);
+    CHECK_NEAR(flat.strain_at[1] * (1 - flat.strain_at[1]), 0, 1e-12);
+    batten_unrolled_release(&flat);
+    batten_surface_unref(surface);
+}
+
+TEST(a_sphere_cannot_be_unrolled_and_it_is_said_how_far_its_lines_are_from_straight)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *sphere = NULL;
+    batten_unrolled flat = {0};
+    CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
+    CHECK_STATUS(batten_surface_unroll(sphere, NULL, &flat), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("from its chord");
+    batten_unroll_options options = within(-1);
+    CHECK_STATUS(batten_surface_unroll(sphere, &options, &flat), BATTEN_BAD_ARGUMENT);
+    batten_surface_unref(sphere);
+}
+
+/* Two lines that cross: the ruling at the crossing has no length. */
+TEST(g4_edges_that_cross_are_refused_with_the_place)
+{
+    const double a[6] = {0, 0, 0, 1, 1, 0}, b[6] = {0, 1, 0, 1, 0, 0};
+    batten_curve *first = NULL, *second = NULL;
+    batten_surface *surface = NULL;
+    batten_unrolled flat = {0};
+    CHECK_OK(batten_curve_line(3, a, a + 3, &first));
+    CHECK_OK(batten_curve_line(3, b, b + 3, &second));
+    CHECK_OK(batten_surface_ruled(first, second, &surface));
+    CHECK_STATUS(batten_surface_unroll(surface, NULL, &flat), BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("cannot be laid flat at 0.5");
+    batten_curve_unref(first);
+    batten_curve_unref(second);
+    batten_surface_unref(surface);
+}
+
+TEST(huge_and_tiny_cylinders_unroll_alike)
+{
+    const double scales[2] = {1e80, 1e-80};
+    const batten_frame world = batten_frame_world();
+    for (int k = 0; k < 2; k++) {
+        const double r = scales[k];
+        batten_surface *cylinder = NULL;
+        batten_unrolled flat = {0};
+        const batten_unroll_options options = within(1e-7 * r);
+        CHECK_OK(batten_surface_cylinder(&world, r, r, &cylinder));
+        CHECK_OK(batten_surface_unroll(cylinder, &options, &flat));
+        CHECK_NEAR(fabs(flat.points[4 * (flat.count - 1)]) / r, 2 * pi, 1e-10);
+        batten_unrolled_release(&flat);
+        batten_surface_unref(cylinder);
+    }
+}
