@@ -54,6 +54,7 @@
 #include <batten/quadratic.h>
 #include <batten/ribbon.h>
 #include <batten/scattered.h>
+#include <batten/scattered_triangles.h>
 #include <batten/skin.h>
 #include <batten/skin_rows.h>
 #include <batten/spiro.h>

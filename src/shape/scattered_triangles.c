@@ -1,0 +1,179 @@
+/* From scattered points to a smooth function: vertices, triangles, gradients, elements. */
+#include "base/base.h"
+
+#include <batten/scattered_triangles.h>
+
+#include <string.h>
+
+batten_scattered_triangles_options batten_scattered_triangles_defaults(void)
+{
+    return (batten_scattered_triangles_options){
+        .size = sizeof(batten_scattered_triangles_options), .sliver = 1e-3};
+}
+
+typedef struct {
+    int count;
+    const double *values; /* [count] of the points */
+    const batten_scattered_triangles_options *options;
+    const batten_job *job;
+    batten_plane_triangles triangles;
+    double *f; /* [vertex_count] */
+    double *g; /* [vertex_count][2] */
+    batten_scattered_triangles_report report;
+} pipeline;
+
+static batten_status say(const pipeline *p, double fraction, const char *what)
+{
+    const batten_job *job = p->job;
+    if (job && job->progress)
+        job->progress(job->user, fraction, what);
+    if (job && job->is_cancelled && job->is_cancelled(job->user))
+        return bat_fail(BATTEN_CANCELLED, "cancelled before: %s", what);
+    return BATTEN_OK;
+}
+
+/* The mean of the values at each vertex: the first one, and the mean of what differs from it.
+ */
+static void average(pipeline *p, int *points)
+{
+    const batten_plane_triangles *t = &p->triangles;
+    memset(points, 0, (size_t)t->vertex_count * sizeof *points);
+    memset(p->f, 0, (size_t)t->vertex_count * sizeof *p->f);
+    p->report.conflicting = -1;
+    for (int i = 0; i < p->count; i++) {
+        const int v = t->vertex_of[i];
+        const double apart = p->values[i] - p->values[t->first[v]];
+        p->f[v] += apart;
+        points[v]++;
+        if (fabs(apart) > p->report.conflict) {
+            p->report.conflict = fabs(apart);
+            p->report.conflicting = i;
+        }
+    }
+    for (int v = 0; v < t->vertex_count; v++)
+        p->f[v] = p->values[t->first[v]] + p->f[v] / points[v];
+}
+
+static batten_status take_values(pipeline *p)
+{
+    const size_t n = (size_t)p->triangles.vertex_count;
+    int *points = bat_array(n, sizeof *points);
+    p->f = bat_array(n, sizeof *p->f);
+    p->g = bat_array3(n, 2, sizeof *p->g);
+    const bool enough = points && p->f && p->g;
+    if (enough)
+        average(p, points);
+    bat_release(points);
+    return enough ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static batten_status find_gradients(pipeline *p)
+{
+    batten_status status = say(p, 0.4, "gradients");
+    if (status == BATTEN_OK)
+        status = batten_triangle_gradients(&p->triangles, p->f, p->g, &p->report.planes);
+    if (status == BATTEN_OK && p->options->network) {
+        p->report.planes = 0;
+        status = batten_triangle_network(&p->triangles, p->f, p->g, &p->report.iterations);
+    }
+    return status;
+}
+
+static batten_status make_elements(pipeline *p, batten_triangles **out)
+{
+    const batten_plane_triangles *t = &p->triangles;
+    const batten_triangulation domain = {t->vertex_count, t->vertices, t->corners};
+    batten_status status = BATTEN_OK;
+    if (p->options->element != BATTEN_ELEMENT_LINEAR)
+        status = find_gradients(p);
+    if (status == BATTEN_OK)
+        status = say(p, 0.7, "elements");
+    if (status != BATTEN_OK)
+        return status;
+    switch (p->options->element) {
+    case BATTEN_ELEMENT_LINEAR:
+        return batten_triangles_linear(&domain, t->count, p->f, out);
+    case BATTEN_ELEMENT_POWELL_SABIN:
+        return batten_triangles_powell_sabin(&domain, t->count, p->f, p->g, &p->report.thinnest,
+                                             out);
+    default:
+        return batten_triangles_clough_tocher(&domain, t->count, p->f, p->g, NULL, out);
+    }
+}
+
+/* Compare every value with the corner of a piece that is its vertex. */
+static void measure(pipeline *p, const batten_triangles *made)
+{
+    batten_triangulation domain;
+    const int degree = batten_triangles_degree(made);
+    const int corner[3] = {0, BATTEN_TRIANGLE_POINT(degree, 0),
+                           BATTEN_TRIANGLE_POINT(0, degree)};
+    batten_triangles_domain(made, &domain);
+    for (int i = 0; i < 3 * batten_triangles_count(made); i++)
+        if (domain.corners[i] < p->triangles.vertex_count)
+            p->f[domain.corners[i]] = batten_triangles_points(
+                made)[(size_t)(i / 3) * (size_t)BATTEN_TRIANGLE_POINTS(degree) +
+                      (size_t)corner[i % 3]];
+    p->report.worst = -1;
+    double scaled = 0;
+    for (int i = 0; i < p->count; i++) {
+        const double off = fabs(p->values[i] - p->f[p->triangles.vertex_of[i]]);
+        if (off > p->report.max) {
+            p->report.max = off;
+            p->report.worst = i;
+        }
+    }
+    for (int i = 0; p->report.max > 0 && i < p->count; i++) {
+        const double off = (p->values[i] - p->f[p->triangles.vertex_of[i]]) / p->report.max;
+        scaled += off * off;
+    }
+    p->report.rms = p->report.max * sqrt(scaled / p->count);
+}
+
+static batten_status carry_out(pipeline *p, const double *xy, batten_triangles **out)
+{
+    batten_triangulate_options options = batten_triangulate_defaults();
+    options.tolerance = p->options->tolerance;
+    options.sliver = p->options->sliver;
+    batten_status status = say(p, 0, "triangles");
+    if (status == BATTEN_OK)
+        status = batten_triangulate(p->count, xy, &options, &p->triangles);
+    if (status == BATTEN_OK)
+        status = take_values(p);
+    if (status == BATTEN_OK && p->options->data_dependent)
+        status = batten_triangles_swap(&p->triangles, p->f, &p->report.swaps);
+    if (status == BATTEN_OK)
+        status = make_elements(p, out);
+    if (status != BATTEN_OK)
+        return status;
+    p->report.vertices = p->triangles.vertex_count;
+    p->report.triangles = p->triangles.count;
+    p->report.pieces = batten_triangles_count(*out);
+    p->report.merged = p->triangles.merged;
+    p->report.slivers = p->triangles.slivers;
+    measure(p, *out);
+    return BATTEN_OK;
+}
+
+batten_status batten_triangles_scattered(int count, const double *xy, const double *values,
+                                         const batten_scattered_triangles_options *options,
+                                         const batten_job *job,
+                                         batten_scattered_triangles_report *report,
+                                         batten_triangles **out)
+{
+    assert(xy && values && out);
+    const batten_scattered_triangles_options chosen =
+        options ? *options : batten_scattered_triangles_defaults();
+    const size_t n = count > 0 ? (size_t)count : 0, bad = bat_first_not_finite(values, n);
+    if (bad < n)
+        return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad, values[bad]);
+    pipeline p = {.count = count, .values = values, .options = &chosen, .job = job};
+    p.report.thinnest = 0.5;
+    const batten_status status = carry_out(&p, xy, out);
+    if (status == BATTEN_OK && report)
+        *report = p.report;
+    bat_release(p.f);
+    bat_release(p.g);
+    batten_plane_triangles_release(&p.triangles);
+    return status;
+}
