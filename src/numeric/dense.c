@@ -2,6 +2,16 @@
 
 #include <float.h>
 
+#include <string.h>
+
+void bat_transpose(int rows, int columns, size_t width, const double *in, double *out)
+{
+    const size_t stride = (size_t)rows * width;
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++, in += width)
+            memcpy(out + (size_t)j * stride + (size_t)i * width, in, width * sizeof *out);
+}
+
 static void swap_rows(size_t width, double *a, double *b)
 {
     for (size_t k = 0; k < width; k++) {

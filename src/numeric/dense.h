@@ -6,6 +6,9 @@
 #define BAT_DENSE_H
 #include "base/base.h"
 
+/* Rows become columns: in [rows][columns][width], out [columns][rows][width], not the same. */
+void bat_transpose(int rows, int columns, size_t width, const double *in, double *out);
+
 /* LU in place, pivots chosen against the size of their rows; pivots[n]. SINGULAR_SYSTEM naming
  * the unknown whose pivot is lost in the rounding of the terms that made it, whatever the
  * scales of rows and columns. Cost n^3 / 3. */

@@ -6,6 +6,7 @@
 #include "shape/formula_nurbs.h"
 
 #include "numeric/banded.h"
+#include "numeric/dense.h"
 #include "numeric/vector.h"
 #include "spline/spline.h"
 
@@ -183,15 +184,6 @@ static batten_status refine(line *l, double tolerance, bool *changed)
 
 /* ---- interpolation ---- */
 
-static void transpose(int rows, int columns, int d, const double *from, double *to)
-{
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++)
-            memcpy(to + ((size_t)j * (size_t)rows + (size_t)i) * (size_t)d,
-                   from + ((size_t)i * (size_t)columns + (size_t)j) * (size_t)d,
-                   (size_t)d * sizeof *to);
-}
-
 static batten_status interpolate(task *t)
 {
     const line *u = &t->lines[0], *v = &t->lines[1];
@@ -211,9 +203,9 @@ static batten_status interpolate(task *t)
         bat_banded_solve(u->count, DEGREE, DEGREE, u->lu, (size_t)v->count * (size_t)d,
                          t->points);
     if (status == BATTEN_OK && v->lu) {
-        transpose(u->count, v->count, d, t->points, turned);
+        bat_transpose(u->count, v->count, (size_t)d, t->points, turned);
         bat_banded_solve(v->count, DEGREE, DEGREE, v->lu, (size_t)u->count * (size_t)d, turned);
-        transpose(v->count, u->count, d, turned, t->points);
+        bat_transpose(v->count, u->count, (size_t)d, turned, t->points);
     }
     bat_release(turned);
     return status;

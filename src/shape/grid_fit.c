@@ -1,5 +1,6 @@
 /* Least squares on grids, and what all fits to grids share. */
 #include "shape/grid_fit.h"
+#include "numeric/dense.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -16,14 +17,6 @@ batten_grid_fit_options batten_grid_fit_defaults(void)
 }
 
 static const char names[2] = {'u', 'v'};
-
-void bat_grid_transpose(int rows, int columns, size_t d, const double *from, double *to)
-{
-    for (size_t i = 0; i < (size_t)rows; i++)
-        for (size_t j = 0; j < (size_t)columns; j++)
-            for (size_t k = 0; k < d; k++)
-                to[(j * (size_t)rows + i) * d + k] = from[(i * (size_t)columns + j) * d + k];
-}
 
 /* ---- checks ---- */
 
@@ -180,11 +173,11 @@ static batten_status solve(bat_grid_fit *t)
     if (status == BATTEN_OK)
         status = fit_direction(t, 0, width_u, t->points, along);
     if (status == BATTEN_OK) {
-        bat_grid_transpose(t->wanted[0], t->count[1], d, along, turned);
+        bat_transpose(t->wanted[0], t->count[1], d, along, turned);
         status = fit_direction(t, 1, width_v, turned, solved);
     }
     if (status == BATTEN_OK)
-        bat_grid_transpose(t->wanted[1], t->wanted[0], d, solved, t->control);
+        bat_transpose(t->wanted[1], t->wanted[0], d, solved, t->control);
     for (int k = 0; k < 4 && status == BATTEN_OK && t->options->hold_rims; k++)
         if (!t->periodic[k / 2])
             bat_keep_pole(t->dimension, t->count, t->points, t->wanted, t->control, k / 2,

@@ -37,9 +37,6 @@ batten_status bat_grid_fit_within(int dimension, const int count[2], const doubl
                                   double *u, double *v, batten_surface_fit_report *report,
                                   batten_surface **out);
 
-/* [rows][columns][d] to [columns][rows][d]. */
-void bat_grid_transpose(int rows, int columns, size_t d, const double *from, double *to);
-
 /* max, rms, most, worst of distances [count]; weights NULL: all 1. `distances` is sorted. */
 void bat_surface_fit_measure(size_t count, double *distances, const double *weights,
                              batten_surface_fit_report *report);

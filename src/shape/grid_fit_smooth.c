@@ -3,6 +3,7 @@
  * penalty; both become diagonal in one basis, and with them the equations of the tensor
  * product, so that a lambda costs one division for each control point.
  */
+#include "numeric/dense.h"
 #include "numeric/vector.h"
 #include "shape/grid_fit.h"
 #include "shape/grid_modes.h"
@@ -150,11 +151,11 @@ static batten_status to_modes(smoothing *s)
     if (status == BATTEN_OK)
         status = project(s, 0, cv * d, t->points, along);
     if (status == BATTEN_OK) {
-        bat_grid_transpose(nu, t->count[1], d, along, turned);
+        bat_transpose(nu, t->count[1], d, along, turned);
         status = project(s, 1, (size_t)nu * d, turned, across);
     }
     if (status == BATTEN_OK)
-        bat_grid_transpose(nv, nu, d, across, s->data);
+        bat_transpose(nv, nu, d, across, s->data);
     bat_release(across);
     bat_release(turned);
     bat_release(along);
@@ -190,9 +191,9 @@ static batten_status from_modes(const smoothing *s, double lambda)
             }
     if (status == BATTEN_OK) {
         expand(&s->modes[0], (size_t)nv * d, x, half);
-        bat_grid_transpose(nu, nv, d, half, x);
+        bat_transpose(nu, nv, d, half, x);
         expand(&s->modes[1], (size_t)nu * d, x, half);
-        bat_grid_transpose(nv, nu, d, half, t->control);
+        bat_transpose(nv, nu, d, half, t->control);
     }
     bat_release(half);
     bat_release(x);

@@ -1,5 +1,6 @@
 #include "shape/interpolate_grid.h"
 #include "base/work.h"
+#include "numeric/dense.h"
 #include "shape/gaps.h"
 #include "spline/curve.h"
 
@@ -233,15 +234,6 @@ static batten_status solve_rims(task *t)
     return status;
 }
 
-/* [rows][columns][d] to [columns][rows][d]. */
-static void transpose(int rows, int columns, size_t d, const double *from, double *to)
-{
-    for (size_t i = 0; i < (size_t)rows; i++)
-        for (size_t j = 0; j < (size_t)columns; j++)
-            for (size_t k = 0; k < d; k++)
-                to[(j * (size_t)rows + i) * d + k] = from[(i * (size_t)columns + j) * d + k];
-}
-
 static batten_status solve_along_v(task *t)
 {
     const size_t d = (size_t)t->width;
@@ -252,11 +244,11 @@ static batten_status solve_along_v(task *t)
     t->control = bat_array3((size_t)nv, row, sizeof *t->control);
     batten_status status = data && solved && t->control ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        transpose(nu, t->count_v, d, t->lines, data);
+        bat_transpose(nu, t->count_v, d, t->lines, data);
         status = bat_operator_apply(&t->along_v, row, data, NULL, NULL, t->slopes, solved);
     }
     if (status == BATTEN_OK)
-        transpose(nv, nu, d, solved, t->control);
+        bat_transpose(nv, nu, d, solved, t->control);
     bat_release(solved);
     bat_release(data);
     return status;

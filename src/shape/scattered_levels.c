@@ -3,6 +3,7 @@
  * the sum of those before leaves. The sum is kept on the last lattice. Lattices reach one span
  * beyond the domain on every side, with even knots; the result is clamped.
  */
+#include "numeric/dense.h"
 #include "shape/scattered.h"
 #include "spline/spline.h"
 #include "spline/surface.h"
@@ -110,9 +111,9 @@ static batten_status halve(const bat_scatter *s, lattice *l)
     const bool good = a && b && c && sum;
     if (good) {
         halve_lines(nu, (size_t)(nv + 3) * d, l->sum, a);
-        bat_grid_transpose(wide, nv + 3, d, a, b);
+        bat_transpose(wide, nv + 3, d, a, b);
         halve_lines(nv, (size_t)wide * d, b, c);
-        bat_grid_transpose(2 * nv + 3, wide, d, c, sum);
+        bat_transpose(2 * nv + 3, wide, d, c, sum);
         bat_release(l->sum);
         l->sum = sum;
         for (int k = 0; k < 2; k++) {

@@ -2,6 +2,7 @@
 #include "shape/tensor.h"
 
 #include "base/work.h"
+#include "numeric/dense.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -206,10 +207,8 @@ static void release_stage(stage *s)
 static double *transposed(int rows, size_t columns, size_t d, const double *from)
 {
     double *to = bat_array3((size_t)rows * columns, d, sizeof *to);
-    for (size_t i = 0; to && i < (size_t)rows; i++)
-        for (size_t j = 0; j < columns; j++)
-            memcpy(to + (j * (size_t)rows + i) * d, from + (i * columns + j) * d,
-                   d * sizeof *to);
+    if (to)
+        bat_transpose(rows, (int)columns, d, from, to);
     return to;
 }
 

@@ -1,20 +1,13 @@
 /* Changes that keep the shape: knots, degree, parts. */
 #include "spline/surface_change.h"
 
+#include "numeric/dense.h"
+
 #include "spline/curve.h"
 
 #include <string.h>
 
 /* ---- surfaces as splines and back ---- */
-
-/* out [columns][rows][width] from in [rows][columns][width] */
-static void transpose(int rows, int columns, size_t width, const double *in, double *out)
-{
-    const size_t stride = (size_t)rows * width;
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++, in += width)
-            memcpy(out + (size_t)j * stride + (size_t)i * width, in, width * sizeof *out);
-}
 
 static batten_status open_direction(const bat_axis *axis, bat_spline *spline)
 {
@@ -42,7 +35,7 @@ batten_status bat_nurbs_to_spline(const bat_nurbs *nurbs, batten_direction direc
     if (direction == BATTEN_U)
         memcpy(made.values, nurbs->net, n * made.width * sizeof *made.values);
     else
-        transpose(across, axis->count, nurbs->width, nurbs->net, made.values);
+        bat_transpose(across, axis->count, nurbs->width, nurbs->net, made.values);
     if (axis->periodic)
         status = open_direction(axis, &made);
     if (status == BATTEN_OK)
@@ -80,7 +73,7 @@ static void fill_from_spline(const bat_nurbs *like, batten_direction direction,
     }
     /* Only a rational surface has a net of its own; it is filled from the points later on. */
     double *net = made->net;
-    transpose(spline->count, across->count, like->width, spline->values, net);
+    bat_transpose(spline->count, across->count, like->width, spline->values, net);
     if (made->weights)
         fill_points(made, like->weight_scale, net);
 }

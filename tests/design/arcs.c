@@ -1,22 +1,11 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* A feature `a` evaluated after `before`. */
 static batten_status evaluate(const char *before, const char *feature, batten_design **out)
 {
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", before, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 static const char ducks[] =

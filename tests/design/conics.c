@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* The first object of feature `a`, evaluated after some points. */
 static batten_status evaluate(const char *feature, batten_design **out)
@@ -15,15 +12,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
              "  bent: {points: [[0, 0, 2], [1, 0.5, 1], [2, 0.3, 2], [3, 1, 2]]}\n"
              "  a: %s\n",
              feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 TEST(features_of_conics_pass_their_points_exactly)

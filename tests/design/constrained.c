@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* A feature `a` of the points p, which rise in steps in a plane y = 1. */
 static batten_status evaluate(const char *feature, batten_design **out)
@@ -11,15 +8,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
              "batten: 1\nfeatures:\n  p: {points: [[0, 1, 0], [1, 1, 0], [2, 1, 0.05], [3, 1, "
              "1], [4, 1, 1.05], [5, 1, 1.1]]}\n  a: %s\n",
              feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 TEST(constrained_keeps_to_its_side_of_lines_as_curve_and_as_function)

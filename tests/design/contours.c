@@ -1,13 +1,11 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <math.h>
 #include <string.h>
 
 static batten_status evaluate(const char *feature, batten_design **out)
 {
     char text[1000];
-    batten_design *design = NULL;
     snprintf(
         text, sizeof text,
         "batten: 1\nunits: m\ntolerance: 1 mm\nfeatures:\n"
@@ -15,14 +13,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
         "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
         "  sail: {bezier-triangle: net}\n  a: %s\n",
         feature);
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 /* Every curve lies on one circle about the z-axis for each of its heights. */

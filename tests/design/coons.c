@@ -1,20 +1,10 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <stdlib.h>
-#include <string.h>
 
 static batten_status evaluate(const char *text, batten_notes *notes, batten_design **out)
 {
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, notes);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", notes, out);
 }
 
 /* The surface that feature a of a design makes; the design stays the caller's. */

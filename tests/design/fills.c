@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* Three rounded edges around a hole, and a wall that has nothing to do with it. */
 static const char common[] = "batten: 1\nunits: m\nfeatures:\n"
@@ -19,15 +16,7 @@ static batten_status evaluate(const char *feature, batten_notes *notes, batten_d
 {
     char text[3000];
     snprintf(text, sizeof text, "%s  x: %s\n", common, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, notes, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "x", NULL, notes);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "x", notes, out);
 }
 
 /* The text of the note that contains these words, or "". */

@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* Three ribs over two stringers and a keel; the ribs begin at the keel. */
 static const char common[] =
@@ -21,15 +18,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
 {
     char text[3000];
     snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 TEST(networks_become_surfaces)

@@ -1,8 +1,6 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <batten/notes.h>
-#include <string.h>
 
 #define ALONG "[[1, 0], [1, 0], [1, 0], [1, 0], [1, 0]]"
 
@@ -20,15 +18,7 @@ static batten_status evaluate(const char *feature, batten_design **out, batten_n
         "  back: {points: [[0, 0], [2, 0], [1, 0], [1, 1], [2, 2]]}\n";
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, notes);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", notes, out);
 }
 
 TEST(features_of_local_methods_leave_curves_through_their_points)

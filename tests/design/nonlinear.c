@@ -1,8 +1,6 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <batten/notes.h>
-#include <string.h>
 
 /* A feature `a` evaluated after `before`. */
 static batten_status evaluate(const char *before, const char *feature, batten_design **out,
@@ -10,15 +8,7 @@ static batten_status evaluate(const char *before, const char *feature, batten_de
 {
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", before, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, notes);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", notes, out);
 }
 
 static const char ducks[] =

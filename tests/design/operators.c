@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 /* Operators without equations, and polynomials of least largest error, as a user writes them.
  */
@@ -17,15 +14,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
 {
     char text[2000];
     snprintf(text, sizeof text, "%s  a: %s\n", rows_of_points, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 TEST(operators_are_as_far_from_their_points_as_they_say)

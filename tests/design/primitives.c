@@ -1,8 +1,6 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <batten/notes.h>
-#include <string.h>
 
 static const char rows_of_points[] =
     "  straight: {points: [[0, 0, 1], [1, 2, 3], [2, 4, 5], [4, 8, 9]]}\n"
@@ -23,15 +21,7 @@ static batten_status evaluate(const char *feature, batten_design **out, batten_n
 {
     char text[3000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows_of_points, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, notes);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", notes, out);
 }
 
 TEST(a_line_fitted_to_a_straight_row_runs_from_its_first_point_to_its_last)

@@ -1,7 +1,4 @@
-#include "support/test.h"
-
-#include <batten/design.h>
-#include <string.h>
+#include "design/evaluate.h"
 
 static batten_status evaluate(const char *feature, batten_design **out)
 {
@@ -12,15 +9,7 @@ static batten_status evaluate(const char *feature, batten_design **out)
         "  c: {circle: 1}\n";
     char text[2000];
     snprintf(text, sizeof text, "batten: 1\nfeatures:\n%s  a: %s\n", rows, feature);
-    batten_design *design = NULL;
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 TEST(points_and_polylines_are_thinned_and_the_distance_is_told)

@@ -1,6 +1,5 @@
-#include "support/test.h"
+#include "design/evaluate.h"
 
-#include <batten/design.h>
 #include <string.h>
 
 static const char common[] =
@@ -22,16 +21,8 @@ static const char common[] =
 static batten_status evaluate(const char *feature, batten_design **out)
 {
     char text[3000];
-    batten_design *design = NULL;
     snprintf(text, sizeof text, "%s  a: %s\n", common, feature);
-    batten_status status = batten_design_parse(text, strlen(text), NULL, NULL, &design);
-    if (status == BATTEN_OK)
-        status = batten_design_evaluate(design, "a", NULL, NULL);
-    if (status == BATTEN_OK)
-        *out = design;
-    else
-        batten_design_free(design);
-    return status;
+    return evaluate_design(text, "a", NULL, out);
 }
 
 static const batten_object *last_object(const batten_design *design)

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define DEGREES (180 / 3.14159265358979323846)
+#define DEGREES (180 / BAT_PI)
 
 static const batten_parameter parameters[] = {
     {"fill", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sides, in any order"},

@@ -15,7 +15,7 @@ static const batten_parameter parameters[] = {
 /* The spline near the patch, and how near it is. */
 static batten_status put_patch(bat_run *run, const batten_surface *patch, double within)
 {
-    const double degrees = 180 / 3.14159265358979323846;
+    const double degrees = 180 / BAT_PI;
     batten_surface *nurbs = NULL;
     double error = 0, angle = 0;
     const batten_status status = batten_surface_to_smooth_nurbs(
