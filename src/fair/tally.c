@@ -1,5 +1,6 @@
 #include "fair/criteria.h"
 #include "fair/springback.h"
+#include "numeric/select.h"
 
 #include <float.h>
 #include <string.h>
@@ -55,34 +56,6 @@ batten_status bat_tally_point(bat_fair_tally *tally, int width, int set, int ind
 
 /* ---- blunders ---- */
 
-/* The k-th smallest; the values are reordered. Each round throws away at least the pivot. */
-static double select_value(double *values, int count, int k)
-{
-    int low = 0, high = count - 1;
-    while (low < high) {
-        const double pivot = values[low + (high - low) / 2];
-        int i = low, j = high;
-        while (i <= j) {
-            while (values[i] < pivot)
-                i++;
-            while (values[j] > pivot)
-                j--;
-            if (i <= j) {
-                const double swap = values[i];
-                values[i++] = values[j];
-                values[j--] = swap;
-            }
-        }
-        if (k <= j)
-            high = j;
-        else if (k >= i)
-            low = i;
-        else
-            break;
-    }
-    return values[k];
-}
-
 /* A force as large as a wrong number makes: a peak between neighbours that push the other way.
  */
 static bool is_peak(int width, const double *forces, const double *sizes, int i,
@@ -123,7 +96,7 @@ static batten_status find_suspects(bat_fair_tally *tally, const bat_batten *batt
         sorted[i] = sizes[i] = bat_distance(width, forces + i * width, zero);
         size = bat_max(size, bat_distance(width, points + i * width, zero));
     }
-    const double median = select_value(sorted, n, n / 2);
+    const double median = bat_select((size_t)n, sorted, (size_t)n / 2);
     batten_status status = BATTEN_OK;
     for (int i = 1; status == BATTEN_OK && i < n - 1; i++) {
         const double roundoff = 64 * DBL_EPSILON * size * batten->diagonal[i];

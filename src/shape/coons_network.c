@@ -7,6 +7,7 @@
  * slopes blended from those of the curves leave no other terms (see coons_patch.c).
  */
 #include "shape/coons.h"
+#include "shape/net_twists.h"
 
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -257,19 +258,12 @@ static batten_status build(network *net, batten_surface **out)
 
 static batten_status check_axis(const network *net, int k)
 {
+    const char name = k ? 'v' : 'u';
     const double *t = net->at[k];
     const int count = net->count[k];
-    const char name = k ? 'v' : 'u';
-    if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the net has %d lines in %c, fewer than 2",
-                        count, name);
-    for (int i = 0; i < count; i++) {
-        if (!isfinite(t[i]))
-            return bat_fail(BATTEN_NOT_FINITE, "parameter %d in %c is %g", i, name, t[i]);
-        if (i > 0 && !(t[i] > t[i - 1]))
-            return bat_fail(BATTEN_NOT_INCREASING, "parameter %d in %c is %g, after %g", i,
-                            name, t[i], t[i - 1]);
-    }
+    const batten_status status = bat_net_check_axis(name, count, t);
+    if (status != BATTEN_OK)
+        return status;
     for (int j = 0; j < net->count[1 - k]; j++) {
         const batten_curve *curve = net->curves[k][j];
         const batten_interval domain = batten_curve_domain(curve);

@@ -1,6 +1,7 @@
 /* Least squares on grids, and what all fits to grids share. */
 #include "shape/grid_fit.h"
 #include "numeric/dense.h"
+#include "numeric/select.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -189,36 +190,6 @@ static batten_status solve(bat_grid_fit *t)
 }
 
 /* ---- the report ---- */
-
-double bat_select(size_t count, double *values, size_t k)
-{
-    size_t low = 0, high = count - 1;
-    while (low < high) {
-        const double pivot = values[low + (high - low) / 2];
-        size_t i = low, j = high;
-        while (i <= j) {
-            while (values[i] < pivot)
-                i++;
-            while (values[j] > pivot)
-                j--;
-            if (i <= j) {
-                const double kept = values[i];
-                values[i++] = values[j];
-                values[j] = kept;
-                if (j == 0)
-                    break;
-                j--;
-            }
-        }
-        if (k <= j && j < high)
-            high = j;
-        else if (k >= i)
-            low = i;
-        else
-            break;
-    }
-    return values[k];
-}
 
 void bat_surface_fit_measure(size_t count, double *distances, const double *weights,
                              batten_surface_fit_report *report)

@@ -40,7 +40,5 @@ batten_status bat_grid_fit_within(int dimension, const int count[2], const doubl
 /* max, rms, most, worst of distances [count]; weights NULL: all 1. `distances` is sorted. */
 void bat_surface_fit_measure(size_t count, double *distances, const double *weights,
                              batten_surface_fit_report *report);
-/* The k-th smallest of `values`, which are put in another order. */
-double bat_select(size_t count, double *values, size_t k);
 
 #endif

@@ -230,10 +230,10 @@ static void selesnick(const bat_net *net, const batten_twist_shape *shape, int i
 
 /* ---- all ---- */
 
-static batten_status check_axis(char name, int count, const double *t)
+batten_status bat_net_check_axis(char name, int count, const double *t)
 {
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the net has %d points along %c, fewer than 2",
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "the net has %d lines in %c, fewer than 2",
                         count, name);
     for (int i = 0; i < count; i++) {
         if (!isfinite(t[i]))
@@ -268,9 +268,9 @@ static batten_status check(const bat_net *net, batten_twists method,
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "Selesnick's twists need three dimensions, second derivatives and "
                         "curvatures");
-    batten_status status = check_axis('u', net->count[0], net->at[0]);
+    batten_status status = bat_net_check_axis('u', net->count[0], net->at[0]);
     if (status == BATTEN_OK)
-        status = check_axis('v', net->count[1], net->at[1]);
+        status = bat_net_check_axis('v', net->count[1], net->at[1]);
     if (status == BATTEN_OK)
         status = check_values(net, "point", net->points);
     if (status == BATTEN_OK)

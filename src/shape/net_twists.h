@@ -16,6 +16,9 @@ static inline size_t bat_net_index(const bat_net *net, int i, int j)
     return ((size_t)i * (size_t)net->count[1] + (size_t)j) * (size_t)net->dimension;
 }
 
+/* Two lines or more, at finite rising parameters; `name` of the direction for messages. */
+batten_status bat_net_check_axis(char name, int count, const double *t);
+
 /* Those of least energy (net_twists_energy.c). */
 batten_status bat_net_energy_twists(const bat_net *net, double *twists);
 

@@ -1,4 +1,5 @@
 /* The weight of the penalty, and robust fits. */
+#include "numeric/select.h"
 #include "shape/scattered.h"
 
 #include <string.h>
