@@ -61,6 +61,8 @@
 #include <batten/standard.h>
 #include <batten/surface.h>
 #include <batten/surface_match.h>
+#include <batten/surface_extend.h>
+#include <batten/surface_offset.h>
 #include <batten/sweep.h>
 #include <batten/tension.h>
 #include <batten/tensor.h>

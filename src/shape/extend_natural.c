@@ -9,13 +9,16 @@
 
 #include <string.h>
 
-/* The blossom of the last piece at t[0..p-1], by de Boor's steps: one row. */
-static void blossom(const bat_spline *s, const double *t, double *work, double *out)
+/* The blossom of the last piece at t[0..p-1], by de Boor's steps: columns first .. first + w - 1
+ * of one row, w <= BAT_MAX_WIDTH. */
+static void blossom(const bat_spline *s, const double *t, size_t column, size_t w, double *out)
 {
     const int p = s->degree, first = s->count - 1 - p;
-    const size_t w = s->width;
     const double *U = s->knots + first;
-    memcpy(work, s->values + (size_t)first * w, (size_t)(p + 1) * w * sizeof *work);
+    double work[BAT_MAX_ROWS];
+    for (int j = 0; j <= p; j++)
+        memcpy(work + (size_t)j * w, s->values + (size_t)(first + j) * s->width + column,
+               w * sizeof *work);
     for (int r = 1; r <= p; r++)
         for (int j = p; j >= r; j--) {
             const double a = U[j], b = U[j + p - r + 1], share = (t[r - 1] - a) / (b - a);
@@ -24,7 +27,7 @@ static void blossom(const bat_spline *s, const double *t, double *work, double *
                 *row = (1 - share) * *(row - w) + share * *row;
             }
         }
-    memcpy(out, work + (size_t)p * w, w * sizeof *out);
+    memcpy(out + column, work + (size_t)p * w, w * sizeof *out);
 }
 
 /* The weights of a rational piece stay positive as long as it may go on. */
@@ -43,7 +46,7 @@ static batten_status check_weights(const bat_spline *s, double u)
 static void move_end(const bat_spline *from, double u, bat_spline *made)
 {
     const int p = from->degree, n = from->count;
-    double t[BATTEN_MAX_DEGREE], work[BAT_MAX_ROWS];
+    double t[BATTEN_MAX_DEGREE];
     memcpy(made->values, from->values, (size_t)(n - p) * from->width * sizeof *made->values);
     memcpy(made->knots, from->knots, (size_t)n * sizeof *made->knots);
     for (int i = n; i <= n + p; i++)
@@ -51,8 +54,20 @@ static void move_end(const bat_spline *from, double u, bat_spline *made)
     for (int i = n - p; i < n; i++) {
         for (int k = 0; k < p; k++)
             t[k] = i + 1 + k < n ? from->knots[i + 1 + k] : u;
-        blossom(from, t, work, made->values + (size_t)i * from->width);
+        for (size_t column = 0; column < from->width; column += BAT_MAX_WIDTH)
+            blossom(from, t, column,
+                    from->width - column < BAT_MAX_WIDTH ? from->width - column : BAT_MAX_WIDTH,
+                    made->values + (size_t)i * from->width);
     }
+}
+
+batten_status bat_spline_go_on(const bat_spline *from, double u, bat_spline *out)
+{
+    const batten_status status =
+        bat_spline_make(from->degree, from->count, from->width, out);
+    if (status == BATTEN_OK)
+        move_end(from, u, out);
+    return status;
 }
 
 batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve **out)
@@ -61,9 +76,8 @@ batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve 
     batten_status status = bat_curve_to_spline(curve, &from);
     if (status != BATTEN_OK)
         return status;
-    status = bat_spline_make(from.degree, from.count, from.width, &made);
+    status = bat_spline_go_on(&from, u, &made);
     if (status == BATTEN_OK) {
-        move_end(&from, u, &made);
         if (curve->weights)
             status = check_weights(&made, u);
         if (status == BATTEN_OK)

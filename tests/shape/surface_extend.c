@@ -1,0 +1,199 @@
+#include <batten/inspect.h>
+#include <batten/standard.h>
+#include <batten/surface_extend.h>
+
+#include "support/surfaces.h"
+
+static const batten_edge edges[] = {BATTEN_EDGE_V0, BATTEN_EDGE_U1, BATTEN_EDGE_V1,
+                                    BATTEN_EDGE_U0};
+
+static batten_surface *make_dome(double scale)
+{
+    const double knots[] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1};
+    double points[75];
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            const double x = i / 4.0, y = j / 4.0;
+            const double p[] = {x + 0.05 * y * y, y - 0.04 * x,
+                                0.6 * x * (1 - x) + 0.3 * y * y * y};
+            for (int c = 0; c < 3; c++)
+                points[15 * i + 3 * j + c] = scale * p[c];
+        }
+    const batten_axis axis = {3, 5, knots, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+    return surface;
+}
+
+/* Is the old part what it was, at equal parameters? */
+static void check_old_part(const batten_surface *surface, const batten_surface *longer,
+                           double tolerance)
+{
+    const batten_interval u = batten_surface_domain(surface, BATTEN_U);
+    const batten_interval v = batten_surface_domain(surface, BATTEN_V);
+    for (int i = 0; i < 60; i++) {
+        const double s = i / 59.0, t = fmod(0.37 * i, 1);
+        double a[3], b[3];
+        CHECK_OK(batten_surface_evaluate(surface, (1 - s) * u.a + s * u.b,
+                                         (1 - t) * v.a + t * v.b, 0, a));
+        CHECK_OK(batten_surface_evaluate(longer, (1 - s) * u.a + s * u.b,
+                                         (1 - t) * v.a + t * v.b, 0, b));
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(b[c], a[c], tolerance);
+    }
+}
+
+TEST(every_edge_goes_on_straight_and_naturally)
+{
+    const batten_extension kinds[] = {BATTEN_EXTEND_LINE, BATTEN_EXTEND_NATURAL,
+                                      BATTEN_EXTEND_ARC};
+    batten_surface *dome = make_dome(1);
+    for (int i = 0; i < 12; i++) {
+        const batten_extension kind = kinds[i / 4];
+        batten_surface_extend_report report;
+        batten_surface *longer = NULL;
+        CHECK_OK(
+            batten_surface_extend(dome, edges[i % 4], kind, 0.3, 1e-7, &report, &longer));
+        check_old_part(dome, longer, kind == BATTEN_EXTEND_ARC ? 1e-7 : 1e-14);
+        CHECK_NEAR(report.least, 0.3, kind == BATTEN_EXTEND_ARC ? 1e-5 : 1e-11);
+        CHECK(report.most >= report.least && report.most < 1);
+        CHECK(report.angle < (kind == BATTEN_EXTEND_ARC ? 1e-4 : 1e-12));
+        if (kind == BATTEN_EXTEND_NATURAL) {
+            CHECK(report.curvature < 1e-11);
+            CHECK_INT(report.multiplicity, 0);
+        } else if (kind == BATTEN_EXTEND_LINE) {
+            CHECK_INT(report.multiplicity, 2);
+            CHECK_NEAR(report.turn, 0, 1e-12);
+        } else {
+            CHECK(report.error <= 1e-7 && report.curvature < 0.02);
+        }
+        const batten_direction across = i % 2 ? BATTEN_U : BATTEN_V;
+        const batten_interval domain = batten_surface_domain(longer, across);
+        CHECK(report.to == (edges[i % 4] == BATTEN_EDGE_U0 || edges[i % 4] == BATTEN_EDGE_V0
+                                ? domain.a
+                                : domain.b));
+        batten_surface_unref(longer);
+    }
+    batten_surface_unref(dome);
+}
+
+/* A part of a sphere that goes on naturally, or along arcs of its meridians, stays one. */
+TEST(a_sphere_goes_on_as_a_sphere)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *sphere = NULL, *part = NULL, *whole = NULL, *longer = NULL;
+    CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
+    CHECK_OK(batten_surface_subrange(sphere, BATTEN_U, 0.02, 0.2, &whole));
+    CHECK_OK(batten_surface_subrange(whole, BATTEN_V, 0.3, 0.45, &part));
+    for (int i = 0; i < 4; i++) {
+        batten_surface_extend_report report;
+        CHECK_OK(batten_surface_extend(part, edges[i], BATTEN_EXTEND_NATURAL, 0.2, 1e-6,
+                                       &report, &longer));
+        CHECK(report.curvature < 1e-10 && report.angle < 1e-12);
+        for (int k = 0; k < 40; k++) {
+            const batten_interval u = batten_surface_domain(longer, BATTEN_U);
+            const batten_interval v = batten_surface_domain(longer, BATTEN_V);
+            const double s = k / 39.0, t = fmod(0.41 * k, 1);
+            double p[3];
+            CHECK_OK(batten_surface_evaluate(longer, (1 - s) * u.a + s * u.b,
+                                             (1 - t) * v.a + t * v.b, 0, p));
+            CHECK_NEAR(sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), 2, 1e-12);
+        }
+        batten_surface_unref(longer);
+    }
+    batten_surface_unref(sphere);
+    batten_surface_unref(whole);
+    batten_surface_unref(part);
+}
+
+/* z = x^2 over -1 <= y <= 1, gone on by arcs at x = 1: radius 5^1.5 / 2 about its centre. */
+TEST(an_arc_goes_on_along_the_circle_of_curvature)
+{
+    const double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 1, 1};
+    const double points[] = {0, -1, 0, 0, 1, 0, 0.5, -1, 0, 0.5, 1, 0, 1, -1, 1, 1, 1, 1};
+    const batten_axis axes[] = {{2, 3, u, false}, {1, 2, v, false}};
+    const double radius = pow(5, 1.5) / 2;
+    const double centre[] = {1 - radius * 2 / sqrt(5), 1 + radius / sqrt(5)};
+    batten_surface *bowl = NULL, *longer = NULL;
+    batten_surface_extend_report report;
+    CHECK_OK(batten_surface_create(3, &axes[0], &axes[1], points, NULL, &bowl));
+    CHECK_OK(batten_surface_extend(bowl, BATTEN_EDGE_U1, BATTEN_EXTEND_ARC, 3, 1e-8, &report,
+                                   &longer));
+    CHECK_NEAR(report.least, 3, 1e-7);
+    CHECK_NEAR(report.most, 3, 1e-7);
+    CHECK_NEAR(report.turn, 3 / radius, 1e-6);
+    for (int i = 0; i < 40; i++) {
+        double p[3];
+        CHECK_OK(batten_surface_evaluate(longer, 1 + (report.to - 1) * i / 39,
+                                         fmod(0.3 * i, 1), 0, p));
+        CHECK_NEAR(hypot(p[0] - centre[0], p[2] - centre[1]), radius, 2e-8);
+    }
+    batten_surface_unref(bowl);
+    batten_surface_unref(longer);
+}
+
+/* The weights of a sphere change both ways: straight lines along its tangents all the same. */
+TEST(rational_surfaces_go_on_straight)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *sphere = NULL, *part = NULL, *longer = NULL;
+    batten_surface_extend_report report;
+    CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
+    CHECK_OK(batten_surface_subrange(sphere, BATTEN_V, 0.1, 0.4, &part));
+    CHECK_OK(
+        batten_surface_extend(part, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 9, 1, &report, &longer));
+    CHECK_NEAR(report.least, 9, 1e-9);
+    CHECK_NEAR(report.most, 9, 1e-9);
+    CHECK(report.angle < 1e-12 && report.turn < 1e-7);
+    CHECK_NEAR(report.curvature, 0.5, 1e-9);
+    check_old_part(part, longer, 1e-14);
+    batten_surface_unref(sphere);
+    batten_surface_unref(part);
+    batten_surface_unref(longer);
+}
+
+TEST(G7_edges_that_cannot_go_on_are_refused)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *sphere = NULL, *dome = make_dome(1), *made = NULL;
+    CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
+    CHECK_STATUS(
+        batten_surface_extend(sphere, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 1, 1, NULL, &made),
+        BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("is a point");
+    CHECK_STATUS(
+        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, -1, 1, NULL, &made),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, (double)NAN, 1,
+                                       NULL, &made),
+                 BATTEN_NOT_FINITE);
+    CHECK_STATUS(
+        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_SPIRAL, 1, 1, NULL, &made),
+        BATTEN_UNSUPPORTED);
+    CHECK_STATUS(
+        batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_ARC, 1e3, 1, NULL, &made),
+        BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("more than once");
+    CHECK(made == NULL);
+    batten_surface_unref(sphere);
+    batten_surface_unref(dome);
+}
+
+TEST(K7_huge_and_tiny_surfaces_go_on)
+{
+    const double scales[] = {1e80, 1e-80};
+    for (int i = 0; i < 2; i++) {
+        batten_surface_extend_report report;
+        batten_surface *dome = make_dome(scales[i]), *made = NULL;
+        CHECK_OK(batten_surface_extend(dome, BATTEN_EDGE_U0, BATTEN_EXTEND_LINE,
+                                       0.5 * scales[i], 1, &report, &made));
+        CHECK_NEAR(report.least / scales[i], 0.5, 1e-11);
+        batten_surface_unref(made);
+        made = NULL;
+        CHECK_OK(batten_surface_extend(dome, BATTEN_EDGE_V1, BATTEN_EXTEND_ARC, 0.5 * scales[i],
+                                       1e-6 * scales[i], &report, &made));
+        CHECK_NEAR(report.least / scales[i], 0.5, 1e-5);
+        batten_surface_unref(made);
+        batten_surface_unref(dome);
+    }
+}
