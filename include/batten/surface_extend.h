@@ -12,16 +12,16 @@ extern "C" {
 #endif
 
 typedef struct batten_surface_extend_report {
-    double to;           /**< the parameter at which the longer surface ends */
-    double least, most;  /**< lengths of what was added, along 33 lines across the edge */
-    double turn;         /**< the largest angle, radians, between the tangents of such a line at
-                              the old edge and at the new one: a natural extension that turns
-                              far goes astray */
-    double angle;        /**< the largest jump of the normal over the old edge, radians */
-    double curvature;    /**< the largest jump of the normal curvature across it */
-    int multiplicity;    /**< of the knot at the old edge; 0: there is none */
-    double error;        /**< how far what was added, or the old edge, may be from what it should
-                              be: of an ARC, else 0 */
+    double to;          /**< the parameter at which the longer surface ends */
+    double least, most; /**< lengths of what was added, along 33 lines across the edge */
+    double turn;        /**< the largest angle, radians, between the tangents of such a line at
+                             the old edge and at the new one: a natural extension that turns
+                             far goes astray */
+    double angle;       /**< the largest jump of the normal over the old edge, radians */
+    double curvature;   /**< the largest jump of the normal curvature across it */
+    int multiplicity;   /**< of the knot at the old edge; 0: there is none */
+    double error;       /**< how far what was added, or the old edge, may be from what it should
+                             be: of an ARC, else 0 */
 } batten_surface_extend_report;
 
 /**

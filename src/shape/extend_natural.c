@@ -9,8 +9,8 @@
 
 #include <string.h>
 
-/* The blossom of the last piece at t[0..p-1], by de Boor's steps: columns first .. first + w - 1
- * of one row, w <= BAT_MAX_WIDTH. */
+/* The blossom of the last piece at t[0..p-1], by de Boor's steps: columns first .. first + w -
+ * 1 of one row, w <= BAT_MAX_WIDTH. */
 static void blossom(const bat_spline *s, const double *t, size_t column, size_t w, double *out)
 {
     const int p = s->degree, first = s->count - 1 - p;
@@ -63,8 +63,7 @@ static void move_end(const bat_spline *from, double u, bat_spline *made)
 
 batten_status bat_spline_go_on(const bat_spline *from, double u, bat_spline *out)
 {
-    const batten_status status =
-        bat_spline_make(from->degree, from->count, from->width, out);
+    const batten_status status = bat_spline_make(from->degree, from->count, from->width, out);
     if (status == BATTEN_OK)
         move_end(from, u, out);
     return status;

@@ -78,8 +78,8 @@ static batten_status line_length(const batten_surface *surface, double u, double
 {
     static const double x[POINTS] = {-0.8611363115940526, -0.3399810435848563,
                                      0.3399810435848563, 0.8611363115940526};
-    static const double w[POINTS] = {0.3478548451374538, 0.6521451548625461,
-                                     0.6521451548625461, 0.3478548451374538};
+    static const double w[POINTS] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                     0.3478548451374538};
     const double end = batten_surface_domain(surface, BATTEN_V).b;
     const double half = (end - from) / PIECES / 2;
     batten_status status = BATTEN_OK;
@@ -180,10 +180,11 @@ static batten_status find_way(const task *t, double guess, batten_surface **out)
               : isfinite(high)          ? low + (high - low) / 2
                                         : 2 * way;
     }
-    return bat_fail(status == BATTEN_OK ? BATTEN_TOLERANCE_NOT_MET : status,
-                    "the surface cannot go on by %g: %g of its parameter was tried, which gives "
-                    "%g",
-                    t->length, way, least);
+    return bat_fail(
+        status == BATTEN_OK ? BATTEN_TOLERANCE_NOT_MET : status,
+        "the surface cannot go on by %g: %g of its parameter was tried, which gives "
+        "%g",
+        t->length, way, least);
 }
 
 static batten_status go_on(const task *t, batten_surface **out)
@@ -209,8 +210,8 @@ static batten_status one_side(const task *t, const batten_surface *made, double 
                               batten_side side, batten_vec3 *normal, double *curvature)
 {
     double values[18];
-    const batten_status status = batten_surface_evaluate_side(
-        made, u, t->end, BATTEN_FROM_RIGHT, side, 2, values);
+    const batten_status status =
+        batten_surface_evaluate_side(made, u, t->end, BATTEN_FROM_RIGHT, side, 2, values);
     if (status != BATTEN_OK)
         return status;
     const double lu = bat_norm(3, values + 3), lv = bat_norm(3, values + 6);
@@ -219,7 +220,8 @@ static batten_status one_side(const task *t, const batten_surface *made, double 
     const batten_vec3 cross = bat_vec3_cross(a, b);
     const double sine = bat_vec3_norm(cross);
     *normal = bat_vec3_scale(cross, sine > 0 ? 1 / sine : 0);
-    *curvature = bat_vec3_dot(bat_vec3_scale(bat_vec3_of(3, values + 15), 1 / lv), *normal) / lv;
+    *curvature =
+        bat_vec3_dot(bat_vec3_scale(bat_vec3_of(3, values + 15), 1 / lv), *normal) / lv;
     return BATTEN_OK;
 }
 
@@ -228,8 +230,7 @@ static batten_status measure(const task *t, const batten_surface *made)
     batten_surface_extend_report *r = t->report;
     r->to = batten_surface_domain(made, BATTEN_V).b;
     const bat_axis *axis = &bat_surface_nurbs(made)->axes[BATTEN_V];
-    r->multiplicity =
-        bat_knots_multiplicity(axis->degree, axis->count, axis->knots, t->end);
+    r->multiplicity = bat_knots_multiplicity(axis->degree, axis->count, axis->knots, t->end);
     batten_status status = lengths(t, made, &r->least, &r->most);
     for (int i = 0; i < LINES && status == BATTEN_OK; i++) {
         batten_vec3 n[2];
@@ -249,8 +250,8 @@ static batten_status measure(const task *t, const batten_surface *made)
         const double ln = bat_norm(3, near + 6), lf = bat_norm(3, far + 6);
         const batten_vec3 a = bat_vec3_scale(bat_vec3_of(3, near + 6), 1 / ln);
         const batten_vec3 b = bat_vec3_scale(bat_vec3_of(3, far + 6), lf > 0 ? 1 / lf : 0);
-        r->turn = bat_max(
-            r->turn, atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
+        r->turn =
+            bat_max(r->turn, atan2(bat_vec3_norm(bat_vec3_cross(a, b)), bat_vec3_dot(a, b)));
     }
     return status;
 }
@@ -268,7 +269,8 @@ static batten_status check(const batten_surface *surface, batten_edge edge,
                         (int)extension);
     if (length <= 0 || (extension == BATTEN_EXTEND_ARC && tolerance <= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "an extension by %g within %g: both must be above 0", length, tolerance);
+                        "an extension by %g within %g: both must be above 0", length,
+                        tolerance);
     if (extension == BATTEN_EXTEND_SPIRAL)
         return bat_fail(BATTEN_UNSUPPORTED, "surfaces do not go on along spirals");
     if (surface->kind != &bat_nurbs_kind || surface->dimension != 3)

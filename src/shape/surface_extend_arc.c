@@ -52,9 +52,8 @@ static void along_edge(const double *values, int l, int order, double scale, bat
 
 static bat_jet dot(const bat_jet a[3], const bat_jet b[3])
 {
-    return bat_jet_add(
-        bat_jet_add(bat_jet_multiply(a[0], b[0]), bat_jet_multiply(a[1], b[1])),
-        bat_jet_multiply(a[2], b[2]));
+    return bat_jet_add(bat_jet_add(bat_jet_multiply(a[0], b[0]), bat_jet_multiply(a[1], b[1])),
+                       bat_jet_multiply(a[2], b[2]));
 }
 
 static batten_status evaluate(const void *data, double u, double v, batten_side side_u,
@@ -112,10 +111,9 @@ static batten_status make(const batten_surface *surface, double way, batten_surf
     bat_formula_axis u = {along->span_count + 1, along->breaks, 2};
     for (int s = 1; s < along->span_count; s++)
         u.smoothness = bat_min_int(
-            u.smoothness,
-            bat_max_int(0, along->degree - bat_knots_multiplicity(along->degree, along->count,
-                                                                  along->knots,
-                                                                  along->breaks[s])));
+            u.smoothness, bat_max_int(0, along->degree - bat_knots_multiplicity(
+                                                             along->degree, along->count,
+                                                             along->knots, along->breaks[s])));
     const double end = nurbs->axes[BATTEN_V].breaks[nurbs->axes[BATTEN_V].span_count];
     const double ends[2] = {end, end + way};
     const bat_formula_axis v = {2, ends, 2};

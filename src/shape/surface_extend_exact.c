@@ -1,8 +1,8 @@
 /*
- * Extensions that are exact. For S = A / w the rows A, w may go on straight with the derivatives
- * A' + g A, w' + g w for any number g: S' is the same. g is such that w does not grow, so that
- * the extension reaches as far as is asked; where w' = c w all along the edge, g = -c, and w
- * stays what it is.
+ * Extensions that are exact. For S = A / w the rows A, w may go on straight with the
+ * derivatives A' + g A, w' + g w for any number g: S' is the same. g is such that w does not
+ * grow, so that the extension reaches as far as is asked; where w' = c w all along the edge, g
+ * = -c, and w stays what it is.
  */
 #include "shape/surface_extend.h"
 
@@ -40,7 +40,8 @@ static bool tame_weights(const wish *w, const bat_spline *from, double *slope)
         least = bat_min(least, slope[i] / last[i]);
         most = bat_max(most, slope[i] / last[i]);
     }
-    const double speed = from->degree / (from->knots[from->count] - from->knots[from->count - 1]);
+    const double speed =
+        from->degree / (from->knots[from->count] - from->knots[from->count - 1]);
     const double noise = 64 * DBL_EPSILON * speed;
     if (bat_max(fabs(least), fabs(most)) <= noise)
         most = 0;

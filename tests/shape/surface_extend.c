@@ -52,8 +52,7 @@ TEST(every_edge_goes_on_straight_and_naturally)
         const batten_extension kind = kinds[i / 4];
         batten_surface_extend_report report;
         batten_surface *longer = NULL;
-        CHECK_OK(
-            batten_surface_extend(dome, edges[i % 4], kind, 0.3, 1e-7, &report, &longer));
+        CHECK_OK(batten_surface_extend(dome, edges[i % 4], kind, 0.3, 1e-7, &report, &longer));
         check_old_part(dome, longer, kind == BATTEN_EXTEND_ARC ? 1e-7 : 1e-14);
         CHECK_NEAR(report.least, 0.3, kind == BATTEN_EXTEND_ARC ? 1e-5 : 1e-11);
         CHECK(report.most >= report.least && report.most < 1);
@@ -124,8 +123,8 @@ TEST(an_arc_goes_on_along_the_circle_of_curvature)
     CHECK_NEAR(report.turn, 3 / radius, 1e-6);
     for (int i = 0; i < 40; i++) {
         double p[3];
-        CHECK_OK(batten_surface_evaluate(longer, 1 + (report.to - 1) * i / 39,
-                                         fmod(0.3 * i, 1), 0, p));
+        CHECK_OK(batten_surface_evaluate(longer, 1 + (report.to - 1) * i / 39, fmod(0.3 * i, 1),
+                                         0, p));
         CHECK_NEAR(hypot(p[0] - centre[0], p[2] - centre[1]), radius, 2e-8);
     }
     batten_surface_unref(bowl);
@@ -140,8 +139,8 @@ TEST(rational_surfaces_go_on_straight)
     batten_surface_extend_report report;
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
     CHECK_OK(batten_surface_subrange(sphere, BATTEN_V, 0.1, 0.4, &part));
-    CHECK_OK(
-        batten_surface_extend(part, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 9, 1, &report, &longer));
+    CHECK_OK(batten_surface_extend(part, BATTEN_EDGE_V1, BATTEN_EXTEND_LINE, 9, 1, &report,
+                                   &longer));
     CHECK_NEAR(report.least, 9, 1e-9);
     CHECK_NEAR(report.most, 9, 1e-9);
     CHECK(report.angle < 1e-12 && report.turn < 1e-7);
