@@ -12,8 +12,7 @@ static const batten_parameter parameters[] = {
     {"by", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "the distance; negative: to the other side"},
     {"side", BATTEN_VALUE_WORD, false, false, "left", "left right both",
-     "to which side, seen along the curve with the normal up; of a surface left is where its "
-     "normal points"},
+     "seen along the curve with the normal up; of a surface left is to its normal"},
     {"corners", BATTEN_VALUE_WORD, false, false, "round", "round mitre square",
      "what goes around the outside of a corner"},
     {"mitre-limit", BATTEN_VALUE_NUMBER, false, false, "4", NULL,
