@@ -99,6 +99,48 @@ void bat_rows_release(bat_rows *rows)
     *rows = (bat_rows){0, NULL};
 }
 
+/* ---- points in no order ---- */
+
+static batten_status add_rows(const batten_object *object, int *count, double **points)
+{
+    bat_rows rows = {0, NULL};
+    batten_status status = bat_rows_of(object, false, &rows);
+    for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
+        const size_t had = (size_t)*count, more = (size_t)rows.rows[i].count;
+        double *grown = bat_resize(*points, 3 * (had + more) + 1, sizeof *grown);
+        if (!grown) {
+            status = BATTEN_OUT_OF_MEMORY;
+            break;
+        }
+        memcpy(grown + 3 * had, rows.rows[i].points, 3 * more * sizeof *grown);
+        *points = grown;
+        *count += (int)more;
+    }
+    bat_rows_release(&rows);
+    return status;
+}
+
+batten_status bat_gather_points(const bat_run *run, const char *parameter, int *count,
+                                double **points)
+{
+    bat_objects objects;
+    int all = 0;
+    double *gathered = NULL;
+    batten_status status = bat_gather(run, parameter, BAT_POINTS | BAT_OFFSETS, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = add_rows(objects.at[i], &all, &gathered);
+    bat_objects_release(&objects);
+    if (status != BATTEN_OK) {
+        bat_release(gathered);
+        return status;
+    }
+    *count = all;
+    *points = gathered;
+    return BATTEN_OK;
+}
+
 /* ---- plane rows ---- */
 
 int bat_flat_axis(int count, const double *points)

@@ -17,6 +17,9 @@ typedef struct {
 /* The rows of one object: the stations or the lines of a table, else its points. */
 batten_status bat_rows_of(const batten_object *object, bool lines, bat_rows *out);
 void bat_rows_release(bat_rows *rows);
+/* The points and the stations' points of all objects of an argument, [count][3]. */
+batten_status bat_gather_points(const bat_run *run, const char *parameter, int *count,
+                                double **points);
 
 /* The axis along which all points have the same coordinate bit for bit (the last of several),
  * or -1. */

@@ -30,44 +30,11 @@ static const batten_parameter parameters[] = {
      "of a cloud: how often at most points get the parameters of their feet"},
 };
 
-/* ---- points ---- */
-
+/* [count][3] */
 typedef struct {
     int count;
-    double *points; /* [count][3] */
+    double *points;
 } cloud;
-
-static batten_status add_rows(const batten_object *object, cloud *all)
-{
-    bat_rows rows = {0, NULL};
-    batten_status status = bat_rows_of(object, false, &rows);
-    for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
-        const size_t more = (size_t)rows.rows[i].count;
-        double *grown =
-            bat_resize(all->points, 3 * ((size_t)all->count + more) + 1, sizeof *grown);
-        if (!grown) {
-            status = BATTEN_OUT_OF_MEMORY;
-            break;
-        }
-        memcpy(grown + 3 * (size_t)all->count, rows.rows[i].points, 3 * more * sizeof *grown);
-        all->points = grown;
-        all->count += (int)more;
-    }
-    bat_rows_release(&rows);
-    return status;
-}
-
-static batten_status gather(const bat_run *run, cloud *all)
-{
-    bat_objects objects;
-    batten_status status = bat_gather(run, "fit-scattered", BAT_POINTS | BAT_OFFSETS, &objects);
-    if (status != BATTEN_OK)
-        return status;
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
-        status = add_rows(objects.at[i], all);
-    bat_objects_release(&objects);
-    return status;
-}
 
 /* ---- the base ---- */
 
@@ -181,7 +148,7 @@ static batten_status run(bat_run *run)
     cloud data = {0, NULL};
     batten_status status = options_of(run, &options);
     if (status == BATTEN_OK)
-        status = gather(run, &data);
+        status = bat_gather_points(run, "fit-scattered", &data.count, &data.points);
     if (status == BATTEN_OK)
         status = fit(run, &data, &options, &report, &surface);
     if (status == BATTEN_OK)
