@@ -199,5 +199,5 @@ int output_failed(const char *name, batten_status status)
         complain("batten %s: cancelled; what was being written is as it was before", name);
     else
         complain("batten %s: %s", name, message_shown());
-    return job_exit(EXIT_FAILED);
+    return EXIT_FAILED;
 }

@@ -10,9 +10,22 @@
 static volatile sig_atomic_t caught;
 static bool shows_progress, line_is_open, is_quiet;
 
+/* Work that does not look at the job, a search say, is ended when it has not stopped by then; a
+ * file is complete or was never there, since it is renamed when it is written. */
+enum { GRACE = 3 };
+
 static void catch_signal(int number)
 {
+    if (caught)
+        _exit(128 + caught);
     caught = number;
+    alarm(GRACE);
+}
+
+static void end_now(int number)
+{
+    (void)number;
+    _exit(128 + caught);
 }
 
 static bool is_cancelled(void *user)
@@ -39,6 +52,8 @@ void job_begin(bool quiet)
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    action.sa_handler = end_now;
+    sigaction(SIGALRM, &action, NULL);
     /* A closed pipe is a failed write, which every writer reports. */
     signal(SIGPIPE, SIG_IGN);
     is_quiet = quiet;

@@ -103,6 +103,8 @@ static int run(const command *c, int count, char **words)
                        words, &given)) {
         job_begin(arguments_has(&given, "quiet"));
         status = c->run(&given);
+        if (status == EXIT_FAILED)
+            status = job_exit(status); /* a signal made it fail */
         job_end();
         arguments_free(&given);
     }

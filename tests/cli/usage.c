@@ -116,3 +116,11 @@ TEST(without_a_word_the_help_is_shown_and_the_status_is_that_of_wrong_usage)
 {
     CHECK_INT(RUN("batten").exit, 2);
 }
+
+/* Waiting for input, it ends when it is told to, with the status that shells expect. */
+TEST(a_signal_ends_the_command)
+{
+    const test_process told =
+        test_shell("sleep 1 | timeout --preserve-status -s TERM 0.2 $BATTEN info -");
+    CHECK_INT(told.exit, 128 + 15);
+}
