@@ -60,6 +60,7 @@
 #include <batten/spiro.h>
 #include <batten/standard.h>
 #include <batten/surface.h>
+#include <batten/surface_blend.h>
 #include <batten/surface_match.h>
 #include <batten/surface_extend.h>
 #include <batten/surface_offset.h>

@@ -108,3 +108,30 @@ TEST(G7_surfaces_that_cannot_be_made_longer_are_refused)
     };
     check_bad(COUNT(rows), rows);
 }
+
+TEST(surfaces_are_blended)
+{
+    static const good_row rows[] = {
+        {"{blend: [patch, other], edges: [u1, u0]}", 1, "normals jump by"},
+        {"{blend: [patch, other], edges: [v1, v0], first: G1, bulge: [0.5, 1]}", 1,
+         "the edges run"},
+        {"{blend: [patch, other], edges: [u1, u0], parts: [0, 0.5, 0.5, 1], second: G0}", 1,
+         "the edges run alike"},
+    };
+    check_good(COUNT(rows), rows);
+}
+
+TEST(G7_surfaces_that_cannot_be_blended_are_refused)
+{
+    static const bad_row rows[] = {
+        {"{blend: [patch, other], edges: u1}", "two 'edges', 1", BATTEN_BAD_ARGUMENT},
+        {"{blend: patch, edges: [u1, u0]}", "two surfaces are needed", BATTEN_NOT_COMPATIBLE},
+        {"{blend: [patch, other], edges: [u1, u0], first: G3}", "continuity is 0 to 2",
+         BATTEN_BAD_ARGUMENT},
+        {"{blend: [patch, other], edges: [u1, u0], parts: [0, 1]}", "four numbers",
+         BATTEN_BAD_ARGUMENT},
+        {"{blend: [patch, patch], edges: [u1, u1]}", "the edges are the same",
+         BATTEN_COINCIDENT},
+    };
+    check_bad(COUNT(rows), rows);
+}

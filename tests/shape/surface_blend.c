@@ -1,0 +1,199 @@
+#include <batten/inspect.h>
+#include <batten/standard.h>
+#include <batten/surface_blend.h>
+
+#include "support/surfaces.h"
+
+static batten_surface *make_dome(double scale, double x0)
+{
+    const double knots[] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1};
+    double points[75];
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            const double x = i / 4.0, y = j / 4.0;
+            const double p[] = {x0 + x + 0.05 * y * y, y - 0.04 * x,
+                                0.6 * x * (1 - x) + 0.3 * y * y * y};
+            for (int c = 0; c < 3; c++)
+                points[15 * i + 3 * j + c] = scale * p[c];
+        }
+    const batten_axis axis = {3, 5, knots, false};
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+    return surface;
+}
+
+static void set_ends(batten_surface_blend_end ends[2], batten_edge first, batten_edge second,
+                     int continuity)
+{
+    ends[0] = batten_surface_blend_defaults(first);
+    ends[1] = batten_surface_blend_defaults(second);
+    ends[0].continuity = ends[1].continuity = continuity;
+}
+
+/* All pairs of edges and orders: contact, tangent planes, curvatures to rounding. */
+TEST(blends_go_over_into_both_surfaces_exactly)
+{
+    static const batten_edge edges[] = {BATTEN_EDGE_V0, BATTEN_EDGE_U1, BATTEN_EDGE_V1,
+                                        BATTEN_EDGE_U0};
+    batten_surface *a = make_dome(1, 0), *b = make_dome(1, 2.5), *made = NULL;
+    const batten_surface *const pair[2] = {a, b};
+    for (int i = 0; i < 16; i++)
+        for (int order = 0; order < 3; order++) {
+            batten_surface_blend_end ends[2];
+            batten_surface_blend_report report;
+            set_ends(ends, edges[i % 4], edges[i / 4], order);
+            ends[0].bulge = 0.7;
+            ends[1].from = 0.2;
+            CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+            CHECK_INT(batten_surface_degree(made, BATTEN_V), 2 * order + 1);
+            CHECK(report.error == 0);
+            for (int k = 0; k < 2; k++) {
+                CHECK_NEAR(report.gap[k], 0, 1e-14);
+                if (order > 0)
+                    CHECK_NEAR(report.angle[k], 0, 1e-12);
+                if (order > 1)
+                    CHECK_NEAR(report.curvature[k], 0, 1e-10);
+            }
+            batten_surface_unref(made);
+        }
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+}
+
+/* The middle third of a plane cut out and blended again is plane, the middle of a cylinder's
+ * arc nearly round. */
+TEST(a_blend_between_parts_of_a_plane_is_plane)
+{
+    batten_surface *plane = NULL, *low = NULL, *rest = NULL, *high = NULL, *made = NULL;
+    const batten_vec3 p[] = {{0, 0, 1}, {3, 0, 2}, {0, 2, 1}, {3, 2, 2}};
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &plane));
+    CHECK_OK(batten_surface_split(plane, BATTEN_U, 1.0 / 3, &low, &rest));
+    CHECK_OK(batten_surface_subrange(rest, BATTEN_U, 2.0 / 3, 1, &high));
+    const batten_surface *const pair[2] = {low, high};
+    batten_surface_blend_end ends[2];
+    batten_surface_blend_report report;
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
+    CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+    CHECK(!report.folded && !report.reversed);
+    for (int i = 0; i < 30; i++) {
+        double at[3];
+        const double u = i / 29.0, v = fmod(0.37 * i, 1);
+        CHECK_OK(batten_surface_evaluate(made, u, v, 0, at));
+        CHECK_NEAR(at[0], 1 + v, 1e-14);
+        CHECK_NEAR(at[1], 2 * u, 1e-14);
+        CHECK_NEAR(at[2], 1 + at[0] / 3, 1e-14);
+    }
+    batten_surface_unref(plane);
+    batten_surface_unref(low);
+    batten_surface_unref(rest);
+    batten_surface_unref(high);
+    batten_surface_unref(made);
+}
+
+/* Pipes of one radius on one axis: their weights agree, so the blend is exact; a sphere's edge
+ * beside one has others, and is met within the tolerance. */
+TEST(rational_edges_with_the_same_weights_are_blended_exactly)
+{
+    batten_frame frame = batten_frame_world();
+    batten_surface *low = NULL, *high = NULL, *made = NULL, *sphere = NULL, *cap = NULL;
+    batten_surface_blend_end ends[2];
+    batten_surface_blend_report report;
+    CHECK_OK(batten_surface_cylinder(&frame, 1, 1, &low));
+    frame.origin.z = 3;
+    CHECK_OK(batten_surface_cylinder(&frame, 0.5, 1, &high));
+    const batten_surface *const pair[2] = {low, high};
+    set_ends(ends, BATTEN_EDGE_V1, BATTEN_EDGE_V0, 2);
+    CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+    CHECK(report.error == 0 && !report.folded);
+    for (int k = 0; k < 2; k++) {
+        CHECK_NEAR(report.gap[k], 0, 1e-14);
+        CHECK_NEAR(report.angle[k], 0, 1e-12);
+        CHECK_NEAR(report.curvature[k], 0, 1e-10);
+    }
+    for (int i = 0; i < 30; i++) {
+        double a[3], b[3];
+        CHECK_OK(batten_surface_evaluate(made, i / 29.0, 0.5, 0, a));
+        CHECK_OK(batten_surface_evaluate(made, 0, 0.5, 0, b));
+        CHECK_NEAR(hypot(a[0], a[1]), hypot(b[0], b[1]), 1e-14);
+    }
+    batten_surface_unref(made);
+    made = NULL;
+    CHECK_OK(batten_surface_sphere(&frame, 1, &sphere));
+    CHECK_OK(batten_surface_subrange(sphere, BATTEN_U, 0.1, 0.4, &cap));
+    const batten_surface *const other[2] = {low, cap};
+    set_ends(ends, BATTEN_EDGE_V1, BATTEN_EDGE_U0, 1);
+    CHECK_OK(batten_surfaces_blend(other, ends, 1e-5, &report, &made));
+    CHECK(report.error > 0 && report.error < 1e-4);
+    for (int k = 0; k < 2; k++) {
+        CHECK(report.gap[k] <= 1e-5);
+        CHECK(report.angle[k] < 5e-3 || isinf(report.angle[k]));
+    }
+    batten_surface_unref(made);
+    batten_surface_unref(low);
+    batten_surface_unref(high);
+    batten_surface_unref(sphere);
+    batten_surface_unref(cap);
+}
+
+/* Bulges far too large make a blend in a plane run to and fro. */
+TEST(folds_of_blends_are_found)
+{
+    batten_surface *a = NULL, *b = NULL, *made = NULL;
+    const batten_vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    const batten_vec3 q[] = {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {3, 1, 0}};
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &a));
+    CHECK_OK(batten_surface_bilinear(q[0], q[1], q[2], q[3], &b));
+    const batten_surface *const pair[2] = {a, b};
+    batten_surface_blend_end ends[2];
+    batten_surface_blend_report report;
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 1);
+    ends[0].bulge = ends[1].bulge = 9; /* where it turns back there is no normal */
+    CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+    CHECK(report.folded && report.fold[1] > 0 && report.fold[1] < 0.5);
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+    batten_surface_unref(made);
+}
+
+TEST(G7_edges_that_cannot_be_blended_are_refused)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *a = make_dome(1, 0), *ball = NULL, *made = NULL;
+    const batten_surface *const same[2] = {a, a};
+    batten_surface_blend_end ends[2];
+    CHECK_OK(batten_surface_sphere(&frame, 1, &ball));
+    const batten_surface *const balls[2] = {ball, ball};
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U1, 1);
+    CHECK_STATUS(batten_surfaces_blend(same, ends, 0, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("the edges are the same");
+    set_ends(ends, BATTEN_EDGE_V0, BATTEN_EDGE_V1, 1);
+    CHECK_STATUS(batten_surfaces_blend(balls, ends, 1e-4, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("both edges are points");
+    set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 1);
+    ends[1].bulge = (double)NAN;
+    CHECK_STATUS(batten_surfaces_blend(same, ends, 0, NULL, &made), BATTEN_NOT_FINITE);
+    ends[1].bulge = -1;
+    CHECK_STATUS(batten_surfaces_blend(same, ends, 0, NULL, &made), BATTEN_BAD_ARGUMENT);
+    CHECK(made == NULL);
+    batten_surface_unref(a);
+    batten_surface_unref(ball);
+}
+
+TEST(K7_huge_and_tiny_blends)
+{
+    const double scales[] = {1e80, 1e-80};
+    for (int i = 0; i < 2; i++) {
+        batten_surface *a = make_dome(scales[i], 0), *b = make_dome(scales[i], 2);
+        batten_surface *made = NULL;
+        const batten_surface *const pair[2] = {a, b};
+        batten_surface_blend_end ends[2];
+        batten_surface_blend_report report;
+        set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
+        CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
+        CHECK_NEAR(report.gap[0] / scales[i], 0, 1e-14);
+        CHECK_NEAR(report.curvature[1] * scales[i], 0, 1e-10);
+        batten_surface_unref(a);
+        batten_surface_unref(b);
+        batten_surface_unref(made);
+    }
+}
