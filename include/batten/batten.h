@@ -21,6 +21,7 @@
 #include <batten/cubic_spline.h>
 #include <batten/curve.h>
 #include <batten/curve_offset.h>
+#include <batten/developable.h>
 #include <batten/divide.h>
 #include <batten/energy.h>
 #include <batten/even_speed.h>

@@ -5,6 +5,10 @@ static const char common[] =
     "batten: 1\nunits: m\nfeatures:\n"
     "  can: {cylinder: 1, height: 2}\n  cap: {cone: 1, height: 1}\n  ball: {sphere: 1}\n"
     "  low: {line: [[0, 0, 0], [1, 0, 0]]}\n  high: {line: [[0, 1, 0], [1, 1, 0.1]]}\n"
+    "  k: {points: [[0, 0, 0], [2, 0, -0.1], [4, 0, 0.2]]}\n  keel: {interpolate: k}\n"
+    "  c: {points: [[0, 0.5, 0.2], [2, 0.7, 0.1], [4, 0.1, 0.5]]}\n"
+    "  chine: {interpolate: c}\n  back: {reverse: chine}\n"
+    "  bottom: {developable: [keel, chine]}\n"
     "  plank: {ruled: [low, high]}\n  both: {collect: [can, cap]}\n";
 
 static batten_status evaluate(const char *feature, batten_design **out)
@@ -23,6 +27,7 @@ TEST(features_of_plates_make_outlines_and_rulings)
         {"{unroll: can, within: 1 mm}", 13},
         {"{unroll: cap, lines: 3, within: 1 mm}", 4},
         {"{unroll: plank, lines: 0}", 1},
+        {"{unroll: bottom, lines: 4}", 5},
         {"{unroll: plank, lines: 2, rulings: u, strain: 0.01}", 3},
     };
     for (int i = 0; i < COUNT(rows); i++) {
@@ -37,6 +42,23 @@ TEST(features_of_plates_make_outlines_and_rulings)
     }
 }
 
+TEST(features_of_plates_make_surfaces)
+{
+    static const char *const rows[] = {
+        "{developable: [keel, chine]}",
+        "{developable: [keel, chine], match: parameter, warp: 2 deg, within: 1 mm}",
+        "{developable: [low, high], regression: keep}",
+    };
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(rows[i], &design));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        CHECK_INT(batten_model_count(model), 1);
+        CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_SURFACE);
+        batten_design_free(design);
+    }
+}
+
 TEST(plates_that_cannot_be_say_why)
 {
     static const struct {
@@ -47,6 +69,10 @@ TEST(plates_that_cannot_be_say_why)
         {"{unroll: plank, strain: 0.0001}", "more than 0.0001"},
         {"{unroll: can, lines: 2000}", "there may be 0 to 1000"},
         {"{unroll: can, within: 0}", "not above 0"},
+        {"{developable: [keel, chine, low]}", "between 2 edges, not 3"},
+        {"{developable: [keel, back]}", "run against each other"},
+        {"{developable: [keel, keel]}", "the edges touch at"},
+        {"{developable: [keel, chine], warp: 0 deg}", "the warp is 0"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;
