@@ -59,7 +59,7 @@ BATTEN_API batten_status batten_triangles_powell_sabin(const batten_triangulatio
 /**
  * The gradient of the quadratic through a vertex that is nearest to the 12 vertices around it,
  * in least squares weighted with 1 / distance^2; of the plane where those do not determine a
- * quadratic. Quadratic data give their gradient.
+ * quadratic, or would exaggerate slopes a hundredfold. Quadratic data give their gradient.
  *
  * @param[out] gradients [vertex_count][2]
  * @param[out] planes  how many are of planes; may be NULL
@@ -164,7 +164,7 @@ typedef enum batten_outside {
  *
  * Cost: O(m log m) for m triangles at first, then a walk for each place from the one before:
  * places in the order of a path or of a grid's rows are quick. A place outside costs the length
- * of the rim; where the rim turns inwards it costs m.
+ * of the rim; one behind a corner of the rim that turns inwards may cost m.
  */
 BATTEN_API batten_status batten_triangles_over(const batten_triangles *triangles, size_t count,
                                                const double *xy, int order,

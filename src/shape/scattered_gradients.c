@@ -86,10 +86,13 @@ static const double *vertex(const surroundings *s, int v)
     return s->triangles->vertices + 2 * (size_t)v;
 }
 
-static int list_ring(surroundings *s, int v, int of, int count)
+/* At most `most` of the neighbours `of` a vertex: those of a hub would cost their square. */
+static int list_ring(surroundings *s, int v, int of, int most, int count)
 {
     const double *p = vertex(s, v);
-    for (int k = s->rings.start[of]; k < s->rings.start[of + 1]; k++) {
+    const int first = s->rings.start[of];
+    const int end = first + bat_min_int(s->rings.start[of + 1] - first, most);
+    for (int k = first; k < end; k++) {
         const int other = s->rings.list[k];
         if (s->seen[other] == v)
             continue;
@@ -104,39 +107,74 @@ static int list_ring(surroundings *s, int v, int of, int count)
 static int surround(surroundings *s, int v)
 {
     s->seen[v] = v;
-    int count = list_ring(s, v, v, 0), done = 0;
+    int count = list_ring(s, v, v, s->triangles->vertex_count, 0), done = 0;
     for (int ring = 0; ring < 2; ring++) {
         const int last = count;
         if (ring == 1 && count >= NEAREST)
             break;
         while (done < last && count < ENOUGH)
-            count = list_ring(s, v, s->candidates[done++].vertex, count);
+            count = list_ring(s, v, s->candidates[done++].vertex, ENOUGH, count);
     }
     qsort(s->candidates, (size_t)count, sizeof *s->candidates, compare_candidates);
     return bat_min_int(count, NEAREST);
 }
 
-/* Rows of f(q) - f(p) = g . d + d . H d / 2 with `columns` unknowns, lengths in units of
- * `radius`. */
-static bool fit(const surroundings *s, int v, int count, int columns, double *gradient)
+/* Rows of f(q) - f(p) = g . d + d . H d / 2, lengths in units of the largest distance, weighted
+ * so that each right side is the slope towards q. All slopes are unknown to the solution: it is
+ * the matrix by which they make the gradient, and tells how far it would exaggerate them. Near
+ * a conic through the vertex and its neighbours that has no bound; then a plane serves better.
+ */
+static bool fit_quadratic(const surroundings *s, int v, int count, double *gradient)
 {
-    const double *p = vertex(s, v);
+    enum { UNKNOWN = 5 };
+    const double *p = vertex(s, v), most = 100;
     const double radius = s->candidates[count - 1].distance;
-    double a[NEAREST * 5], b[NEAREST];
+    double a[NEAREST * UNKNOWN], b[NEAREST * NEAREST] = {0};
     for (int i = 0; i < count; i++) {
         const candidate *c = s->candidates + i;
         const double *q = vertex(s, c->vertex);
         const double x = (q[0] - p[0]) / radius, y = (q[1] - p[1]) / radius;
-        const double weight = radius / c->distance;
-        const double row[5] = {x, y, x * x / 2, x * y, y * y / 2};
-        for (int k = 0; k < columns; k++)
-            a[i * columns + k] = weight * row[k];
-        b[i] = weight * (s->values[c->vertex] - s->values[v]);
+        const double row[UNKNOWN] = {x, y, x * x / 2, x * y, y * y / 2};
+        for (int k = 0; k < UNKNOWN; k++)
+            a[i * UNKNOWN + k] = radius / c->distance * row[k];
+        b[i * count + i] = 1;
     }
-    if (count < columns || bat_dense_least_squares(count, columns, a, 1, b) != BATTEN_OK)
+    if (count < UNKNOWN ||
+        bat_dense_least_squares(count, UNKNOWN, a, (size_t)count, b) != BATTEN_OK)
         return false;
-    gradient[0] = b[0] / radius;
-    gradient[1] = b[1] / radius;
+    for (int k = 0; k < 2; k++) {
+        double sum = 0, size = 0;
+        for (int i = 0; i < count; i++) {
+            const candidate *c = s->candidates + i;
+            sum += b[k * count + i] * ((s->values[c->vertex] - s->values[v]) / c->distance);
+            size += fabs(b[k * count + i]);
+        }
+        if (!(size <= most))
+            return false;
+        gradient[k] = sum;
+    }
+    return isfinite(gradient[0]) && isfinite(gradient[1]);
+}
+
+/* The plane nearest to the slopes along all edges of a vertex: they never lie on one line. */
+static bool fit_plane(const surroundings *s, int v, double *gradient)
+{
+    const double *p = vertex(s, v);
+    double xx = 0, xy = 0, yy = 0, right[2] = {0, 0};
+    for (int k = s->rings.start[v]; k < s->rings.start[v + 1]; k++) {
+        const double *q = vertex(s, s->rings.list[k]);
+        const double length = hypot(q[0] - p[0], q[1] - p[1]);
+        const double x = (q[0] - p[0]) / length, y = (q[1] - p[1]) / length;
+        const double slope = (s->values[s->rings.list[k]] - s->values[v]) / length;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        right[0] += x * slope;
+        right[1] += y * slope;
+    }
+    const double whole = xx * yy - xy * xy;
+    gradient[0] = (yy * right[0] - xy * right[1]) / whole;
+    gradient[1] = (xx * right[1] - xy * right[0]) / whole;
     return isfinite(gradient[0]) && isfinite(gradient[1]);
 }
 
@@ -145,10 +183,10 @@ static batten_status all_gradients(surroundings *s, double *gradients, int *plan
     for (int v = 0; v < s->triangles->vertex_count; v++) {
         double *g = gradients + 2 * (size_t)v;
         const int count = surround(s, v);
-        if (fit(s, v, count, 5, g))
+        if (fit_quadratic(s, v, count, g))
             continue;
         ++*planes;
-        if (!fit(s, v, count, 2, g))
+        if (!fit_plane(s, v, g))
             return bat_fail(BATTEN_SINGULAR_HERE,
                             "no plane is determined near vertex %d, (%g, %g)", v,
                             vertex(s, v)[0], vertex(s, v)[1]);

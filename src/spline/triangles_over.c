@@ -5,23 +5,30 @@
 
 #include <string.h>
 
+static int list_rim(int count, const int *beside, int *rim)
+{
+    int listed = 0;
+    for (int i = 0; i < 3 * count; i++)
+        if (beside[i] < 0)
+            rim[listed++] = i;
+    return listed;
+}
+
 /* The place on the rim nearest to p: its triangle and barycentric coordinates. */
 static int nearest_on_rim(const bat_walk *walk, const double p[2], double at[3])
 {
     double least = INFINITY;
     int found = 0;
-    for (int i = 0; i < 3 * walk->count; i++) {
-        if (walk->beside[i] >= 0)
-            continue;
-        const int t = i / 3, e = i % 3;
+    for (int i = 0; i < walk->rim_count; i++) {
+        const int t = walk->rim[i] / 3, e = walk->rim[i] % 3;
         const double *a = walk->vertices + 2 * (size_t)walk->corners[3 * t + (e + 1) % 3];
         const double *b = walk->vertices + 2 * (size_t)walk->corners[3 * t + (e + 2) % 3];
         const double x = b[0] - a[0], y = b[1] - a[1];
         double s = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
         s = bat_min(bat_max(s, 0), 1);
-        const double distance = hypot(a[0] + s * x - p[0], a[1] + s * y - p[1]);
-        if (distance < least) {
-            least = distance;
+        const double dx = a[0] + s * x - p[0], dy = a[1] + s * y - p[1];
+        if (dx * dx + dy * dy < least) {
+            least = dx * dx + dy * dy;
             found = t;
             at[e] = 0;
             at[(e + 1) % 3] = 1 - s;
@@ -120,15 +127,22 @@ batten_status batten_triangles_over(const batten_triangles *triangles, size_t co
         bat_triangle_neighbours(triangles->count, triangles->corners, &beside);
     if (status != BATTEN_OK)
         return status;
-    place_finder finder = {
-        triangles,
-        {triangles->count, triangles->vertices, triangles->corners, beside, false},
-        outside,
-        0,
-        0};
-    finder.walk.convex =
-        bat_walk_is_convex(triangles->vertices, triangles->count, triangles->corners, beside);
-    status = evaluate(&finder, count, xy, order, job, out);
+    int *rim = bat_array3((size_t)triangles->count, 3, sizeof *rim);
+    place_finder finder = {.triangles = triangles, .outside = outside};
+    if (rim) {
+        const bat_walk walk = {triangles->count,
+                               triangles->vertices,
+                               triangles->corners,
+                               beside,
+                               false,
+                               rim,
+                               list_rim(triangles->count, beside, rim)};
+        finder.walk = walk;
+        status = evaluate(&finder, count, xy, order, job, out);
+    } else {
+        status = BATTEN_OUT_OF_MEMORY;
+    }
+    bat_release(rim);
     bat_release(beside);
     if (status == BATTEN_OK && outside_count)
         *outside_count = finder.outside_count;

@@ -9,12 +9,11 @@ typedef struct {
     int count;
     const double *vertices;
     const int *corners, *beside;
-    bool convex; /* what leaves them nowhere comes in again */
+    bool convex;    /* what leaves them nowhere comes in again */
+    const int *rim; /* sides 3 t + e without neighbour, or NULL: not listed */
+    int rim_count;
 } bat_walk;
 
-/* Is no corner of the rim turned inwards, but for rounding? */
-bool bat_walk_is_convex(const double *vertices, int count, const int *corners,
-                        const int *beside);
 /* As batten_plane_triangles_find. */
 int bat_walk_find(const bat_walk *walk, int start, const double point[2], double at[3]);
 /* Who is beside whom: [count][3], to be released. */

@@ -19,6 +19,21 @@ static int scan(const bat_walk *walk, const double point[2], double at[3])
     return -1;
 }
 
+/* Does a ray from the point cross the rim an odd number of times? */
+static bool is_within_rim(const bat_walk *walk, const double p[2])
+{
+    bool within = false;
+    for (int i = 0; i < walk->rim_count; i++) {
+        const int t = walk->rim[i] / 3, e = walk->rim[i] % 3;
+        const double *a = walk->vertices + 2 * (size_t)walk->corners[3 * t + (e + 1) % 3];
+        const double *b = walk->vertices + 2 * (size_t)walk->corners[3 * t + (e + 2) % 3];
+        const double x = a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < x)
+            within = !within;
+    }
+    return within;
+}
+
 int bat_walk_find(const bat_walk *walk, int start, const double point[2], double at[3])
 {
     assert(start >= 0 && start < walk->count);
@@ -41,15 +56,22 @@ int bat_walk_find(const bat_walk *walk, int start, const double point[2], double
         if (step == walk->count - 1)
             return scan(walk, point, at); /* in circles, as triangles of other kinds allow */
     }
-    return walk->convex ? -1 : scan(walk, point, at);
+    if (walk->convex || (walk->rim && !is_within_rim(walk, point)))
+        return -1;
+    return scan(walk, point, at);
 }
 
 int batten_plane_triangles_find(const batten_plane_triangles *triangles, int start,
                                 const double point[2], double at[3])
 {
     assert(triangles && point && at);
-    const bat_walk walk = {triangles->count, triangles->vertices, triangles->corners,
-                           triangles->beside, triangles->slivers == 0};
+    const bat_walk walk = {triangles->count,
+                           triangles->vertices,
+                           triangles->corners,
+                           triangles->beside,
+                           triangles->slivers == 0,
+                           NULL,
+                           0};
     return bat_walk_find(&walk, start, point, at);
 }
 
@@ -77,40 +99,4 @@ batten_status bat_triangle_neighbours(int count, const int *corners, int **out)
     bat_release(edges);
     *out = beside;
     return BATTEN_OK;
-}
-
-/* The next edge of the rim: round the corner at its end from triangle to triangle. False where
- * that leads in circles. */
-static bool next_on_rim(const int *corners, const int *beside, int count, int *t, int *e)
-{
-    const int turn = corners[3 * *t + (*e + 2) % 3];
-    for (int step = 0; step < count; step++) {
-        int k = 0;
-        while (k < 2 && corners[3 * *t + k] != turn)
-            k++;
-        *e = (k + 2) % 3; /* the edge that leaves the corner */
-        if (beside[3 * *t + *e] < 0)
-            return true;
-        *t = beside[3 * *t + *e];
-    }
-    return false;
-}
-
-bool bat_walk_is_convex(const double *vertices, int count, const int *corners,
-                        const int *beside)
-{
-    for (int i = 0; i < 3 * count; i++) {
-        if (beside[i] >= 0)
-            continue;
-        int t = i / 3, e = i % 3;
-        const double *a = vertices + 2 * (size_t)corners[3 * t + (e + 1) % 3];
-        const double *b = vertices + 2 * (size_t)corners[3 * t + (e + 2) % 3];
-        if (!next_on_rim(corners, beside, count, &t, &e))
-            return false;
-        const double *c = vertices + 2 * (size_t)corners[3 * t + (e + 2) % 3];
-        const double x = b[0] - a[0], y = b[1] - a[1], p = c[0] - b[0], q = c[1] - b[1];
-        if (x * q - y * p < -1e-12 * hypot(x, y) * hypot(p, q))
-            return false;
-    }
-    return true;
 }
