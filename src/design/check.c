@@ -33,25 +33,49 @@ static bool displaces(const bat_entry *entry)
 
 /* The first feature upstream that has points, and the last that made points fair; none when
  * sections were displaced since, for then distances from them mean nothing. */
-static void find_data(bat_check *check)
+static void find_data(const bat_check *check, const bool *upstream, int *given, int *faired)
 {
     const bat_document *d = check->run->document;
-    check->given = check->faired = -1;
+    *given = *faired = -1;
     for (int i = 0; i < d->feature_count; i++)
-        if (check->upstream[i] && displaces(&d->features[i]))
+        if (upstream[i] && displaces(&d->features[i]))
             return;
     for (int k = 0; k < d->feature_count; k++) {
         const int i = d->order[k];
-        if (!check->upstream[i] || !has_data(check->run->results[i].value))
+        if (!upstream[i] || !has_data(check->run->results[i].value))
             continue;
         if (check->run->results[i].shown.has_moves)
-            check->faired = i;
-        else if (check->given < 0)
-            check->given = i;
+            *faired = i;
+        else if (*given < 0)
+            *given = i;
     }
 }
 
-static batten_status mark_upstream(bat_check *check, const char *parameter)
+/* The data of the objects that come of one feature of the argument: the `count` from `first`
+ * on.
+ */
+static batten_status trace_feature(bat_check *check, bat_graph *graph, int feature, int first,
+                                   int count)
+{
+    const int feature_count = check->run->document->feature_count;
+    bool *upstream = bat_array((size_t)feature_count, sizeof *upstream);
+    batten_status status =
+        upstream ? bat_graph_mark(graph, feature, upstream) : BATTEN_OUT_OF_MEMORY;
+    int given = -1, faired = -1;
+    if (status == BATTEN_OK)
+        find_data(check, upstream, &given, &faired);
+    for (int i = 0; status == BATTEN_OK && i < feature_count; i++)
+        check->upstream[i] |= upstream[i];
+    for (int i = first; i < first + count; i++) {
+        check->objects[i].given = given;
+        check->objects[i].faired = faired;
+    }
+    bat_release(upstream);
+    return status;
+}
+
+/* What each object was made from; the objects stand in the order of the argument. */
+static batten_status trace_objects(bat_check *check, const char *parameter)
 {
     const bat_argument *argument = bat_argument_of(check->run, parameter);
     bat_graph graph;
@@ -62,8 +86,14 @@ static batten_status mark_upstream(bat_check *check, const char *parameter)
     batten_status status = bat_document_graph(check->run->document, &graph);
     if (status != BATTEN_OK)
         return status;
-    for (int i = 0; i < argument->count && status == BATTEN_OK; i++)
-        status = bat_graph_mark(&graph, argument->items[i].count, check->upstream);
+    int first = 0;
+    for (int i = 0; i < argument->count && status == BATTEN_OK; i++) {
+        const int feature = argument->items[i].count;
+        const int count = batten_model_count(check->run->results[feature].value);
+        status = trace_feature(check, &graph, feature, first, count);
+        first += count;
+    }
+    assert(status != BATTEN_OK || first == check->object_count);
     bat_graph_release(&graph);
     return status;
 }
@@ -119,9 +149,9 @@ static batten_status add_to_cloud(void *context, const bat_row *row)
     return BATTEN_OK;
 }
 
-/* Of each point its distance from the nearest of the surfaces that are checked together. */
-static batten_status nearest_surface(const bat_check *check, const cloud *all, double *nearest,
-                                     double *distances)
+/* Of each point its distance from the nearest of the surfaces made from the same data. */
+static batten_status nearest_surface(const bat_check *check, const bat_checked *checked,
+                                     const cloud *all, double *nearest, double *distances)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < all->count; i++)
@@ -129,7 +159,8 @@ static batten_status nearest_surface(const bat_check *check, const cloud *all, d
     for (int k = 0; k < check->object_count && status == BATTEN_OK; k++) {
         const batten_surface *surface = check->objects[k].object->surface;
         batten_deviation deviation;
-        if (!surface)
+        if (!surface || check->objects[k].given != checked->given ||
+            check->objects[k].faired != checked->faired)
             continue;
         status = batten_surface_deviation(surface, all->count, all->points, NULL,
                                           check->run->job, distances, &deviation);
@@ -164,11 +195,11 @@ static batten_status add_distance(bat_check *check, bat_checked *checked, int fe
     if (status == BATTEN_OK && !nearest)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && all.count > 0)
-        status = nearest_surface(check, &all, nearest, nearest + all.count);
+        status = nearest_surface(check, checked, &all, nearest, nearest + all.count);
     if (status == BATTEN_OK && all.count > 0) {
         bat_distance *d = &checked->distances[checked->distance_count++];
         *d = sum_up(check->run->document->features[feature].name, &all, nearest);
-        d->is_faired = feature == check->faired;
+        d->is_faired = feature == checked->faired;
         check->ok &= d->is_faired || d->max <= check->within;
         check->bounded_count += !d->is_faired;
     }
@@ -304,7 +335,7 @@ static batten_status add_section(void *context, const bat_row *row)
 
 static batten_status add_sections(bat_check *check, bat_checked *checked)
 {
-    const int feature = check->faired >= 0 ? check->faired : check->given;
+    const int feature = checked->faired >= 0 ? checked->faired : checked->given;
     section_context context = {check, checked};
     if (feature < 0)
         return BATTEN_OK;
@@ -352,9 +383,9 @@ static batten_status add_edge(bat_checked *checked, batten_direction direction, 
 
 static batten_status check_surface(bat_check *check, bat_checked *checked)
 {
-    batten_status status = add_distance(check, checked, check->given);
+    batten_status status = add_distance(check, checked, checked->given);
     if (status == BATTEN_OK)
-        status = add_distance(check, checked, check->faired);
+        status = add_distance(check, checked, checked->faired);
     if (status == BATTEN_OK)
         status = add_sections(check, checked);
     for (int i = 0; i < 4 && status == BATTEN_OK; i++)
@@ -380,7 +411,7 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
         return status;
     bat_distance *to = &checked->distances[checked->distance_count++];
     *to = (bat_distance){.feature = object->name,
-                         .is_faired = check->faired >= 0,
+                         .is_faired = checked->faired >= 0,
                          .count = object->point_count,
                          .max = deviation.max,
                          .rms = deviation.rms};
@@ -458,18 +489,17 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
 {
     bat_objects objects = {0, NULL};
     *out = (bat_check){.run = run, .within = within, .ok = true, .fair = true};
-    batten_status status = mark_upstream(out, parameter);
-    if (status == BATTEN_OK)
-        status = bat_gather(run, parameter, BAT_ALL, &objects);
+    batten_status status = bat_gather(run, parameter, BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;
-    find_data(out);
     out->object_count = objects.count;
     out->objects = bat_pool_array(&out->pool, (size_t)objects.count, sizeof *out->objects);
     if (!out->objects)
         status = BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         out->objects[i].object = objects.at[i];
+    if (status == BATTEN_OK)
+        status = trace_objects(out, parameter);
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
         if (objects.at[i]->kind == BATTEN_OBJECT_SURFACE)
             status = check_surface(out, &out->objects[i]);

@@ -5,7 +5,8 @@
 #include <batten/inspect.h>
 #include <batten/text.h>
 
-/* How far the points of an earlier feature lie from a surface. */
+/* How far the points of an earlier feature lie from a surface, or the nearest of those that
+ * were made from them. */
 typedef struct {
     const char *feature;
     bool is_faired; /* the points are those after fairing, not those given */
@@ -35,6 +36,7 @@ typedef struct {
 
 typedef struct {
     const batten_object *object;
+    int given, faired; /* the features that its data are from, or -1 */
     bool has_fairness;
     batten_fairness fairness;              /* of a curve, in its plane */
     int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
@@ -63,9 +65,8 @@ typedef struct {
 typedef struct {
     const bat_run *run;
     bat_pool pool;
-    bool *upstream;    /* [feature_count] */
-    double within;     /* the bound, or infinity */
-    int given, faired; /* the features that the data are from, or -1 */
+    bool *upstream; /* [feature_count] of any object */
+    double within;  /* the bound, or infinity */
     int object_count;
     bat_checked *objects;
     int join_count;

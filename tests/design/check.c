@@ -90,6 +90,27 @@ TEST(points_are_measured_from_the_nearest_of_the_surfaces_checked_together)
     batten_release(json);
 }
 
+/* Two planes from two grids of points, one of them off by 0.5 at a point. */
+TEST(each_surface_is_measured_from_its_own_points)
+{
+    char *text = NULL;
+    CHECK_OK(
+        report("batten: 1\nunits: m\nfeatures:\n"
+               "  p: {points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0.5], "
+               "[2, 1, 0], [0, 2, 0], [1, 2, 0], [2, 2, 0]], columns: 3}\n"
+               "  q: {points: [[9, 0, 0], [10, 0, 0], [11, 0, 1], [9, 1, 0], [10, 1, 0], "
+               "[11, 1, 0], [9, 2, 0], [10, 2, 0], [11, 2, 0]], columns: 3}\n"
+               "  flat: {fit-grid: p, points-u: 2, points-v: 2, degree-u: 1, degree-v: 1}\n"
+               "  exact: {interpolate-grid: q}\n"
+               "outputs:\n  r.txt: {check: [flat, exact]}\n",
+               &text));
+    CHECK_CONTAINS(text, "from the 9 points given, 'p': at most 0.");
+    const char *second = strstr(text, "from the 9 points given, 'q'");
+    CHECK(second != NULL);
+    CHECK(strtod(strstr(second, "at most ") + 8, NULL) < 1e-12);
+    batten_release(text);
+}
+
 TEST(sections_of_a_fair_surface_are_fair)
 {
     static const char text[] =

@@ -6,8 +6,7 @@ static const batten_parameter parameters[] = {
     {"developable", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "the two edges, in the same direction"},
     {"match", BATTEN_VALUE_WORD, false, false, "planes", "planes parameter",
-     "planes: rulings with one tangent plane are found; parameter: points of equal parameter "
-     "are joined, and only the warp is stated"},
+     "rulings with one tangent plane; or between equal parameters, with the warp stated"},
     {"warp", BATTEN_VALUE_ANGLE, false, false, "0.5 deg", NULL,
      "the largest angle between the normals at the ends of a ruling that counts as "
      "developable"},
