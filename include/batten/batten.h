@@ -64,6 +64,7 @@
 #include <batten/surface_blend.h>
 #include <batten/surface_match.h>
 #include <batten/surface_extend.h>
+#include <batten/surface_fillet.h>
 #include <batten/surface_offset.h>
 #include <batten/sweep.h>
 #include <batten/tension.h>

@@ -11,6 +11,8 @@ static const char common[] =
     "  patch: {interpolate-grid: net}\n"
     "  other: {move: patch, by: [4, 0.5, 1]}\n"
     "  ball: {sphere: 2}\n"
+    "  deck: {bilinear: [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]]}\n"
+    "  wall: {bilinear: [[0, 0, 0], [0, 0, 2], [0, 3, 2], [0, 3, 0]]}\n"
     "  rail: {line: [[0, 0, 0], [1, 0, 0]]}\n"
     "  roof-line: {polyline: [[0, 0, 0], [1, 0, 1], [2, 0, 0]]}\n"
     "  roof: {extrude: roof-line, along: [0, 3, 0]}\n";
@@ -132,6 +134,31 @@ TEST(G7_surfaces_that_cannot_be_blended_are_refused)
          BATTEN_BAD_ARGUMENT},
         {"{blend: [patch, patch], edges: [u1, u1]}", "the edges are the same",
          BATTEN_COINCIDENT},
+    };
+    check_bad(COUNT(rows), rows);
+}
+
+TEST(fillets_roll_between_surfaces)
+{
+    static const good_row rows[] = {
+        {"{fillet-surfaces: [deck, wall], radius: 0.3, sides: [left, right], contacts: yes}", 3,
+         "arcs of 90 to 90 degrees"},
+        {"{fillet-surfaces: [deck, wall], radius: 0.3, sides: [left, right], start: [0.2, 0.5, "
+         "0.1, 0.5]}",
+         1, "it ends at a border"},
+    };
+    check_good(COUNT(rows), rows);
+}
+
+TEST(G5_fillets_that_find_no_place_are_refused)
+{
+    static const bad_row rows[] = {
+        {"{fillet-surfaces: [deck, wall], radius: 9, sides: [left, right]}", "no ball",
+         BATTEN_NOT_FOUND},
+        {"{fillet-surfaces: deck, radius: 1}", "two surfaces are needed",
+         BATTEN_NOT_COMPATIBLE},
+        {"{fillet-surfaces: [deck, wall], radius: 1, start: 0.5}", "four numbers",
+         BATTEN_BAD_ARGUMENT},
     };
     check_bad(COUNT(rows), rows);
 }

@@ -1,0 +1,102 @@
+#include <batten/standard.h>
+#include <batten/surface_fillet.h>
+
+#include "support/surfaces.h"
+
+static batten_surface *make_plane(double x, double z)
+{
+    const batten_vec3 p[] = {{0, 0, 0}, {x, 0, z}, {0, 3, 0}, {x, 3, z}};
+    batten_surface *plane = NULL;
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &plane));
+    return plane;
+}
+
+/* Two planes that meet with the angle theta: a cylinder, contacts r / tan(theta / 2) from the
+ * edge. */
+TEST(a_ball_between_planes_leaves_a_cylinder)
+{
+    for (int i = 0; i < 5; i++) {
+        const double theta = 0.5 + 0.5 * i, r = 0.4, far = r / tan(theta / 2);
+        batten_surface *a = make_plane(4, 0), *b = make_plane(4 * cos(theta), 4 * sin(theta));
+        const batten_surface *const pair[2] = {a, b};
+        const double radii[2] = {r, -r};
+        batten_surface_fillet fillet;
+        CHECK_OK(batten_surfaces_fillet(pair, radii, NULL, 1e-9, &fillet));
+        CHECK_NEAR(fillet.least, acos(-1) - theta, 1e-9);
+        CHECK_NEAR(fillet.most, acos(-1) - theta, 1e-9);
+        const batten_interval u = batten_curve_domain(fillet.spine);
+        CHECK_NEAR(u.b - u.a, 3, 1e-9);
+        for (int k = 0; k < 30; k++) {
+            double p[3], c[3];
+            const double s = u.a + (u.b - u.a) * (k / 29.0);
+            CHECK_OK(batten_surface_evaluate(fillet.surface, s, fmod(0.37 * k, 1), 0, p));
+            CHECK_OK(batten_curve_evaluate(fillet.spine, s, 0, c));
+            CHECK_NEAR(hypot(p[0] - c[0], p[2] - c[2]), r, 1e-11);
+            CHECK_NEAR(c[0], far, 1e-11);
+            CHECK_NEAR(c[2], r, 1e-11);
+            CHECK_OK(batten_curve_evaluate(fillet.contacts[1], s, 0, p));
+            CHECK_NEAR(hypot(p[0], p[2]), far, 1e-11);
+        }
+        batten_surface_fillet_release(&fillet);
+        batten_surface_unref(a);
+        batten_surface_unref(b);
+    }
+}
+
+/* A pipe that stands on a plane: the fillet is a part of a torus. */
+TEST(a_ball_around_a_pipe_on_a_plane_leaves_a_torus)
+{
+    const batten_frame frame = batten_frame_world();
+    const batten_vec3 p[] = {{-4, -4, 0}, {4, -4, 0}, {-4, 4, 0}, {4, 4, 0}};
+    batten_surface *pipe = NULL, *plane = NULL;
+    CHECK_OK(batten_surface_cylinder(&frame, 1, 3, &pipe));
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &plane));
+    batten_vec3 n;
+    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, &n, NULL));
+    const batten_surface *const pair[2] = {pipe, plane};
+    const double radii[2] = {n.x > 0 ? 0.5 : -0.5, 0.5};
+    batten_surface_fillet fillet;
+    CHECK_OK(batten_surfaces_fillet(pair, radii, NULL, 1e-6, &fillet));
+    CHECK(fillet.error <= 1e-6);
+    const batten_interval u = batten_curve_domain(fillet.spine);
+    CHECK_NEAR(u.b - u.a, 2 * acos(-1) * 1.5, 0.01);
+    for (int k = 0; k < 60; k++) {
+        double q[3];
+        const double s = u.a + (u.b - u.a) * (k / 59.0);
+        CHECK_OK(batten_surface_evaluate(fillet.surface, s, fmod(0.37 * k, 1), 0, q));
+        CHECK_NEAR(hypot(hypot(q[0], q[1]) - 1.5, q[2] - 0.5), 0.5, 2e-6);
+        CHECK_OK(batten_curve_evaluate(fillet.contacts[0], s, 0, q));
+        CHECK_NEAR(hypot(q[0], q[1]), 1, 2e-6);
+        CHECK_NEAR(q[2], 0.5, 2e-6);
+    }
+    batten_surface_fillet_release(&fillet);
+    batten_surface_unref(pipe);
+    batten_surface_unref(plane);
+}
+
+TEST(G5_balls_that_do_not_fit_are_refused)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *a = make_plane(1, 0), *b = make_plane(0, 1), *pipe = NULL;
+    const batten_surface *const pair[2] = {a, b};
+    batten_surface_fillet fillet;
+    const double large[2] = {5, -5}, none[2] = {0, 0}, bad[2] = {(double)NAN, 1};
+    CHECK_STATUS(batten_surfaces_fillet(pair, large, NULL, 1e-6, &fillet), BATTEN_NOT_FOUND);
+    CHECK_STATUS(batten_surfaces_fillet(pair, none, NULL, 1e-6, &fillet), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surfaces_fillet(pair, bad, NULL, 1e-6, &fillet), BATTEN_NOT_FINITE);
+    batten_surface_unref(b);
+    /* Inside of a pipe of radius 1 across the plane. */
+    const batten_vec3 p[] = {{-4, -4, 1}, {4, -4, 1}, {-4, 4, 1}, {4, 4, 1}};
+    CHECK_OK(batten_surface_cylinder(&frame, 1, 3, &pipe));
+    CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &b));
+    batten_vec3 n;
+    CHECK_OK(batten_surface_normal(pipe, 0.1, 0.5, &n, NULL));
+    const batten_surface *const inside[2] = {pipe, b};
+    const double radii[2] = {n.x > 0 ? -1.2 : 1.2, 1.2};
+    CHECK_STATUS(batten_surfaces_fillet(inside, radii, NULL, 1e-6, &fillet),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_MESSAGE("does not fit on surface 1");
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+    batten_surface_unref(pipe);
+}
