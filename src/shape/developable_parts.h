@@ -33,6 +33,7 @@ typedef struct {
 typedef struct {
     bat_plate_edge edge[2];
     double size;
+    bool rough; /* the path stays as it was found: beside it are roots here and none there */
     int count;
     bat_pair *pairs; /* [count] between the cones, if any: the ends of the path are at (0, 0) or
                         on a side of the unit square that meets it, and alike at (1, 1) */
@@ -52,14 +53,36 @@ batten_status bat_plate_warp(const bat_plate *plate, bat_pair at, bool *has, dou
 
 /* Fills `pairs`, some hundreds. */
 batten_status bat_plate_find_path(bat_plate *plate);
+/* Each pair towards the mean of its neighbours, so often; the ends stay. */
+void bat_plate_smooth(bat_plate *plate, int passes);
 /* Where the warp is 0 nearest to `from`, at most `reach` along a direction of length 1, inside
  * the unit square; *found says whether there is one. */
 batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair along,
                              double backward, double forward, bool *found, bat_pair *out);
 
+/* The surface between the cones, through so many of its rulings. */
+typedef struct {
+    int count;
+    bat_pair *pairs;   /* [count] */
+    double *tau;       /* [count] of the interpolation: the sum of both chords */
+    double *points[2]; /* [count][3] on each edge */
+    double *u[2];      /* [count] their parameters */
+    batten_curve *edge[2];
+    batten_surface *surface;
+    double error;
+} bat_middle;
+
+/* Room for so many rulings; *m is all zeros before. */
+batten_status bat_middle_reserve(int count, bat_middle *m);
+/* Points and parameters of its pairs; refused where the edges touch. */
+batten_status bat_middle_place(const bat_plate *plate, bat_middle *m);
+/* With so many rulings that edges and warp are near enough. */
+batten_status bat_middle_make(const bat_plate *plate, const batten_developable_options *options,
+                              bat_middle *m);
+void bat_middle_release(bat_middle *m);
+
 /* The surface along the path with its rulings. */
-batten_status bat_plate_surface(const bat_plate *plate,
-                                const batten_developable_options *options,
+batten_status bat_plate_surface(bat_plate *plate, const batten_developable_options *options,
                                 batten_developable *out);
 /* Warp and edge of regression of `out->surface`. */
 batten_status bat_plate_measure(const batten_developable_options *options,

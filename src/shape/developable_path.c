@@ -270,9 +270,9 @@ static batten_status cut_cones(bat_plate *plate)
 }
 
 /* Steps of the lattice become a smooth path. */
-static void smooth(bat_plate *plate)
+void bat_plate_smooth(bat_plate *plate, int passes)
 {
-    for (int pass = 0; pass < PASSES; pass++) {
+    for (int pass = 0; pass < passes; pass++) {
         bat_pair before = plate->pairs[0];
         for (int k = 1; k + 1 < plate->count; k++) {
             bat_pair *p = &plate->pairs[k];
@@ -298,7 +298,7 @@ batten_status bat_plate_find_path(bat_plate *plate)
         status = cut_cones(plate);
     }
     if (status == BATTEN_OK)
-        smooth(plate);
+        bat_plate_smooth(plate, PASSES);
     bat_release(nodes);
     return status;
 }
