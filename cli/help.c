@@ -151,6 +151,17 @@ static const char design_manual[] =
     "the parameters\n"
     "(=beam/2). Paths are relative to the file and stay below its folder unless "
     "--allow-outside is given.\n"
+    "\n"
+    "units: those of numbers without a unit: m (of itself), mm, cm, in, ft ... Numbers may "
+    "have others.\n"
+    "tolerance: what counts as the same point, 0.1 mm unless it is given. Curves that shall "
+    "meet may miss\n"
+    "each other by it, and what cannot be written exactly (arcs of clothoids, surfaces that "
+    "are no NURBS)\n"
+    "comes that near; operations with a parameter 'within' take that instead. For models of a "
+    "few\n"
+    "millimetres, or of kilometres, give one that suits them.\n"
+    "\n"
     "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
 
 static const char files_manual[] =
@@ -258,7 +269,8 @@ static int run(const arguments *given)
         add_commands(&text);
     else if (strcmp(topic, "features") == 0)
         add_features(&text);
-    else if (strcmp(topic, "design") == 0)
+    else if (strcmp(topic, "design") == 0 || strcmp(topic, "tolerance") == 0 ||
+             strcmp(topic, "units") == 0)
         batten_text_add(&text, "%s", design_manual);
     else if (strcmp(topic, "files") == 0 || strcmp(topic, "offsets") == 0)
         batten_text_add(&text, "%s", files_manual);
