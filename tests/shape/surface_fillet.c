@@ -100,3 +100,58 @@ TEST(G5_balls_that_do_not_fit_are_refused)
     batten_surface_unref(b);
     batten_surface_unref(pipe);
 }
+
+/* Two planes of the size 1e80, and 1e-80. */
+TEST(K7_huge_and_tiny_fillets)
+{
+    const double scales[] = {1e80, 1e-80};
+    for (int i = 0; i < 2; i++) {
+        const double s = scales[i], radii[2] = {0.3 * s, -0.3 * s};
+        const batten_vec3 p[] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {s, s, 0}};
+        const batten_vec3 q[] = {{0, 0, 0}, {0, 0, s}, {0, s, 0}, {0, s, s}};
+        batten_surface *a = NULL, *b = NULL;
+        batten_surface_fillet fillet;
+        double c[3];
+        CHECK_OK(batten_surface_bilinear(p[0], p[1], p[2], p[3], &a));
+        CHECK_OK(batten_surface_bilinear(q[0], q[1], q[2], q[3], &b));
+        const batten_surface *const pair[2] = {a, b};
+        CHECK_OK(batten_surfaces_fillet(pair, radii, NULL, 1e-6 * s, &fillet));
+        CHECK_OK(
+            batten_curve_evaluate(fillet.spine, batten_curve_domain(fillet.spine).a, 0, c));
+        CHECK_NEAR(c[0] / s, 0.3, 1e-12);
+        CHECK_NEAR(c[2] / s, 0.3, 1e-12);
+        batten_surface_fillet_release(&fillet);
+        batten_surface_unref(a);
+        batten_surface_unref(b);
+    }
+}
+
+/* On both contacts the fillet has the normals of the surfaces. */
+TEST(a_fillet_is_tangent_to_both_surfaces)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *a = NULL, *b = NULL;
+    batten_surface_fillet fillet;
+    batten_frame aside = frame;
+    aside.origin.x = 1.5;
+    CHECK_OK(batten_surface_sphere(&frame, 1, &a));
+    CHECK_OK(batten_surface_sphere(&aside, 1.2, &b));
+    const batten_surface *const pair[2] = {a, b};
+    const double radii[2] = {0.4, 0.4}, start[4] = {0.1, 0.5, 0.4, 0.5};
+    CHECK_OK(batten_surfaces_fillet(pair, radii, start, 1e-7, &fillet));
+    const batten_interval u = batten_curve_domain(fillet.spine);
+    for (int i = 0; i < 40; i++) {
+        const double s = u.a + (u.b - u.a) * (i + 0.3) / 40;
+        for (int k = 0; k < 2; k++) {
+            batten_vec3 n, m;
+            double on[2];
+            CHECK_OK(batten_curve_evaluate(fillet.on[k], s, 0, on));
+            CHECK_OK(batten_surface_normal(fillet.surface, s, k, &n, NULL));
+            CHECK_OK(batten_surface_normal(pair[k], on[0], on[1], &m, NULL));
+            CHECK_NEAR(fabs(n.x * m.x + n.y * m.y + n.z * m.z), 1, 1e-6);
+        }
+    }
+    batten_surface_fillet_release(&fillet);
+    batten_surface_unref(a);
+    batten_surface_unref(b);
+}
