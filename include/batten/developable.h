@@ -59,7 +59,8 @@ typedef struct batten_developable {
  * be a point.
  *
  * Edges are exact where rulings join equal shares of both domains, and in cones; else they are
- * followed within the tolerance. Closed edges begin with the ruling between their starts.
+ * followed within the tolerance, by C2 cubics, or by C1 cubics in warped plates, where rulings
+ * without warp exist in places only. Closed edges begin with the ruling between their starts.
  *
  * @param first, second in space or plane, smooth, open or closed; they may meet at their ends
  * only

@@ -265,12 +265,13 @@ batten_status bat_middle_make(const bat_plate *plate, const batten_developable_o
             return status;
         seen.surface = m->surface;
         status = bat_plate_measure(options, &seen);
-        const bool is_fair = plate->rough || seen.warp <= found + 0.05 * options->warp;
+        const bool is_fair = seen.warp <= found + 0.05 * options->warp && !seen.has_regression;
         if (status != BATTEN_OK ||
-            (m->error <= options->tolerance && (is_fair || samples == MAX_SAMPLES)))
+            (m->error <= options->tolerance && (is_fair || plate->rough)))
             return status;
     }
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                    "the edges are within %g with %d rulings, not within %g", m->error,
-                    m->count, options->tolerance);
+                    "the edges are within %g with %d rulings, not within %g, or warped more "
+                    "between them than at them",
+                    m->error, m->count, options->tolerance);
 }
