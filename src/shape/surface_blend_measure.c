@@ -7,19 +7,22 @@
 
 enum { SAMPLES = 33 };
 
-/* The normal curvature of a surface in the direction of a tangent. */
-static bool curvature_along(const batten_surface *surface, const double at[2], batten_vec3 way,
-                            batten_vec3 *normal, double *kappa)
+/* The normal curvature of a surface in the direction of a tangent; false without a normal. */
+static batten_status curvature_along(const batten_surface *surface, const double at[2],
+                                     batten_vec3 way, batten_vec3 *normal, double *kappa,
+                                     bool *there)
 {
     batten_surface_local local;
-    if (batten_surface_local_at(surface, at[0], at[1], &local) != BATTEN_OK)
-        return false;
+    const batten_status status = batten_surface_local_at(surface, at[0], at[1], &local);
+    *there = *there && status == BATTEN_OK;
+    if (status != BATTEN_OK)
+        return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
     const double norm = bat_vec3_norm(way);
     const double c = bat_vec3_dot(way, local.direction1) / norm;
     const double s = bat_vec3_dot(way, local.direction2) / norm;
     *normal = local.normal;
     *kappa = (local.kappa1 * c * c + local.kappa2 * s * s) / (c * c + s * s);
-    return true;
+    return BATTEN_OK;
 }
 
 static batten_status compare(const bat_blend_contact *t, const batten_surface *made, int side,
@@ -45,8 +48,13 @@ static batten_status compare(const bat_blend_contact *t, const batten_surface *m
         return status;
     r->gap[side] = bat_max(r->gap[side], bat_distance(3, mine, theirs));
     const batten_vec3 way = bat_vec3_of(3, mine + 6);
-    if (!curvature_along(made, own, way, &n[0], &kappa[0]) ||
-        !curvature_along(surface, at, way, &n[1], &kappa[1])) {
+    bool there = true;
+    status = curvature_along(made, own, way, &n[0], &kappa[0], &there);
+    if (status == BATTEN_OK)
+        status = curvature_along(surface, at, way, &n[1], &kappa[1], &there);
+    if (status != BATTEN_OK)
+        return status;
+    if (!there) {
         r->angle[side] = r->curvature[side] = HUGE_VAL;
         return BATTEN_OK;
     }

@@ -18,7 +18,8 @@ typedef struct {
     const batten_surface *surface;
     double distance;
     samples lines[2];
-    double area; /* the largest |Su x Sv| among samples */
+    double area;            /* the largest |Su x Sv| among samples */
+    batten_status *failure; /* OUT_OF_MEMORY where curvatures could not be had for that */
 } search;
 
 static batten_status lay_samples(const batten_surface *surface, batten_direction direction,
@@ -64,8 +65,12 @@ static double area_at(const search *s, double u, double v)
 static bool curvatures_at(const search *s, double u, double v, double kappa[2])
 {
     batten_surface_local local;
-    if (!(area_at(s, u, v) > 1e-4 * s->area) ||
-        batten_surface_local_at(s->surface, u, v, &local) != BATTEN_OK)
+    if (!(area_at(s, u, v) > 1e-4 * s->area))
+        return false;
+    const batten_status status = batten_surface_local_at(s->surface, u, v, &local);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        *s->failure = status;
+    if (status != BATTEN_OK)
         return false;
     kappa[0] = local.kappa1;
     kappa[1] = local.kappa2;
@@ -170,7 +175,8 @@ static void refine(const search *s, double least[3], int place[3][2],
 batten_status bat_offset_curvatures(const batten_surface *surface, double distance,
                                     batten_surface_offset_report *report)
 {
-    search s = {.surface = surface, .distance = distance};
+    batten_status failure = BATTEN_OK;
+    search s = {.surface = surface, .distance = distance, .failure = &failure};
     double least[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     int place[3][2] = {{0}};
     for (int k = 0; k < 2; k++)
@@ -190,6 +196,8 @@ batten_status bat_offset_curvatures(const batten_surface *surface, double distan
                               "a point, or its numbers are too large or too small",
                               s.lines[0].count * s.lines[1].count);
     }
+    if (failure != BATTEN_OK)
+        status = failure;
     for (int k = 0; k < 2; k++) {
         bat_release(s.lines[k].at);
         bat_release(s.lines[k].step);
