@@ -6,6 +6,7 @@
 #include <batten/local.h>
 #include <batten/nonlinear.h>
 #include <batten/scattered.h>
+#include <batten/scattered_triangles.h>
 #include <batten/skin.h>
 #include <batten/tension.h>
 #include <batten/weighted.h>
@@ -19,6 +20,8 @@ typedef struct {
     batten_curve *curve;
     batten_chain *chain;
     batten_surface *surface;
+    batten_triangles *triangles;
+    batten_plane_triangles plane;
     batten_curve **sections;
     double *uv, *out, *normals;
 } contest;
@@ -96,6 +99,8 @@ static void close_contest(void *object)
     batten_curve_unref(c->curve);
     batten_chain_unref(c->chain);
     batten_surface_unref(c->surface);
+    batten_triangles_unref(c->triangles);
+    batten_plane_triangles_release(&c->plane);
     free(c->uv);
     free(c->out);
     free(c->normals);
@@ -351,6 +356,50 @@ static void gather_scattered(void *object, double *result)
     *result = most <= 1e-3 ? *c->work->data : NAN;
 }
 
+static void run_triangulation(void *object)
+{
+    contest *c = object;
+    batten_plane_triangles_release(&c->plane);
+    must(batten_triangulate((int)c->work->count, c->work->u, NULL, &c->plane));
+}
+
+static void gather_triangulation(void *object, double *result)
+{
+    const contest *c = object;
+    const batten_plane_triangles *t = &c->plane;
+    double area = 0;
+    for (int i = 0; i < t->count; i++) {
+        const double *a = t->vertices + 2 * t->corners[3 * i];
+        const double *b = t->vertices + 2 * t->corners[3 * i + 1];
+        const double *p = t->vertices + 2 * t->corners[3 * i + 2];
+        area += ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) / 2;
+    }
+    *result = fabs(area - 1) < 1e-2 ? *c->work->data : NAN;
+}
+
+static void run_triangles(void *object)
+{
+    contest *c = object;
+    batten_triangles_unref(c->triangles);
+    c->triangles = NULL;
+    must(batten_triangles_scattered((int)c->work->count, c->work->u, c->work->data, NULL, NULL,
+                                    NULL, &c->triangles));
+}
+
+static void gather_triangles(void *object, double *result)
+{
+    contest *c = object;
+    const size_t n = c->work->count;
+    double *z = malloc(n * sizeof *z), most = z ? 0 : NAN;
+    if (z)
+        must(batten_triangles_over(c->triangles, n, c->work->u, 0, BATTEN_OUTSIDE_REFUSED, NULL,
+                                   z, NULL));
+    for (size_t i = 0; z && i < n; i++)
+        most = fmax(most, fabs(z[i] - c->work->data[i]));
+    free(z);
+    *result = most <= 1e-12 ? *c->work->data : NAN;
+}
+
 const bench_entry bench_batten[KIND_COUNT] = {
     [CURVE_POINTS] = {open_curve, run_curve, gather_curve, close_contest},
     [CURVE_SINGLE] = {open_curve, run_curve_single, gather_curve, close_contest},
@@ -363,5 +412,7 @@ const bench_entry bench_batten[KIND_COUNT] = {
     [FUNCTION_THROUGH] = {open_function, run_function, gather_function, close_contest},
     [PLANE_THROUGH] = {open_plane, run_plane, gather_plane, close_contest},
     [SCATTERED_NEAR] = {open_data, run_scattered, gather_scattered, close_contest},
+    [TRIANGULATION] = {open_data, run_triangulation, gather_triangulation, close_contest},
+    [TRIANGLES_THROUGH] = {open_data, run_triangles, gather_triangles, close_contest},
     [CURVE_LENGTH] = {open_curve, run_length, gather_length, close_contest},
 };

@@ -22,11 +22,13 @@ typedef enum {
     SURFACE_SINGLE, /* one call for each */
     CURVE_THROUGH,  /* interpolation */
     SURFACE_THROUGH,
-    SKIN,             /* the surface through sections with knots of their own */
-    FUNCTION_THROUGH, /* a function of one variable, by its method */
-    PLANE_THROUGH,    /* a curve through points of the plane, by its method */
-    CURVE_LENGTH,     /* arc length of the curve */
-    SCATTERED_NEAR,   /* a surface within 1e-3 of values at scattered places */
+    SKIN,              /* the surface through sections with knots of their own */
+    FUNCTION_THROUGH,  /* a function of one variable, by its method */
+    PLANE_THROUGH,     /* a curve through points of the plane, by its method */
+    CURVE_LENGTH,      /* arc length of the curve */
+    SCATTERED_NEAR,    /* a surface within 1e-3 of values at scattered places */
+    TRIANGULATION,     /* the triangles of Delaunay between scattered places */
+    TRIANGLES_THROUGH, /* a smooth surface over triangles through scattered values */
     KIND_COUNT
 } bench_kind;
 
@@ -79,8 +81,9 @@ typedef struct {
 /* The common form of results: CURVE: P, P' / 1e3, P'' / 1e6 by parameter; SURFACE: all points,
  * then all unit normals, u slowest; THROUGH: the shape at the parameters of its data,
  * FUNCTION_THROUGH midway between them; CURVE_LENGTH: the length / 1e3;
- * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR: the
- * first value, when all are met within the tolerance. */
+ * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR, TRIANGLES_THROUGH: the
+ * first value, when all are met within the tolerance, or 1e-12; TRIANGULATION: the same, when
+ * the triangles fill the unit square but for a hundredth. */
 enum { BENCH_PLACES = 20 };
 
 extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],

@@ -294,6 +294,8 @@ void bench_fill(bench_work *work)
         work->result_count = 2 * n;
         break;
     case SCATTERED_NEAR:
+    case TRIANGLES_THROUGH:
+    case TRIANGULATION:
         work->u = make_parameters(2 * n, true, 61);
         work->data = franke_values(n, work->u);
         work->result_count = 1;

@@ -74,6 +74,10 @@ static const bench_work rows[] = {
           .count = 100000, .unit = "ms"),
     BENCH("surface within 1e-3 of 1e6 scattered values", .kind = SCATTERED_NEAR,
           .count = 1000000, .unit = "ms"),
+    BENCH("triangulation of 1e5 points", .kind = TRIANGULATION, .count = 100000, .unit = "ms"),
+    BENCH("triangulation of 1e6 points", .kind = TRIANGULATION, .count = 1000000, .unit = "ms"),
+    BENCH("smooth surface over triangles through 1e5 values", .kind = TRIANGLES_THROUGH,
+          .count = 100000, .unit = "ms"),
     BENCH("skin of 50 sections", .kind = SKIN, .count = 50, .unit = "ms"),
 };
 
