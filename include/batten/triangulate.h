@@ -48,7 +48,7 @@ typedef struct batten_plane_triangles {
  * @return BATTEN_OK; TOO_FEW_POINTS; NOT_FINITE naming the point; COINCIDENT when fewer than
  * three points differ, or all lie on one line; TOO_LARGE, BAD_ARGUMENT, OUT_OF_MEMORY
  *
- * Cost: O(n log n) for any input; about 250 bytes for each point while it runs.
+ * Cost: O(n log n) for any input; about 200 bytes for each point while it runs.
  * Source: [GS85], divide and conquer; [Shewchuk97] for the signs.
  */
 BATTEN_API batten_status batten_triangulate(int count, const double *points,

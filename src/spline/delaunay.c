@@ -161,19 +161,19 @@ static part merge(bat_delaunay *edges, part a, part b)
 
 /* ---- the smallest parts ---- */
 
-static part part_of_two(bat_delaunay *edges, const int *order)
+static part part_of_two(bat_delaunay *edges, int first)
 {
-    const int e = make_edge(edges, order[0], order[1]);
+    const int e = make_edge(edges, first, first + 1);
     return (part){e, e ^ 1};
 }
 
-static part part_of_three(bat_delaunay *edges, const int *order)
+static part part_of_three(bat_delaunay *edges, int first)
 {
-    const int a = make_edge(edges, order[0], order[1]);
-    const int b = make_edge(edges, order[1], order[2]);
+    const int a = make_edge(edges, first, first + 1);
+    const int b = make_edge(edges, first + 1, first + 2);
     splice(edges, a ^ 1, b);
-    const int side = bat_orientation(point_of(edges, order[0]), point_of(edges, order[1]),
-                                     point_of(edges, order[2]));
+    const double *p = point_of(edges, first);
+    const int side = bat_orientation(p, p + 2, p + 4);
     if (side == 0)
         return (part){a, b ^ 1};
     const int c = connect(edges, b, a);
@@ -195,7 +195,8 @@ static int compare_places(const void *a, const void *b)
     return (first->y > second->y) - (first->y < second->y);
 }
 
-static batten_status sort(int count, const double *points, int *order)
+/* The points from left to right, side by side in memory, and which they are. */
+static batten_status sort(int count, const double *points, double *sorted, int *order)
 {
     place *places = bat_array((size_t)count, sizeof *places);
     if (!places)
@@ -203,18 +204,21 @@ static batten_status sort(int count, const double *points, int *order)
     for (int i = 0; i < count; i++)
         places[i] = (place){points[2 * (size_t)i], points[2 * (size_t)i + 1], i};
     qsort(places, (size_t)count, sizeof *places, compare_places);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        sorted[2 * (size_t)i] = places[i].x;
+        sorted[2 * (size_t)i + 1] = places[i].y;
         order[i] = places[i].point;
+    }
     bat_release(places);
     return BATTEN_OK;
 }
 
-static void merge_all(bat_delaunay *edges, int count, const int *order, part *parts)
+static void merge_all(bat_delaunay *edges, int count, part *parts)
 {
     int left = count / 2; /* the last takes three points when their number is odd */
     for (int i = 0; i < left; i++)
-        parts[i] = i == left - 1 && count % 2 ? part_of_three(edges, order + 2 * (size_t)i)
-                                              : part_of_two(edges, order + 2 * (size_t)i);
+        parts[i] = i == left - 1 && count % 2 ? part_of_three(edges, 2 * i)
+                                              : part_of_two(edges, 2 * i);
     while (left > 1) {
         for (int i = 0; i < left / 2; i++)
             parts[i] = merge(edges, parts[2 * i], parts[2 * i + 1]);
@@ -224,24 +228,36 @@ static void merge_all(bat_delaunay *edges, int count, const int *order, part *pa
     }
 }
 
+/* Origins as the caller counts points. */
+static void rename_points(bat_delaunay *edges, const double *points, const int *order)
+{
+    for (int e = 0; e < edges->used; e++)
+        if (edges->origin[e] >= 0)
+            edges->origin[e] = order[edges->origin[e]];
+    edges->points = points;
+}
+
 batten_status bat_delaunay_make(int count, const double *points, bat_delaunay *out)
 {
     const size_t n = (size_t)count; /* planar: at most 3 n - 3 edges at any time */
-    bat_delaunay edges = {.points = points, .free = -1};
+    double *sorted = bat_array(n, 2 * sizeof *sorted);
+    bat_delaunay edges = {.points = sorted, .free = -1};
     edges.origin = bat_array3(n, 6, sizeof(int));
     edges.next = bat_array3(n, 6, sizeof(int));
     edges.previous = bat_array3(n, 6, sizeof(int));
     int *order = bat_array(n, sizeof *order);
     part *parts = bat_array(n / 2 + 1, sizeof *parts);
     batten_status status = BATTEN_OUT_OF_MEMORY;
-    if (edges.origin && edges.next && edges.previous && order && parts)
-        status = sort(count, points, order);
+    if (sorted && edges.origin && edges.next && edges.previous && order && parts)
+        status = sort(count, points, sorted, order);
     if (status == BATTEN_OK) {
-        merge_all(&edges, count, order, parts);
+        merge_all(&edges, count, parts);
+        rename_points(&edges, points, order);
         *out = edges;
     } else {
         bat_delaunay_free(&edges);
     }
+    bat_release(sorted);
     bat_release(order);
     bat_release(parts);
     return status;
