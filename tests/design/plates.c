@@ -9,6 +9,7 @@ static const char common[] =
     "  c: {points: [[0, 0.5, 0.2], [2, 0.7, 0.1], [4, 0.1, 0.5]]}\n"
     "  chine: {interpolate: c}\n  back: {reverse: chine}\n"
     "  bottom: {developable: [keel, chine]}\n"
+    "  seam: {line: [[-1, 0, 0], [-1, 0, 2]]}\n"
     "  plank: {ruled: [low, high]}\n  both: {collect: [can, cap]}\n";
 
 static batten_status evaluate(const char *feature, batten_design **out)
@@ -28,6 +29,7 @@ TEST(features_of_plates_make_outlines_and_rulings)
         {"{unroll: cap, lines: 3, within: 1 mm}", 4},
         {"{unroll: plank, lines: 0}", 1},
         {"{unroll: bottom, lines: 4}", 5},
+        {"{unroll: can, lines: 0, marks: seam, within: 1 mm}", 2},
         {"{unroll: plank, lines: 2, rulings: u, strain: 0.01}", 3},
     };
     for (int i = 0; i < COUNT(rows); i++) {
@@ -68,6 +70,7 @@ TEST(plates_that_cannot_be_say_why)
         {"{unroll: both}", "one surface is unrolled at a time, not 2"},
         {"{unroll: plank, strain: 0.0001}", "more than 0.0001"},
         {"{unroll: can, lines: 2000}", "there may be 0 to 1000"},
+        {"{unroll: can, marks: low}", "from the surface at its parameter"},
         {"{unroll: can, within: 0}", "not above 0"},
         {"{developable: [keel, chine, low]}", "between 2 edges, not 3"},
         {"{developable: [keel, back]}", "run against each other"},
