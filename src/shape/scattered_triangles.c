@@ -3,6 +3,7 @@
 
 #include <batten/scattered_triangles.h>
 
+#include <float.h>
 #include <string.h>
 
 batten_scattered_triangles_options batten_scattered_triangles_defaults(void)
@@ -67,9 +68,28 @@ static batten_status take_values(pipeline *p)
     return enough ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
+/* Slopes that are too small to be numbers would be taken for 0. */
+static batten_status check_slopes(const pipeline *p)
+{
+    const batten_plane_triangles *t = &p->triangles;
+    double rise = 0, size = 0;
+    for (int v = 0; v < t->vertex_count; v++) {
+        rise = bat_max(rise, fabs(p->f[v] - p->f[0]));
+        for (int k = 0; k < 2; k++)
+            size = bat_max(size, fabs(t->vertices[2 * (size_t)v + (size_t)k] - t->vertices[k]));
+    }
+    return rise == 0 || rise / size > DBL_MIN / DBL_EPSILON
+               ? BATTEN_OK
+               : bat_fail(BATTEN_OVERFLOW,
+                          "values differ by %g over a width of %g: such slopes are no numbers",
+                          rise, size);
+}
+
 static batten_status find_gradients(pipeline *p)
 {
     batten_status status = say(p, 0.4, "gradients");
+    if (status == BATTEN_OK)
+        status = check_slopes(p);
     if (status == BATTEN_OK)
         status = batten_triangle_gradients(&p->triangles, p->f, p->g, &p->report.planes);
     if (status == BATTEN_OK && p->options->network) {

@@ -262,6 +262,39 @@ TEST(N1_G2_values_that_are_no_numbers_and_points_on_a_line_are_refused)
                  BATTEN_TOO_FEW_POINTS);
 }
 
+TEST(N2_scattered_values_of_any_size_are_met_or_refused)
+{
+    const double sizes[] = {1e-300, 1e-150, 1e-80, 1, 1e80, 1e150, 1e300};
+    for (int c = 0; c < 49; c++) {
+        const double width = sizes[c / 7], height = sizes[c % 7];
+        test_random random = test_random_begin("sizes");
+        double xy[60], f[30];
+        for (int i = 0; i < 30; i++) {
+            const double x = test_random_unit(&random), y = test_random_unit(&random);
+            xy[2 * i] = width * x;
+            xy[2 * i + 1] = width * y;
+            f[i] = height * (0.6 * x - 0.3 * y);
+        }
+        batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
+        options.network = c % 2;
+        batten_triangles *out = NULL;
+        batten_status status =
+            batten_triangles_scattered(30, xy, f, &options, NULL, NULL, &out);
+        if (test_memory_failed(status, BATTEN_OK))
+            status = batten_triangles_scattered(30, xy, f, &options, NULL, NULL, &out);
+        if (status != BATTEN_OK) {
+            CHECK(width != 1 || height != 1);
+            continue;
+        }
+        const double at[2] = {0.5 * width, 0.5 * width};
+        double value;
+        CHECK_OK(
+            batten_triangles_over(out, 1, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, &value, NULL));
+        CHECK_NEAR(value / height, 0.15, 1e-9);
+        batten_triangles_unref(out);
+    }
+}
+
 static bool always(void *user)
 {
     (void)user;
