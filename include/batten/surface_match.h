@@ -38,11 +38,13 @@ BATTEN_API batten_status batten_surfaces_near_edges(const batten_surface *first,
  * the degree of the other; it is refined exactly before.
  *
  * @param order      0 (edge), 1 (tangent plane), 2 (curvature)
- * @param tolerance  for the ribbon of a rational `second`, see batten_edge_ribbon
+ * @param tolerance  within which the edge and the derivatives of a rational `second` are met,
+ * those of another exactly
  * @param[out] report may be NULL
  * @return BATTEN_OK; UNSUPPORTED when `first` is rational or no NURBS; BAD_DEGREE when its
  * degree across is below `order`; TOO_FEW_POINTS when the moved rows would reach the opposite
- * edge; NOT_COMPATIBLE when an edge is a point, or `second` has no slope across its edge
+ * edge; NOT_COMPATIBLE when an edge is a point, or a surface has no slope across its edge;
+ * TOLERANCE_NOT_MET when the edges, measured, are farther apart than that
  * Source: [Farin02] ch. 15 and 16.
  */
 BATTEN_API batten_status batten_surface_match(

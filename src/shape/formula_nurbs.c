@@ -17,13 +17,13 @@ enum {
     DEGREE = 5,
     ROUNDS = 64,
     MOST_POINTS = 4000000,
-    PROBES = 5 /* measurements of a span, between the abscissae */
+    PROBES = 7 /* measurements of a span, between the abscissae */
 };
 
-static const double probes[PROBES] = {0.07, 0.3, 0.5, 0.7, 0.93};
+static const double probes[PROBES] = {0.03, 0.08, 0.3, 0.5, 0.7, 0.92, 0.97};
 
 /* A measured error grows by this much, for what lies between the measurements. */
-#define SAFETY 1.2
+#define SAFETY 1.3
 
 /* One direction: its spans, and the spline over them. Of an isocurve one direction is fixed:
  * no spans, one parameter. */

@@ -68,6 +68,8 @@ static batten_status average(const bat_family *g, batten_parametrization kind, d
     double *shares = bat_array(n, sizeof *shares);
     batten_status status = points && shares ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     int used = 0;
+    *spread = 0;
+    memset(u, 0, (n + 1) * sizeof *u);
     for (int line = 0; status == BATTEN_OK && line < g->lines; line++)
         if (line_shares(g, line, kind, points, shares)) {
             used++;

@@ -402,7 +402,7 @@ static batten_status make(const bat_request *r, bat_operator *op)
     op->degree = op->periodic ? r->degree : bat_min_int(r->degree, op->count - 1);
     op->step[0] = t[1] - t[0];
     op->step[1] = n > 2 ? t[2] - t[1] : op->step[0];
-    op->step[3] = t[n - 1] - t[n - 2];
+    op->step[3] = n > 1 ? t[n - 1] - t[n - 2] : op->step[0]; /* one periodic datum */
     op->step[2] = n > 2 ? t[n - 2] - t[n - 3] : op->step[3];
     batten_status status = make_rows(r, op);
     if (status == BATTEN_OK)

@@ -4,6 +4,7 @@
 #include "numeric/vector.h"
 #include "shape/ribbon_fit.h"
 #include "spline/surface.h"
+#include <batten/within.h>
 #include <batten/inspect.h>
 
 #include <string.h>
@@ -42,12 +43,10 @@ static batten_status edge_ends(const batten_surface *surface, batten_edge edge,
 }
 
 /* How far the ends of two edges are apart, in the better one of the two orders. */
-static double ends_apart(double a[2][3], double b[2][3], bool *reversed)
+static double ends_apart(double a[2][3], double b[2][3])
 {
-    const double same = bat_max(bat_distance(3, a[0], b[0]), bat_distance(3, a[1], b[1]));
-    const double crossed = bat_max(bat_distance(3, a[0], b[1]), bat_distance(3, a[1], b[0]));
-    *reversed = crossed < same;
-    return bat_min(same, crossed);
+    return bat_min(bat_max(bat_distance(3, a[0], b[0]), bat_distance(3, a[1], b[1])),
+                   bat_max(bat_distance(3, a[0], b[1]), bat_distance(3, a[1], b[0])));
 }
 
 batten_status batten_surfaces_near_edges(const batten_surface *first,
@@ -59,22 +58,24 @@ batten_status batten_surfaces_near_edges(const batten_surface *first,
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the surfaces have the dimensions %d and %d",
                         first->dimension, second->dimension);
     double best = INFINITY;
+    batten_edge nearest[2] = {BATTEN_EDGE_V0, BATTEN_EDGE_V0};
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++) {
             double a[2][3], b[2][3];
-            bool reversed;
             batten_status status = edge_ends(first, (batten_edge)i, a);
             if (status == BATTEN_OK)
                 status = edge_ends(second, (batten_edge)j, b);
             if (status != BATTEN_OK)
                 return status;
-            const double distance = ends_apart(a, b, &reversed);
+            const double distance = ends_apart(a, b);
             if (!(distance < best))
                 continue;
             best = distance;
-            *first_edge = (batten_edge)i;
-            *second_edge = (batten_edge)j;
+            nearest[0] = (batten_edge)i;
+            nearest[1] = (batten_edge)j;
         }
+    *first_edge = nearest[0];
+    *second_edge = nearest[1];
     if (apart)
         *apart = best;
     return BATTEN_OK;
@@ -321,7 +322,14 @@ static batten_status compare_at(const batten_surface *first, batten_edge first_e
     batten_vec3 n1, n2;
     on_edge(first, first_edge, t, a);
     on_edge(second, second_edge, r->reversed ? 1 - t : t, b);
-    batten_status status = batten_surface_normal(first, a[0], a[1], &n1, NULL);
+    double p[3], q[3];
+    batten_status status = batten_surface_evaluate(first, a[0], a[1], 0, p);
+    if (status == BATTEN_OK)
+        status = batten_surface_evaluate(second, b[0], b[1], 0, q);
+    if (status != BATTEN_OK)
+        return status;
+    r->gap = bat_max(r->gap, bat_distance(3, p, q));
+    status = batten_surface_normal(first, a[0], a[1], &n1, NULL);
     if (status == BATTEN_OK)
         status = batten_surface_normal(second, b[0], b[1], &n2, NULL);
     if (status == BATTEN_SINGULAR_HERE)
@@ -338,7 +346,6 @@ static batten_status compare_at(const batten_surface *first, batten_edge first_e
         r->curvature = NAN;
         return BATTEN_OK;
     }
-    r->gap = bat_max(r->gap, bat_vec3_norm(bat_vec3_subtract(one.point, other.point)));
     /* With opposite normals the principal curvatures change sign and order. */
     const double k1 = cosine < 0 ? -other.kappa2 : other.kappa1,
                  k2 = cosine < 0 ? -other.kappa1 : other.kappa2;
@@ -367,31 +374,93 @@ static batten_status finish(const match *m, batten_edge first_edge,
     return status;
 }
 
-static bool is_point(const batten_curve *curve)
+static double size_of(const batten_surface *surface)
 {
-    const batten_box box = batten_curve_box(curve);
-    const batten_vec3 size = bat_vec3_subtract(box.high, box.low);
-    return !(bat_vec3_norm(size) > 0);
+    const batten_box box = batten_surface_box(surface);
+    return bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
 }
 
+static bool is_point(const batten_curve *curve, double size)
+{
+    const batten_box box = batten_curve_box(curve);
+    return !(bat_vec3_norm(bat_vec3_subtract(box.high, box.low)) > 1e-12 * size);
+}
+
+static batten_status check_edges(const match *m, const batten_surface *second)
+{
+    batten_curve *own = NULL;
+    const double u = batten_surface_domain(m->surface, BATTEN_U).a, size = size_of(second);
+    const batten_status status = batten_surface_isocurve(m->surface, BATTEN_U, u, &own);
+    if (status != BATTEN_OK)
+        return status;
+    const bool first_is_point = is_point(own, size),
+               other_is_point = is_point(m->rows[0], size);
+    batten_curve_unref(own);
+    return first_is_point || other_is_point
+               ? bat_fail(BATTEN_NOT_COMPATIBLE, "the edge of the %s surface is a point",
+                          first_is_point ? "first" : "second")
+               : BATTEN_OK;
+}
+
+/* Do the edges run against each other? The points within tell it of closed ones. */
 static batten_status find_reversed(const match *m, bool *reversed)
 {
-    if (is_point(m->rows[0]))
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "the edge of the second surface is a point");
+    static const double places[4] = {0, 0.25, 0.75, 1};
     const batten_interval own = batten_surface_domain(m->surface, BATTEN_V),
                           other = batten_curve_domain(m->rows[0]);
     const double u = batten_surface_domain(m->surface, BATTEN_U).a;
-    double a[2][3], b[2][3];
-    batten_status status = batten_surface_evaluate(m->surface, u, own.a, 0, a[0]);
-    if (status == BATTEN_OK)
-        status = batten_surface_evaluate(m->surface, u, own.b, 0, a[1]);
-    if (status == BATTEN_OK)
-        status = batten_curve_evaluate(m->rows[0], other.a, 0, b[0]);
-    if (status == BATTEN_OK)
-        status = batten_curve_evaluate(m->rows[0], other.b, 0, b[1]);
-    if (status == BATTEN_OK)
-        ends_apart(a, b, reversed);
+    double a[4][3], b[4][3], same = 0, crossed = 0;
+    for (int i = 0; i < 4; i++) {
+        const double s = places[i];
+        batten_status status =
+            batten_surface_evaluate(m->surface, u, (1 - s) * own.a + s * own.b, 0, a[i]);
+        if (status == BATTEN_OK)
+            status =
+                batten_curve_evaluate(m->rows[0], (1 - s) * other.a + s * other.b, 0, b[i]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    for (int i = 0; i < 4; i++) {
+        same += bat_distance(3, a[i], b[i]);
+        crossed += bat_distance(3, a[i], b[3 - i]);
+    }
+    *reversed = crossed < same;
+    return BATTEN_OK;
+}
+
+/* The ribbon without weights, each row within the tolerance. */
+static batten_status make_polynomial(match *m, double tolerance)
+{
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k <= m->order && status == BATTEN_OK; k++) {
+        batten_curve *made = NULL;
+        const int degree = bat_max_int(5, batten_curve_degree(m->rows[k]));
+        if (batten_curve_is_rational(m->rows[k]))
+            status = replaced_curve(
+                batten_curve_approximate(m->rows[k], degree, tolerance, NULL, &made),
+                &m->rows[k], &made);
+    }
     return status;
+}
+
+/* The surface that moves and the ribbon that it takes over, in its direction and over its
+ * domain.
+ */
+static batten_status prepare(match *m, const batten_surface *first, batten_edge first_edge,
+                             const batten_surface *second, batten_edge second_edge,
+                             double tolerance, bool *reversed)
+{
+    batten_status status = take(first, first_edge, m->order, &m->surface);
+    if (status == BATTEN_OK)
+        status = batten_edge_ribbon(second, second_edge, bat_max_int(m->order, 1), tolerance,
+                                    m->rows, NULL);
+    if (status == BATTEN_OK)
+        status = check_edges(m, second);
+    if (status == BATTEN_OK)
+        status = make_polynomial(m, tolerance);
+    if (status == BATTEN_OK)
+        status = find_reversed(m, reversed);
+    return status == BATTEN_OK ? lay_along(m, *reversed) : status;
 }
 
 batten_status batten_surface_match(const batten_surface *first, batten_edge first_edge,
@@ -407,27 +476,29 @@ batten_status batten_surface_match(const batten_surface *first, batten_edge firs
                         first->dimension, second->dimension);
     match m = {.order = order, .scale = 1};
     batten_surface_match_report own = {0};
+    batten_surface *made = NULL;
     batten_interval along = {0, 1};
-    batten_status status = take(first, first_edge, order, &m.surface);
-    if (status == BATTEN_OK)
-        status = batten_edge_ribbon(second, second_edge, bat_max_int(order, 1), tolerance,
-                                    m.rows, NULL);
+    batten_status status =
+        prepare(&m, first, first_edge, second, second_edge, tolerance, &own.reversed);
     if (status == BATTEN_OK) {
         along = batten_surface_domain(m.surface, BATTEN_V);
-        status = find_reversed(&m, &own.reversed);
-    }
-    if (status == BATTEN_OK)
-        status = lay_along(&m, own.reversed);
-    if (status == BATTEN_OK)
         status = make_common(&m);
+    }
     if (status == BATTEN_OK && order > 0)
         status = find_scale(&m);
     if (status == BATTEN_OK)
         status = move_rows(&m, &own.moved);
     if (status == BATTEN_OK)
-        status = finish(&m, first_edge, second, second_edge, along, &own, out);
-    if (status == BATTEN_OK && report)
-        *report = own;
+        status = finish(&m, first_edge, second, second_edge, along, &own, &made);
+    if (status == BATTEN_OK && !(own.gap <= bat_max(tolerance, 1e-12 * size_of(second))))
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET, "the edges are %g apart; %g was wanted",
+                          own.gap, tolerance);
+    if (status == BATTEN_OK) {
+        *out = batten_surface_ref(made);
+        if (report)
+            *report = own;
+    }
+    batten_surface_unref(made);
     batten_surface_unref(m.surface);
     for (int k = 0; k < 3; k++)
         batten_curve_unref(m.rows[k]);

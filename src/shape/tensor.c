@@ -47,14 +47,14 @@ batten_status bat_grid_parameters_of(int dimension, int count_u, int count_v,
                                      bool closed_u, bool closed_v, const double *u,
                                      const double *v, bat_grid_parameters *out)
 {
-    double spread[2];
     *out = (bat_grid_parameters){bat_array((size_t)count_u + 1, sizeof(double)),
-                                 bat_array((size_t)count_v + 1, sizeof(double))};
+                                 bat_array((size_t)count_v + 1, sizeof(double)),
+                                 {0, 0}};
     if (!out->u || !out->v)
         return BATTEN_OUT_OF_MEMORY;
     return parametrize(dimension, count_u, count_v, points, kind,
                        (const bool[2]){closed_u, closed_v}, (const double *const[2]){u, v},
-                       (double *const[2]){out->u, out->v}, spread);
+                       (double *const[2]){out->u, out->v}, out->spread);
 }
 
 void bat_grid_parameters_release(bat_grid_parameters *parameters)
@@ -69,15 +69,19 @@ batten_status batten_grid_parametrize(int dimension, int count_u, int count_v,
                                       double *spread)
 {
     assert(points && u && v);
-    double own[2];
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
     batten_status status =
         bat_grid_check(dimension, count_u, count_v, points, closed_u, closed_v);
     if (status == BATTEN_OK)
-        status = parametrize(
-            dimension, count_u, count_v, points, kind, (const bool[2]){closed_u, closed_v},
-            (const double *const[2]){NULL, NULL}, (double *const[2]){u, v}, own);
-    if (status == BATTEN_OK && spread)
-        memcpy(spread, own, sizeof own);
+        status = bat_grid_parameters_of(dimension, count_u, count_v, points, kind, closed_u,
+                                        closed_v, NULL, NULL, &at);
+    if (status == BATTEN_OK) {
+        memcpy(u, at.u, ((size_t)count_u + closed_u) * sizeof *u);
+        memcpy(v, at.v, ((size_t)count_v + closed_v) * sizeof *v);
+        if (spread)
+            memcpy(spread, at.spread, sizeof at.spread);
+    }
+    bat_grid_parameters_release(&at);
     return status;
 }
 

@@ -10,7 +10,8 @@ batten_status bat_grid_check(int dimension, int count_u, int count_v, const doub
 
 /* The parameters of the lines of a grid, given or found; release both, also after a failure. */
 typedef struct {
-    double *u, *v; /* [count], closed [count + 1] */
+    double *u, *v;    /* [count], closed [count + 1] */
+    double spread[2]; /* as batten_grid_parametrize says */
 } bat_grid_parameters;
 batten_status bat_grid_parameters_of(int dimension, int count_u, int count_v,
                                      const double *points, batten_parametrization kind,

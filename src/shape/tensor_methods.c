@@ -40,7 +40,7 @@ batten_status batten_surface_nu(int dimension, int count_u, int count_v, const d
                                          weighted(o->closed_v, o->nu_v, o->nus_v)};
     const batten_line_method u = {make_nu, &curves[0], o->closed_u},
                              v = {make_nu, &curves[1], o->closed_v};
-    bat_grid_parameters at = {NULL, NULL};
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
     batten_status status =
         bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
     if (status == BATTEN_OK)
@@ -119,7 +119,7 @@ batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v
         curves[1] = *along_v;
     const batten_line_method ways[2] = {{make_catmull_rom, &curves[0], curves[0].closed},
                                         {make_catmull_rom, &curves[1], curves[1].closed}};
-    bat_grid_parameters at = {NULL, NULL};
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
     batten_status status =
         bat_grid_check(dimension, count_u, count_v, points, curves[0].closed, curves[1].closed);
     if (status == BATTEN_OK)

@@ -198,7 +198,7 @@ static batten_status begin(int dimension, int count_u, int count_v, const double
                            const batten_tension_surface_options *o, tension_surface *s)
 {
     const size_t d = (size_t)dimension, total = (size_t)count_u * (size_t)count_v;
-    bat_grid_parameters at = {NULL, NULL};
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
     s->dimension = dimension;
     batten_status status =
         bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD, o->closed_u,

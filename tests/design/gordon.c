@@ -67,3 +67,24 @@ TEST(G7_networks_with_gaps_are_refused_by_name)
             CHECK_MESSAGE(rows[i].says);
     }
 }
+
+/* Three rings and one line along them: the surface turns with the rings. */
+TEST(closed_profiles_may_have_one_guide)
+{
+    static const char *const rows[] = {"{gordon: rings, guides: one}",
+                                       "{gordon: [c0, c2], guides: [one, one]}"};
+    for (int i = 0; i < COUNT(rows); i++) {
+        char text[1000];
+        batten_design *design = NULL;
+        snprintf(text, sizeof text,
+                 "batten: 1\nunits: m\nfeatures:\n  c0: {circle: 1}\n"
+                 "  c1: {circle: 2, at: [0, 0, 1]}\n  c2: {circle: 1, at: [0, 0, 2]}\n"
+                 "  rings: {collect: [c0, c1, c2]}\n"
+                 "  l: {points: [[1, 0, 0], [2, 0, 1], [1, 0, 2]]}\n"
+                 "  m: {points: [[1, 0, 0], [1.5, 0, 1], [1, 0, 2]]}\n"
+                 "  one: {interpolate: %s}\n  a: %s\n",
+                 i ? "m" : "l", rows[i]);
+        CHECK_OK(evaluate_design(text, "a", NULL, &design));
+        batten_design_free(design);
+    }
+}

@@ -105,6 +105,65 @@ TEST(a_surface_that_is_cut_and_matched_again_stays)
     batten_surface_unref(made);
 }
 
+/* The edge of a cylinder is rational: it is met within the tolerance, and said how well. */
+TEST(a_rational_edge_is_met_within_the_tolerance)
+{
+    double points[5 * 4 * 3];
+    batten_surface *flange = NULL, *tube = NULL, *quarter = NULL, *made = NULL;
+    const batten_frame frame = {.origin = {0, 0, 0}, .x = {1, 0, 0}, .z = {0, 0, 1}};
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 4; j++) {
+            const double a = 1.5707963267948966 * i / 4, r = 1 + 0.1 * j * j;
+            double *p = points + (i * 4 + j) * 3;
+            p[0] = r * cos(a);
+            p[1] = r * sin(a);
+            p[2] = 2.05 + 0.3 * j;
+        }
+    CHECK_OK(
+        batten_surface_interpolate(3, 5, 4, points, NULL, NULL, NULL, NULL, NULL, &flange));
+    CHECK_OK(batten_surface_cylinder(&frame, 1, 2, &tube));
+    CHECK_OK(batten_surface_subrange(tube, BATTEN_U, 0, 0.25, &quarter));
+    for (double tolerance = 1e-3; tolerance > 1e-9; tolerance *= 1e-2) {
+        batten_surface_match_report report;
+        CHECK_OK(batten_surface_match(flange, BATTEN_EDGE_V0, quarter, BATTEN_EDGE_V1, 1,
+                                      tolerance, &report, &made));
+        CHECK(report.gap <= tolerance && report.angle <= 100 * tolerance);
+        batten_surface_unref(made);
+    }
+    batten_surface_unref(flange);
+    batten_surface_unref(tube);
+    batten_surface_unref(quarter);
+}
+
+/* Two tubes, closed along the edge where they meet, one running round the other way. */
+TEST(closed_edges_that_run_against_each_other_are_seen)
+{
+    double points[8 * 4 * 3];
+    batten_surface *tubes[2] = {NULL}, *made = NULL;
+    for (int t = 0; t < 2; t++) {
+        for (int i = 0; i < 8; i++)
+            for (int j = 0; j < 4; j++) {
+                const double a = 6.283185307179586 * i / 8 * (t ? -1 : 1);
+                double *p = points + (i * 4 + j) * 3;
+                p[0] = (1 + 0.1 * j) * cos(a);
+                p[1] = (1 + 0.1 * j) * sin(a);
+                p[2] = t ? 0.05 + j : -j;
+            }
+        batten_grid_options o = batten_grid_defaults();
+        o.periodic_u = true;
+        CHECK_OK(
+            batten_surface_interpolate(3, 8, 4, points, &o, NULL, NULL, NULL, NULL, &tubes[t]));
+    }
+    batten_surface_match_report report;
+    CHECK_OK(batten_surface_match(tubes[1], BATTEN_EDGE_V0, tubes[0], BATTEN_EDGE_V0, 1, 1e-9,
+                                  &report, &made));
+    CHECK(report.reversed && report.moved < 0.3);
+    CHECK(report.gap < 1e-12 && report.angle < 1e-10);
+    batten_surface_unref(made);
+    batten_surface_unref(tubes[0]);
+    batten_surface_unref(tubes[1]);
+}
+
 TEST(what_cannot_be_matched_is_refused)
 {
     batten_surface *left = wavy(0, 0, 5), *ball = NULL, *made = NULL, *linear = NULL;

@@ -387,3 +387,25 @@ TEST(a_free_uniform_surface_is_coons_matrix_form)
                  BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("along v, line 0");
 }
+
+TEST(parameters_of_a_grid_do_not_depend_on_what_stood_there)
+{
+    const double points[18] = {0, 0, 0, 0, 1, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 1, 2, 0};
+    double u[2] = {7, 7}, v[3] = {7, 7, 7}, spread[2] = {9, 9};
+    CHECK_OK(
+        batten_grid_parametrize(3, 2, 3, points, BATTEN_CHORD, false, false, u, v, spread));
+    CHECK_NEAR(u[0], 0, 0);
+    CHECK_NEAR(u[1], 1, 0);
+    CHECK_NEAR(v[1], 0.5, 1e-15);
+    CHECK_NEAR(v[2], 1, 0);
+    CHECK_NEAR(spread[0], 0, 0);
+    v[0] = 5;
+    double pinched[18];
+    memcpy(pinched, points, sizeof pinched);
+    memcpy(pinched + 3, pinched, 3 * sizeof *pinched);
+    memcpy(pinched + 12, pinched + 9, 3 * sizeof *pinched);
+    CHECK_STATUS(
+        batten_grid_parametrize(3, 2, 3, pinched, BATTEN_CHORD, false, false, u, v, NULL),
+        BATTEN_COINCIDENT);
+    CHECK_NEAR(v[0], 5, 0);
+}
