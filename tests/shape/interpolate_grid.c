@@ -403,7 +403,7 @@ TEST(N1_grids_that_are_not_finite_are_refused)
 
 TEST(grids_that_make_no_sense_are_refused)
 {
-    const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, some[12] = {0};
+    const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, some[24] = {0};
     batten_surface *surface = NULL;
     for (int c = 0; c < 12; c++) {
         batten_grid_options options = batten_grid_defaults();
