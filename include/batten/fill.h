@@ -33,6 +33,7 @@ typedef struct batten_fill_options {
                            plane leaves them by so much at most, radians; 0.002 degrees */
     bool curvature;   /**< along ribbons that give a curvature take it over, too */
     batten_fill_form form; /**< BATTEN_FILL_SPLIT */
+    bool may_fold;         /**< a fill that folds over is given, too; false */
 } batten_fill_options;
 BATTEN_API batten_fill_options batten_fill_defaults(void);
 
@@ -66,7 +67,11 @@ typedef struct batten_fill_report {
     int flat_corners; /**< corners where two sides go on smoothly: surfaces have no normal at
                             the point itself, and none is compared where their parameter
                             lines meet at less than 1e-4 */
-    bool folded;      /**< normals of neighbouring points turn back: the fill overlaps */
+    double rim_curvature;  /**< the largest of the ribbons that give one, 1 / length */
+    double most_curvature; /**< what the curvature may differ by between the surfaces when it
+                                is taken over: rim_curvature, at least 1 / size of the loop */
+    bool folded;           /**< normals of neighbouring points turn back: the fill overlaps */
+    double fold_at[3];     /**< where it does first */
 } batten_fill_report;
 
 /**
@@ -81,8 +86,12 @@ typedef struct batten_fill_report {
  *
  * With `curvature` the surfaces are bent so that they have the normal curvature of the ribbons
  * along the sides, to what the report says; at corners where the ribbons contradict each other
- * this fades away within an eighth of half a side. Between the surfaces curvature is not the
- * same, but nearly: the report says how nearly.
+ * this fades away within a quarter of half a side. Between the surfaces curvature is not the
+ * same, but nearly: the report says how nearly. Where they contradict each other much there is
+ * no such fill: when the curvatures across an edge between the surfaces differ by more than the
+ * largest curvature of the ribbons, or, if these are flatter than a ball of the loop's size, by
+ * more than 1 / size, the fill is refused. (The size is half the longest edge of the box around
+ * the loop.) One that folds over is refused, with or without curvature, unless it may.
  *
  * The other forms are procedural: surface i is the same quarter of one formula over a polygon,
  * smooth inside, with the positions and tangent planes of the ribbons; a side without slope is
@@ -95,12 +104,13 @@ typedef struct batten_fill_report {
  * @param sides [count], curves in space; `slope` points into the hole, NULL leaves the tangent
  *              planes along the side free
  * @param options NULL for the defaults
- * @param[out] report may be NULL
+ * @param[out] report may be NULL; set also with TOLERANCE_NOT_MET
  * @param[out] out [BATTEN_FILL_SIDES]; the first report->count are yours to unref, the others
  *             NULL
  * @return BATTEN_OK; BAD_ARGUMENT for fewer than 2 or more than 8 sides; NOT_COMPATIBLE naming
  * the corner of an open loop, or the side whose ribbon points out of the hole; SINGULAR_HERE
- * where a ribbon has no tangent plane at a corner; NOT_FINITE, COINCIDENT ...
+ * where a ribbon has no tangent plane at a corner; TOLERANCE_NOT_MET for a fill that folds over
+ * or whose curvature is too uneven, with the numbers; NOT_FINITE, COINCIDENT ...
  *
  * Degree and knots are those of the sides, three degrees higher. Cost: the cube of some 12 n
  * unknowns, and linear in the knots of two neighbouring sides.

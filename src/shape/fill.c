@@ -1,5 +1,6 @@
 /* Holes of n sides. */
 #include "shape/fill.h"
+#include <string.h>
 
 batten_fill_options batten_fill_defaults(void)
 {
@@ -47,6 +48,33 @@ static batten_status split(const bat_fill_loop *loop, const batten_fill_options 
     return status;
 }
 
+/* Is it good enough to be given? */
+static batten_status judge(const batten_fill_options *options, const batten_fill_report *report)
+{
+    const batten_fill_edge *worst = &report->inner[0];
+    for (int i = 1; i < report->count; i++)
+        if (report->inner[i].curvature > worst->curvature)
+            worst = &report->inner[i];
+    const double *at = worst->curvature_at, *fold = report->fold_at;
+    if (options->curvature && !(worst->curvature <= report->most_curvature))
+        return bat_fail(
+            BATTEN_TOLERANCE_NOT_MET,
+            "with curvature taken over the fill bends unevenly%s: between its surfaces %d and "
+            "%d the curvature differs by %.3g at (%g, %g, %g), more than %.3g, and the "
+            "surfaces "
+            "around bend by at most %.3g (1 / length); continuity G1 does better",
+            report->folded ? " and folds over" : "", worst->first + 1, worst->second + 1,
+            worst->curvature, at[0], at[1], at[2], report->most_curvature,
+            report->rim_curvature);
+    if (report->folded && !options->may_fold)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the fill folds over near (%g, %g, %g)%s",
+                        fold[0], fold[1], fold[2],
+                        options->curvature ? ": with curvature taken over; continuity G1 may "
+                                             "do better"
+                                           : "");
+    return BATTEN_OK;
+}
+
 static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
                                   batten_fill_report *report, batten_surface **out)
 {
@@ -58,6 +86,8 @@ static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_o
         status = bat_fill_formula(loop, i, options->form, &out[i]);
     if (status == BATTEN_OK)
         status = bat_fill_measure(loop, out, report);
+    if (status == BATTEN_OK)
+        status = judge(options, report);
     return status;
 }
 
@@ -79,14 +109,12 @@ batten_status batten_surface_fill(int count, const batten_ribbon *sides,
         batten_affine_translation(loop.centre[0], loop.centre[1], loop.centre[2]));
     for (int i = 0; status == BATTEN_OK && i < loop.count; i++)
         status = batten_surface_transform(patches[i], &map, &placed[i]);
-    if (status == BATTEN_OK) {
-        for (int i = 0; i < BATTEN_FILL_SIDES; i++)
-            out[i] = placed[i];
-        if (report)
-            *report = *reached;
-    } else {
+    if (report && (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET))
+        *report = *reached;
+    if (status == BATTEN_OK)
+        memcpy(out, placed, sizeof placed);
+    else
         free_patches(placed);
-    }
     free_patches(patches);
     bat_fill_loop_free(&loop);
     bat_release(reached);

@@ -34,7 +34,7 @@ static double node(int k)
  * different things of the curvature. */
 static double fade(double u)
 {
-    const double t = bat_min(1, 8 * u);
+    const double t = bat_min(1, 4 * u);
     return t * t * t * (10 - 15 * t + 6 * t * t);
 }
 

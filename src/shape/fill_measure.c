@@ -196,9 +196,36 @@ static batten_status measure_spoke(const batten_surface *patch, const batten_sur
     return status;
 }
 
+/* The larger principal curvature. */
+static double largest_curvature(const view *s)
+{
+    const double E = bat_dot(3, s->u, s->u), F = bat_dot(3, s->u, s->v);
+    const double G = bat_dot(3, s->v, s->v), D = E * G - F * F;
+    const double L = bat_dot(3, s->uu, s->normal), M = bat_dot(3, s->uv, s->normal);
+    const double N = bat_dot(3, s->vv, s->normal);
+    const double mean = (E * N - 2 * F * M + G * L) / (2 * D), gauss = (L * N - M * M) / D;
+    return fabs(mean) + sqrt(bat_max(0, mean * mean - gauss));
+}
+
+/* The largest curvature of the ribbons that give one, in the coordinates of the loop. */
+static batten_status measure_rim(const bat_fill_loop *loop, double *out)
+{
+    batten_status status = BATTEN_OK;
+    *out = 0;
+    for (int i = 0; i < loop->count; i++)
+        for (int k = 0; status == BATTEN_OK && loop->sides[i].bend && k <= 4 * PLACES; k++) {
+            view r;
+            status = see_ribbon(&loop->sides[i], k / (2.0 * PLACES),
+                                k < 4 * PLACES ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT, &r);
+            if (status == BATTEN_OK && r.regular && r.bent)
+                *out = bat_max(*out, largest_curvature(&r));
+        }
+    return status;
+}
+
 /* Do normals of neighbouring places turn by more than a right angle? Places that hardly have
  * one do not count: a corner where sides go on smoothly may do so to rounding. */
-static batten_status look_for_folds(const batten_surface *patch, bool *folded)
+static batten_status look_for_folds(const batten_surface *patch, bool *folded, double at[3])
 {
     double(*normals)[3] = bat_array((GRID + 1) * (GRID + 1), sizeof *normals);
     batten_status status = normals ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -209,11 +236,20 @@ static batten_status look_for_folds(const batten_surface *patch, bool *folded)
         if (status != BATTEN_OK || !(s.sine > 1e-3))
             continue;
         memcpy(normals[k], s.normal, sizeof s.normal);
-        *folded |= i > 0 && bat_dot(3, normals[k], normals[k - GRID - 1]) < 0;
-        *folded |= j > 0 && bat_dot(3, normals[k], normals[k - 1]) < 0;
+        if (!*folded && ((i > 0 && bat_dot(3, normals[k], normals[k - GRID - 1]) < 0) ||
+                         (j > 0 && bat_dot(3, normals[k], normals[k - 1]) < 0))) {
+            *folded = true;
+            memcpy(at, s.point, sizeof s.point);
+        }
     }
     bat_release(normals);
     return status;
+}
+
+static void place_given(const bat_fill_loop *loop, double at[3])
+{
+    for (int c = 0; c < 3; c++)
+        at[c] = loop->centre[c] + loop->size * at[c];
 }
 
 /* From the loop's coordinates to those of the caller. */
@@ -223,8 +259,7 @@ static void to_given(const bat_fill_loop *loop, batten_fill_edge *edge)
     edge->gap *= loop->size;
     edge->curvature /= loop->size;
     for (int k = 0; k < 3; k++)
-        for (int c = 0; c < 3; c++)
-            at[k][c] = loop->centre[c] + loop->size * at[k][c];
+        place_given(loop, at[k]);
 }
 
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
@@ -243,9 +278,14 @@ batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const 
         if (status == BATTEN_OK)
             status = measure_spoke(patches[i], patches[next], inner);
         if (status == BATTEN_OK)
-            status = look_for_folds(patches[i], &report->folded);
+            status = look_for_folds(patches[i], &report->folded, report->fold_at);
         to_given(loop, outer);
         to_given(loop, inner);
     }
+    place_given(loop, report->fold_at);
+    if (status == BATTEN_OK)
+        status = measure_rim(loop, &report->rim_curvature);
+    report->rim_curvature /= loop->size;
+    report->most_curvature = bat_max(report->rim_curvature, 1 / loop->size);
     return status;
 }

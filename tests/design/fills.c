@@ -30,6 +30,14 @@ static const char *note_with(const batten_notes *notes, const char *words, bool 
     return "";
 }
 
+static int remark_count(const batten_notes *notes)
+{
+    int count = 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        count += batten_notes_at(notes, i)->is_remark;
+    return count;
+}
+
 TEST(a_fill_goes_on_from_the_surfaces_around_and_says_how_well)
 {
     batten_notes *notes = NULL;
@@ -41,8 +49,13 @@ TEST(a_fill_goes_on_from_the_surfaces_around_and_says_how_well)
     CHECK_TEXT(batten_model_object(model, 0)->name, "x.1");
     CHECK_TEXT(batten_model_object(model, 2)->name, "x.3");
     if (batten_notes_dropped(notes) == 0) { /* for lack of memory */
-        CHECK_CONTAINS(note_with(notes, "along 'a'", true), "degrees");
-        CHECK_CONTAINS(note_with(notes, "between surfaces 3 and 1", true), "curvature across");
+        const char *line = note_with(notes, "gaps of up to", true);
+        CHECK_CONTAINS(line, " m (along '");
+        CHECK_CONTAINS(line, "tangent planes differ by up to");
+        CHECK_CONTAINS(line, " degrees (");
+        CHECK_CONTAINS(line, "curvatures across by up to");
+        CHECK_CONTAINS(line, " per m (");
+        CHECK_INT(remark_count(notes), 1); /* nothing exceeds its bound */
         CHECK_CONTAINS(note_with(notes, "none of the sides", false), "surface 'wall'");
     }
     for (int i = 0; i < 3; i++) /* the fill of an octant is nearly a sphere */
@@ -65,7 +78,7 @@ TEST(a_fill_takes_over_curvature)
                       &design));
     CHECK_INT(batten_model_count(batten_design_result(design, "x")->value), 3);
     if (batten_notes_dropped(notes) == 0)
-        CHECK_CONTAINS(note_with(notes, "along 'a'", true), "curvature across to");
+        CHECK_CONTAINS(note_with(notes, "gaps of up to", true), "curvatures across by up to");
     batten_design_free(design);
     batten_notes_free(notes);
 }
@@ -96,8 +109,7 @@ TEST(without_tangent_planes_a_fill_has_the_position_alone)
         CHECK_OK(batten_notes_create(100, &notes));
         CHECK_OK(evaluate(features[i], notes, &design));
         if (batten_notes_dropped(notes) == 0)
-            CHECK(*note_with(notes, "along 'a': gap", true));
-        CHECK(!strstr(note_with(notes, "along 'a'", true), "degrees"));
+            CHECK(*note_with(notes, "gaps of up to", true));
         batten_design_free(design);
         batten_notes_free(notes);
     }
@@ -121,5 +133,60 @@ TEST(G7_fills_that_cannot_be_are_refused)
         batten_design *design = NULL;
         CHECK_STATUS(evaluate(rows[i].feature, NULL, &design), rows[i].status);
         CHECK_MESSAGE(rows[i].words);
+    }
+}
+
+TEST(the_error_of_a_fill_is_what_it_misses_of_the_given_curves)
+{
+    batten_design *design = NULL;
+    double worst = 0;
+    CHECK_OK(evaluate("{fill: [c, a, b], within: 1 mm}", NULL, &design));
+    const batten_feature_result *result = batten_design_result(design, "x");
+    for (int i = 0; i < 3; i++) { /* the first half of each side is v = 0 of a surface */
+        const batten_surface *surface = batten_model_object(result->value, i)->surface;
+        for (int k = 0; k <= 400; k++) {
+            double p[3];
+            CHECK_OK(batten_surface_evaluate(surface, k / 400.0, 0, 0, p));
+            worst = fmax(worst, fabs(sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - 1));
+        }
+    }
+    CHECK(result->has_error && worst > 0);
+    CHECK(result->error_max >= worst && result->error_max <= 1e-3);
+    batten_design_free(design);
+}
+
+TEST(a_fill_with_curvatures_that_contradict_each_other_fails)
+{
+    static const double corners[5][3] = {{1.2, 0, 0.3},
+                                         {0.309, 0.951, 0},
+                                         {-0.89, 0.647, 0.4},
+                                         {-0.971, -0.705, 0.1},
+                                         {0.309, -0.951, -0.1}};
+    static const char *const outside[5] = {"[1.7346, 0.5706, 0.54], [1.0284, 1.1334, -0.24]",
+                                           "[-0.2256, 1.5216, -0.18], [-0.8414, 1.4582, 0.58]",
+                                           "[-1.6094, 0.4646, 0.64], [-1.739, -0.5574, 0.22]",
+                                           "[-1.0196, -1.5162, -0.08], [-0.2256, -1.5216, "
+                                           "-0.34]",
+                                           "[1.077, -1.0986, -0.22], [1.7346, -0.5706, 0.48]"};
+    static const batten_status wanted[2] = {BATTEN_OK, BATTEN_TOLERANCE_NOT_MET};
+    for (int g = 0; g < 2; g++) {
+        char text[3000];
+        int n = snprintf(text, sizeof text, "batten: 1\nunits: m\nfeatures:\n");
+        for (int i = 0; i < 5; i++) {
+            const double *a = corners[i], *b = corners[(i + 1) % 5];
+            n += snprintf(text + n, sizeof text - (size_t)n,
+                          "  s%d: {polyline: [[%g, %g, %g], [%g, %g, %g]]}\n  o%d: {polyline: "
+                          "[%s]}\n  r%d: {ruled: [s%d, o%d]}\n",
+                          i, a[0], a[1], a[2], b[0], b[1], b[2], i, outside[i], i, i, i);
+        }
+        snprintf(text + n, sizeof text - (size_t)n,
+                 "  x: {fill: [s0, s1, s2, s3, s4], along: [r0, r1, r2, r3, r4], continuity: "
+                 "G%d}\n",
+                 g + 1);
+        batten_design *design = NULL;
+        CHECK_STATUS(evaluate_design(text, "x", NULL, &design), wanted[g]);
+        if (g == 1)
+            CHECK_MESSAGE("continuity G1 does better");
+        batten_design_free(design);
     }
 }

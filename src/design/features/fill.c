@@ -2,6 +2,7 @@
 
 #include <batten/fill.h>
 #include <batten/gregory.h>
+#include <batten/units.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,6 +20,8 @@ static const batten_parameter parameters[] = {
      "of corners, sides from edges, splines from formulas; the design's tolerance by default"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
      "how far the tangent plane may leave surfaces that twist against each other at a corner"},
+    {"folds", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "give a fill that folds over, too, which is refused else"},
 };
 
 /* The ribbons of one fill; the sides are those of the surfaces where these lie beside them. */
@@ -87,37 +90,104 @@ static batten_status find_sides(const bat_run *run, const bat_objects *curves, s
 
 /* ---- what was reached ---- */
 
-static void report_edge(const bat_run *run, const bat_objects *curves,
-                        const batten_fill_edge *edge)
+/* An edge by the names that the design knows. */
+static void name_edge(const bat_objects *curves, const batten_fill_edge *edge, char name[160])
+{
+    if (edge->curve >= 0)
+        snprintf(name, 160, "along '%.100s'", curves->at[edge->curve]->name);
+    else
+        snprintf(name, 160, "between surfaces %d and %d", edge->first + 1, edge->second + 1);
+}
+
+typedef struct {
+    const char *unit;
+    double gap, angle, curvature; /* what an edge may have */
+} bounds;
+
+/* The edge with the largest gap, angle, curvature; NULL where none has one. */
+typedef struct {
+    const batten_fill_edge *gap, *angle, *curvature;
+} worst_edges;
+
+static void keep_worst(const batten_fill_edge *edge, worst_edges *worst)
+{
+    if (!worst->gap || edge->gap > worst->gap->gap)
+        worst->gap = edge;
+    if (edge->has_slope && (!worst->angle || edge->angle > worst->angle->angle))
+        worst->angle = edge;
+    if (edge->has_curvature &&
+        (!worst->curvature || edge->curvature > worst->curvature->curvature))
+        worst->curvature = edge;
+}
+
+/* One line: the worst gap, angle and curvature, each where it is. */
+static void remark_worst(const bat_run *run, const bat_objects *curves, const char *unit,
+                         const worst_edges *worst)
+{
+    char gap[160], text[3][360] = {"", "", ""};
+    name_edge(curves, worst->gap, gap);
+    if (worst->angle) {
+        const double *at = worst->angle->angle_at;
+        char name[160];
+        name_edge(curves, worst->angle, name);
+        snprintf(text[0], sizeof text[0],
+                 "; tangent planes differ by up to %.2g degrees (%s, at %g, %g, %g)",
+                 worst->angle->angle * DEGREES, name, at[0], at[1], at[2]);
+    }
+    if (worst->curvature) {
+        const double *at = worst->curvature->curvature_at;
+        char name[160];
+        name_edge(curves, worst->curvature, name);
+        snprintf(text[1], sizeof text[1],
+                 "; curvatures across by up to %.3g per %s (%s, at %g, %g, %g)",
+                 worst->curvature->curvature, unit, name, at[0], at[1], at[2]);
+    }
+    bat_remark(run, "gaps of up to %.2g %s (%s)%s%s", worst->gap->gap, unit, gap, text[0],
+               text[1]);
+}
+
+/* An edge that has more than it may. */
+static void remark_excess(const bat_run *run, const bat_objects *curves, const bounds *most,
+                          const batten_fill_edge *edge)
 {
     char name[160];
-    if (edge->curve >= 0)
-        snprintf(name, sizeof name, "along '%.100s'", curves->at[edge->curve]->name);
-    else
-        snprintf(name, sizeof name, "between surfaces %d and %d", edge->first + 1,
-                 edge->second + 1);
-    if (!edge->has_slope)
-        bat_remark(run, "%s: gap %.2g", name, edge->gap);
-    else if (!edge->has_curvature)
-        bat_remark(run, "%s: gap %.2g, normals to %.2g degrees at (%g, %g, %g)", name,
-                   edge->gap, edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
+    name_edge(curves, edge, name);
+    if (edge->gap > most->gap)
+        bat_remark(run, "%s: a gap of %.3g %s at (%g, %g, %g), more than %g", name, edge->gap,
+                   most->unit, edge->gap_at[0], edge->gap_at[1], edge->gap_at[2], most->gap);
+    if (edge->has_slope && edge->angle > most->angle)
+        bat_remark(run, "%s: tangent planes differ by %.3g degrees at (%g, %g, %g)", name,
+                   edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
                    edge->angle_at[2]);
-    else
-        bat_remark(run,
-                   "%s: gap %.2g, normals to %.2g degrees at (%g, %g, %g), curvature across to "
-                   "%.3g at (%g, %g, %g)",
-                   name, edge->gap, edge->angle * DEGREES, edge->angle_at[0], edge->angle_at[1],
-                   edge->angle_at[2], edge->curvature, edge->curvature_at[0],
-                   edge->curvature_at[1], edge->curvature_at[2]);
+    if (edge->has_curvature && edge->curvature > most->curvature)
+        bat_remark(run, "%s: curvatures across differ by %.3g per %s at (%g, %g, %g)", name,
+                   edge->curvature, most->unit, edge->curvature_at[0], edge->curvature_at[1],
+                   edge->curvature_at[2]);
+}
+
+static void report_edges(const bat_run *run, const bat_objects *curves, const bounds *most,
+                         const batten_fill_report *reached)
+{
+    worst_edges worst = {NULL, NULL, NULL};
+    for (int i = 0; i < 2 * reached->count; i++)
+        keep_worst(i % 2 ? &reached->inner[i / 2] : &reached->outer[i / 2], &worst);
+    remark_worst(run, curves, most->unit, &worst);
+    for (int i = 0; i < reached->count; i++)
+        remark_excess(run, curves, most, &reached->outer[i]);
+    for (int i = 0; i < reached->count; i++)
+        remark_excess(run, curves, most, &reached->inner[i]);
 }
 
 static void report(const bat_run *run, const bat_objects *curves,
-                   const batten_fill_report *reached)
+                   const batten_fill_options *options, const batten_fill_report *reached)
 {
-    for (int i = 0; i < reached->count; i++)
-        report_edge(run, curves, &reached->outer[i]);
-    for (int i = 0; i < reached->count; i++)
-        report_edge(run, curves, &reached->inner[i]);
+    const char *unit = batten_unit_name(bat_unit_metres(run));
+    /* An angle of exactly the bound is met but for rounding; without curvature taken over there
+     * is no bound for it. */
+    const bounds most = {unit ? unit : "unit", options->tolerance,
+                         options->angle * 1.001 + 1e-9,
+                         options->curvature ? reached->most_curvature : HUGE_VAL};
+    report_edges(run, curves, &most, reached);
     if (reached->corner_angle > 1e-4)
         bat_note(run,
                  "at corner %d the surfaces around have planes that differ by %.3g degrees",
@@ -129,7 +199,18 @@ static void report(const bat_run *run, const bat_objects *curves,
         bat_remark(run, "at %d corners sides go on smoothly: the fill has no normal there",
                    reached->flat_corners);
     if (reached->folded)
-        bat_note(run, "the fill folds over");
+        bat_note(run, "the fill folds over near (%g, %g, %g)", reached->fold_at[0],
+                 reached->fold_at[1], reached->fold_at[2]);
+}
+
+/* How far the fill is from the curves that were given: the sides that it was made of from
+ * these, and it from the sides. */
+static double missed(const batten_fill_report *reached)
+{
+    double gap = 0;
+    for (int i = 0; i < reached->count; i++)
+        gap = bat_max(gap, reached->outer[i].gap);
+    return reached->approximation + gap;
 }
 
 /* The spline near a formula, and how far its normals leave those of the formula along the
@@ -175,11 +256,12 @@ static batten_status fill(bat_run *run, const bat_objects *curves, const sides *
     options.angle = bat_number(run, "angle");
     options.curvature = bat_word(run, "continuity") == 2;
     options.form = (batten_fill_form)bat_word(run, "form");
+    options.may_fold = bat_yes(run, "folds");
     batten_status status =
         batten_surface_fill(all->count, all->ribbons, &options, reached, surfaces);
     if (status == BATTEN_OK) {
-        report(run, curves, reached);
-        bat_report_error(run, reached->approximation, reached->approximation);
+        report(run, curves, &options, reached);
+        bat_report_error(run, missed(reached), missed(reached));
         status = put_all(run, reached->count, all->within, surfaces);
     }
     bat_release(reached);
@@ -210,7 +292,11 @@ const bat_feature bat_feature_fill = {
               "'along' the sides;\n"
               "what is left free bends as little as it can. Sides with corners are divided "
               "there. The report\n"
-              "says how near positions, tangent planes and curvatures are along every edge.",
+              "says where gaps, angles and differences of curvature are largest. A fill that "
+              "folds over is\n"
+              "refused, and one with G2 when curvatures around contradict each other so much "
+              "that between its\n"
+              "own surfaces curvature would jump by more than what is around bends at most.",
               "features:\n"
               "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
               "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"
