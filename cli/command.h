@@ -33,8 +33,9 @@ const command *command_find(const char *name);
 void command_complain(const char *name);
 
 /* The options of a command and the parameters of its feature in one table, yours to
- * batten_release; NULL without memory. `method`: another feature instead, or NULL. */
-option *command_options(const command *c, const char *method, int *count);
+ * batten_release; NULL without memory. `choice`: another feature instead, with or without
+ * settings (method.h), or NULL. */
+option *command_options(const command *c, const char *choice, int *count);
 
 /* ---- the running job: progress on a terminal, Ctrl-C ---- */
 
@@ -64,6 +65,13 @@ int input_read(const char *file, batten_notes *notes, batten_model **model);
 /* The file part of "file#name", yours to release, and the name or NULL. A file that exists
  * under the whole name is meant as it stands. */
 batten_status input_split(const char *argument, char **file, const char **name);
+
+/* In designs that a command makes, the file is a feature with its own name, so that messages
+ * speak of it; with "./" before what could be the name of another feature. Add that name, in
+ * quotes. */
+void input_name_add(batten_text *text, const char *argument);
+/* Add the feature that reads the file. */
+void input_add(batten_text *text, const char *argument);
 
 /* Print and free the text; EXIT_FAILED with a complaint when standard output refuses it. */
 int output_print(batten_text *text);

@@ -1,24 +1,23 @@
+#include "method.h"
 #include "values.h"
 
 #include <batten/picture.h>
 #include <string.h>
 
-enum { MAX_METHODS = 64, NAME_SIZE = 96 };
+enum { MAX_METHODS = 64 };
 
-/* One panel: an operation, with settings as one would write them in a design. */
+/* One panel. */
 typedef struct {
-    char name[NAME_SIZE];      /* "tension amount=2": as the user wrote it */
-    char operation[NAME_SIZE]; /* "tension" */
-    char settings[NAME_SIZE];  /* ", amount: 2" */
+    method choice;
     bool works;
-} method;
+} panel;
 
 typedef struct {
     const arguments *given;
     const batten_model *model;
     batten_notes *notes;
     int count;
-    method methods[MAX_METHODS];
+    panel panels[MAX_METHODS];
 } comparison;
 
 static const option options[] = {
@@ -36,64 +35,17 @@ static const char usual[] = "interpolate,akima,bessel,tension,nu-spline,local-cu
 
 /* ---- the list of methods ---- */
 
-/* "tension:amount=5:ends=natural" */
-static bool read_method(const char *word, size_t length, method *out)
-{
-    char copy[NAME_SIZE];
-    *out = (method){.works = true};
-    if (length == 0 || length >= sizeof copy)
-        return false;
-    memcpy(copy, word, length);
-    copy[length] = '\0';
-    char *settings = strchr(copy, ':');
-    if (settings)
-        *settings++ = '\0';
-    memcpy(out->operation, copy, strlen(copy) + 1);
-    batten_text name = BATTEN_TEXT, values = BATTEN_TEXT;
-    batten_text_add(&name, "%s", copy);
-    for (char *at = settings; at; at = settings) {
-        char *equals = strchr(at, '=');
-        settings = at + value_span(at, ":");
-        if (*settings)
-            *settings++ = '\0';
-        else
-            settings = NULL;
-        if (!equals || (settings && equals > settings))
-            equals = at + strlen(at);
-        batten_text_add(&name, " %s", at);
-        batten_text_add(&values, ", %.*s: %s", (int)(equals - at), at,
-                        *equals ? equals + 1 : "yes");
-    }
-    const bool fits =
-        !name.failed && !values.failed && name.length < NAME_SIZE && values.length < NAME_SIZE;
-    if (fits) {
-        memcpy(out->name, name.bytes, name.length + 1);
-        if (values.bytes)
-            memcpy(out->settings, values.bytes, values.length + 1);
-    }
-    batten_text_free(&name);
-    batten_text_free(&values);
-    return fits;
-}
-
 static bool add_list(comparison *c, const char *list)
 {
     for (const char *at = list; *at;) {
         const size_t length = value_span(at, ",");
-        method *m = &c->methods[c->count];
-        if (c->count == MAX_METHODS || !read_method(at, length, m)) {
-            complain("batten compare: '%.60s' is no method", at);
+        if (c->count == MAX_METHODS) {
+            complain("batten compare: more than %d methods", MAX_METHODS);
             return false;
         }
-        if (!batten_feature_find(m->operation)) {
-            const char *near = batten_feature_nearest(m->operation);
-            complain(
-                "batten compare: there is no method '%s'%s%s%s; see 'batten help features'",
-                m->operation, near ? "; did you mean '" : "", near ? near : "",
-                near ? "'" : "");
+        if (!method_choose("compare", at, length, &c->panels[c->count].choice))
             return false;
-        }
-        c->count++;
+        c->panels[c->count++].works = true;
         at += length;
         at += *at == ',';
     }
@@ -117,18 +69,22 @@ static void add_all(comparison *c)
 {
     for (int i = 0; i < batten_feature_count() && c->count < MAX_METHODS; i++) {
         const batten_feature *f = batten_feature_at(i);
-        if (needs_points_alone(i))
-            read_method(f->name, strlen(f->name), &c->methods[c->count++]);
+        if (needs_points_alone(i)) {
+            panel *p = &c->panels[c->count++];
+            p->works = method_choose("compare", f->name, strlen(f->name), &p->choice);
+        }
     }
 }
 
 /* ---- the design ---- */
 
-static void put_feature(const method *m, batten_text *text)
+static void put_feature(const method *m, const char *input, batten_text *text)
 {
     batten_text_add(text, "  ");
     batten_text_json(text, m->name);
-    batten_text_add(text, ": {%s: input%s}\n", m->operation, m->settings);
+    batten_text_add(text, ": {%s: ", m->operation);
+    input_name_add(text, input);
+    batten_text_add(text, "%s}\n", m->settings);
 }
 
 static void put_output(const comparison *c, const char *name, bool is_picture,
@@ -140,9 +96,9 @@ static void put_output(const comparison *c, const char *name, bool is_picture,
     batten_text_json(text, name);
     batten_text_add(text, ": {compare: [");
     for (int i = 0; i < c->count; i++)
-        if (c->methods[i].works) {
+        if (c->panels[i].works) {
             batten_text_add(text, "%s", separator);
-            batten_text_json(text, c->methods[i].name);
+            batten_text_json(text, c->panels[i].choice.name);
             separator = ", ";
         }
     batten_text_add(text, "]");
@@ -157,13 +113,11 @@ static batten_status compose(const comparison *c, batten_text *text)
     const char *unit = arguments_get(c->given, "unit");
     if (!unit)
         unit = batten_unit_name(batten_model_unit_metres(c->model));
-    batten_text_add(text,
-                    "batten: 1\nunits: %s\nfeatures:\n  input: {read: ", unit ? unit : "m");
-    batten_text_json(text, c->given->files[0]);
-    batten_text_add(text, "}\n");
+    batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n", unit ? unit : "m");
+    input_add(text, c->given->files[0]);
     for (int i = 0; i < c->count; i++)
-        if (c->methods[i].works)
-            put_feature(&c->methods[i], text);
+        if (c->panels[i].works)
+            put_feature(&c->panels[i].choice, c->given->files[0], text);
     batten_text_add(text, "outputs:\n");
     put_output(c, strcmp(picture, "-") == 0 ? "picture.svg" : picture, true, text);
     put_output(c, arguments_has(c->given, "json") ? "table.json" : "table.txt", false, text);
@@ -192,13 +146,14 @@ static batten_status find_working(comparison *c, batten_design *design, int *wor
 {
     *working = 0;
     for (int i = 0; i < c->count; i++) {
-        method *m = &c->methods[i];
-        const batten_status one = batten_design_evaluate(design, m->name, job_get(), NULL);
+        panel *p = &c->panels[i];
+        const batten_status one =
+            batten_design_evaluate(design, p->choice.name, job_get(), NULL);
         if (one == BATTEN_CANCELLED || one == BATTEN_OUT_OF_MEMORY)
             return one;
-        m->works = one == BATTEN_OK || one == BATTEN_PARTLY_READ;
-        *working += m->works;
-        if (!m->works)
+        p->works = one == BATTEN_OK || one == BATTEN_PARTLY_READ;
+        *working += p->works;
+        if (!p->works)
             complain("left out: %s", message_shown());
     }
     return *working > 0

@@ -58,3 +58,32 @@ const char *nearest_name(const char *word, int count, const char *const *names)
     }
     return best;
 }
+
+static bool holds(int count, const char *const *names, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(names[i], name) == 0)
+            return true;
+    return false;
+}
+
+int nearest_names(const char *word, int count, const char *const *names, int most,
+                  const char **out)
+{
+    enum { MOST = 8 };
+    int found = 0, distances[MOST];
+    most = most < MOST ? most : MOST;
+    for (int i = 0; i < count; i++) {
+        const int d = distance(word, names[i]);
+        if ((found == most && d >= distances[found - 1]) || holds(found, out, names[i]))
+            continue;
+        int at = found < most ? found++ : found - 1;
+        for (; at > 0 && distances[at - 1] > d; at--) {
+            distances[at] = distances[at - 1];
+            out[at] = out[at - 1];
+        }
+        distances[at] = d;
+        out[at] = names[i];
+    }
+    return found;
+}

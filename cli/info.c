@@ -13,6 +13,7 @@ typedef struct {
     int dimension, directions;
     int degree[2], points[2];
     bool rational, closed[2];
+    bool controls; /* the box is that of the control points */
     batten_interval domain[2];
     batten_box box;
 } facts;
@@ -29,6 +30,7 @@ static facts curve_facts(const batten_curve *curve, double tolerance)
         .rational = batten_curve_is_rational(curve),
         .closed = {batten_curve_is_closed(curve, tolerance)},
         .domain = {batten_curve_domain(curve)},
+        .controls = true,
         .box = batten_curve_box(curve),
     };
 }
@@ -47,6 +49,7 @@ static facts surface_facts(const batten_surface *surface, double tolerance)
         f.closed[d] = batten_surface_is_closed(surface, (batten_direction)d, tolerance);
     }
     if (strcmp(f.kind, "nurbs") == 0) {
+        f.controls = true;
         f.rational = batten_surface_is_rational(surface);
         for (int d = 0; d < 2; d++) {
             f.degree[d] = batten_surface_degree(surface, (batten_direction)d);
@@ -65,6 +68,7 @@ static facts triangles_facts(const batten_triangles *triangles)
         .degree = {batten_triangles_degree(triangles)},
         .points = {batten_triangles_count(triangles)},
         .rational = batten_triangles_is_rational(triangles),
+        .controls = true,
         .box = batten_triangles_box(triangles),
     };
 }
@@ -179,7 +183,7 @@ static void add_line(batten_text *text, const batten_object *object, const facts
         batten_text_number(text, f->domain[d].b);
         batten_text_add(text, "]");
     }
-    batten_text_add(text, "\n    box ");
+    batten_text_add(text, "\n    box %s", f->controls ? "of the control points " : "");
     add_corner(text, f->box.low, f->dimension, " ");
     batten_text_add(text, "  to  ");
     add_corner(text, f->box.high, f->dimension, " ");
@@ -252,7 +256,10 @@ const command command_info = {
     .summary = "what is in a file",
     .manual = "IN is a table of offsets, points, an aerofoil, an IGES file; file#name means "
               "one object in it, -\n"
-              "standard input. Exit status 3 when only a part could be read.",
+              "standard input. Boxes of curves and surfaces are those of their control points, "
+              "which hold them;\n"
+              "'batten measure' finds the tight ones of curves. Exit status 3 when only a part "
+              "could be read.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

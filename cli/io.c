@@ -109,12 +109,38 @@ static batten_status read_model(const char *file, batten_notes *notes, batten_mo
     return status;
 }
 
+/* There is no object of that name: say which are called nearly so. */
+static batten_status no_object(const char *name, const batten_model *model)
+{
+    enum { TOLD = 5 };
+    const char *near[TOLD];
+    int count = 0;
+    const int all = batten_model_count(model);
+    const char **names = batten_array((size_t)all + 1, sizeof *names);
+    batten_text list = BATTEN_TEXT;
+    for (int i = 0; names && i < all; i++)
+        names[i] = batten_model_object(model, i)->name;
+    if (names)
+        count = nearest_names(name, all, names, TOLD, near);
+    for (int i = 0; i < count; i++)
+        batten_text_add(&list, "%s'%.60s'", i ? ", " : "", near[i]);
+    batten_release(names);
+    const batten_status status = batten_fail(
+        BATTEN_NOT_FOUND, "there is no object '%.60s' in the file; %s%s%s", name,
+        count < all ? "the nearest names are "
+        : count     ? "there are "
+                    : "it has none",
+        list.bytes ? list.bytes : "", count < all ? " ('batten info' lists all)" : "");
+    batten_text_free(&list);
+    return status;
+}
+
 /* Keep only the object of that name. */
 static batten_status select_object(const char *name, batten_model **model)
 {
     const int index = batten_model_find(*model, name);
     if (index < 0)
-        return batten_fail(BATTEN_NOT_FOUND, "there is no object '%s' in the file", name);
+        return no_object(name, *model);
     batten_model *chosen = NULL;
     batten_status status = batten_model_create(batten_model_unit_metres(*model), &chosen);
     if (status == BATTEN_OK)
@@ -148,6 +174,27 @@ int input_read(const char *argument, batten_notes *notes, batten_model **model)
     }
     *model = made;
     return partly ? EXIT_PARTLY : EXIT_DONE;
+}
+
+void input_name_add(batten_text *text, const char *argument)
+{
+    batten_text name = BATTEN_TEXT;
+    if (strcmp(argument, "-") == 0)
+        batten_text_add(&name, "standard input");
+    else
+        batten_text_add(&name, "%s%s", strpbrk(argument, "./") ? "" : "./", argument);
+    batten_text_json(text, name.bytes ? name.bytes : "");
+    text->failed |= name.failed;
+    batten_text_free(&name);
+}
+
+void input_add(batten_text *text, const char *argument)
+{
+    batten_text_add(text, "  ");
+    input_name_add(text, argument);
+    batten_text_add(text, ": {read: ");
+    batten_text_json(text, argument);
+    batten_text_add(text, "}\n");
 }
 
 /* ---- output ---- */

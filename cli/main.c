@@ -1,5 +1,5 @@
 /* The program `batten`: one word chooses the command, a table knows them all. */
-#include "command.h"
+#include "method.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -46,9 +46,12 @@ static bool has_own_option(const command *c, const char *name)
     return false;
 }
 
-option *command_options(const command *c, const char *method, int *count)
+option *command_options(const command *c, const char *choice, int *count)
 {
-    const char *name = method ? method : c->feature;
+    char chosen[METHOD_SIZE] = "";
+    const char *name = choice ? chosen : c->feature;
+    if (choice && method_length(choice) < sizeof chosen)
+        memcpy(chosen, choice, method_length(choice));
     const batten_feature *feature = name ? batten_feature_find(name) : NULL;
     const int more = feature ? feature->parameter_count : 0;
     option *all = batten_array((size_t)(c->option_count + more) + 1, sizeof *all);

@@ -4,11 +4,13 @@
 #include <string.h>
 
 /* The given options that are parameters of the operation. */
-static void add_parameters(batten_text *text, const char *operation, const arguments *given)
+static void add_parameters(batten_text *text, const single *s, const char *operation,
+                           const arguments *given)
 {
     const batten_feature *feature = batten_feature_find(operation);
     for (int k = 1; feature && k < feature->parameter_count; k++)
-        values_add(text, given, &feature->parameters[k]);
+        if (!s->choice || strcmp(s->choice, feature->parameters[k].name) != 0)
+            values_add(text, given, &feature->parameters[k]);
 }
 
 static const char *output_name(const single *s)
@@ -16,26 +18,38 @@ static const char *output_name(const single *s)
     return strcmp(s->output, "-") == 0 ? s->output_ending : s->output;
 }
 
+/* The name of what is written. */
+static void add_result(batten_text *text, const single *s, const arguments *given)
+{
+    if (s->operation)
+        batten_text_add(text, "result");
+    else
+        input_name_add(text, given->files[0]);
+}
+
 static batten_status compose(const single *s, const arguments *given, const char *unit,
                              batten_text *text)
 {
-    batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n  input: {read: ", unit);
-    batten_text_json(text, given->files[0]);
-    batten_text_add(text, "}\n");
+    batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n", unit);
+    input_add(text, given->files[0]);
     if (s->operation) {
-        batten_text_add(text, "  result: {%s: input", s->operation);
-        add_parameters(text, s->operation, given);
+        batten_text_add(text, "  result: {%s: ", s->operation);
+        input_name_add(text, given->files[0]);
+        batten_text_add(text, "%s", s->settings ? s->settings : "");
+        add_parameters(text, s, s->operation, given);
         batten_text_add(text, "}\n");
     }
-    const char *result = s->operation ? "result" : "input";
     batten_text_add(text, "outputs:\n  ");
     batten_text_json(text, output_name(s));
     if (s->output_operation) {
-        batten_text_add(text, ": {%s: %s", s->output_operation, result);
-        add_parameters(text, s->output_operation, given);
+        batten_text_add(text, ": {%s: ", s->output_operation);
+        add_result(text, s, given);
+        add_parameters(text, s, s->output_operation, given);
         batten_text_add(text, "}\n");
     } else {
-        batten_text_add(text, ": %s\n", result);
+        batten_text_add(text, ": ");
+        add_result(text, s, given);
+        batten_text_add(text, "\n");
     }
     return text->failed ? batten_fail(BATTEN_OUT_OF_MEMORY, "no memory for the design")
                         : BATTEN_OK;
@@ -74,6 +88,22 @@ static int report(const single *s, const arguments *given, const batten_design *
     return output_print(&text);
 }
 
+/* The message of a failure, without "measure.txt (measure): ", when that is the name which was
+ * made up for what is printed. */
+static int failed(const single *s, batten_status status)
+{
+    const char *message = message_shown(), *name = s->output_ending;
+    const size_t length = strlen(name);
+    if (status != BATTEN_CANCELLED && strcmp(s->output, "-") == 0 &&
+        strncmp(message, name, length) == 0 && strncmp(message + length, " (", 2) == 0) {
+        const char *behind = strstr(message, "): ");
+        job_end();
+        complain("batten %s: %s", s->command, behind ? behind + 3 : message);
+        return EXIT_FAILED;
+    }
+    return output_failed(s->command, status);
+}
+
 static int apply(const single *s, const arguments *given, const batten_model *model,
                  batten_notes *notes)
 {
@@ -91,7 +121,7 @@ static int apply(const single *s, const arguments *given, const batten_model *mo
     if (!arguments_has(given, "json"))
         status == BATTEN_OK ? notes_show(notes) : failed_show(notes);
     if (status != BATTEN_OK)
-        exit = output_failed(s->command, status);
+        exit = failed(s, status);
     batten_release(data);
     batten_design_free(design);
     return exit;

@@ -359,7 +359,9 @@ static const bat_feature *operation_by_ending(const char *file)
 static void list_output(bat_document *d, bat_entry *entry)
 {
     if (!d->allow_outside && bat_path_leaves(entry->name))
-        bat_complain(d, entry->key, "the output %s leads out of the folder of the design",
+        bat_complain(d, entry->key,
+                     "the output %s leads out of the folder of the design; --allow-outside "
+                     "allows it",
                      entry->name);
     const bat_node *at = &d->tree.nodes[entry->node];
     if (at->kind == BAT_NODE_LIST || (at->kind == BAT_NODE_WORD && *at->word))

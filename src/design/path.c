@@ -72,18 +72,25 @@ static bool is_below(const char *folder, const char *path)
            (path[length] == '/' || (length > 0 && folder[length - 1] == '/'));
 }
 
+static batten_status fail_outside(const char *path, const char *how)
+{
+    char text[256];
+    return bat_fail(BATTEN_BAD_ARGUMENT,
+                    "%s leads out of the folder of the design%s; --allow-outside allows it",
+                    shown(path, text), how);
+}
+
 static batten_status check_below(const char *folder, const char *path)
 {
     char *real = bat_array(2, PATH_MAX);
     if (!real)
         return BATTEN_OUT_OF_MEMORY;
-    char *real_path = real + PATH_MAX, text[256];
+    char *real_path = real + PATH_MAX;
     batten_status status = resolve(folder, real);
     if (status == BATTEN_OK)
         status = resolve(path, real_path);
     if (status == BATTEN_OK && !is_below(real, real_path))
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design",
-                          shown(path, text));
+        status = fail_outside(path, " through a link");
     bat_release(real);
     return status;
 }
@@ -95,10 +102,8 @@ batten_status bat_path_beside(const bat_document *document, const char *path, ch
     const char *folder = has_folder ? name : ".";
     const size_t length = has_folder ? folder_length(name) : 1;
     const bool is_absolute = *path == '/';
-    char text[256];
     if (!document->allow_outside && bat_path_leaves(path))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%s leads out of the folder of the design",
-                        shown(path, text));
+        return fail_outside(path, "");
     char *whole = is_absolute ? joined("", 0, path + 1) : joined(folder, length, path);
     char *base = joined(folder, length, "");
     batten_status status = whole && base ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;

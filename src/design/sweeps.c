@@ -1,10 +1,23 @@
 #include "design/sweeps.h"
 
+#include <batten/measure.h>
 #include <stdio.h>
 
 double bat_sweep_within(const bat_run *run)
 {
     return bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+}
+
+void bat_remark_space_section(const bat_run *run, const batten_curve *section)
+{
+    batten_box box;
+    if (batten_curve_dimension(section) < 3 || batten_curve_bounds(section, &box) != BATTEN_OK)
+        return;
+    if (box.low.z != 0 || box.high.z != 0)
+        bat_remark(run,
+                   "the section is a space curve in the moving frame: its z, from %.4g to "
+                   "%.4g, goes along the way",
+                   box.low.z, box.high.z);
 }
 
 static batten_status through(int count, const double *values, batten_curve **out)

@@ -34,8 +34,8 @@ static batten_status stretch(const batten_curve *section, batten_curve **out, do
     if (status == BATTEN_OK && fabs(z) > 1e-12 * size)
         status =
             bat_fail(BATTEN_NOT_COMPATIBLE,
-                     "the section begins at z = %g and ends at z = %g: it must be drawn in "
-                     "the xy-plane",
+                     "the section begins at z = %g and ends at z = %g: its chord is laid from "
+                     "rail to rail, so it must be drawn in the xy-plane",
                      a[2], b[2]);
     const double c = x / length, n = y / length; /* cosine and sine */
     const batten_affine map = {

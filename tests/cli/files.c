@@ -294,6 +294,61 @@ TEST(the_method_of_fit_brings_its_own_options)
     CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--degree-v", "1").exit, 2);
 }
 
+TEST(a_parameter_named_method_stands_behind_the_method)
+{
+    const char *points = test_scratch("rows.xyz"), *surface = test_scratch("rows.igs");
+    char text[2000] = "";
+    for (int i = 0; i < 36; i++)
+        sprintf(text + strlen(text), "%d %d %d\n%s", i % 6, i / 6, i * i % 5,
+                i % 6 == 5 ? "\n" : "");
+    test_write(points, text);
+    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--method", "fit-grid").exit, 0);
+    CHECK_INT(RUN("batten", "fit", points, "-o", surface, "--method", "fit-grid:method=smooth",
+                  "--degree-v", "3")
+                  .exit,
+              0);
+    const test_process run =
+        RUN("batten", "fit", points, "-o", surface, "--method=fit-grid:method=smoth");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "did you mean 'smooth'");
+    CHECK_CONTAINS(
+        RUN("batten", "fit", points, "-o", surface, "--method", "fit-gird:a=b").errors,
+        "there is no method 'fit-gird'; did you mean 'fit-grid'");
+}
+
+TEST(messages_name_the_file)
+{
+    const char *points = test_scratch("named.xyz");
+    test_write(points, "0 0\n1 1\n2 0\n");
+    const test_process run = RUN("batten", "measure", points);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "named.xyz' has none");
+    CHECK(strncmp(run.errors, "batten measure: curves", 22) == 0);
+    CHECK_CONTAINS(RUN("batten", "fit", points, "-o", test_scratch("named.igs")).out,
+                   "named.xyz");
+    CHECK_INT(test_shell("cd $(mktemp -d) && printf '0 0\\n1 1\\n2 0\\n' > result && "
+                         "\"$BATTEN\" fit result -o c.igs && rm result c.igs")
+                  .exit,
+              0);
+}
+
+TEST(a_name_that_is_not_in_the_file_brings_the_nearest)
+{
+    const char *points = test_scratch("near.xyz"), *design = test_scratch("near.yaml");
+    test_write(points, "0 0\n1 1\n2 0\n");
+    test_write(design, "batten: 1\nfeatures:\n  keel: {line: [[0, 0], [1, 0]]}\n"
+                       "  sheer: {line: [[0, 1], [1, 1]]}\n  chine: {line: [[0, 2], [1, 2]]}\n"
+                       "outputs:\n  near.igs: [sheer, keel, chine]\n");
+    CHECK_INT(RUN("batten", "build", design, "-q").exit, 0);
+    char object[4096];
+    snprintf(object, sizeof object, "%s#kele", test_scratch("near.igs"));
+    const test_process run = RUN("batten", "eval", object, "--at", "0");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "there is no object 'kele' in the file; there are 'keel', ");
+    CHECK_CONTAINS(RUN("batten", "info", test_scratch("near.igs")).out,
+                   "box of the control points 0 1 0  to  1 1 0");
+}
+
 TEST(a_file_that_would_hold_nothing_is_not_written)
 {
     const char *path = write_table("table.csv"), *target = test_scratch("nothing.igs");

@@ -98,6 +98,8 @@ TEST(features_of_sweeps_say_what_they_cannot_do)
         {"{two-rails: [far, above, wall], section: bow}", "2 rails are needed, not 3"},
         {"{two-rails: [far, far], section: bow}", "the rails cross or meet"},
         {"{two-rails: [far, above], section: ring}", "begins and ends in the same place"},
+        {"{two-rails: [far, above], section: wall}",
+         "begins at z = 0 and ends at z = 3: its chord is laid from rail to rail"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
         batten_design *design = NULL;
@@ -107,5 +109,30 @@ TEST(features_of_sweeps_say_what_they_cannot_do)
         CHECK(status != BATTEN_OK);
         if (status != BATTEN_OUT_OF_MEMORY)
             CHECK_MESSAGE(rows[i].says);
+    }
+}
+
+TEST(sweeps_say_that_a_section_leaves_its_plane)
+{
+    static const struct {
+        const char *feature;
+        bool says;
+    } rows[] = {{"{sweep: bend, spine: far, scale: 0.1, within: 1 mm}", true},
+                {"{sweep: ring, spine: far, scale: 0.2, within: 1 mm}", false},
+                {"{two-rails: [far, above], section: bow, within: 1 mm}", false}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        char text[4000];
+        batten_design *design = NULL;
+        batten_notes *notes = NULL;
+        snprintf(text, sizeof text, "%s  a: %s\n", common, rows[i].feature);
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(evaluate_design(text, "a", notes, &design));
+        bool said = false;
+        for (int k = 0; k < batten_notes_count(notes); k++)
+            said |= strstr(batten_notes_at(notes, k)->text,
+                           "a space curve in the moving frame: its z, from") != NULL;
+        CHECK(said == rows[i].says);
+        batten_design_free(design);
+        batten_notes_free(notes);
     }
 }

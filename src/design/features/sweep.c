@@ -2,7 +2,7 @@
 
 static const batten_parameter parameters[] = {
     {"sweep", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the section, or several, drawn in the xy-plane"},
+     "the section, or several, drawn in the xy-plane or, as space curves, about it"},
     {"spine", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curve along which they go"},
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
@@ -91,6 +91,8 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
     if (status == BATTEN_OK)
         status = batten_surfaces_sweep(count, sections, spine, &s.options, run->job, &report,
                                        &parts, &made);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        bat_remark_space_section(run, sections[i]);
     batten_curve_unref(s.scale);
     batten_curve_unref(s.scale_y);
     batten_curve_unref(s.twist);
@@ -117,7 +119,9 @@ const bat_feature bat_feature_sweep = {
     .shown =
         {"sweep", "A section swept along a spine",
          "The section is drawn in the xy-plane around the origin, which runs along the\n"
-         "spine. Rotation-minimising frames turn as little as they can; 'closing' ones also\n"
+         "spine; x, y and z of a space curve go along the axes of the moving frame, z along\n"
+         "the spine. Rotation-minimising frames turn as little as they can; 'closing' ones "
+         "also\n"
          "meet again at the end of a closed spine; with 'up' or 'guide' the y-axis looks one\n"
          "way. 'scale' and 'twist' are laws over the length of the spine. Several sections\n"
          "are blended. At corners sections lean into the 'mitre' plane, or the surface is\n"

@@ -3,7 +3,8 @@
 static const batten_parameter parameters[] = {
     {"two-rails", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "the rails: the section begins on the first and ends on the second"},
-    {"section", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "drawn in the xy-plane"},
+    {"section", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "drawn in the xy-plane; a space curve must have one z at both ends"},
     {"match", BATTEN_VALUE_WORD, false, false, "parameter", "parameter length planes",
      "which points of the rails belong together"},
     {"across", BATTEN_VALUE_POINT, false, false, "x", NULL,
@@ -31,6 +32,7 @@ static batten_status sweep(bat_run *run, const bat_objects *rails)
         status = batten_surface_two_rails(section, rails->at[0]->curve, rails->at[1]->curve,
                                           &options, run->job, &report, &surface);
     if (status == BATTEN_OK) {
+        bat_remark_space_section(run, section);
         bat_report_error(run, report.error, report.error);
         bat_remark(run, "%d sections", report.section_count);
     }
@@ -52,7 +54,9 @@ const bat_feature bat_feature_two_rails = {
     .shown =
         {"two-rails", "A section swept along two rails",
          "The section is drawn in the xy-plane; its chord comes to lie between the rails,\n"
-         "its y-axis across them. As the rails part it grows as a whole, or keeps its\n"
+         "its y-axis across them; the z of a section that leaves the plane goes the way of "
+         "the\n"
+         "rails. As the rails part it grows as a whole, or keeps its\n"
          "'height'. Rails may meet at their ends, but not cross.",
          "units: m\n"
          "features:\n"

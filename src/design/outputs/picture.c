@@ -21,7 +21,8 @@ static const batten_parameter parameters[] = {
      "show the control polygons of curves"},
     {"points", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "show the points curves were made from"},
-    {"isolines", BATTEN_VALUE_COUNT, false, false, "10", NULL, "in each direction of surfaces"},
+    {"isolines", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
+     "in each direction of surfaces; 10, and with 'contours' none but the edges"},
     {"stripes", BATTEN_VALUE_NUMBER, false, false, "24", NULL, "of the zebra and of isophotes"},
     {"hidden", BATTEN_VALUE_WORD, false, false, "shown", "shown dashed dropped",
      "lines behind surfaces; for line drawings of surfaces, also as .png"},
@@ -73,7 +74,10 @@ static batten_picture_options options_of(const bat_run *run)
     options.comb_scale = bat_number(run, "comb-scale");
     options.control_polygon = bat_yes(run, "polygon");
     options.data_points = bat_yes(run, "points");
-    options.isolines = bat_count(run, "isolines");
+    if (bat_has(run, "isolines"))
+        options.isolines = bat_count(run, "isolines");
+    else if (bat_word(run, "contours") != CONTOURS_NONE)
+        options.isolines = 1;
     options.stripes = bat_number(run, "stripes");
     options.shading = shading == SHADING_AUTO ? BATTEN_SHADING_ISOLINES
                                               : (batten_shading)(shading - SHADING_FIRST);
