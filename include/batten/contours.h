@@ -71,6 +71,10 @@ typedef struct batten_critical {
 typedef struct batten_contour {
     int level;            /**< which of the levels */
     batten_polyline line; /**< `count` points; a closed one does not repeat the first */
+    double *arms;         /**< NULL for chords. [count][2][3] of smooth contours: the control
+                               points before and after each point; between points i and i + 1
+                               stands the cubic with the inner control points arms[i][1] and
+                               arms[i + 1][0] */
 } batten_contour;
 
 typedef struct batten_contours {
@@ -79,7 +83,8 @@ typedef struct batten_contours {
     int critical_count;
     batten_critical *critical; /**< inside smooth pieces, isolated and not degenerate */
     double least, greatest;    /**< of the field at the nodes where it was sampled */
-    double error;              /**< largest distance found between a chord and the contour */
+    double error;              /**< largest distance found between a chord, or a cubic, and the
+                                    contour */
 } batten_contours;
 
 /**
@@ -97,7 +102,9 @@ typedef struct batten_contours {
  * @param levels [level_count], increasing
  * @param tolerance model units, above 0
  * @return BATTEN_OK, NOT_COMPATIBLE (no surface in space), BAD_ARGUMENT (direction 0, tolerance
- * not above 0), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than a million triangles),
+ * not above 0), TOLERANCE_NOT_MET (a tolerance below 1e-11 of the diagonal of the surface: its
+ * points are not known so well), NOT_FINITE, NOT_INCREASING, TOO_LARGE (more than a million
+ * triangles, or chords, whose number goes with 1 / sqrt(tolerance) and is estimated first),
  * CANCELLED, INCOMPLETE, OVERFLOW, OUT_OF_MEMORY
  *
  * Cost: linear in spans and in what is drawn; 16 to 1024 triangles for each span.
@@ -107,6 +114,13 @@ BATTEN_API batten_status batten_surface_contours(const batten_surface *surface,
                                                  int level_count, const double *levels,
                                                  double tolerance, const batten_job *job,
                                                  batten_contours *out);
+/** The same with cubics instead of chords, for small tolerances: their number goes with the
+ * fourth root. Each has the tangents of the contour at its ends and is measured at 3 places. */
+BATTEN_API batten_status batten_surface_smooth_contours(const batten_surface *surface,
+                                                        const batten_surface_field *field,
+                                                        int level_count, const double *levels,
+                                                        double tolerance, const batten_job *job,
+                                                        batten_contours *out);
 /** The same on Bezier triangles in space: lines go on from one to the next where they share
  * both corners of an edge. `parameters` are the barycentric coordinates of corners 1 and 2,
  * each in the triangle that the point was found in; those of critical points too. TOO_LARGE
@@ -116,6 +130,9 @@ BATTEN_API batten_status batten_triangles_contours(const batten_triangles *trian
                                                    int level_count, const double *levels,
                                                    double tolerance, const batten_job *job,
                                                    batten_contours *out);
+BATTEN_API batten_status batten_triangles_smooth_contours(
+    const batten_triangles *triangles, const batten_surface_field *field, int level_count,
+    const double *levels, double tolerance, const batten_job *job, batten_contours *out);
 BATTEN_API void batten_contours_release(batten_contours *contours);
 
 #ifdef __cplusplus

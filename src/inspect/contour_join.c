@@ -66,8 +66,15 @@ static batten_status append(bat_line *to, const bat_line *line, int from, double
     for (size_t i = 0; i < line->count && status == BATTEN_OK; i++) {
         const size_t k = from ? line->count - 1 - i : i;
         const double *p = line->points + 3 * k;
-        if (to->count == 0 || bat_distance(3, to->points + 3 * (to->count - 1), p) > near)
+        const bool apart =
+            to->count == 0 || bat_distance(3, to->points + 3 * (to->count - 1), p) > near;
+        if (apart)
             status = bat_line_add(to, p, line->parameters + 2 * k);
+        if (!line->smooth || status != BATTEN_OK)
+            continue;
+        if (apart)
+            bat_line_set_arm(to, 0, line->arms + 6 * k + (from ? 3 : 0));
+        bat_line_set_arm(to, 1, line->arms + 6 * k + (from ? 0 : 3));
     }
     return status;
 }
@@ -78,6 +85,7 @@ static batten_status chain(const bat_lines *old, const int *mates, int first, in
 {
     int line = first;
     out->level = old->lines[first].level;
+    out->smooth = old->lines[first].smooth;
     for (;;) {
         bat_line *part = &old->lines[line];
         const batten_status status = append(out, part, from, near);
@@ -95,8 +103,11 @@ static batten_status chain(const bat_lines *old, const int *mates, int first, in
         }
     }
     while (out->count > 1 &&
-           bat_distance(3, out->points, out->points + 3 * (out->count - 1)) <= near)
+           bat_distance(3, out->points, out->points + 3 * (out->count - 1)) <= near) {
         out->count--;
+        if (out->smooth)
+            memcpy(out->arms, out->arms + 6 * out->count, 3 * sizeof *out->arms);
+    }
     return BATTEN_OK;
 }
 
@@ -156,21 +167,33 @@ batten_status bat_line_add(bat_line *line, const double *point, const double *pa
         double *both = bat_resize(line->parameters, capacity, 2 * sizeof *both);
         if (both)
             line->parameters = both;
-        if (!points || !both)
+        double *arms =
+            line->smooth ? bat_resize(line->arms, capacity, 6 * sizeof *arms) : line->arms;
+        if (arms)
+            line->arms = arms;
+        if (!points || !both || (line->smooth && !arms))
             return BATTEN_OUT_OF_MEMORY;
         line->capacity = capacity;
     }
     memcpy(line->points + 3 * line->count, point, 3 * sizeof *point);
     memcpy(line->parameters + 2 * line->count, parameters, 2 * sizeof *parameters);
     line->count++;
+    for (int side = 0; side < 2 && line->smooth; side++)
+        bat_line_set_arm(line, side, point);
     return BATTEN_OK;
+}
+
+void bat_line_set_arm(bat_line *line, int side, const double *arm)
+{
+    memcpy(line->arms + 6 * (line->count - 1) + 3 * side, arm, 3 * sizeof *arm);
 }
 
 void bat_line_free(bat_line *line)
 {
     bat_release(line->points);
     bat_release(line->parameters);
-    *line = (bat_line){.level = line->level};
+    bat_release(line->arms);
+    *line = (bat_line){.level = line->level, .smooth = line->smooth};
 }
 
 void bat_lines_free(bat_lines *lines)

@@ -3,20 +3,31 @@
 #define BAT_CONTOUR_LINES_H
 #include "inspect/contour_net.h"
 
+/* Of all lines. */
+enum { BAT_MOST_CHORDS = 1000000 };
+
 typedef struct {
     int level;
     bool closed;
     size_t count, capacity;
     double *points;     /* [count][3] */
     double *parameters; /* [count][2] */
+    bool smooth;
+    double *arms; /* [count][2][3] of smooth ones: the control points before and after; between
+                     two points stands a cubic */
 } bat_line;
 
 typedef struct {
     size_t count, capacity;
     bat_line *lines;
-    double tolerance; /* how far chords may lie from the contour */
+    bat_work *work;
+    uint64_t done;    /* points so far */
+    bool smooth;      /* cubics, not chords */
+    double tolerance; /* how far they may lie from the contour */
     double near;      /* points so near to each other are one */
     double error;     /* what was reached */
+    bool has_arm;
+    double arm[3]; /* the control point before the point that is added next */
 } bat_lines;
 
 /* Every line of every level; those of one level that meet at a critical node end there. */
@@ -33,5 +44,12 @@ void bat_line_free(bat_line *line);
 batten_status bat_line_refine(const bat_net *net, const bat_triangle *triangle, int level,
                               const double from[2], const double to[2], bat_lines *lines,
                               bat_line *line);
+/* How many chords that would give, about: their distance falls with the square of their length.
+ */
+batten_status bat_line_predict(const bat_net *net, const bat_triangle *triangle, int level,
+                               const double from[2], const double to[2], const bat_lines *lines,
+                               double *chords);
+/* Set the control point before (0) or after (1) the last point. */
+void bat_line_set_arm(bat_line *line, int side, const double *arm);
 
 #endif

@@ -9,14 +9,30 @@ enum { DEPTH = 14, MOST_STEPS = 8 };
 
 typedef struct {
     double uv[2], point[3];
+    double tangent[3]; /* unit; of smooth lines; 0 where there is none */
 } spot;
 
-static batten_status spot_at(const bat_net *net, int piece, const double uv[2], spot *out)
+/* Across the gradient, on the surface. */
+static void find_tangent(const double derivatives[9], const double gradient[2], spot *s)
 {
-    double derivatives[9], value;
-    const batten_status status = bat_net_field(net, piece, uv, &value, NULL, derivatives);
-    memcpy(out->uv, uv, sizeof out->uv);
+    double length;
+    for (int k = 0; k < 3; k++)
+        s->tangent[k] = gradient[0] * derivatives[6 + k] - gradient[1] * derivatives[3 + k];
+    length = bat_norm(3, s->tangent);
+    for (int k = 0; k < 3; k++)
+        s->tangent[k] = length > 0 && isfinite(length) ? s->tangent[k] / length : 0;
+}
+
+static batten_status spot_at(const bat_net *net, int piece, const double uv[2], bool smooth,
+                             spot *out)
+{
+    double derivatives[9], value, gradient[2];
+    const batten_status status =
+        bat_net_field(net, piece, uv, &value, smooth ? gradient : NULL, derivatives);
+    *out = (spot){.uv = {uv[0], uv[1]}};
     memcpy(out->point, derivatives, sizeof out->point);
+    if (status == BATTEN_OK && smooth)
+        find_tangent(derivatives, gradient, out);
     return status;
 }
 
@@ -57,6 +73,7 @@ static batten_status project(const bat_net *net, const bat_triangle *t, double l
         if (status != BATTEN_OK || isnan(value))
             return status;
         memcpy(s->point, derivatives, sizeof s->point);
+        find_tangent(derivatives, gradient, s);
         *found = fabs(value - level) <= net->roundoff;
         if (*found || !step_for(derivatives, gradient, level - value, step))
             return BATTEN_OK;
@@ -83,34 +100,163 @@ static bool is_in_piece(const bat_net *net, int piece, const double uv[2])
     return true;
 }
 
+/* On the contour, at a share of the way between two spots. */
+static batten_status find_between(const bat_net *net, const bat_triangle *t, int level,
+                                  const spot *a, const spot *b, double share, spot *out,
+                                  bool *found)
+{
+    *out = (spot){.uv = {(1 - share) * a->uv[0] + share * b->uv[0],
+                         (1 - share) * a->uv[1] + share * b->uv[1]}};
+    const batten_status status = project(net, t, net->levels[level], out, found);
+    *found = *found && is_in_piece(net, t->piece, out->uv);
+    return status;
+}
+
+/* ---- cubics ---- */
+
+/* The end of a cubic near the arc from `at` that leaves along `tangent` towards `to`: of a
+ * circular arc that which meets its middle. */
+static void find_arm(const spot *at, const spot *to, double *arm)
+{
+    const double chord = bat_distance(3, at->point, to->point);
+    double cosine = 0, side = 1;
+    for (int k = 0; k < 3; k++)
+        cosine += at->tangent[k] * (to->point[k] - at->point[k]) / (chord > 0 ? chord : 1);
+    if (cosine < 0)
+        side = -1;
+    const bool none = bat_norm(3, at->tangent) == 0;
+    for (int k = 0; k < 3; k++)
+        arm[k] = at->point[k] +
+                 (none ? (to->point[k] - at->point[k]) / 3
+                       : side * at->tangent[k] * chord * 2 / (3 * (1 + fabs(cosine))));
+}
+
+/* Of a point from a cubic, near a share of its way. */
+static double distance_from(double b[4][3], const double *point, double s)
+{
+    double gap[3], slope[3];
+    for (int i = 0; i < 5; i++) {
+        const double r = 1 - s;
+        for (int k = 0; k < 3; k++) {
+            gap[k] = r * r * r * b[0][k] + 3 * r * r * s * b[1][k] + 3 * r * s * s * b[2][k] +
+                     s * s * s * b[3][k] - point[k];
+            slope[k] = 3 * (r * r * (b[1][k] - b[0][k]) + 2 * r * s * (b[2][k] - b[1][k]) +
+                            s * s * (b[3][k] - b[2][k]));
+        }
+        const double square = bat_dot(3, slope, slope);
+        if (!(square > 0))
+            break;
+        s = bat_max(0, bat_min(1, s - bat_dot(3, gap, slope) / square));
+    }
+    return bat_norm(3, gap);
+}
+
+/* ---- between two spots ---- */
+
+/* How far the chord or the cubic between two spots is from the contour; the spot in its middle.
+ * The cubic of a circular arc is exact in its middle, and farthest off near the quarters. */
+static batten_status measure(const bat_net *net, const bat_triangle *t, int level,
+                             const spot *a, const spot *b, bool smooth, double arms[2][3],
+                             spot *middle, bool *found, double *off)
+{
+    batten_status status = find_between(net, t, level, a, b, 0.5, middle, found);
+    if (status != BATTEN_OK || !*found)
+        return status;
+    if (!smooth) {
+        *off = bat_segment_distance(3, a->point, b->point, middle->point);
+        return BATTEN_OK;
+    }
+    double bezier[4][3];
+    find_arm(a, b, arms[0]);
+    find_arm(b, a, arms[1]);
+    memcpy(bezier[0], a->point, sizeof bezier[0]);
+    memcpy(bezier[1], arms[0], sizeof bezier[1]);
+    memcpy(bezier[2], arms[1], sizeof bezier[2]);
+    memcpy(bezier[3], b->point, sizeof bezier[3]);
+    *off = distance_from(bezier, middle->point, 0.5);
+    for (int i = 1; i < 4 && status == BATTEN_OK; i += 2) {
+        spot quarter;
+        bool near;
+        status = find_between(net, t, level, a, b, 0.25 * i, &quarter, &near);
+        if (status == BATTEN_OK && near)
+            *off = bat_max(*off, distance_from(bezier, quarter.point, 0.25 * i));
+    }
+    return status;
+}
+
+batten_status bat_line_predict(const bat_net *net, const bat_triangle *t, int level,
+                               const double from[2], const double to[2], const bat_lines *lines,
+                               double *chords)
+{
+    spot a, b, middle;
+    bool found = false;
+    double off = 0;
+    batten_status status = spot_at(net, t->piece, from, false, &a);
+    if (status == BATTEN_OK)
+        status = spot_at(net, t->piece, to, false, &b);
+    if (status == BATTEN_OK)
+        status = measure(net, t, level, &a, &b, false, NULL, &middle, &found, &off);
+    *chords = 1 + (found ? sqrt(off / (0.7 * lines->tolerance)) : 0);
+    return status;
+}
+
+/* A point more; the caller of the whole is asked now and then. */
+static batten_status count_point(bat_lines *lines)
+{
+    if (++lines->done % 256)
+        return BATTEN_OK;
+    if (lines->done > BAT_MOST_CHORDS)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "contours within %g have more than %d points: the tolerance is too "
+                        "small",
+                        lines->tolerance, (int)BAT_MOST_CHORDS);
+    return bat_work_step(lines->work, 256, 0.5, "contours");
+}
+
+/* The cubic from the last point of the line. */
+static void put_arms(bat_lines *lines, bat_line *line, double arms[2][3])
+{
+    if (line->count > 0)
+        bat_line_set_arm(line, 1, arms[0]);
+    memcpy(lines->arm, arms[1], sizeof lines->arm);
+    lines->has_arm = true;
+}
+
 batten_status bat_line_refine(const bat_net *net, const bat_triangle *t, int level,
                               const double from[2], const double to[2], bat_lines *lines,
                               bat_line *line)
 {
     spot stack[DEPTH + 1], here;
     int depth = 0;
-    batten_status status = spot_at(net, t->piece, from, &here);
+    batten_status status = spot_at(net, t->piece, from, lines->smooth, &here);
     if (status == BATTEN_OK)
-        status = spot_at(net, t->piece, to, &stack[0]);
+        status = spot_at(net, t->piece, to, lines->smooth, &stack[0]);
     while (status == BATTEN_OK && depth >= 0) {
         const spot *next = &stack[depth];
-        spot middle = {
-            .uv = {0.5 * (here.uv[0] + next->uv[0]), 0.5 * (here.uv[1] + next->uv[1])}};
-        bool found;
-        status = project(net, t, net->levels[level], &middle, &found);
+        spot middle;
+        bool found = false;
+        double off = 0, arms[2][3];
+        status =
+            measure(net, t, level, &here, next, lines->smooth, arms, &middle, &found, &off);
+        if (status == BATTEN_OK)
+            status = count_point(lines);
         if (status != BATTEN_OK)
             break;
-        const double off = bat_segment_distance(3, here.point, next->point, middle.point);
-        found = found && is_in_piece(net, t->piece, middle.uv);
         if (found && off > 0.7 * lines->tolerance && depth < DEPTH) {
             stack[++depth] = middle;
             continue;
         }
         if (found)
             lines->error = bat_max(lines->error, off);
+        lines->has_arm = false;
+        if (lines->smooth && found)
+            put_arms(lines, line, arms);
         here = *next;
-        if (depth-- > 0)
-            status = bat_line_add(line, here.point, here.uv);
+        if (depth-- == 0)
+            break;
+        status = bat_line_add(line, here.point, here.uv);
+        if (status == BATTEN_OK && lines->has_arm)
+            bat_line_set_arm(line, 0, lines->arm);
     }
     return status;
 }

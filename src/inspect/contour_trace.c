@@ -137,10 +137,12 @@ static batten_status find_crossings(tracer *tr)
     const bat_net *net = tr->net;
     batten_status status = BATTEN_OK;
     for (size_t i = 0; i < net->triangle_count && status == BATTEN_OK; i++) {
+        if (i % 1024 == 0)
+            status = bat_work_step(&tr->net->work, 1024, 0.3, "contours");
         const int *node = net->triangles[i].node;
         const double a = net->values[node[0]], b = net->values[node[1]],
                      c = net->values[node[2]];
-        if (isnan(a) || isnan(b) || isnan(c))
+        if (status != BATTEN_OK || isnan(a) || isnan(b) || isnan(c))
             continue;
         const int low = bat_net_levels_below(net, bat_min(a, bat_min(b, c)));
         const int high = bat_net_levels_below(net, bat_max(a, bat_max(b, c)));
@@ -170,9 +172,14 @@ static batten_status add_point(tracer *tr, const crossing *c, int triangle, bat_
     if (status != BATTEN_OK)
         return status;
     const double *last = line->count ? line->points + 3 * (line->count - 1) : NULL;
+    const bool has_arm = lines->has_arm;
+    lines->has_arm = false;
     if (last && bat_distance(3, last, derivatives) <= lines->near)
         return BATTEN_OK;
-    return bat_line_add(line, derivatives, uv);
+    const batten_status added = bat_line_add(line, derivatives, uv);
+    if (added == BATTEN_OK && has_arm)
+        bat_line_set_arm(line, 0, lines->arm);
+    return added;
 }
 
 /* Keep a line unless it is a point. */
@@ -191,7 +198,7 @@ static batten_status keep(bat_lines *lines, bat_line *line)
         lines->capacity = capacity;
     }
     lines->lines[lines->count++] = *line;
-    *line = (bat_line){.level = line->level};
+    *line = (bat_line){.level = line->level, .smooth = line->smooth};
     return BATTEN_OK;
 }
 
@@ -231,7 +238,7 @@ static batten_status follow(tracer *tr, int begin, int way, bat_lines *lines, ba
 
 static batten_status trace_from(tracer *tr, int begin, int way, bat_lines *lines)
 {
-    bat_line line = {.level = tr->crossings[begin].level};
+    bat_line line = {.level = tr->crossings[begin].level, .smooth = lines->smooth};
     batten_status status = follow(tr, begin, way, lines, &line);
     if (status == BATTEN_OK)
         status = keep(lines, &line);
@@ -255,10 +262,48 @@ static batten_status trace_all(tracer *tr, bat_lines *lines)
     return status;
 }
 
+/* ---- too many ---- */
+
+/* Refused before the work when chords within the tolerance would be too many. No chord is
+ * farther off than the shape is wide, so that most contours need not be looked at twice. */
+static batten_status check_count(tracer *tr, const bat_lines *lines)
+{
+    const double most = BAT_MOST_CHORDS;
+    double total = 0;
+    if (lines->smooth ||
+        tr->count * (1 + sqrt(tr->net->pieces->size / lines->tolerance)) <= most)
+        return BATTEN_OK;
+    for (int i = 0; i < tr->count; i++) {
+        const crossing *c = &tr->crossings[i];
+        batten_status status =
+            i % 1024 == 0 ? bat_work_step(&tr->net->work, 1024, 0.4, "contours") : BATTEN_OK;
+        for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
+            double from[2], to[2], chords = 0;
+            if (c->link[k] <= i)
+                continue;
+            const bat_triangle *t = &tr->net->triangles[c->triangle[k]];
+            place(t, c, from);
+            place(t, &tr->crossings[c->link[k]], to);
+            status = bat_line_predict(tr->net, t, c->level, from, to, lines, &chords);
+            total += chords;
+        }
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return total <= most
+               ? BATTEN_OK
+               : bat_fail(BATTEN_TOO_LARGE,
+                          "chords within %g of the contours have about %.3g points; the limit "
+                          "is %d",
+                          lines->tolerance, total, (int)BAT_MOST_CHORDS);
+}
+
 batten_status bat_lines_trace(bat_net *net, bat_lines *lines)
 {
     tracer tr = {.net = net};
     batten_status status = find_crossings(&tr);
+    if (status == BATTEN_OK)
+        status = check_count(&tr, lines);
     if (status == BATTEN_OK)
         status = trace_all(&tr, lines);
     bat_pairs_free(&tr.edges);

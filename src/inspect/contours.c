@@ -29,8 +29,10 @@ static batten_status hand_over_lines(bat_lines *lines, batten_contours *out)
         first[i + 1] += first[i];
     for (size_t i = 0; i < lines->count; i++) {
         bat_line *from = &lines->lines[i];
-        out->lines[first[from->level]++] = (batten_contour){
-            from->level, {(int)from->count, from->closed, from->points, from->parameters}};
+        out->lines[first[from->level]++] =
+            (batten_contour){from->level,
+                             {(int)from->count, from->closed, from->points, from->parameters},
+                             from->arms};
         *from = (bat_line){0};
     }
     out->count = (int)lines->count;
@@ -38,11 +40,17 @@ static batten_status hand_over_lines(bat_lines *lines, batten_contours *out)
     return BATTEN_OK;
 }
 
-static batten_status check(int level_count, const double *levels, double tolerance)
+static batten_status check(int level_count, const double *levels, double tolerance, double size)
 {
+    const double least = 1e-11 * size;
     if (!(tolerance > 0) || !isfinite(tolerance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of contours is %g, not above 0",
                         tolerance);
+    if (tolerance < least)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "contours cannot be within %g: points of a shape that is %g wide are "
+                        "known to %.3g",
+                        tolerance, size, least);
     for (int i = 0; i < level_count; i++) {
         if (!isfinite(levels[i]))
             return bat_fail(BATTEN_NOT_FINITE, "level %d is %g", i, levels[i]);
@@ -54,11 +62,11 @@ static batten_status check(int level_count, const double *levels, double toleran
 }
 
 batten_status bat_contours(const bat_pieces *pieces, const batten_surface_field *field,
-                           int level_count, const double *levels, double tolerance,
+                           int level_count, const double *levels, double tolerance, bool smooth,
                            const batten_job *job, batten_contours *out)
 {
     batten_surface_field prepared;
-    batten_status status = check(level_count, levels, tolerance);
+    batten_status status = check(level_count, levels, tolerance, pieces->size);
     if (status == BATTEN_OK)
         status = bat_field_prepare(field, &prepared);
     if (status != BATTEN_OK)
@@ -69,7 +77,10 @@ batten_status bat_contours(const bat_pieces *pieces, const batten_surface_field 
                    .level_count = level_count,
                    .levels = levels,
                    .work = {job, 0}};
-    bat_lines lines = {.tolerance = tolerance, .near = 1e-9 * pieces->size};
+    bat_lines lines = {.work = &net.work,
+                       .smooth = smooth,
+                       .tolerance = tolerance,
+                       .near = 1e-9 * pieces->size};
     batten_contours made = {0};
     status = bat_net_build(&net);
     if (status == BATTEN_OK)
@@ -99,6 +110,7 @@ void batten_contours_release(batten_contours *contours)
     for (int i = 0; contours->lines && i < contours->count; i++) {
         bat_release(contours->lines[i].line.points);
         bat_release(contours->lines[i].line.parameters);
+        bat_release(contours->lines[i].arms);
     }
     bat_release(contours->lines);
     bat_release(contours->critical);
@@ -186,9 +198,9 @@ static double size_of(const batten_surface *surface)
     return bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
 }
 
-batten_status batten_surface_contours(const batten_surface *surface,
+static batten_status surface_contours(const batten_surface *surface,
                                       const batten_surface_field *field, int level_count,
-                                      const double *levels, double tolerance,
+                                      const double *levels, double tolerance, bool smooth,
                                       const batten_job *job, batten_contours *out)
 {
     spans s = {.surface = surface};
@@ -204,10 +216,26 @@ batten_status batten_surface_contours(const batten_surface *surface,
                                    .uv = s.uv,
                                    .node_count = s.count[0] * s.count[1],
                                    .size = size_of(surface)};
-        status = bat_contours(&pieces, field, level_count, levels, tolerance, job, out);
+        status = bat_contours(&pieces, field, level_count, levels, tolerance, smooth, job, out);
     }
     spans_free(&s);
     return status;
+}
+
+batten_status batten_surface_contours(const batten_surface *surface,
+                                      const batten_surface_field *field, int level_count,
+                                      const double *levels, double tolerance,
+                                      const batten_job *job, batten_contours *out)
+{
+    return surface_contours(surface, field, level_count, levels, tolerance, false, job, out);
+}
+
+batten_status batten_surface_smooth_contours(const batten_surface *surface,
+                                             const batten_surface_field *field, int level_count,
+                                             const double *levels, double tolerance,
+                                             const batten_job *job, batten_contours *out)
+{
+    return surface_contours(surface, field, level_count, levels, tolerance, true, job, out);
 }
 
 batten_status batten_surface_field_values(const batten_surface *surface,

@@ -67,9 +67,9 @@ static batten_status find_corners(const batten_triangles *triangles, corner *cor
     return BATTEN_OK;
 }
 
-batten_status batten_triangles_contours(const batten_triangles *triangles,
+static batten_status triangles_contours(const batten_triangles *triangles,
                                         const batten_surface_field *field, int level_count,
-                                        const double *levels, double tolerance,
+                                        const double *levels, double tolerance, bool smooth,
                                         const batten_job *job, batten_contours *out)
 {
     const size_t count = (size_t)batten_triangles_count(triangles);
@@ -95,10 +95,28 @@ batten_status batten_triangles_contours(const batten_triangles *triangles,
                                    .node_count =
                                        number_nodes(3 * count, corners, 1e-9 * size, nodes),
                                    .size = size};
-        status = bat_contours(&pieces, field, level_count, levels, tolerance, job, out);
+        status = bat_contours(&pieces, field, level_count, levels, tolerance, smooth, job, out);
     }
     bat_release(nodes);
     bat_release(uv);
     bat_release(corners);
     return status;
+}
+
+batten_status batten_triangles_contours(const batten_triangles *triangles,
+                                        const batten_surface_field *field, int level_count,
+                                        const double *levels, double tolerance,
+                                        const batten_job *job, batten_contours *out)
+{
+    return triangles_contours(triangles, field, level_count, levels, tolerance, false, job,
+                              out);
+}
+
+batten_status batten_triangles_smooth_contours(const batten_triangles *triangles,
+                                               const batten_surface_field *field,
+                                               int level_count, const double *levels,
+                                               double tolerance, const batten_job *job,
+                                               batten_contours *out)
+{
+    return triangles_contours(triangles, field, level_count, levels, tolerance, true, job, out);
 }

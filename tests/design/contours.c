@@ -46,6 +46,24 @@ TEST(contours_become_curves_within_the_tolerance)
     }
 }
 
+TEST(N6_contours_within_a_nanometre_are_few_cubics_and_less_is_refused)
+{
+    batten_design *design = NULL;
+    CHECK_OK(evaluate("{contours: ring, levels: [0.5], within: 1e-9}", &design));
+    const batten_feature_result *result = batten_design_result(design, "a");
+    CHECK_INT(batten_model_count(result->value), 2);
+    CHECK(result->error_max <= 1e-9);
+    for (int k = 0; k < 2; k++) {
+        const batten_curve *curve = batten_model_object(result->value, k)->curve;
+        check_ring(curve, 1e-9);
+        CHECK(batten_curve_point_count(curve) < 3000);
+    }
+    batten_design_free(design);
+    CHECK_STATUS(evaluate("{contours: ring, levels: [0.5], within: 1e-15}", &design),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("contours cannot be within 1e-15");
+}
+
 TEST(contours_of_many_surfaces_share_their_levels)
 {
     batten_design *design = NULL;

@@ -325,6 +325,98 @@ TEST(contours_go_on_from_triangle_to_triangle)
     batten_triangles_unref(triangles);
 }
 
+/* How far the cubics of a smooth contour leave the line f = level at z = level. */
+static double off_cubics(const batten_contour *c, double (*f)(double x, double y), double level)
+{
+    double worst = 0;
+    const int n = c->line.count;
+    for (int i = 0; i + 1 < n + c->line.closed; i++) {
+        const double *b[4] = {c->line.points + 3 * i, c->arms + 6 * i + 3,
+                              c->arms + 6 * ((i + 1) % n), c->line.points + 3 * ((i + 1) % n)};
+        for (int k = 0; k <= 20; k++) {
+            const double s = k / 20.0, r = 1 - s, h = 1e-6;
+            const double w[4] = {r * r * r, 3 * r * r * s, 3 * r * s * s, s * s * s};
+            double p[3] = {0, 0, 0};
+            for (int j = 0; j < 12; j++)
+                p[j % 3] += w[j / 3] * b[j / 3][j % 3];
+            const double fx = (f(p[0] + h, p[1]) - f(p[0] - h, p[1])) / (2 * h);
+            const double fy = (f(p[0], p[1] + h) - f(p[0], p[1] - h)) / (2 * h);
+            worst = fmax(worst, hypot((f(p[0], p[1]) - level) / hypot(fx, fy), p[2] - level));
+        }
+    }
+    return worst;
+}
+
+TEST(smooth_contours_keep_small_tolerances_with_few_cubics)
+{
+    double (*const graphs[])(double, double) = {bowl, crooked_saddle};
+    static const double tolerances[] = {1e-4, 1e-7, 1e-10}, level = 0.3;
+    for (int i = 0; i < 6; i++) {
+        batten_surface *surface = graph(graphs[i / 3], 0);
+        batten_contours c = {0};
+        CHECK_OK(batten_surface_smooth_contours(surface, &height, 1, &level, tolerances[i % 3],
+                                                NULL, &c));
+        CHECK(c.count > 0 && c.error <= tolerances[i % 3]);
+        for (int k = 0; k < c.count; k++) {
+            CHECK(off_cubics(&c.lines[k], graphs[i / 3], level) <= tolerances[i % 3]);
+            CHECK(c.lines[k].line.count < 1000);
+        }
+        batten_contours_release(&c);
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(smooth_contours_run_straight_through_a_saddle)
+{
+    batten_surface *surface = graph(crooked_saddle, 0);
+    batten_contours c = {0};
+    const double zero = 0;
+    CHECK_OK(batten_surface_smooth_contours(surface, &height, 1, &zero, 1e-9, NULL, &c));
+    CHECK_INT(c.count, 2);
+    for (int k = 0; k < c.count; k++)
+        for (int i = 0; i < 3 * c.lines[k].line.count; i += 3) {
+            const double *p = c.lines[k].line.points + i, *arm = c.lines[k].arms + 2 * i;
+            CHECK_NEAR((p[0] - 0.137) * (p[1] + 0.219), 0, 1e-9);
+            CHECK_NEAR((arm[0] - 0.137) * (arm[1] + 0.219), 0, 1e-9);
+            CHECK_NEAR((arm[3] - 0.137) * (arm[4] + 0.219), 0, 1e-9);
+        }
+    batten_contours_release(&c);
+    batten_surface_unref(surface);
+}
+
+static bool stop(void *user)
+{
+    return ++*(int *)user > 3;
+}
+
+TEST(N6_contours_refuse_tolerances_that_would_take_for_ever)
+{
+    batten_surface *torus = NULL;
+    batten_contours c = {0};
+    const batten_frame world = batten_frame_world();
+    double levels[100];
+    int asked = 0;
+    for (int i = 0; i < COUNT(levels); i++)
+        levels[i] = 0.009 * i;
+    CHECK_OK(batten_surface_torus(&world, 3, 1, &torus));
+    CHECK_STATUS(batten_surface_contours(torus, &height, 1, levels + 30, 1e-15, NULL, &c),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("contours cannot be within 1e-15");
+    CHECK_STATUS(
+        batten_surface_smooth_contours(torus, &height, 1, levels + 30, 1e-11, NULL, &c),
+        BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(batten_surface_contours(torus, &height, 100, levels, 1e-9, NULL, &c),
+                 BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("points; the limit is 1000000");
+    batten_job job = BATTEN_JOB;
+    job.is_cancelled = stop;
+    job.user = &asked;
+    CHECK_STATUS(batten_surface_contours(torus, &height, 1, levels + 30, 1e-8, &job, &c),
+                 BATTEN_CANCELLED);
+    CHECK(c.lines == NULL);
+    batten_surface_unref(torus);
+}
+
 TEST(bad_fields_and_levels_are_refused)
 {
     batten_surface *surface = graph(bowl, 0);

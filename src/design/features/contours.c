@@ -1,7 +1,9 @@
 #include "design/field.h"
+#include "numeric/vector.h"
 
 #include <batten/within.h>
 #include <stdio.h>
+#include <string.h>
 
 /* At most so many critical levels are told of one surface, and so many levels chosen. */
 enum { MOST_TOLD = 8, MOST_LEVELS = 1000 };
@@ -30,14 +32,15 @@ typedef struct {
     double error;
 } wanted;
 
+/* Chords, or cubics. */
 static batten_status find(const bat_run *run, const batten_object *object, const wanted *w,
-                          double tolerance, batten_contours *out)
+                          double tolerance, bool cubics, batten_contours *out)
 {
     if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        return batten_triangles_contours(object->triangles, &w->field, w->level_count,
-                                         w->levels, tolerance, run->job, out);
-    return batten_surface_contours(object->surface, &w->field, w->level_count, w->levels,
-                                   tolerance, run->job, out);
+        return (cubics ? batten_triangles_smooth_contours : batten_triangles_contours)(
+            object->triangles, &w->field, w->level_count, w->levels, tolerance, run->job, out);
+    return (cubics ? batten_surface_smooth_contours : batten_surface_contours)(
+        object->surface, &w->field, w->level_count, w->levels, tolerance, run->job, out);
 }
 
 /* ---- levels ---- */
@@ -90,7 +93,7 @@ static batten_status find_levels(const bat_run *run, const bat_objects *surfaces
         return copy_levels(given, w);
     for (int i = 0; i < surfaces->count; i++) {
         batten_contours none = {0};
-        const batten_status status = find(run, surfaces->at[i], w, w->within, &none);
+        const batten_status status = find(run, surfaces->at[i], w, w->within, false, &none);
         if (status != BATTEN_OK)
             return status;
         least = bat_min(least, none.least);
@@ -141,16 +144,55 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
     return make_polyline(line, out);
 }
 
+/* The lengths of the spans, so that derivatives agree where tangents do. */
+static void pace(int count, const double *points, double *breaks)
+{
+    double speed = 0;
+    for (int i = 0; i < count; i++) {
+        const double *p = points + 9 * i;
+        const double own = bat_distance(3, p, p + 9);
+        const double paced = 3 * bat_distance(3, p, p + 3) / (speed > 0 ? speed : 1);
+        const double length = speed > 0 && paced > own / 64 && paced < 64 * own ? paced : own;
+        breaks[i + 1] = breaks[i] + length;
+        speed = 3 * bat_distance(3, p + 6, p + 9) / length;
+    }
+}
+
+static batten_status join_cubics(const batten_contour *contour, batten_curve **out)
+{
+    const batten_polyline *line = &contour->line;
+    const int count = line->closed ? line->count : line->count - 1;
+    double *points = bat_array3((size_t)count + 1, 9, sizeof *points);
+    double *breaks = bat_array((size_t)count + 1, sizeof *breaks);
+    batten_status status = points && breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i <= count; i++) {
+        const int k = i % line->count;
+        double *to = points + 9 * i;
+        memcpy(to, line->points + 3 * k, 3 * sizeof *to);
+        memcpy(to + 3, contour->arms + 6 * k + 3, 3 * sizeof *to);
+        memcpy(to + 6, contour->arms + 6 * ((k + 1) % line->count), 3 * sizeof *to);
+    }
+    if (status == BATTEN_OK) {
+        pace(count, points, breaks);
+        status = batten_curve_from_bezier(3, 3, count, points, NULL, breaks, out);
+    }
+    bat_release(breaks);
+    bat_release(points);
+    return status;
+}
+
 static batten_status put_contour(bat_run *run, const batten_object *object, wanted *w,
                                  const batten_contour *contour, double rise)
 {
     batten_curve *curve = NULL;
-    double error = 0;
+    double error = rise;
     char name[240];
     batten_object like = *object;
     snprintf(name, sizeof name, "%.180s at %.6g", object->name, w->levels[contour->level]);
     like.name = name;
-    const batten_status status = make_curve(w, &contour->line, rise, &error, &curve);
+    const batten_status status = contour->arms
+                                     ? join_cubics(contour, &curve)
+                                     : make_curve(w, &contour->line, rise, &error, &curve);
     w->error = bat_max(w->error, error);
     return bat_put_curve_like(run, status, curve, &like, false);
 }
@@ -168,11 +210,22 @@ static void tell_criticals(const bat_run *run, const batten_object *object,
         bat_remark(run, "'%s': %d critical levels in all", object->name, found->critical_count);
 }
 
+static double size_of(const batten_object *object)
+{
+    const batten_box box = object->kind == BATTEN_OBJECT_TRIANGLES
+                               ? batten_triangles_box(object->triangles)
+                               : batten_surface_box(object->surface);
+    return bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+}
+
+/* Smooth curves are fitted to chords; where these would be too many, cubics stand between
+ * points with the tangents of the contour. */
 static batten_status put_contours(bat_run *run, const batten_object *object, wanted *w)
 {
     batten_contours found = {0};
-    const double chords = w->smooth ? 0.25 * w->within : w->within;
-    batten_status status = find(run, object, w, chords, &found);
+    const bool cubics = w->smooth && w->within < 1e-6 * size_of(object);
+    const double within = w->smooth && !cubics ? 0.25 * w->within : w->within;
+    batten_status status = find(run, object, w, within, cubics, &found);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++)
         status = put_contour(run, object, w, &found.lines[i], found.error);
     if (status == BATTEN_OK)
