@@ -1,5 +1,4 @@
 #include "design/field.h"
-#include "numeric/vector.h"
 
 #include <batten/within.h>
 #include <stdio.h>
@@ -144,17 +143,22 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
     return make_polyline(line, out);
 }
 
+static double distance(const double *a, const double *b)
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
 /* The lengths of the spans, so that derivatives agree where tangents do. */
 static void pace(int count, const double *points, double *breaks)
 {
     double speed = 0;
     for (int i = 0; i < count; i++) {
         const double *p = points + 9 * i;
-        const double own = bat_distance(3, p, p + 9);
-        const double paced = 3 * bat_distance(3, p, p + 3) / (speed > 0 ? speed : 1);
+        const double own = distance(p, p + 9);
+        const double paced = 3 * distance(p, p + 3) / (speed > 0 ? speed : 1);
         const double length = speed > 0 && paced > own / 64 && paced < 64 * own ? paced : own;
         breaks[i + 1] = breaks[i] + length;
-        speed = 3 * bat_distance(3, p + 6, p + 9) / length;
+        speed = 3 * distance(p + 6, p + 9) / length;
     }
 }
 
@@ -215,7 +219,9 @@ static double size_of(const batten_object *object)
     const batten_box box = object->kind == BATTEN_OBJECT_TRIANGLES
                                ? batten_triangles_box(object->triangles)
                                : batten_surface_box(object->surface);
-    return bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    const double low[3] = {box.low.x, box.low.y, box.low.z},
+                 high[3] = {box.high.x, box.high.y, box.high.z};
+    return distance(low, high);
 }
 
 /* Smooth curves are fitted to chords; where these would be too many, cubics stand between
