@@ -1,6 +1,7 @@
 #include "picture/light.h"
 #include "picture/raster.h"
 #include "picture/sheet.h"
+#include "picture/smooth_edges.h"
 #include "picture/stroke.h"
 #include "picture/tiles.h"
 
@@ -19,13 +20,15 @@ typedef struct {
     bat_tiles tiles; /* after fit_picture its points are in samples, depth towards the eye */
     const bat_scene *scene;
     bat_light albedo;
-    double lines;  /* isolines in each direction */
-    bool edges[2]; /* does the domain end in u, in v, at edges? */
+    double lines;         /* isolines in each direction */
+    bool edges[2];        /* does the domain end in u, in v, at edges? */
+    unsigned char smooth; /* sides that go over into others and are not drawn */
     bool shows_isolines;
 } solid;
 
 typedef struct {
     const batten_model *model;
+    unsigned char *smooth; /* [count of the model], see smooth_edges.h */
     const batten_picture_options *options;
     const batten_job *job;
     bat_view view;
@@ -141,6 +144,7 @@ static batten_status gather_solids(picture *p, double size)
         if (!is_surface(object))
             continue;
         status = make_solid(p, object, size, &p->solids[count]);
+        p->solids[count].smooth = p->smooth[i];
         p->solids[count++].albedo = bat_light_of(colour_of(object, soft));
     }
     return status;
@@ -400,14 +404,14 @@ static void fill_edge(bat_raster *band, const solid *s, size_t first, size_t ste
 static void fill_edges(bat_raster *band, const solid *s)
 {
     const size_t m = s->tiles.count_u, n = s->tiles.count_v;
-    if (s->edges[0]) {
+    if (s->edges[0] && !(s->smooth & BAT_SIDE_U0))
         fill_edge(band, s, 0, 1, n);
+    if (s->edges[0] && !(s->smooth & BAT_SIDE_U1))
         fill_edge(band, s, (m - 1) * n, 1, n);
-    }
-    if (s->edges[1]) {
+    if (s->edges[1] && !(s->smooth & BAT_SIDE_V0))
         fill_edge(band, s, 0, n, m);
+    if (s->edges[1] && !(s->smooth & BAT_SIDE_V1))
         fill_edge(band, s, n - 1, n, m);
-    }
 }
 
 static void fill_curves(bat_raster *band, const picture *p)
@@ -588,12 +592,15 @@ batten_status batten_draw_shaded(const batten_model *model,
         status = batten_model_with_patches(model, BATTEN_PATCHES_POLE, &patches);
     p.model = patches;
     if (status == BATTEN_OK)
+        status = bat_smooth_edges(model, patches, &p.smooth);
+    if (status == BATTEN_OK)
         status = prepare(&p);
     if (status == BATTEN_OK)
         status = make_picture(&p, data, size);
     for (int i = 0; p.solids && i < p.solid_count; i++)
         bat_tiles_free(&p.solids[i].tiles);
     bat_release(p.solids);
+    bat_release(p.smooth);
     bat_strokes_free(&p.curves);
     bat_release(p.curve_lights);
     batten_model_unref(patches);
