@@ -49,11 +49,12 @@ typedef struct {
     bat_edge edges[4];
 } bat_checked;
 
-/* Where two ends of curves, or two edges of surfaces along all their length, meet. NaN is what
- * cannot be told: at a cusp, at a pole; g3 of surfaces. */
+/* Where two ends of curves meet, or two edges of surfaces, one of them all along its length.
+ * NaN is what cannot be told: at a cusp, at a pole; g3 of surfaces. */
 typedef struct {
     int object[2];
     int side[2]; /* see bat_side_name */
+    int part;    /* which of both edges runs along a part of the other; -1: all meets all */
     double g0;   /* the gap */
     double g1;   /* by how much tangents or tangent planes turn, in radians */
     double g2;   /* difference of the curvatures (of surfaces across the edge), over the larger
@@ -70,8 +71,9 @@ typedef struct {
     int object_count;
     bat_checked *objects;
     int join_count;
-    bat_join *joins;   /* in the order of objects and sides */
-    int bounded_count; /* distances of points given that were measured */
+    bat_join *joins;     /* in the order of objects and sides */
+    bool joins_left_out; /* there are more */
+    int bounded_count;   /* distances of points given that were measured */
     bool
         ok; /* no point given is farther than the bound, which was measured when there is one */
     int judged_count; /* plane curves through points, and sections, that were judged */

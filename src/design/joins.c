@@ -3,8 +3,9 @@
 #include <batten/continuity.h>
 #include <stdlib.h>
 
-/* Points of an edge at which two surfaces are compared. */
+/* Points of an edge at which two surfaces are compared, at least, and steps of each span. */
 #define JOIN_POINTS 17
+#define SPAN_POINTS 4
 /* More joins than these are not listed. */
 #define MOST_JOINS 10000
 
@@ -12,7 +13,8 @@
 typedef struct {
     int object, side;
     batten_vec3 p[2];
-    double key; /* the same for both directions of an edge, and in order of x */
+    double key;     /* the same for both directions of an edge, and in order of x */
+    batten_box box; /* of an edge */
 } end;
 
 /* ---- vectors ---- */
@@ -131,37 +133,56 @@ static batten_status edge_curve(const batten_surface *surface, int side, batten_
     return batten_surface_isocurve(surface, direction, side % 2 ? domain.b : domain.a, out);
 }
 
+/* Both surfaces at one place of the edge of the first. */
+static batten_status compare_at(const batten_surface *a, int side_a, const batten_curve *edge_a,
+                                double t, const batten_surface *b, int side_b,
+                                const batten_curve *edge_b, double straight, bat_join *join)
+{
+    batten_vec3 into_a, into_b, curvature_a, curvature_b;
+    batten_deviation foot;
+    double p[3];
+    batten_status status = batten_curve_evaluate(edge_a, t, 0, p);
+    if (status == BATTEN_OK)
+        status = batten_curve_deviation(edge_b, 1, p, NULL, NULL, NULL, &foot);
+    if (status != BATTEN_OK)
+        return status;
+    join->g0 = bat_max(join->g0, foot.max);
+    if (leave_surface(a, side_a, t, &into_a, &curvature_a) &&
+        leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b)) {
+        join->g1 = fmax(join->g1, turn(scale(into_a, -1), into_b));
+        join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
+    }
+    return BATTEN_OK;
+}
+
 /* Tangent planes at common points, and, where these agree, curvature across the edge: by the
  * linkage curve theorem [PW92] two surfaces with one tangent plane along an edge have one
- * curvature when they have it in one direction across. */
+ * curvature when they have it in one direction across. Each span is looked at, so that nothing
+ * narrow is missed; at the first point that is off by more than the tolerance it ends. */
 static batten_status compare_surfaces(const batten_surface *a, int side_a,
-                                      const batten_surface *b, int side_b, double straight,
-                                      bat_join *join)
+                                      const batten_surface *b, int side_b, double tolerance,
+                                      double straight, bat_join *join)
 {
     batten_curve *edge_a = NULL, *edge_b = NULL;
     batten_status status = edge_curve(a, side_a, &edge_a);
     if (status == BATTEN_OK)
         status = edge_curve(b, side_b, &edge_b);
+    const int spans = status == BATTEN_OK ? batten_curve_spans(edge_a, NULL) - 1 : 0;
+    const int steps = spans > 0 ? bat_max_int(SPAN_POINTS, (JOIN_POINTS - 1) / spans) : 0;
+    double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
+    if (status == BATTEN_OK)
+        status = breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        batten_curve_spans(edge_a, breaks);
     join->g1 = join->g2 = join->g3 = NAN;
     join->g0 = 0;
-    for (int i = 0; i < JOIN_POINTS && status == BATTEN_OK; i++) {
-        const batten_interval domain = batten_curve_domain(edge_a);
-        const double t = domain.a + (domain.b - domain.a) * i / (JOIN_POINTS - 1);
-        batten_vec3 into_a, into_b, curvature_a, curvature_b;
-        batten_deviation foot;
-        double p[3];
-        status = batten_curve_evaluate(edge_a, t, 0, p);
-        if (status == BATTEN_OK)
-            status = batten_curve_deviation(edge_b, 1, p, NULL, NULL, NULL, &foot);
-        if (status != BATTEN_OK)
-            break;
-        join->g0 = bat_max(join->g0, foot.max);
-        if (!leave_surface(a, side_a, t, &into_a, &curvature_a) ||
-            !leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b))
-            continue;
-        join->g1 = fmax(join->g1, turn(scale(into_a, -1), into_b));
-        join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
+    for (int i = 0; i <= spans * steps && status == BATTEN_OK && join->g0 <= tolerance; i++) {
+        const int k = bat_min_int(i / steps, spans - 1);
+        const double share = (double)(i - k * steps) / steps;
+        const double t = (1 - share) * breaks[k] + share * breaks[k + 1];
+        status = compare_at(a, side_a, edge_a, t, b, side_b, edge_b, straight, join);
     }
+    bat_release(breaks);
     batten_curve_unref(edge_a);
     batten_curve_unref(edge_b);
     return status;
@@ -190,8 +211,11 @@ static batten_status add_ends(const bat_checked *checked, int object, double tol
         /* An edge that is collapsed to a pole joins nothing. */
         if (status == BATTEN_OK && (is_curve || gap(of(d, p[0]), of(d, p[1])) > tolerance ||
                                     gap(of(d, p[0]), of(d, middle)) > tolerance))
-            ends[(*count)++] =
-                (end){object, side, {of(d, p[0]), of(d, p[1])}, p[0][0] + p[1][0]};
+            ends[(*count)++] = (end){object,
+                                     side,
+                                     {of(d, p[0]), of(d, p[1])},
+                                     p[0][0] + p[1][0],
+                                     batten_curve_box(at)};
         batten_curve_unref(curve);
     }
     return status;
@@ -227,25 +251,14 @@ static double size_of(const batten_object *object)
     return gap(box.low, box.high);
 }
 
-static batten_status add_join(bat_check *check, const end *a, const end *b, double tolerance)
+static batten_status keep_join(bat_check *check, const bat_join *join)
 {
-    const batten_object *x = check->objects[a->object].object,
-                        *y = check->objects[b->object].object;
-    const bool curves = x->kind == BATTEN_OBJECT_CURVE;
-    const double size = bat_max(size_of(x), size_of(y));
-    bat_join join = {.object = {a->object, b->object},
-                     .side = {a->side, b->side},
-                     .g0 = ends_gap(a, b),
-                     .parametric = -1,
-                     .geometric = -1};
-    batten_status status = BATTEN_OK;
-    if (curves)
-        status = compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
-    else
-        status = compare_surfaces(x->surface, a->side, y->surface, b->side,
-                                  tolerance / (size * size), &join);
-    if (status != BATTEN_OK || !(join.g0 <= tolerance))
-        return status;
+    if (check->join_count == MOST_JOINS) {
+        if (!check->joins_left_out)
+            bat_note(check->run, "more than %d joins; the others are not listed", MOST_JOINS);
+        check->joins_left_out = true;
+        return BATTEN_OK;
+    }
     if ((check->join_count & (check->join_count - 1)) == 0) { /* room for twice as many */
         bat_join *grown =
             bat_resize(check->joins, 2 * (size_t)check->join_count + 1, sizeof *grown);
@@ -253,34 +266,125 @@ static batten_status add_join(bat_check *check, const end *a, const end *b, doub
             return BATTEN_OUT_OF_MEMORY;
         check->joins = grown;
     }
-    check->joins[check->join_count++] = join;
+    check->joins[check->join_count++] = *join;
+    return BATTEN_OK;
+}
+
+/* The join of two ends, when they meet. The first of two edges may run along a part of the
+ * second. */
+static batten_status add_join(bat_check *check, const end *a, const end *b, double tolerance,
+                              bool is_part)
+{
+    const batten_object *x = check->objects[a->object].object,
+                        *y = check->objects[b->object].object;
+    const double size = bat_max(size_of(x), size_of(y));
+    const bool swap = by_object(a, b) > 0;
+    const end *first = swap ? b : a, *second = swap ? a : b;
+    bat_join join = {.object = {first->object, second->object},
+                     .side = {first->side, second->side},
+                     .part = !is_part ? -1 : swap,
+                     .g0 = is_part ? 0 : ends_gap(a, b),
+                     .parametric = -1,
+                     .geometric = -1};
+    batten_status status = BATTEN_OK;
+    if (x->kind == BATTEN_OBJECT_CURVE)
+        status = compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
+    else
+        status = compare_surfaces(x->surface, a->side, y->surface, b->side, tolerance,
+                                  tolerance / (size * size), &join);
+    if (status != BATTEN_OK || !(join.g0 <= tolerance))
+        return status;
+    return keep_join(check, &join);
+}
+
+static batten_status stopped(const bat_check *check, int i, int count)
+{
+    const batten_job *job = check->run->job;
+    if (job && job->is_cancelled && job->is_cancelled(job->user))
+        return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
     return BATTEN_OK;
 }
 
 /* Along the sorted keys only those that are near each other can meet. */
 static batten_status sweep(bat_check *check, int count, const end *ends, double tolerance)
 {
-    const batten_job *job = check->run->job;
-    for (int i = 0; i < count; i++) {
-        if (job && job->is_cancelled && job->is_cancelled(job->user))
-            return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
-        for (int j = i + 1; j < count && ends[j].key - ends[i].key <= 2 * tolerance; j++) {
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        status = stopped(check, i, count);
+        for (int j = i + 1; j < count && ends[j].key - ends[i].key <= 2 * tolerance &&
+                            status == BATTEN_OK && !check->joins_left_out;
+             j++) {
             const bool in_order = by_object(&ends[i], &ends[j]) < 0;
             const end *a = &ends[in_order ? i : j], *b = &ends[in_order ? j : i];
             const batten_object_kind kind = check->objects[a->object].object->kind;
-            if (kind != check->objects[b->object].object->kind || ends_gap(a, b) > tolerance)
-                continue;
-            if (check->join_count == MOST_JOINS) {
-                bat_note(check->run, "more than %d joins; the others are not listed",
-                         MOST_JOINS);
-                return BATTEN_OK;
-            }
-            const batten_status status = add_join(check, a, b, tolerance);
-            if (status != BATTEN_OK)
-                return status;
+            if (kind == check->objects[b->object].object->kind && ends_gap(a, b) <= tolerance)
+                status = add_join(check, a, b, tolerance, false);
         }
     }
-    return BATTEN_OK;
+    return status;
+}
+
+/* ---- edges along a part of others ---- */
+
+static int by_start(const void *a, const void *b)
+{
+    const end *x = a, *y = b;
+    if (x->p[0].x != y->p[0].x)
+        return x->p[0].x < y->p[0].x ? -1 : 1;
+    return by_object(x, y);
+}
+
+static bool is_in(const batten_box *box, batten_vec3 p, double tolerance)
+{
+    return p.x >= box->low.x - tolerance && p.x <= box->high.x + tolerance &&
+           p.y >= box->low.y - tolerance && p.y <= box->high.y + tolerance &&
+           p.z >= box->low.z - tolerance && p.z <= box->high.z + tolerance;
+}
+
+/* May this edge run along a part of that one? One no longer than the tolerance, which would be
+ * near whatever it touches, does not. */
+static bool may_be_part(const end *part, const end *of_this, double tolerance)
+{
+    const batten_vec3 low = part->box.low, high = part->box.high;
+    return (part->object != of_this->object || part->side != of_this->side) &&
+           gap(low, high) > 8 * tolerance && is_in(&of_this->box, part->p[0], tolerance) &&
+           is_in(&of_this->box, part->p[1], tolerance) && ends_gap(part, of_this) > tolerance;
+}
+
+/* The first of the sorted edges that starts at x or behind it. */
+static int first_from(int count, const end *edges, double x)
+{
+    int low = 0, high = count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (edges[middle].p[0].x < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* For each edge those that start within the width of its box; ends of curves are dropped. */
+static batten_status sweep_parts(bat_check *check, int count, end *ends, double tolerance)
+{
+    batten_status status = BATTEN_OK;
+    int edges = 0;
+    for (int i = 0; i < count; i++)
+        if (check->objects[ends[i].object].object->kind == BATTEN_OBJECT_SURFACE)
+            ends[edges++] = ends[i];
+    qsort(ends, (size_t)edges, sizeof *ends, by_start);
+    for (int i = 0; i < edges && status == BATTEN_OK; i++) {
+        const batten_box *box = &ends[i].box;
+        status = stopped(check, i, edges);
+        for (int j = first_from(edges, ends, box->low.x - tolerance);
+             j < edges && ends[j].p[0].x <= box->high.x + tolerance && status == BATTEN_OK &&
+             !check->joins_left_out;
+             j++)
+            if (may_be_part(&ends[j], &ends[i], tolerance))
+                status = add_join(check, &ends[j], &ends[i], tolerance, true);
+    }
+    return status;
 }
 
 static int by_place(const void *a, const void *b)
@@ -309,6 +413,8 @@ batten_status bat_joins_find(bat_check *check)
         qsort(ends, (size_t)count, sizeof *ends, by_key);
         status = sweep(check, count, ends, tolerance);
     }
+    if (status == BATTEN_OK)
+        status = sweep_parts(check, count, ends, tolerance);
     if (status == BATTEN_OK && check->join_count)
         qsort(check->joins, (size_t)check->join_count, sizeof *check->joins, by_place);
     bat_release(ends);

@@ -203,6 +203,8 @@ static void json_joins(batten_text *out, const bat_check *check)
             batten_text_add(out, ", ");
             json_number(out, keys[k], values[k]);
         }
+        if (join->part >= 0)
+            batten_text_add(out, ", \"part\": \"%c\"", join->part ? 'b' : 'a');
         if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
             batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
         batten_text_add(out, "}");
@@ -430,7 +432,8 @@ static void text_join(batten_text *out, const bat_check *check, const bat_join *
 {
     for (int k = 0; k < 2; k++) {
         const batten_object *object = check->objects[join->object[k]].object;
-        batten_text_add(out, "%s%s, %s", k ? " and " : "  ", object->name,
+        batten_text_add(out, "%s%s%s, %s", k ? " and " : "  ",
+                        join->part == 1 - k ? "a part of " : "", object->name,
                         bat_side_name(object, join->side[k]));
     }
     batten_text_add(out, ": gap ");

@@ -151,3 +151,79 @@ TEST(a_sphere_joins_at_its_seam_and_not_at_its_poles)
     CHECK_NEAR(value(json, "u low", "u high", "\"g2\": "), 0, 1e-10);
     batten_release(json);
 }
+
+TEST(an_edge_that_runs_along_a_part_of_another_joins_it)
+{
+    /* A quarter cylinder on x = 0 .. 3, and under it a wall on x = 1 .. 2 of another height:
+     * the wall goes on from the cylinder, straight. */
+    char *json = check("  a: {arc: 1 m, angle: 90 deg, axis: x, from: y}\n"
+                       "  u: {extrude: a, along: [3 m, 0, 0]}\n"
+                       "  b: {line: [[1, 1, 0], [2, 1, 0]]}\n"
+                       "  v: {extrude: b, along: [0, 0, -2 m]}\n",
+                       "[u, v]");
+    CHECK_INT(join_count(json), 1);
+    CHECK_CONTAINS(json, "\"part\": \"b\"");
+    CHECK(value(json, "u low", "v low", "\"g0\": ") <= 1e-14);
+    CHECK_NEAR(value(json, "u low", "v low", "\"g1\": "), 0, 1e-13);
+    CHECK_NEAR(value(json, "u low", "v low", "\"g2\": "), 1, 1e-13);
+    batten_release(json);
+}
+
+TEST(edges_that_overlap_or_touch_in_a_corner_alone_do_not_join)
+{
+    static const char *const lines[] = {"[[2, 1, 0], [4, 1, 0]]",   /* half on, half beyond */
+                                        "[[3, 1, 0], [5, 1, 0]]",   /* goes on from its end */
+                                        "[[1, 1, 0], [2, 1, 0.1]]", /* leaves it */
+                                        "[[1, 1, 0], [1.0004, 1, 0]]"};
+    for (int i = 0; i < COUNT(lines); i++) {
+        char features[400];
+        snprintf(features, sizeof features,
+                 "  a: {line: [[0, 1, 0], [3, 1, 0]]}\n  u: {extrude: a, along: [0, 1, 0]}\n"
+                 "  b: {line: %s}\n  v: {extrude: b, along: [0, 0, -2]}\n",
+                 lines[i]);
+        char *json = check(features, "[u, v]");
+        CHECK_INT(join_count(json), 0);
+        batten_release(json);
+    }
+}
+
+TEST(closed_edges_join_wherever_they_begin)
+{
+    char *json = check("  a: {circle: 1 m}\n  u: {extrude: a, along: [0, 0, 1]}\n"
+                       "  b: {rotate: a, by: 90 deg, axis: z}\n"
+                       "  v: {extrude: b, along: [0, 0, -1]}\n",
+                       "[u, v]");
+    CHECK_NEAR(value(json, "v low", "v low", "\"g1\": "), 0, 1e-12);
+    CHECK_NEAR(value(json, "v low", "v low", "\"g2\": "), 0, 1e-10);
+    batten_release(json);
+}
+
+TEST(a_fill_joins_the_surfaces_around_though_their_edges_are_longer)
+{
+    char *json = check("  a: {arc: 1, angle: 90 deg}\n"
+                       "  b: {arc: 1, angle: 90 deg, axis: x, from: y}\n"
+                       "  c: {arc: 1, angle: 90 deg, axis: y, from: z}\n"
+                       "  down: {extrude: a, along: [0, 0, -1.2]}\n"
+                       "  back: {extrude: b, along: [-1.2, 0, 0]}\n"
+                       "  left: {extrude: c, along: [0, -1.2, 0]}\n"
+                       "  x: {fill: [c, a, b], along: [down, back, left]}\n",
+                       "[x, down, back, left]");
+    int parts = 0;
+    for (const char *at = json; (at = strstr(at, "\"part\": \"a\"")); at++)
+        parts++;
+    CHECK_INT(parts, 6); /* two halves of three sides */
+    batten_release(json);
+}
+
+TEST(an_edge_is_compared_in_all_its_spans)
+{
+    /* The far side has a narrow peak, where the ruled surface is tilted by 0.1. */
+    char *json = check("  a: {line: [[0, 0, 0], [1, 0, 0]]}\n"
+                       "  u: {extrude: a, along: [0, -1, 0]}\n"
+                       "  b: {polyline: [[0, 1, 0], [0.4, 1, 0], [0.41, 1, 0.1], [0.42, 1, 0], "
+                       "[1, 1, 0]]}\n"
+                       "  v: {ruled: [a, b]}\n",
+                       "[v, u]");
+    CHECK_NEAR(value(json, "v low", "v low", "\"g1\": "), atan(0.1), 0.01);
+    batten_release(json);
+}
