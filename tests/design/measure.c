@@ -204,3 +204,35 @@ TEST(equations_of_curves_are_traced_in_their_plane)
         CHECK_MESSAGE("lies in no plane");
     batten_design_free(design);
 }
+
+TEST(surfaces_and_triangles_have_areas)
+{
+    static const char features[] =
+        "  ball: {sphere: 2}\n"
+        "  corners: {points: [[0, 0, 0], [3, 0, 0], [0, 4, 0]]}\n"
+        "  sail: {bezier-triangle: corners, degree: 1}\n"
+        "  folds: {coons: [low, right, high, left]}\n"
+        "  low: {line: [[0, 0], [1, 0]]}\n  high: {line: [[0, 1], [1, 1]]}\n"
+        "  left: {line: [[0, 0], [0, 1]]}\n  right: {line: [[1, 0], [1, 1]]}\n";
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(build(features,
+                   "outputs:\n  a.json: {measure: [ball, folds, sail]}\n"
+                   "  a.txt: {measure: [ball, low]}\n",
+                   &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+    CHECK_CONTAINS(data, "{\"name\": \"ball\", \"type\": \"surface\", \"area\": ");
+    CHECK_NEAR(number(data, "\"area\": "), 16 * 3.14159265358979, 1e-9);
+    CHECK(number(data, "\"error\": ") < 1e-8);
+    CHECK_NEAR(number(strstr(data, "folds"), "\"area\": "), 1, 1e-12);
+    CHECK_NEAR(number(strstr(data, "\"triangles\""), "\"area\": "), 6, 1e-12);
+    CHECK_CONTAINS(data, "\"box\": [[-2, -2, -2], [2, 2, 2]]}");
+    batten_release(data);
+    CHECK_OK(batten_design_output(design, 1, NULL, NULL, &data, &size));
+    CHECK_CONTAINS(data,
+                   "ball: area 50.2654825\n  box of the control points -2 -2 -2  to  2 2 2\n");
+    CHECK_CONTAINS(data, "\nlow: length 1\n");
+    batten_release(data);
+    batten_design_free(design);
+}

@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const batten_parameter parameters[] = {
-    {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves"},
+    {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "curves, surfaces, triangles"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "ends that are nearer close a curve; the tolerance of the design by default"},
 };
@@ -207,13 +207,19 @@ static void json_vector(batten_text *out, batten_vec3 v)
     batten_text_add(out, "]");
 }
 
-static void json_boxes(batten_text *out, const facts *f)
+static void json_box(batten_text *out, const batten_box *box)
 {
     batten_text_add(out, ", \"box\": [");
-    json_vector(out, f->box.low);
+    json_vector(out, box->low);
     batten_text_add(out, ", ");
-    json_vector(out, f->box.high);
-    batten_text_add(out, "], \"oriented_box\": {\"centre\": ");
+    json_vector(out, box->high);
+    batten_text_add(out, "]");
+}
+
+static void json_boxes(batten_text *out, const facts *f)
+{
+    json_box(out, &f->box);
+    batten_text_add(out, ", \"oriented_box\": {\"centre\": ");
     json_vector(out, f->oriented.centre);
     batten_text_add(out, ", \"axes\": [");
     for (int k = 0; k < 3; k++) {
@@ -255,6 +261,85 @@ static void json_curve(batten_text *out, const facts *f)
     batten_text_add(out, "}");
 }
 
+/* ---- surfaces ---- */
+
+/* Of integrals over surfaces. */
+static const double precision = 1e-10;
+
+/* What is told of a surface, or of triangles, which are measured as patches with a pole. */
+typedef struct {
+    double area, error;
+    batten_box box;
+    bool controls; /* the box is that of the control points */
+} extent;
+
+/* A fold, where halving does not converge, is told by the error. */
+static batten_status add_area(const bat_run *run, const batten_surface *surface, extent *e)
+{
+    double area = 0, error = 0;
+    batten_status status = batten_surface_area(surface, precision, run->job, &area, &error);
+    if (status == BATTEN_TOLERANCE_NOT_MET)
+        status = BATTEN_OK;
+    e->area += area;
+    e->error += error;
+    return status;
+}
+
+static batten_status measure_extent(const bat_run *run, const batten_object *object, extent *e)
+{
+    batten_model *one = NULL, *patches = NULL;
+    const bool is_surface = object->kind == BATTEN_OBJECT_SURFACE;
+    e->box = is_surface ? batten_surface_box(object->surface)
+                        : batten_triangles_box(object->triangles);
+    e->controls = !is_surface || strcmp(batten_surface_kind(object->surface), "nurbs") == 0;
+    batten_status status = batten_model_create(bat_unit_metres(run), &one);
+    if (status == BATTEN_OK)
+        status = batten_model_add(one, object);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(one, BATTEN_PATCHES_POLE, &patches);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(patches); i++)
+        status = add_area(run, batten_model_object(patches, i)->surface, e);
+    batten_model_unref(patches);
+    batten_model_unref(one);
+    return status;
+}
+
+static void text_extent(batten_text *out, const char *name, const extent *e)
+{
+    const double from[3] = {e->box.low.x, e->box.low.y, e->box.low.z};
+    const double to[3] = {e->box.high.x, e->box.high.y, e->box.high.z};
+    batten_text_add(out, "%s: area %.9g", name, e->area);
+    if (e->error > precision * e->area)
+        batten_text_add(out, ", error at most %.3g", e->error);
+    text_numbers(out, e->controls ? "\n  box of the control points" : "\n  box", 3, from);
+    text_numbers(out, "  to ", 3, to);
+    batten_text_add(out, "\n");
+}
+
+static void json_extent(batten_text *out, const batten_object *object, const extent *e)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, object->name);
+    batten_text_add(out, ", \"type\": \"%s\"",
+                    object->kind == BATTEN_OBJECT_SURFACE ? "surface" : "triangles");
+    json_number(out, "area", e->area);
+    json_number(out, "error", e->error);
+    json_box(out, &e->box);
+    batten_text_add(out, "}");
+}
+
+static batten_status add_extent(const bat_run *run, const batten_object *object, bool json,
+                                batten_text *out)
+{
+    extent e = {.area = 0};
+    const batten_status status = measure_extent(run, object, &e);
+    if (status == BATTEN_OK && json)
+        json_extent(out, object, &e);
+    else if (status == BATTEN_OK)
+        text_extent(out, object->name, &e);
+    return status;
+}
+
 /* ---- the report ---- */
 
 static batten_status add_curve(const bat_run *run, const batten_object *object, bool json,
@@ -263,13 +348,22 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     facts f;
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
-    batten_status status = measure(object, within, &f);
+    const batten_status status = measure(object, within, &f);
     if (status == BATTEN_OK)
         (json ? json_curve : text_curve)(out, &f);
-    else if (status != BATTEN_OUT_OF_MEMORY)
-        status = bat_fail(status, "%s: %s", object->name, batten_message());
     facts_end(&f);
     return status;
+}
+
+static batten_status add_object(const bat_run *run, const batten_object *object, bool json,
+                                batten_text *out)
+{
+    const batten_status status = object->kind == BATTEN_OBJECT_CURVE
+                                     ? add_curve(run, object, json, out)
+                                     : add_extent(run, object, json, out);
+    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
+        return status;
+    return bat_fail(status, "%s: %s", object->name, batten_message());
 }
 
 static batten_status run(bat_run *run)
@@ -278,13 +372,14 @@ static batten_status run(bat_run *run)
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
     const bool json = dot && strcmp(dot, ".json") == 0;
-    batten_status status = bat_gather(run, "measure", BAT_CURVES, &objects);
+    batten_status status =
+        bat_gather(run, "measure", BAT_CURVES | BAT_SURFACES | BAT_TRIANGLES, &objects);
     if (status != BATTEN_OK)
         return status;
     batten_text_add(&text, json ? "{\n  \"objects\": [\n" : "");
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
         batten_text_add(&text, json && i ? ",\n" : "");
-        status = add_curve(run, objects.at[i], json, &text);
+        status = add_object(run, objects.at[i], json, &text);
     }
     batten_text_add(&text, json ? "\n  ]\n}\n" : "");
     if (status == BATTEN_OK)
@@ -296,7 +391,9 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_measure = {
     .shown =
-        {"measure", "A report: lengths, boxes, areas, moments and special places of curves",
+        {"measure",
+         "A report: lengths, boxes, areas, moments and special places of curves; areas of "
+         "surfaces",
          "For each curve its length, the tight box, and a small box at an angle. Of one that "
          "is closed\n"
          "and lies in a plane x, y or z = constant: the area (clockwise negative), the "
@@ -307,9 +404,10 @@ const bat_feature bat_feature_measure = {
          "places\n"
          "where curvature is 0 or extreme, where the curve stands still (cusps) or crosses "
          "itself.\n"
-         "All of them are found, but for what is lost in the rounding of the control points; "
-         "lengths\n"
-         "are in units of the design. As JSON, with all digits, when the file ends in .json.",
+         "All of them are found, but for what is lost in the rounding of the control points. "
+         "Of surfaces\n"
+         "and triangles the area, and the box of the control points. Lengths are in units of "
+         "the design. As JSON, with all digits, when the file ends in .json.",
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "outputs:\n"
