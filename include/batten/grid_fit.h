@@ -12,6 +12,16 @@
 extern "C" {
 #endif
 
+/** Why lattices were not halved again. */
+typedef enum batten_levels_end {
+    BATTEN_LEVELS_NONE,   /**< another method */
+    BATTEN_LEVELS_MET,    /**< the tolerance is met, or every datum */
+    BATTEN_LEVELS_MOST,   /**< as many levels as were wanted, or nine */
+    BATTEN_LEVELS_LARGE,  /**< the next would have too many control points */
+    BATTEN_LEVELS_FEW,    /**< the next would have more than eight control points for a datum */
+    BATTEN_LEVELS_NO_GAIN /**< the last brought the data nearer by less than a tenth */
+} batten_levels_end;
+
 /** What a surface near points reached. Distances are those of the data from the surface at
  * their parameters, in model units, so no datum is farther from the surface; data of weight 0
  * do not count. */
@@ -32,6 +42,16 @@ typedef struct batten_surface_fit_report {
     double threshold;          /**< the distance from which on a robust fit counts data less */
     int empty;                 /**< of scattered data: cells between knots that hold none */
     int iterations;            /**< of conjugate gradients; 0: solved directly */
+    double outside; /**< of scattered data: how far the surface leaves the box of the data,
+                         seen on a grid of places */
+    double outside_share;  /**< by the side of the box along which it does (at least a tenth of
+                                its longest) */
+    double outside_at[3];  /**< where on the surface; of a function (u, v, value) */
+    double layered;        /**< of a cloud: the share of points whose neighbour by parameters on
+                                the base is far away in space; above some tenths the cloud does
+                                not lie over its base once, as a closed body does not */
+    double layers_apart;   /**< how far, by the median */
+    batten_levels_end end; /**< of levels */
 } batten_surface_fit_report;
 
 /** What is made small beside the distances. */

@@ -32,7 +32,7 @@ typedef struct batten_scattered_options {
     double tolerance; /**< > 0: lines of knots are added where data are farther, until none is;
                          0 */
     int most_points;  /**< control points at most; 0: 250000 */
-    int levels;       /**< MULTILEVEL: at most; 0: 9 */
+    int levels;       /**< MULTILEVEL: at most; 0: 9, or as many as the data are good for */
     bool huber; /**< PENALISED: distances count by their squares up to the threshold, beyond
                      in proportion */
     double threshold; /**< 0: 1.345 standard deviations, found from the median distance */
@@ -47,13 +47,19 @@ BATTEN_API batten_scattered_options batten_scattered_defaults(void);
  * PENALISED: the least of the weighted squares plus lambda times the integral of Suu^2 + 2
  * Suv^2 + Svv^2, over knots at even distances; lambda by cross validation, by a target or as
  * given. With a tolerance knots are added in the strips, and along the directions, where data
- * are too far off, and in the end those removed that are not needed; lambda is then 1e-9 of the
- * data. Systems are solved directly where that is cheap, else (some 125 spans each way) by
- * conjugate gradients; lambda is then chosen on 80 spans, so a target of rms is met nearly, and
- * `freedom` is not asked.
+ * are too far off, and in the end those removed that are not needed; lambda is then 1e-4 of the
+ * data's scale or more, 1e-9 when knots alone do not meet the tolerance. Where a part of the
+ * domain holds no data (bins four times as wide as the data are dense) the penalty weighs 1e-2
+ * of that scale at least, however small lambda becomes, unless lambda is given or the target
+ * cannot be met so: the surface goes on calmly there. `outside` of the report says how far it
+ * leaves the box of the data nonetheless. Systems are solved directly where that is cheap, else
+ * (some 125 spans each way) by conjugate gradients; lambda is then chosen on 80 spans, so a
+ * target of rms is met nearly, and `freedom` is not asked.
  *
  * MULTILEVEL: each level meets single points exactly and averages where several share control
- * points. Levels follow until the tolerance is met, or the rest no longer shrinks.
+ * points. Levels follow until the tolerance is met; without one, and without `levels`,
+ * until the next would have more than eight control points for each datum, or the root of the
+ * mean square no longer falls by a tenth. `end` of the report says which it was.
  *
  * @param uv      [count][2], any order
  * @param values  [count][dimension]; dimension 1: a function of (u, v)

@@ -140,6 +140,8 @@ static void find_centre(bat_scatter *s)
 batten_status bat_scatter_begin(bat_scatter *s, const double *uv, const batten_job *job)
 {
     s->work = (bat_work){job, 0};
+    s->share = BAT_SCATTER_SHARE;
+    s->hold = BAT_SCATTER_HOLD;
     batten_status status = check_options(s->options);
     if (status == BATTEN_OK)
         status = check_data(s, uv);
@@ -381,6 +383,8 @@ batten_status batten_surface_scattered(int dimension, int count, const double *u
     batten_status status = bat_scatter_begin(&s, uv, job);
     if (status == BATTEN_OK)
         status = bat_scatter_fit(&s);
+    if (status == BATTEN_OK)
+        status = bat_scatter_outside(&s);
     if (status == BATTEN_OK)
         bat_scatter_report(&s);
     if (status == BATTEN_OK)

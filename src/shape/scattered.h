@@ -8,6 +8,9 @@
 #include "shape/smooth.h"
 #include <batten/scattered.h>
 
+#define BAT_SCATTER_SHARE 1e-4
+#define BAT_SCATTER_HOLD 1e-2
+
 /* One direction of the net. */
 typedef struct {
     int degree, count;
@@ -22,6 +25,8 @@ typedef struct {
     int rights;     /* values and probes */
     double *data;   /* of the weighted data */
     double *energy; /* of the penalty */
+    double *open;   /* of the penalty where no data are */
+    double floor;   /* the least weight of `open` */
     double *right;  /* [rights][unknowns] */
     double *solved; /* [rights][unknowns] */
     double scale;   /* trace of `data` by that of `energy` */
@@ -47,6 +52,11 @@ struct bat_scatter {
     double *control; /* [count u][count v][d], about the centre */
     bat_net_system system;
     int probes;
+    /* What the penalty weighs at least, by the scale of both: with knots that follow the data,
+     * and where no data are. With the first, shapes of the length of a cell lose about that
+     * part, longer ones its fourth power: well below what the knots themselves cost. */
+    double share, hold;
+    bool keep;                           /* lambda and weights stay in the next fit */
     double lambda, sum, weight, freedom; /* lambda of the scaled domain */
     int counted;
     batten_surface_fit_report report;
@@ -74,6 +84,10 @@ batten_status bat_scatter_net(const bat_scatter *s, batten_surface **out);
 batten_status bat_scatter_take(bat_scatter *s, const batten_surface *surface);
 /* The surface of the control points, in the caller's units. */
 batten_status bat_scatter_surface(const bat_scatter *s, batten_surface **out);
+/* How many points of a cloud lie in several layers over the base, into the report. */
+batten_status bat_scatter_layers(bat_scatter *s);
+/* How far the surface leaves the box of the data, into the report. */
+batten_status bat_scatter_outside(bat_scatter *s);
 /* max, rms, where. */
 void bat_scatter_report(bat_scatter *s);
 /* By the method of the options. */
@@ -85,6 +99,8 @@ batten_status bat_scatter_make(bat_scatter *s);
 void bat_scatter_release(bat_net_system *system);
 /* Matrices and right sides of the data with their weights; `probes` more right sides. */
 batten_status bat_scatter_assemble(bat_scatter *s);
+/* The matrix `open`. */
+batten_status bat_scatter_open(bat_scatter *s);
 /* Control points and distances with this lambda. */
 batten_status bat_scatter_solve(bat_scatter *s, double lambda);
 /* The trace, from the probes, after bat_scatter_solve. */

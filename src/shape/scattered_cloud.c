@@ -8,7 +8,7 @@
 #include <float.h>
 #include <string.h>
 
-enum { CHUNK = 1024 };
+enum { CHUNK = 1024, MOST_CHOICES = 3 };
 
 /* ---- the first parameters ---- */
 
@@ -189,6 +189,28 @@ static batten_status correct(bat_scatter *s, batten_status (*fit)(bat_scatter *s
     return status;
 }
 
+/* To choose lambda or weights costs many fits: they stay until parameters are found, and are
+ * chosen again for these, some times. */
+static batten_status correct_all(bat_scatter *s)
+{
+    const batten_scattered_options *o = s->options;
+    const bool keep = o->method == BATTEN_SCATTERED_PENALISED &&
+                      (o->huber || o->by != BATTEN_SMOOTH_BY_LAMBDA);
+    batten_status status = BATTEN_OK;
+    double before = HUGE_VAL;
+    for (int i = 0; i < (keep ? MOST_CHOICES : 1) && s->sum < 0.9 * before; i++) {
+        before = s->sum;
+        s->keep = keep;
+        status = correct(s, bat_scatter_fit, o->corrections - s->report.corrections);
+        s->keep = false;
+        if (status == BATTEN_OK && keep)
+            status = bat_scatter_fit(s);
+        if (status != BATTEN_OK)
+            break;
+    }
+    return status;
+}
+
 /* ---- even speed ---- */
 
 enum { STEPS = 1024, LINES = 17, COARSE = 8 };
@@ -302,6 +324,8 @@ static batten_status fit_cloud(bat_scatter *s, double *uv, const batten_job *job
     batten_status status = bat_scatter_begin(s, uv, job);
     if (status == BATTEN_OK)
         status = centre_points(s);
+    if (status == BATTEN_OK)
+        status = bat_scatter_layers(s);
     if (status == BATTEN_OK && o->corrections > 0) {
         s->correct = correct;
         status = spread(s);
@@ -310,7 +334,7 @@ static batten_status fit_cloud(bat_scatter *s, double *uv, const batten_job *job
         status = bat_scatter_fit(s);
     const bool within = o->tolerance > 0 && o->method == BATTEN_SCATTERED_PENALISED;
     if (status == BATTEN_OK && !within && o->corrections > 0)
-        status = correct(s, bat_scatter_fit, o->corrections);
+        status = correct_all(s);
     for (size_t i = 0; status == BATTEN_OK && i < 2 * s->count; i++)
         uv[i] = s->origin[i % 2] + s->length * s->uv[i];
     return status;
@@ -340,6 +364,8 @@ batten_status batten_surface_cloud(int count, const double *points, const batten
     }
     if (status == BATTEN_OK)
         status = fit_cloud(&s, at, job);
+    if (status == BATTEN_OK)
+        status = bat_scatter_outside(&s);
     if (status == BATTEN_OK)
         bat_scatter_report(&s);
     if (status == BATTEN_OK)

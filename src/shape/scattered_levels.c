@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-enum { USUAL_LEVELS = 9, MOST_POINTS = 4000000 };
+enum { USUAL_LEVELS = 9, MOST_POINTS = 4000000, MOST_EACH = 8 };
 
 typedef struct {
     int spans[2]; /* (spans + 3)^2 control points */
@@ -167,31 +167,54 @@ static batten_status level(bat_scatter *s, lattice *l)
     return status;
 }
 
-/* The next lattice would be too large. */
-static bool is_last(const bat_scatter *s, const lattice *l)
+static double rms_of(const bat_scatter *s, double most)
 {
-    const double most = s->options->most_points ? s->options->most_points : MOST_POINTS;
-    return (2.0 * l->spans[0] + 3) * (2.0 * l->spans[1] + 3) > most;
+    double sum = 0, weight = 0;
+    for (size_t t = 0; t < s->count && most > 0; t++) {
+        const double share = s->weights[t] > 0 ? s->away[t] / most : 0;
+        sum += s->weights[t] * share * share;
+        weight += s->weights[t];
+    }
+    return most > 0 ? most * sqrt(sum / weight) : 0;
+}
+
+/* What speaks against another level, after those that were made; `gain` is by how much the last
+ * let the root of the mean square fall. */
+static batten_levels_end reason_to_end(const bat_scatter *s, const lattice *l, double most,
+                                       double gain)
+{
+    const batten_scattered_options *o = s->options;
+    const double next = (2.0 * l->spans[0] + 3) * (2.0 * l->spans[1] + 3);
+    if (most <= o->tolerance)
+        return BATTEN_LEVELS_MET;
+    if (s->report.rounds >= (o->levels ? o->levels : USUAL_LEVELS))
+        return BATTEN_LEVELS_MOST;
+    if (next > (o->most_points ? o->most_points : MOST_POINTS))
+        return BATTEN_LEVELS_LARGE;
+    if (o->tolerance > 0 || o->levels)
+        return BATTEN_LEVELS_NONE;
+    if (next > MOST_EACH * (double)s->count)
+        return BATTEN_LEVELS_FEW;
+    return s->report.rounds > 2 && gain < 0.1 ? BATTEN_LEVELS_NO_GAIN : BATTEN_LEVELS_NONE;
 }
 
 static batten_status climb(bat_scatter *s, lattice *l)
 {
     const double tolerance = s->options->tolerance;
-    const int levels = s->options->levels ? s->options->levels : USUAL_LEVELS;
     size_t worst = 0;
-    double most = HUGE_VAL;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < levels; i++) {
-        if (i > 0 && (is_last(s, l) || most <= tolerance))
-            break;
-        if (i > 0)
-            status = halve(s, l);
+    double most = HUGE_VAL, before = HUGE_VAL;
+    s->report.end = BATTEN_LEVELS_NONE;
+    for (int i = 0; s->report.end == BATTEN_LEVELS_NONE; i++) {
+        batten_status status = i > 0 ? halve(s, l) : BATTEN_OK;
         if (status == BATTEN_OK)
             status = level(s, l);
         if (status != BATTEN_OK)
             return status;
         most = worst_of(s, &worst);
+        const double rms = rms_of(s, most);
         s->report.rounds = i + 1;
+        s->report.end = reason_to_end(s, l, most, 1 - rms / before);
+        before = rms;
     }
     if (tolerance > 0 && most > tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,

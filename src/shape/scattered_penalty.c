@@ -28,7 +28,7 @@ static batten_status score_at(void *user, double lambda, double *score)
     return status == BATTEN_SINGULAR_SYSTEM ? BATTEN_OK : status;
 }
 
-static batten_status choose(bat_scatter *s, double *lambda)
+static batten_status search(bat_scatter *s, double *lambda)
 {
     const batten_scattered_options *o = s->options;
     const double per_unit = 1 / (s->length * s->length);
@@ -38,11 +38,24 @@ static batten_status choose(bat_scatter *s, double *lambda)
         .scale = s->system.scale,
         .last = bat_last_decade(2, bat_max_int(s->axis[0].count, s->axis[1].count)),
         .coarse = s->count > 20000 || !s->system.factor,
+        .near = *lambda,
         .user = s,
         .rms = rms_at,
         .score = score_at,
     };
     return bat_lambda_choose(&search, lambda);
+}
+
+/* A target that the held places forbid is met without holding them. */
+static batten_status choose(bat_scatter *s, double *lambda)
+{
+    batten_status status = search(s, lambda);
+    if (status != BATTEN_OK || s->options->by != BATTEN_SMOOTH_BY_RMS || *lambda > 0 ||
+        s->hold == 0)
+        return status;
+    s->hold = 0;
+    status = bat_scatter_assemble(s);
+    return status == BATTEN_OK ? search(s, lambda) : status;
 }
 
 /* Beyond all numbers is the plane; one that is as good as a plane has no such trouble. Without
@@ -93,7 +106,7 @@ static batten_status reweigh(bat_scatter *s, double lambda)
     double *scratch = bat_array(s->count, sizeof *scratch);
     batten_status status = scratch ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     double threshold = s->options->threshold, change = 1;
-    for (int round = 0; status == BATTEN_OK && round < 50 && change > 1e-4; round++) {
+    for (int round = 0; status == BATTEN_OK && round < 50 && change > 1e-3; round++) {
         if (round < 5 && s->options->threshold == 0)
             threshold = usual_threshold(s, scratch);
         if (!(threshold > 0))
@@ -173,7 +186,12 @@ static batten_status begin(bat_scatter *s, double *lambda)
 
 batten_status bat_scatter_penalised(bat_scatter *s)
 {
-    double lambda = s->lambda;
+    double lambda = s->control ? s->lambda : 0;
+    if (s->keep) {
+        const batten_status again = bat_scatter_assemble(s);
+        return again == BATTEN_OK ? solve(s, lambda) : again;
+    }
+    s->hold = s->options->by == BATTEN_SMOOTH_BY_LAMBDA ? 0 : BAT_SCATTER_HOLD;
     /* The net stays when a cloud is fitted again. */
     batten_status status = s->control ? BATTEN_OK : begin(s, &lambda);
     const bool direct = s->system.factor || s->options->by == BATTEN_SMOOTH_BY_LAMBDA;
@@ -192,9 +210,9 @@ batten_status bat_scatter_nearly(bat_scatter *s)
     if (status == BATTEN_OK)
         status = bat_scatter_assemble(s);
     /* Gaps need more of a penalty than rounding takes away. */
-    for (double share = 1e-9; status == BATTEN_OK; share *= 100) {
+    for (double share = s->share; status == BATTEN_OK; share *= 100) {
         status = bat_scatter_solve(s, share * s->system.scale);
-        if (status != BATTEN_SINGULAR_SYSTEM || share > 1e-4)
+        if (status != BATTEN_SINGULAR_SYSTEM || share >= 1)
             break;
         status = BATTEN_OK;
     }

@@ -88,6 +88,7 @@ void bat_scatter_release(bat_net_system *system)
 {
     bat_release(system->data);
     bat_release(system->energy);
+    bat_release(system->open);
     bat_release(system->right);
     bat_release(system->solved);
     bat_release(system->factor);
@@ -115,9 +116,10 @@ batten_status bat_scatter_make(bat_scatter *s)
         s->axis[1 - y->inner].degree * s->axis[y->inner].count + s->axis[y->inner].degree;
     y->data = bat_array3(y->unknowns, y->stencil, sizeof *y->data);
     y->energy = bat_array3(y->unknowns, y->stencil, sizeof *y->energy);
+    y->open = bat_array3(y->unknowns, y->stencil, sizeof *y->open);
     y->right = bat_array3(y->unknowns, (size_t)y->rights, sizeof *y->right);
     y->solved = bat_array3(y->unknowns, (size_t)y->rights, sizeof *y->solved);
-    if (!y->data || !y->energy || !y->right || !y->solved)
+    if (!y->data || !y->energy || !y->open || !y->right || !y->solved)
         return BATTEN_OUT_OF_MEMORY;
     if (is_cheap(y->unknowns, y->lower)) {
         y->factor = bat_array3(y->unknowns, (size_t)y->lower + 1, sizeof *y->factor);
@@ -191,6 +193,7 @@ batten_status bat_scatter_assemble(bat_scatter *s)
     bat_net_system *y = &s->system;
     const size_t middle = (size_t)s->axis[1].degree;
     memset(y->data, 0, y->unknowns * y->stencil * sizeof *y->data);
+    memset(y->open, 0, y->unknowns * y->stencil * sizeof *y->open);
     memset(y->right, 0, y->unknowns * (size_t)y->rights * sizeof *y->right);
     s->weight = 0;
     s->counted = 0;
@@ -206,7 +209,16 @@ batten_status bat_scatter_assemble(bat_scatter *s)
         energy += y->energy[i * y->stencil + middle];
     }
     y->scale = energy > 0 ? data / energy : 1;
-    return bat_work_step(&s->work, s->count, 0.3, "scattered data");
+    y->floor = s->hold * y->scale;
+    const batten_status status = y->floor > 0 ? bat_scatter_open(s) : BATTEN_OK;
+    return status == BATTEN_OK ? bat_work_step(&s->work, s->count, 0.3, "scattered data")
+                               : status;
+}
+
+/* An entry of the matrix with this lambda. */
+static double entry(const bat_net_system *y, size_t k, double lambda)
+{
+    return y->data[k] + lambda * y->energy[k] + bat_max(0, y->floor - lambda) * y->open[k];
 }
 
 /* ---- solving by a band ---- */
@@ -235,7 +247,7 @@ static void fill_band(const bat_scatter *s, double lambda)
                     const size_t there = place_in_band(s, (size_t)(i + a), (size_t)(j + b));
                     const size_t row = here > there ? here : there, column = here + there - row;
                     y->factor[row * wide + (size_t)y->lower - (row - column)] =
-                        y->data[k] + lambda * y->energy[k];
+                        entry(y, k, lambda);
                 }
         }
 }
@@ -276,12 +288,11 @@ static void multiply(const bat_scatter *s, double lambda, const double *x, doubl
     for (int i = 0; i < nu; i++)
         for (int j = 0; j < nv; j++) {
             const size_t here = (size_t)i * (size_t)nv + (size_t)j, at = here * y->stencil;
-            double sum =
-                (y->data[at + (size_t)q] + lambda * y->energy[at + (size_t)q]) * x[here];
+            double sum = entry(y, at + (size_t)q, lambda) * x[here];
             for (int a = 0; a <= s->axis[0].degree && i + a < nu; a++)
                 for (int b = a > 0 ? bat_max_int(-q, -j) : 1; b <= q && j + b < nv; b++) {
                     const size_t k = at + (size_t)(a * (2 * q + 1) + b + q);
-                    const double value = y->data[k] + lambda * y->energy[k];
+                    const double value = entry(y, k, lambda);
                     const size_t there = (size_t)(i + a) * (size_t)nv + (size_t)(j + b);
                     sum += value * x[there];
                     out[there] += value * x[here];
@@ -348,7 +359,7 @@ static batten_status solve_gradients(bat_scatter *s, double lambda)
     const gradients g = {memory, memory + n, memory + 2 * n, memory + 3 * n};
     for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
         const size_t at = i * y->stencil + middle;
-        g.diagonal[i] = y->data[at] + lambda * y->energy[at];
+        g.diagonal[i] = entry(y, at, lambda);
         if (!(g.diagonal[i] > 0))
             status = bat_fail(BATTEN_SINGULAR_SYSTEM, "control point %zu has no datum", i);
     }

@@ -10,6 +10,8 @@
 #include <string.h>
 
 enum { FIRST_SPANS = 4, USUAL_MOST = 250000, BINS = 8, PARTS = 16, MOST_ROUNDS = 60 };
+#define LEAST_SHARE 1e-9 /* of the penalty that only keeps the equations from being singular \
+                          */
 
 /* ---- what is left, by cells and strips ---- */
 
@@ -267,22 +269,37 @@ static batten_status thin(bat_scatter *s, double tolerance, double most)
 
 /* ---- as calm as may be ---- */
 
-/* Where there are no data, at corners above all, only the penalty holds the surface: let it
- * weigh as much as more than half of what is left of the tolerance allows. */
-static batten_status calm(bat_scatter *s, double tolerance, double most)
+/* Ten times the penalty, everywhere or where the floor is its weight, as long as no datum is
+ * farther than the target. */
+static batten_status stiffen(bat_scatter *s, double target, bool floor)
 {
-    const double target = most + 0.6 * (tolerance - most);
-    const int tries = s->system.factor ? 16 : 0; /* else each would cost too much */
-    double good = s->lambda;
+    bat_net_system *y = &s->system;
     size_t worst = 0;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < tries && status == BATTEN_OK; i++) {
-        status = bat_scatter_solve(s, 10 * good);
-        if (status == BATTEN_OK && worst_of(s, &worst) > target)
-            break;
-        good *= 10;
+    for (int i = 0; i < 16 && status == BATTEN_OK; i++) {
+        const double lambda = s->lambda, held = y->floor;
+        y->floor *= floor ? 10 : 1;
+        status = bat_scatter_solve(s, floor ? lambda : 10 * lambda);
+        if (status == BATTEN_OK && worst_of(s, &worst) <= target)
+            continue;
+        y->floor = held;
+        return status == BATTEN_OK || status == BATTEN_SINGULAR_SYSTEM
+                   ? bat_scatter_solve(s, lambda)
+                   : status;
     }
-    return status == BATTEN_OK && s->lambda != good ? bat_scatter_solve(s, good) : status;
+    return status;
+}
+
+/* Where there are no data, at corners above all, only the penalty holds the surface: let it
+ * weigh as much as more than half of what is left of the tolerance allows, there first. */
+static batten_status calm(bat_scatter *s, double tolerance, double most)
+{
+    if (!s->system.factor)
+        return BATTEN_OK; /* each try would cost too much */
+    batten_status status = BATTEN_OK;
+    if (s->system.floor > 0)
+        status = stiffen(s, most + 0.3 * (tolerance - most), true);
+    return status == BATTEN_OK ? stiffen(s, most + 0.6 * (tolerance - most), false) : status;
 }
 
 /* ---- the loop ---- */
@@ -316,6 +333,15 @@ static batten_status begin(bat_scatter *s)
     return status;
 }
 
+/* When no more knots are possible, the penalty may still be in the way. */
+static bool let_go(bat_scatter *s)
+{
+    const bool held = s->hold > 0;
+    s->hold = 0;
+    s->share = LEAST_SHARE;
+    return held;
+}
+
 batten_status bat_scatter_within(bat_scatter *s)
 {
     const double tolerance = s->options->tolerance;
@@ -333,7 +359,7 @@ batten_status bat_scatter_within(bat_scatter *s)
             return status == BATTEN_OK ? thin(s, tolerance, worst_of(s, &worst)) : status;
         }
         status = refine(s, tolerance, &split);
-        if (status == BATTEN_OK && !split)
+        if (status == BATTEN_OK && !split && !let_go(s))
             return fail(s, worst, most);
     }
     return status == BATTEN_OK ? fail(s, worst, worst_of(s, &worst)) : status;

@@ -12,6 +12,7 @@ typedef struct {
     double scale;  /* lambda of decade 0: trace of the data's matrix by that of the penalty's */
     double last;   /* the last decade that is tried */
     bool coarse;   /* a fit costs much */
+    double near;   /* > 0: a lambda near which the score is likely to have its least */
     void *user;
     batten_status (*rms)(void *user, double lambda, double *rms);
     batten_status (*score)(void *user, double lambda, double *score);

@@ -205,6 +205,25 @@ static batten_status search_validation(const bat_lambda_search *t, double *found
     return find_least(t, around, best, step, found);
 }
 
+/* Downhill from where the least was before: a few scores instead of one for every decade. */
+static batten_status search_nearby(const bat_lambda_search *t, double *found)
+{
+    double middle = log10(t->near / t->scale), value[3];
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < 3 && status == BATTEN_OK; i++)
+        status = t->score(t->user, lambda_at(t, middle + i - 1), &value[i]);
+    while (status == BATTEN_OK && bat_min(value[0], value[2]) < value[1]) {
+        const int way = value[2] < value[0] ? 1 : -1;
+        if (!(middle + way > FIRST_DECADE && middle + way < t->last + 2))
+            return search_validation(t, found);
+        middle += way;
+        value[1 - way] = value[1];
+        value[1] = value[1 + way];
+        status = t->score(t->user, lambda_at(t, middle + way), &value[1 + way]);
+    }
+    return status == BATTEN_OK ? find_least(t, value, middle, 1, found) : status;
+}
+
 batten_status bat_lambda_choose(const bat_lambda_search *t, double *lambda)
 {
     *lambda = t->amount;
@@ -212,7 +231,8 @@ batten_status bat_lambda_choose(const bat_lambda_search *t, double *lambda)
         return BATTEN_OK;
     if (t->by == BATTEN_SMOOTH_BY_RMS)
         return t->amount == 0 ? BATTEN_OK : search_target(t, lambda);
-    return search_validation(t, lambda);
+    return t->near > 0 && t->near < HUGE_VAL ? search_nearby(t, lambda)
+                                             : search_validation(t, lambda);
 }
 
 /* ---- of a curve ---- */

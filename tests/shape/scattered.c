@@ -301,6 +301,75 @@ TEST(a_tolerance_that_noise_forbids_is_not_claimed)
     CHECK(s == NULL);
 }
 
+/* ---- where no data are ---- */
+
+/* A paraboloid over the unit disc, off by up to `noise`: the corners of the square are empty.
+ */
+static void scatter_disc(int count, double noise)
+{
+    test_random random = test_random_begin("disc");
+    for (int i = 0; i < count; i++) {
+        double x, y;
+        do {
+            x = test_random_in(&random, -1, 1);
+            y = test_random_in(&random, -1, 1);
+        } while (x * x + y * y > 1);
+        uv[2 * i] = x;
+        uv[2 * i + 1] = y;
+        z[i] = 0.1 * (x * x + y * y) + test_random_in(&random, -noise, noise);
+    }
+}
+
+TEST(a_tolerance_near_the_noise_leaves_empty_corners_calm)
+{
+    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    scatter_disc(400, 0.0025);
+    options.tolerance = 0.002;
+    CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
+    CHECK(report.max <= 0.002 && report.empty > 0);
+    CHECK(report.outside_share < 4);
+    for (int i = 0; i < 4; i++) /* 0.2, were the paraboloid to go on */
+        CHECK_NEAR(value(s, i % 2 ? 0.95 : -0.95, i / 2 ? 0.95 : -0.95), 0.15, 0.25);
+    batten_surface_unref(s);
+}
+
+/* Only a corner of some cells is held: without the penalty the rest swings far away. */
+TEST(open_places_are_held_and_the_data_keep_their_fit)
+{
+    double rms[2], share[2];
+    for (int c = 0; c < 2; c++) {
+        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        scatter_disc(1500, 0);
+        for (int i = 0; i < 1500; i++) /* more than nine control points a side can follow */
+            z[i] += 0.02 * sin(9 * uv[2 * i]) * sin(9 * uv[2 * i + 1]);
+        options.spans_u = options.spans_v = 9;
+        options.by = c ? BATTEN_SMOOTH_BY_VALIDATION : BATTEN_SMOOTH_BY_LAMBDA;
+        CHECK_OK(batten_surface_scattered(1, 1500, uv, z, &options, NULL, &report, &s));
+        rms[c] = report.rms;
+        share[c] = report.outside_share;
+        const double *at = report.outside_at;
+        CHECK(at[0] * at[0] + at[1] * at[1] > 1);
+        CHECK_NEAR(at[2], value(s, at[0], at[1]), 1e-9 * fabs(at[2]));
+        batten_surface_unref(s);
+    }
+    CHECK(share[0] > 5 && share[1] < 1.5);
+    CHECK(rms[1] < 1.1 * rms[0]);
+}
+
+TEST(a_surface_within_the_box_of_its_data_is_said_to_be)
+{
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    scatter(MANY, plane, uv, z);
+    CHECK_OK(batten_surface_scattered(1, MANY, uv, z, NULL, NULL, &report, &s));
+    CHECK(report.outside_share < 0.1);
+    batten_surface_unref(s);
+}
+
 /* ---- multilevel ---- */
 
 TEST(one_point_of_a_lattice_is_met_exactly)
@@ -346,7 +415,68 @@ TEST(every_level_leaves_less_of_frankes_function)
                  BATTEN_TOLERANCE_NOT_MET);
 }
 
+TEST(levels_end_when_the_data_are_few_and_the_report_says_so)
+{
+    const int counts[] = {52, 400, MANY};
+    for (int c = 0; c < 3; c++) {
+        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        scatter(counts[c], franke, uv, z);
+        options.method = BATTEN_SCATTERED_MULTILEVEL;
+        CHECK_OK(batten_surface_scattered(1, counts[c], uv, z, &options, NULL, &report, &s));
+        CHECK_INT(report.end, BATTEN_LEVELS_FEW);
+        CHECK(report.points_u * report.points_v <= 8 * counts[c] && report.rms < 0.03);
+        batten_surface_unref(s);
+    }
+}
+
+TEST(levels_end_when_they_bring_nothing)
+{
+    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    scatter(1000, plane, uv, z);
+    for (int i = 0; i < 500; i++) { /* two values at one place stay apart */
+        uv[4 * i + 2] = uv[4 * i];
+        uv[4 * i + 3] = uv[4 * i + 1];
+        z[2 * i] = 1;
+        z[2 * i + 1] = -1;
+    }
+    options.method = BATTEN_SCATTERED_MULTILEVEL;
+    CHECK_OK(batten_surface_scattered(1, 1000, uv, z, &options, NULL, &report, &s));
+    CHECK_INT(report.end, BATTEN_LEVELS_NO_GAIN);
+    CHECK_INT(report.rounds, 3);
+    batten_surface_unref(s);
+}
+
 /* ---- clouds ---- */
+
+TEST(a_closed_body_is_said_to_lie_in_layers)
+{
+    enum { N = 2000 };
+    double *points = test_array(3 * N, sizeof *points);
+    for (int c = 0; c < 2; c++) {
+        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        test_random random = test_random_begin("ellipsoid");
+        for (int i = 0; i < N; i++) {
+            const double h = test_random_in(&random, -1, 1), a = test_random_in(&random, -4, 4);
+            const double r = sqrt(1 - h * h);
+            const double p[] = {3 * r * cos(a), 2 * r * sin(a), c ? h : fabs(h)};
+            memcpy(points + 3 * i, p, sizeof p);
+        }
+        options.spans_u = options.spans_v = 6;
+        options.corrections = 1;
+        CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, NULL, &report, &s));
+        if (c)
+            CHECK(report.layered > 0.3 && report.layers_apart > 0.5);
+        else
+            CHECK(report.layered < 0.02);
+        batten_surface_unref(s);
+    }
+}
 
 static void cylinder_points(int count, double *points, double *at)
 {

@@ -64,7 +64,9 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
     if (status == BATTEN_OK)
         bat_report_surface_fit(run, &report);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
-        bat_note(run, "the parameters of single rows differ from the average by %.2g steps",
+        bat_note(run,
+                 "the parameters of single rows differ from the average by %.2g steps; heights "
+                 "over an even grid want 'parameters: uniform'",
                  bat_max(report.spread_u, report.spread_v));
     return status;
 }
@@ -82,7 +84,8 @@ const bat_feature bat_feature_fit_grid = {
          "else cross validation decides. With held rims two surfaces that share the points "
          "of\n"
          "a rim, and as many control points along it, meet there. The largest distance, and\n"
-         "where it is, are reported.",
+         "where it is, are reported. In a file of points the rows of a grid are separated by\n"
+         "empty lines; in the design 'columns' says how long they are.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [3, 0, 0.1], [4, 0, 0],\n"

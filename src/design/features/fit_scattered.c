@@ -24,7 +24,7 @@ static const batten_parameter parameters[] = {
     {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "2 to 9"},
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "2 to 9"},
     {"levels", BATTEN_VALUE_COUNT, false, false, "0", NULL,
-     "of 'multilevel', at most; 0: nine"},
+     "of 'multilevel', at most; 0: as many as the points are good for, up to nine"},
     {"robust", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "far points count less"},
     {"corrections", BATTEN_VALUE_COUNT, false, false, "20", NULL,
      "of a cloud: how often at most points get the parameters of their feet"},

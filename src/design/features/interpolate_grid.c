@@ -81,7 +81,8 @@ static void say(bat_run *run, const batten_grid_report *report)
     if (bat_max(report->spread_u, report->spread_v) > 0.5)
         bat_note(run,
                  "the parameters of single rows differ from the average by %.2g steps; "
-                 "'interpolate' and 'skin' will follow such points better",
+                 "heights over an even grid want 'parameters: uniform'; 'interpolate' and "
+                 "'skin' will follow other points better",
                  bat_max(report->spread_u, report->spread_v));
     if (report->filled > 0)
         bat_remark(run, "%d gaps are filled with the points of least energy", report->filled);
@@ -119,7 +120,10 @@ const bat_feature bat_feature_interpolate_grid = {
               "Every row must have as many points; u runs along the rows, v across them. Where "
               "there\n"
               "is no point, 'gaps' says so, and least energy puts one: the surface passes all "
-              "others.",
+              "others.\n"
+              "In a file of points the rows are separated by empty lines; in the design "
+              "'columns' says\n"
+              "how long they are.",
               "features:\n"
               "  grid:\n"
               "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, "
