@@ -99,10 +99,15 @@ typedef struct batten_coons_options {
 BATTEN_API batten_coons_options batten_coons_defaults(void);
 
 typedef struct batten_coons_report {
-    double corner_gap, slope_gap, twist_gap, higher_gap; /**< the largest, model units */
+    double corner_gap, slope_gap, twist_gap, higher_gap; /**< the largest, model units; but for
+                              corner_gap of vectors per unit of the parameters */
     int corner, slope_corner, twist_corner; /**< where: 1 (0,0), 2 (1,0), 3 (1,1), 4 (0,1) */
     double missed[4][3]; /**< [edge][derivative across]: by how much the surface misses it,
                               largest along the edge */
+    double slope_angle;  /**< where slope_gap is: at which the boundary curve leaves the tangent
+                              plane, radians */
+    double angle[4];     /**< [edge]: the largest between the tangent planes of the surface and
+                              of the side, radians; 0 without a slope */
     bool exact;          /**< batten_surface_to_nurbs is exact */
 } batten_coons_report;
 
@@ -119,9 +124,10 @@ typedef struct batten_coons_report {
  * mapped to [0, 1]; slopes point inside, per unit of the parameter across. A side may be a
  * point
  * @param options NULL for the defaults
- * @param[out] report may be NULL
- * @return BATTEN_OK; NOT_COMPATIBLE naming corner, edges and gap; UNSUPPORTED (functions that
- * the family lacks); BAD_ARGUMENT, OVERFLOW ...
+ * @param[out] report may be NULL; with NOT_COMPATIBLE up to the gap that was refused
+ * @return BATTEN_OK; NOT_COMPATIBLE naming corner, edges and gap, of a slope also the angle at
+ * which the boundary curve leaves the tangent plane; UNSUPPORTED (functions that the family
+ * lacks); BAD_ARGUMENT, OVERFLOW ...
  *
  * batten_surface_to_nurbs gives one tensor B-spline, equal but for rounding, when nothing is
  * rational, or the rational curves along each direction share their weights; else, and with

@@ -29,6 +29,15 @@ void bat_coons_clear(bat_coons *coons);
  * whether it has an equal NURBS surface. */
 batten_status bat_coons_surface(bat_coons *coons, bool *exact, batten_surface **out);
 
+/* ---- angles (coons_angle.c) ---- */
+
+/* Between a direction in space and the plane of a and b, radians; 0 where these have none. */
+double bat_coons_off_plane(const double *direction, const double *a, const double *b);
+/* [4] by edge: the largest between the tangent planes of the patch and those of the side's
+ * ribbon, radians; 0 for a side without slope. */
+batten_status bat_coons_angles(const batten_ribbon sides[4], const batten_surface *surface,
+                               double angle[4]);
+
 /* ---- as one tensor B-spline (coons_spline.c) ---- */
 
 /* Is there an equal NURBS surface? */

@@ -204,6 +204,29 @@ static batten_status choose_twist(patch *p, int i, int j, double gap)
     return BATTEN_OK;
 }
 
+/* By how much the boundary curve at a corner leaves the tangent plane of the side whose slope
+ * does not fit it; one of i, j is below 2. */
+static double off_plane(const patch *p, int i, int j)
+{
+    const double *a = p->seen[0][i][j], *b = p->seen[1][i][j];
+    if (p->dimension != 3)
+        return 0;
+    if (i < 2) /* a is the curve u = i, b the slope across v = j % 2 */
+        return bat_coons_off_plane(a, b, p->seen[1][2 + i][j % 2]);
+    return bat_coons_off_plane(b, a, p->seen[0][i % 2][2 + j]);
+}
+
+/* A slope that differs from the boundary curve: by vectors per unit of the parameter. */
+static batten_status refuse_slope(const patch *p, int i, int j, double gap, double angle)
+{
+    return bat_fail(BATTEN_NOT_COMPATIBLE,
+                    "corner %d, between edges %s and %s: slope and boundary curve differ by %g "
+                    "per unit of the parameter, more than %g; the curve leaves the tangent "
+                    "plane at %.3g degrees",
+                    corner_number(i, j), edge_name(edge_of(1, j)), edge_name(edge_of(0, i)),
+                    gap, p->allowed, angle * 180 / BAT_PI);
+}
+
 /* Both sides know something of the corner. */
 static batten_status settle(patch *p, int i, int j)
 {
@@ -219,14 +242,16 @@ static batten_status settle(patch *p, int i, int j)
     if (i < 2 || j < 2) {
         /* The boundary curve is right, the slope or curvature gives way. */
         const bool slope = i < 4 && j < 4;
+        const double angle = slope ? off_plane(p, i, j) : 0;
+        if (slope && gap > r->slope_gap)
+            r->slope_angle = angle;
         widen(gap, slope ? &r->slope_gap : &r->higher_gap, slope ? &r->slope_corner : NULL, i,
               j);
         choose(p->dimension, a, b, i < 2 ? 1 : 0, p->corner[i][j]);
-        return differ && !p->options->repair
-                   ? refuse(p,
-                            slope ? "slope and boundary curve" : "curvature and boundary curve",
-                            i, j, gap)
-                   : BATTEN_OK;
+        if (!differ || p->options->repair)
+            return BATTEN_OK;
+        return slope ? refuse_slope(p, i, j, gap, angle)
+                     : refuse(p, "curvature and boundary curve", i, j, gap);
     }
     if (i < 4 && j < 4) {
         widen(gap, &r->twist_gap, &r->twist_corner, i, j);
@@ -372,9 +397,16 @@ batten_status batten_surface_coons(const batten_ribbon sides[4],
     p->sides = sides;
     p->dimension = sides[0].curve->dimension;
     p->order = o->order;
-    status = build(p, out);
-    if (status == BATTEN_OK && report)
+    batten_surface *made = NULL;
+    status = build(p, &made);
+    if (status == BATTEN_OK && o->order > 1)
+        status = bat_coons_angles(sides, made, p->report.angle);
+    if (report)
         *report = p->report;
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        batten_surface_unref(made);
     bat_coons_clear(&p->coons);
     bat_release(p);
     return status;

@@ -17,6 +17,14 @@ static const batten_surface *surface_of(const batten_design *design)
     return object->surface;
 }
 
+static bool has_note(const batten_notes *notes, const char *words)
+{
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        if (strstr(batten_notes_at(notes, i)->text, words))
+            return true;
+    return false;
+}
+
 #define SADDLE                                                                             \
     "batten: 1\nfeatures:\n"                                                               \
     "  s: {line: [[0, 0, 0], [1, 0, 0]]}\n  e: {line: [[1, 0, 0], [1, 1, 1]]}\n"           \
@@ -213,6 +221,41 @@ TEST(a_coons_patch_says_what_it_reversed_and_where_its_sides_have_corners)
     CHECK(told(notes, "'w' runs against the first curve"));
     CHECK(told(notes, "side 1 stands still at 0.5"));
     CHECK(told(notes, "corners of sides 1 and 3 at 0.5"));
+    batten_notes_free(notes);
+    batten_design_free(design);
+}
+
+/* A patch on from a sloping strip, whose other boundary curves leave level. */
+#define SLOPING                                                                  \
+    "batten: 1\nfeatures:\n"                                                     \
+    "  s: {line: [[0, 0, 0], [1, 0, 0]]}\n  e: {line: [[1, 0, 0], [1, 1, 0]]}\n" \
+    "  n: {line: [[0, 1, 0], [1, 1, 0]]}\n  w: {line: [[0, 0, 0], [0, 1, 0]]}\n" \
+    "  strip: {extrude: s, along: [0, -1, -1]}\n"
+
+TEST(a_boundary_curve_that_leaves_the_tangent_plane_comes_with_advice)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_STATUS(evaluate(SLOPING "  a: {coons: [s, e, n, w], along: strip}\n", notes, &design),
+                 BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("the curve leaves the tangent plane at 45 degrees");
+    if (batten_notes_dropped(notes) == 0)
+        CHECK(has_note(notes, "with 'curve-of' and 'blend', continuity G1; or correct the "
+                              "slopes: 'repair: yes'"));
+    batten_notes_free(notes);
+}
+
+TEST(a_repair_says_by_how_many_degrees_it_misses_the_neighbour)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_OK(evaluate(SLOPING "  a: {coons: [s, e, n, w], along: strip, repair: yes}\n", notes,
+                      &design));
+    /* Level in both corners of the strip, which rises by 45 degrees. */
+    if (batten_notes_dropped(notes) == 0)
+        CHECK(has_note(notes, "up to 45 degrees off the tangent planes along the first side"));
     batten_notes_free(notes);
     batten_design_free(design);
 }

@@ -260,6 +260,54 @@ static void tilt(frame_of_surface *frame, int edge, double x0, double x1)
     frame->sides[edge].slope = again;
 }
 
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int c = 0; c < 3; c++)
+        out[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+}
+
+static double cosine(const double a[3], const double b[3])
+{
+    double ab = 0, aa = 0, bb = 0;
+    for (int c = 0; c < 3; c++) {
+        ab += a[c] * b[c];
+        aa += a[c] * a[c];
+        bb += b[c] * b[c];
+    }
+    return ab / sqrt(aa * bb);
+}
+
+/* The normal that side u = 1 asks for at its parameter t. */
+static void ribbon_normal(const frame_of_surface *frame, double t, double out[3])
+{
+    double along[2][3], slope[3];
+    CHECK_OK(batten_curve_evaluate(frame->sides[BATTEN_EDGE_U1].curve, t, 1, along[0]));
+    CHECK_OK(batten_curve_evaluate(frame->sides[BATTEN_EDGE_U1].slope, t, 0, slope));
+    cross(along[1], slope, out);
+}
+
+/* Between the end of the curve v = 1 and the plane of side u = 1. */
+static double angle_at_corner(const frame_of_surface *frame)
+{
+    double normal[3], curve[2][3];
+    ribbon_normal(frame, 1, normal);
+    CHECK_OK(batten_curve_evaluate(frame->sides[BATTEN_EDGE_V1].curve, 1, 1, curve[0]));
+    return asin(fabs(cosine(normal, curve[1])));
+}
+
+static double largest_angle_u1(const batten_surface *surface, const frame_of_surface *frame)
+{
+    double largest = 0;
+    for (int k = 0; k <= 1000; k++) {
+        double d[3][3], n[3], m[3];
+        CHECK_OK(batten_surface_evaluate(surface, 1, k / 1000.0, 1, d[0]));
+        cross(d[1], d[2], n); /* along, into: the other way round */
+        ribbon_normal(frame, k / 1000.0, m);
+        largest = fmax(largest, acos(fmin(1, fabs(cosine(n, m)))));
+    }
+    return largest;
+}
+
 TEST(a_slope_that_does_not_fit_is_refused_or_repaired)
 {
     test_random random = test_random_begin("slopes");
@@ -274,7 +322,11 @@ TEST(a_slope_that_does_not_fit_is_refused_or_repaired)
     CHECK_STATUS(batten_surface_coons(frame.sides, &options, &report, &surface),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("corner 3, between edges v = 1 and u = 1: slope and boundary curve differ by "
-                  "0.25");
+                  "0.25 per unit of the parameter");
+    CHECK_MESSAGE(" degrees");
+    /* The report is there, with the angle between the curve v = 1 and the slope's plane. */
+    CHECK_NEAR(report.slope_angle, angle_at_corner(&frame), 1e-12);
+    CHECK(report.slope_angle > 0.01);
     options.repair = true;
     options.twist = BATTEN_TWIST_KEEP_U;
     CHECK_OK(batten_surface_coons(frame.sides, &options, &report, &surface));
@@ -283,6 +335,9 @@ TEST(a_slope_that_does_not_fit_is_refused_or_repaired)
     /* All boundary curves hold. */
     CHECK_NEAR(apart(surface, frame.surface, 20, 0, 0, true), 0, 1e-13);
     CHECK(report.missed[BATTEN_EDGE_U1][1] >= 0.25 - 1e-12);
+    /* In the corner the surface has the plane of both curves. */
+    CHECK(report.angle[BATTEN_EDGE_U1] >= report.slope_angle - 1e-9);
+    CHECK_NEAR(report.angle[BATTEN_EDGE_U1], largest_angle_u1(surface, &frame), 1e-3);
     for (int e = 0; e < 4; e++)
         CHECK_NEAR(report.missed[e][0], 0, 1e-13);
     batten_surface_unref(surface);

@@ -19,7 +19,7 @@ static const batten_parameter parameters[] = {
     {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
      "where slopes of two sides ask for different twists"},
     {"repair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "correct slopes that do not fit the boundary curves at a corner"},
+     "correct slopes that do not fit the boundary curves at a corner; it says the angle left"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far corners may be open, curves from surfaces; of itself the design's tolerance"},
 };
@@ -122,6 +122,32 @@ static const char *edge_name(int edge)
     return names[edge];
 }
 
+#define DEGREES (180 / BAT_PI)
+
+/* What helps where a boundary curve leaves the tangent plane of a surface beside it. */
+static void advise(const work *w, const batten_coons_report *found)
+{
+    if (found->slope_gap > w->options.tolerance && !w->options.repair)
+        bat_note(w->run,
+                 "let the boundary curves leave within the tangent planes: with 'curve-of' "
+                 "and 'blend', continuity G1; or correct the slopes: 'repair: yes'");
+}
+
+/* The slopes that gave way: how far from smooth the joins are now. */
+static void report_repair(const work *w, const batten_coons_report *found)
+{
+    int worst = 0;
+    for (int e = 1; e < 4; e++)
+        if (found->angle[e] > found->angle[worst])
+            worst = e;
+    bat_note(w->run,
+             "slope and boundary curve differ by %.3g per unit of the parameter at corner %d, "
+             "where the curve leaves the tangent plane at %.3g degrees; corrected: the patch "
+             "is up to %.3g degrees off the tangent planes along %s",
+             found->slope_gap, found->slope_corner, found->slope_angle * DEGREES,
+             found->angle[worst] * DEGREES, edge_name(worst));
+}
+
 /* What did not fit, and what became of it. */
 static void report(const work *w, const batten_coons_report *found)
 {
@@ -131,8 +157,7 @@ static void report(const work *w, const batten_coons_report *found)
         bat_remark(run, "the curves are up to %.3g apart, at corner %d; they meet halfway",
                    found->corner_gap, found->corner);
     if (found->slope_gap > tolerance)
-        bat_note(run, "slope and boundary curve differ by %.3g at corner %d; corrected",
-                 found->slope_gap, found->slope_corner);
+        report_repair(w, found);
     if (found->twist_gap > tolerance)
         bat_note(run, "the slopes ask for twists that differ by %.3g at corner %d%s",
                  found->twist_gap, found->twist_corner,
@@ -144,14 +169,14 @@ static void report(const work *w, const batten_coons_report *found)
     for (int e = 0; e < 4; e++)
         for (int k = 1; k < w->options.order; k++)
             if (found->missed[e][k] > tolerance)
-                bat_note(run, "%s across %s is missed by up to %.3g",
+                bat_note(run, "%s across %s is missed by up to %.3g per unit of the parameter",
                          k == 1 ? "the slope" : "the second derivative", edge_name(e),
                          found->missed[e][k]);
 }
 
 static batten_status make(work *w, batten_surface **out)
 {
-    batten_coons_report found;
+    batten_coons_report found = {0};
     choose_kind(w);
     w->options.twist = (batten_twist_policy)bat_word(w->run, "policy");
     w->options.repair = bat_yes(w->run, "repair");
@@ -169,6 +194,8 @@ static batten_status make(work *w, batten_surface **out)
         status = batten_surface_coons(w->boundary.sides, &w->options, &found, out);
     if (status == BATTEN_OK)
         report(w, &found);
+    else if (status == BATTEN_NOT_COMPATIBLE)
+        advise(w, &found);
     return status;
 }
 
@@ -195,6 +222,15 @@ const bat_feature bat_feature_coons = {
          "surfaces it lies along, 'third' their curvatures too. Blending functions: 'linear'\n"
          "('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with continuous\n"
          "curvature. Of itself 'linear' for 'first', 'quintic' for 'third', else 'cubic'.\n"
+         "A slope fits its neighbours when the boundary curves beside it leave the surface "
+         "within its\n"
+         "tangent plane. Such curves come from 'curve-of' (the ends of the surface) and "
+         "'blend' "
+         "between\n"
+         "them with continuity G1; 'repair: yes' corrects the slopes instead and says by how "
+         "many degrees\n"
+         "the patch then leaves the tangent planes. Gaps of slopes are vectors per unit of the "
+         "parameter.\n"
          "Unless curves are rational, or twists differ under the policy 'gregory',\n"
          "the result is exact.",
          "features:\n"
