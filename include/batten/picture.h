@@ -167,7 +167,8 @@ BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
                                                 batten_notes *notes, char **data, size_t *size);
 
 /**
- * Shade all surfaces of a model, seen in parallel projection; curves are drawn over them. PNG.
+ * Shade all surfaces of a model, seen in parallel projection; curves are drawn over them, and
+ * points as dots, where nothing is before them. PNG.
  *
  * The colours of curvature end where 95 of 100 samples lie inside; the legend has the
  * true extremes.

@@ -26,6 +26,12 @@ typedef struct {
     bool shows_isolines;
 } solid;
 
+/* How a stroke is drawn. */
+typedef struct {
+    bat_light light;
+    double dot; /* radius of the marks of its points, samples; 0: it is a line */
+} style;
+
 typedef struct {
     const batten_model *model;
     unsigned char *smooth; /* [count of the model], see smooth_edges.h */
@@ -35,8 +41,8 @@ typedef struct {
     bat_scene scene;
     int solid_count;
     solid *solids;
-    bat_strokes curves; /* after fit_picture in samples too */
-    bat_light *curve_lights;
+    bat_strokes curves; /* and rows of points; after fit_picture in samples too */
+    style *styles;
     double least, greatest; /* raw curvatures */
     double em;
 } picture;
@@ -150,21 +156,40 @@ static batten_status gather_solids(picture *p, double size)
     return status;
 }
 
+/* Marks are smaller where there are many, so that they do not hide the shape. */
+static double dot_of(const picture *p, int count)
+{
+    const double radius = 0.16 * p->em * sqrt(bat_min(1, 400.0 / count));
+    return BAT_SAMPLES * bat_max(radius, 0.8);
+}
+
+static batten_status copy_points(const batten_object *object, bat_stroke *out)
+{
+    double *points = bat_array3((size_t)object->point_count, 3, sizeof *points);
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(points, object->points, 3 * (size_t)object->point_count * sizeof *points);
+    *out = (bat_stroke){(size_t)object->point_count, points};
+    return BATTEN_OK;
+}
+
+/* Curves, and points. */
 static batten_status gather_curves(picture *p)
 {
+    const bat_colour dark = {0.12, 0.16, 0.24};
     const int count = batten_model_count(p->model);
-    p->curve_lights = bat_array((size_t)count, sizeof *p->curve_lights);
-    if (!p->curve_lights)
-        return BATTEN_OUT_OF_MEMORY;
-    batten_status status = BATTEN_OK;
+    p->styles = bat_array((size_t)count, sizeof *p->styles);
+    batten_status status = p->styles ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count && status == BATTEN_OK; i++) {
         const batten_object *object = batten_model_object(p->model, i);
-        if (object->kind != BATTEN_OBJECT_CURVE)
+        const bool is_row = object->kind == BATTEN_OBJECT_POINTS;
+        if (object->kind != BATTEN_OBJECT_CURVE && !is_row)
             continue;
-        const bat_colour dark = {0.12, 0.16, 0.24};
-        p->curve_lights[p->curves.count] = bat_light_of(colour_of(object, dark));
+        p->styles[p->curves.count] = (style){bat_light_of(colour_of(object, dark)),
+                                             is_row ? dot_of(p, object->point_count) : 0};
         bat_stroke stroke = {0, NULL};
-        status = bat_stroke_curve(object->curve, &stroke);
+        status =
+            is_row ? copy_points(object, &stroke) : bat_stroke_curve(object->curve, &stroke);
         if (status == BATTEN_OK)
             status = bat_strokes_add(&p->curves, stroke);
     }
@@ -414,14 +439,36 @@ static void fill_edges(bat_raster *band, const solid *s)
         fill_edge(band, s, n - 1, n, m);
 }
 
+/* A disc that faces the eye, before the surface by its radius: a point on it, or near it, is
+ * seen whole. */
+static void fill_dot(bat_raster *band, const double *at, const style *i)
+{
+    enum { CORNERS = 10 };
+    if (at[1] + i->dot < band->first_row || at[1] - i->dot > band->first_row + band->rows)
+        return;
+    bat_corner c[3] = {{.x = at[0], .y = at[1], .depth = at[2] + i->dot}};
+    c[1] = c[2] = c[0];
+    c[2].x += i->dot;
+    for (int k = 1; k <= CORNERS; k++) {
+        const double angle = 2 * BAT_PI * k / CORNERS;
+        c[1] = c[2];
+        c[2].x = at[0] + i->dot * cos(angle);
+        c[2].y = at[1] + i->dot * sin(angle);
+        bat_raster_triangle(band, &c[0], &c[1], &c[2], shade_flat, &i->light);
+    }
+}
+
 static void fill_curves(bat_raster *band, const picture *p)
 {
     const double half = 0.9 * BAT_SAMPLES, nearer = 3 * BAT_SAMPLES;
     for (size_t i = 0; i < p->curves.count; i++) {
         const bat_stroke *s = &p->curves.strokes[i];
-        for (size_t k = 0; k + 1 < s->count; k++)
+        const style *how = &p->styles[i];
+        for (size_t k = 0; how->dot > 0 && k < s->count; k++)
+            fill_dot(band, s->points + 3 * k, how);
+        for (size_t k = 0; !(how->dot > 0) && k + 1 < s->count; k++)
             fill_segment(band, s->points + 3 * k, s->points + 3 * (k + 1), half, nearer,
-                         &p->curve_lights[i]);
+                         &how->light);
     }
 }
 
@@ -602,7 +649,7 @@ batten_status batten_draw_shaded(const batten_model *model,
     bat_release(p.solids);
     bat_release(p.smooth);
     bat_strokes_free(&p.curves);
-    bat_release(p.curve_lights);
+    bat_release(p.styles);
     batten_model_unref(patches);
     return status;
 }

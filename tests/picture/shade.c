@@ -160,6 +160,38 @@ TEST(curves_lie_over_the_surface_that_carries_them_and_behind_others)
     }
 }
 
+TEST(points_are_dots_beside_and_before_the_surface_and_not_behind_it)
+{
+    static const struct {
+        double x, y;
+        bool seen;
+    } rows[] = {{0, -1, true}, {0, -1.5, true}, {0, 1, false}, {2.5, 0, true}, {-2.5, 1, true}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_model *model = scene_of(scene_cylinder(1, 3));
+        const double point[3] = {rows[i].x, rows[i].y, 0};
+        const batten_object object = {.kind = BATTEN_OBJECT_POINTS,
+                                      .name = "point",
+                                      .layer = "",
+                                      .has_colour = true,
+                                      .colour = {1, 0, 0},
+                                      .point_count = 1,
+                                      .points = point};
+        CHECK_OK(batten_model_add(model, &object));
+        batten_picture_options options = small(BATTEN_SHADING_PLAIN);
+        options.view = BATTEN_VIEW_SIDE;
+        const scene_image image = image_of(model, options);
+        int red = 0;
+        for (int y = 0; y < image.height; y++)
+            for (int x = 0; x < image.width; x++) {
+                const uint32_t pixel = scene_pixel(&image, x, y);
+                red += scene_red(pixel) > scene_green(pixel) + 40;
+            }
+        CHECK_INT(red > 0, rows[i].seen);
+        CHECK(red < 30);
+        batten_model_unref(model);
+    }
+}
+
 TEST(an_edge_is_as_wide_where_two_surfaces_meet_as_elsewhere)
 {
     /* Both halves of a square, and how many samples of its middle and its rim are dark. */
