@@ -247,7 +247,7 @@ static batten_status sample_field(const bat_wires *w, const batten_surface *s, s
                 s, &w->options->contour_field, 1, uv, &values[*count]);
             if (status != BATTEN_OK)
                 return status;
-            *count += isfinite(values[*count]);
+            *count += isfinite(values[*count]) ? 1 : 0;
         }
     return BATTEN_OK;
 }
