@@ -127,9 +127,10 @@ static batten_status no_object(const char *name, const batten_model *model)
     batten_release(names);
     const batten_status status = batten_fail(
         BATTEN_NOT_FOUND, "there is no object '%.60s' in the file; %s%s%s", name,
-        count < all ? "the nearest names are "
-        : count     ? "there are "
-                    : "it has none",
+        count < all  ? "the nearest names are "
+        : count > 1  ? "there are "
+        : count == 1 ? "there is "
+                     : "it has none",
         list.bytes ? list.bytes : "", count < all ? " ('batten info' lists all)" : "");
     batten_text_free(&list);
     return status;

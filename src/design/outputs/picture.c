@@ -144,19 +144,20 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_picture = {
-    .shown = {"picture", "A drawing of curves, a shaded picture of surfaces",
-              "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
-              "surfaces\n"
-              "shaded as .png, else as isoparametric lines. With 'hidden', 'silhouettes', "
-              "'contours', 'sheet' or\n"
-              "'distance' they are drawn as lines in every format.",
-              "features:\n"
-              "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
-              "  sheer: {interpolate: ducks}\n"
-              "  tank: {cylinder: 0.4 m, height: 1 m}\n"
-              "outputs:\n"
-              "  sheer.svg: {picture: sheer, comb: yes, points: yes}\n"
-              "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
-              "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
-              "", "batten_draw", BAT_PARAMETERS(parameters), true},
+    .shown =
+        {"picture", "A drawing of curves, a shaded picture of surfaces",
+         "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
+         "surfaces\n"
+         "shaded as .png, with dots for points, else as isoparametric lines. With 'hidden',\n"
+         "'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in every "
+         "format.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
+         "  sheer: {interpolate: ducks}\n"
+         "  tank: {cylinder: 0.4 m, height: 1 m}\n"
+         "outputs:\n"
+         "  sheer.svg: {picture: sheer, comb: yes, points: yes}\n"
+         "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
+         "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
+         "", "batten_draw", BAT_PARAMETERS(parameters), true},
     .run = run};
