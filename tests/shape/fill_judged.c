@@ -33,7 +33,7 @@ static void add_twisted_strips(hole *h, batten_curve *bends[SIDES])
     }
 }
 
-TEST(curvatures_around_that_contradict_each_other_are_refused_with_numbers)
+TEST(G7_curvatures_around_that_contradict_each_other_are_refused_with_numbers)
 {
     hole h;
     batten_curve *bends[SIDES] = {NULL};
@@ -67,7 +67,7 @@ TEST(curvatures_around_that_contradict_each_other_are_refused_with_numbers)
     hole_free(&h);
 }
 
-TEST(a_fill_that_folds_over_is_refused_unless_it_may)
+TEST(G7_a_fill_that_folds_over_is_refused_unless_it_may)
 {
     /* A flat hole that goes in so far that its middle is outside. */
     static const double corners[4][3] = {{-4, -3, 0}, {0, 3, 0}, {4, -3, 0}, {0, 4, 0}};

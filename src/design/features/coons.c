@@ -125,12 +125,16 @@ static const char *edge_name(int edge)
 #define DEGREES (180 / BAT_PI)
 
 /* What helps where a boundary curve leaves the tangent plane of a surface beside it. */
-static void advise(const work *w, const batten_coons_report *found)
+static batten_status advise(const work *w, const batten_coons_report *found,
+                            batten_status status)
 {
-    if (found->slope_gap > w->options.tolerance && !w->options.repair)
-        bat_note(w->run,
-                 "let the boundary curves leave within the tangent planes: with 'curve-of' "
-                 "and 'blend', continuity G1; or correct the slopes: 'repair: yes'");
+    if (status != BATTEN_NOT_COMPATIBLE || !(found->slope_gap > w->options.tolerance) ||
+        w->options.repair)
+        return status;
+    return bat_fail(status,
+                    "%s; let the boundary curves leave within the tangent planes ('curve-of' "
+                    "and 'blend' with G1), or correct the slopes ('repair: yes')",
+                    batten_message());
 }
 
 /* The slopes that gave way: how far from smooth the joins are now. */
@@ -194,9 +198,7 @@ static batten_status make(work *w, batten_surface **out)
         status = batten_surface_coons(w->boundary.sides, &w->options, &found, out);
     if (status == BATTEN_OK)
         report(w, &found);
-    else if (status == BATTEN_NOT_COMPATIBLE)
-        advise(w, &found);
-    return status;
+    return advise(w, &found, status);
 }
 
 static batten_status run(bat_run *run)
