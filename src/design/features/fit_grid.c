@@ -1,9 +1,13 @@
 #include "design/grid.h"
 #include "design/surface_fit.h"
 
+#include <batten/scattered.h>
+
 static const batten_parameter parameters[] = {
     {"fit-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "rows of points, each with as many, or a table of offsets without gaps"},
+    {"as", BATTEN_VALUE_WORD, false, false, "surface", "surface function",
+     "a surface in space, or heights z over x and y: rows along x, each at one y"},
     {"method", BATTEN_VALUE_WORD, false, false, "least-squares", "least-squares smooth",
      "few control points, or a penalty on bending; 'rms' and 'lambda' smooth too"},
     {"points-u", BATTEN_VALUE_COUNT, false, false, "0", NULL,
@@ -12,7 +16,8 @@ static const batten_parameter parameters[] = {
     {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "along the rows"},
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
-     "centripetal chord uniform foley foley-chord", "how parameters are given to the points"},
+     "centripetal chord uniform foley foley-chord",
+     "how parameters are given to the points; those of a function are x and y"},
     {"hold-rims", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
      "least squares: the corners are met, and a rim depends on its own points alone"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
@@ -43,6 +48,116 @@ static batten_grid_fit_options options_of(const bat_run *run)
     return options;
 }
 
+/* ---- functions ---- */
+
+/* What the grid is as a function, in increasing x and y. */
+typedef struct {
+    double *x, *y; /* [count_u], [count_v] */
+    double *z;     /* [count_u][count_v] */
+} heights;
+
+static void heights_end(heights *h)
+{
+    bat_release(h->x);
+    bat_release(h->y);
+    bat_release(h->z);
+}
+
+/* Coordinate c of the lines of direction k, each of which has one. */
+static batten_status find_lines(const bat_grid *grid, int k, double *lines)
+{
+    const int n = k == 0 ? grid->count_u : grid->count_v,
+              m = k == 0 ? grid->count_v : grid->count_u;
+    double most = 0;
+    for (int i = 0; i < n * m; i++)
+        most = bat_max(most, fabs(grid->points[3 * i + k]));
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < m; j++) {
+            const int u = k == 0 ? i : j, v = k == 0 ? j : i;
+            const double at = grid->points[3 * (u * grid->count_v + v) + k];
+            if (j == 0)
+                lines[i] = at;
+            if (fabs(at - lines[i]) > 1e-9 * most)
+                return bat_fail(BATTEN_NOT_COMPATIBLE,
+                                "point %d of row %d has %c = %.9g, and the first of its %s "
+                                "%.9g: that is no grid over x and y",
+                                u, v, k ? 'y' : 'x', at, k ? "row" : "column", lines[i]);
+        }
+    for (int i = 1; i < n; i++)
+        if ((lines[i] > lines[i - 1]) != (lines[1] > lines[0]) || lines[i] == lines[i - 1])
+            return bat_fail(
+                BATTEN_NOT_COMPATIBLE,
+                "%c goes from %.9g to %.9g at line %d: that is no grid over x and y",
+                k ? 'y' : 'x', lines[i - 1], lines[i], i);
+    return BATTEN_OK;
+}
+
+static void turn_round(int n, double *lines)
+{
+    for (int i = 0; i < n / 2; i++) {
+        const double kept = lines[i];
+        lines[i] = lines[n - 1 - i];
+        lines[n - 1 - i] = kept;
+    }
+}
+
+static batten_status find_heights(const bat_grid *grid, heights *h)
+{
+    const int nu = grid->count_u, nv = grid->count_v;
+    h->x = bat_array((size_t)nu, sizeof *h->x);
+    h->y = bat_array((size_t)nv, sizeof *h->y);
+    h->z = bat_array3((size_t)nu, (size_t)nv, sizeof *h->z);
+    if (!h->x || !h->y || !h->z)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = find_lines(grid, 0, h->x);
+    if (status == BATTEN_OK)
+        status = find_lines(grid, 1, h->y);
+    if (status != BATTEN_OK)
+        return status;
+    const bool back[2] = {h->x[0] > h->x[nu - 1], h->y[0] > h->y[nv - 1]};
+    for (int i = 0; i < nu; i++)
+        for (int j = 0; j < nv; j++)
+            h->z[i * nv + j] = grid->points[3 * ((back[0] ? nu - 1 - i : i) * nv +
+                                                 (back[1] ? nv - 1 - j : j)) +
+                                            2];
+    if (back[0])
+        turn_round(nu, h->x);
+    if (back[1])
+        turn_round(nv, h->y);
+    return BATTEN_OK;
+}
+
+/* ---- fits ---- */
+
+static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
+                         batten_grid_fit_options *options, batten_surface_fit_report *report,
+                         batten_surface **out)
+{
+    batten_status (*method)(int, int, int, const double *, const batten_grid_fit_options *,
+                            const batten_job *, double *, double *, batten_surface_fit_report *,
+                            batten_surface **) =
+        smooth ? batten_surface_smooth_grid : batten_surface_fit_grid;
+    if (bat_word(run, "as") == 0)
+        return method(3, grid->count_u, grid->count_v, grid->points, options, run->job, NULL,
+                      NULL, report, out);
+    if (options->periodic_u || options->periodic_v)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a function of x and y does not close");
+    heights h = {NULL, NULL, NULL};
+    batten_surface *function = NULL;
+    batten_status status = find_heights(grid, &h);
+    options->parameters = BATTEN_GIVEN;
+    options->given_u = h.x;
+    options->given_v = h.y;
+    if (status == BATTEN_OK)
+        status = method(1, grid->count_u, grid->count_v, h.z, options, run->job, NULL, NULL,
+                        report, &function);
+    if (status == BATTEN_OK)
+        status = batten_surface_graph(function, out);
+    batten_surface_unref(function);
+    heights_end(&h);
+    return status;
+}
+
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
     batten_grid_fit_options options = options_of(run);
@@ -58,16 +173,15 @@ static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **s
                                      : "'within' must be above 0");
     }
     if (status == BATTEN_OK)
-        status = (smooth ? batten_surface_smooth_grid : batten_surface_fit_grid)(
-            3, grid->count_u, grid->count_v, grid->points, &options, run->job, NULL, NULL,
-            &report, surface);
+        status = fit(run, grid, smooth, &options, &report, surface);
     if (status == BATTEN_OK)
         bat_report_surface_fit(run, &report);
     if (status == BATTEN_OK && bat_max(report.spread_u, report.spread_v) > 0.5)
-        bat_note(run,
-                 "the parameters of single rows differ from the average by %.2g steps; heights "
-                 "over an even grid want 'parameters: uniform'",
-                 bat_max(report.spread_u, report.spread_v));
+        bat_note(
+            run,
+            "the parameters of single rows differ from the average by %.2g steps; of heights "
+            "over an even grid take 'as: function' or 'parameters: uniform'",
+            bat_max(report.spread_u, report.spread_v));
     return status;
 }
 
