@@ -19,8 +19,12 @@ typedef enum batten_gordon_blend {
 
 typedef struct batten_gordon_options {
     size_t size;
-    double tolerance; /**< model units, > 0; must be set: the widest gap between two curves that
-                           shall meet, and how far the surface may be from a curve */
+    double tolerance; /**< model units, > 0; must be set: how far the surface may be from a
+                           curve */
+    double gap; /**< model units: the widest gap between two curves that shall meet, and between
+                     the ends of a curve that shall close; 0: the tolerance. Where gaps are
+                     wider than the tolerance, a curve may lie farther from the surface by the
+                     widest gap that there is, as the surface runs midway */
     batten_gordon_blend blend; /**< BATTEN_GORDON_SPLINE */
     bool cut; /**< curves that go on beyond the outermost ones they meet are cut there; true.
                    Else they are refused */
@@ -28,6 +32,14 @@ typedef struct batten_gordon_options {
     const char *const *guide_names;   /**< [guide_count], or NULL */
 } batten_gordon_options;
 BATTEN_API batten_gordon_options batten_gordon_defaults(void);
+
+/** Two curves of a family that are one, at the seam of closed ones: the first is used. */
+typedef struct batten_gordon_repeated {
+    bool is_guide;
+    int used, left; /**< as numbered by the caller */
+    double apart;   /**< how far the curve that is left out is from the other one */
+} batten_gordon_repeated;
+enum { BATTEN_GORDON_REPEATED = 4 };
 
 typedef struct batten_gordon_report {
     double gap; /**< the widest between a profile and a guide, model units */
@@ -45,7 +57,21 @@ typedef struct batten_gordon_report {
     int cut_count; /**< curves that were cut */
     int reversed_count; /**< curves that are run backwards */
     int repeated_count; /**< curves that were given twice, at the seam, and are used once */
-    int pole_count;     /**< points in which one family ends */
+    batten_gordon_repeated repeated[BATTEN_GORDON_REPEATED]; /**< the first of them */
+    double seam;        /**< the widest distance of the ends of a curve taken as closed */
+    bool seam_is_guide; /**< whose ends these are */
+    int seam_curve;
+    double size;    /**< batten_network_size of all curves */
+    double nearest; /**< the smallest distance of neighbours of a family where they meet
+                       one of the other; HUGE_VAL when there are no two */
+    bool nearest_is_guide;
+    int nearest_curves[2];
+    double guides_off; /**< the largest distance of a guide from the skin of the profiles
+                          alone: what the guides do between them; at 2 to 8 places between
+                          any two profiles */
+    int guide_off;     /**< that guide, and the place */
+    batten_vec3 guide_off_at;
+    int pole_count;          /**< points in which one family ends */
     bool closed_u, closed_v; /**< the profiles close; the guides close */
     bool smooth_u, smooth_v; /**< and do so smoothly */
     bool exact_u, exact_v;   /**< profiles, guides are met exactly, with all their knots */
@@ -66,7 +92,11 @@ typedef struct batten_gordon_report {
  * smoothly becomes periodic, with two continuous derivatives across the seam; where it stays
  * exact, or the blend is no spline, it is clamped there and as smooth as the curves are.
  *
- * Each profile must meet each guide in one place. A curve that is closed may start anywhere; a
+ * Each profile must meet each guide in one place; a gap much wider than that place's own does
+ * not count, so that a wide `gap` joins nothing that meets more closely elsewhere. Two curves
+ * of a family are one when they are within 1e-6 of the size of the network, or twice the widest
+ * gap of their own joints. A curve whose ends are within the gap is closed, but not when two
+ * different curves begin at them. A curve that is closed may start anywhere; a
  * network whose profiles (guides) all close, closes; the guide at the seam may be given once or
  * twice. A profile may be a point; where all guides end in one point and no profile is given, a
  * pole is made there. Rational curves are made polynomial.
@@ -75,7 +105,8 @@ typedef struct batten_gordon_report {
  * counted
  * @param options its tolerance must be set
  * @param[out] report may be NULL
- * @return BATTEN_OK; NOT_COMPATIBLE naming two curves and the gap, or that meet twice, or whose
+ * @return BATTEN_OK; NOT_COMPATIBLE with how many pairs miss each other and the three widest
+ * gaps, or naming two curves that meet twice, or whose
  * order differs; COINCIDENT; TOO_FEW_POINTS; BAD_ARGUMENT; NOT_FINITE; UNSUPPORTED (dimension
  * 1); TOO_LARGE with the size it would have; TOLERANCE_NOT_MET with the curve that is missed
  *
@@ -87,6 +118,9 @@ BATTEN_API batten_status batten_surface_gordon(
     int profile_count, const batten_curve *const *profiles, int guide_count,
     const batten_curve *const *guides, const batten_gordon_options *options,
     const batten_job *job, batten_gordon_report *report, batten_surface **out);
+
+/** The diagonal of the box round the control points of all curves. @param count 1 or more */
+BATTEN_API double batten_network_size(int count, const batten_curve *const *curves);
 
 /**
  * Split one list of curves into two families such that no curve meets one of its own family,

@@ -14,6 +14,10 @@ static batten_status check(int profiles, int guides, const batten_gordon_options
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
     if (o->tolerance <= 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", o->tolerance);
+    if (!isfinite(o->gap))
+        return bat_fail(BATTEN_NOT_FINITE, "the gap is %g", o->gap);
+    if (o->gap < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the gap is %g, below 0", o->gap);
     if (profiles < 1 || guides < 1)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
                         "there are %d profiles and %d guides; a network has both", profiles,
@@ -36,8 +40,16 @@ static batten_status find_scale(bat_network *net, const batten_curve *const *pro
     memcpy(all, profiles, (size_t)n * sizeof *all);
     memcpy(all + n, guides, (size_t)m * sizeof *all);
     batten_status status = bat_network_scale(n + m, all, &net->scale);
+    if (status == BATTEN_OK)
+        net->report.size = batten_network_size(n + m, all);
     bat_release(all);
+    const double gap = net->options->gap > 0 ? net->options->gap : net->options->tolerance;
     net->tolerance = net->options->tolerance * net->scale;
+    net->gap = gap * net->scale;
+    net->size = net->report.size * net->scale;
+    /* A millionth of the size is far below any distance that is meant; the rounding of
+     * coordinates is below it, but where the network is small and far from the origin. */
+    net->same = bat_min(net->gap, bat_max(1e-6 * net->size, 0x1p-44));
     if (status == BATTEN_OK && net->tolerance < 0x1p-44)
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "the tolerance %g is lost in the rounding of coordinates of %g",
@@ -55,6 +67,10 @@ static batten_status make(bat_network *net, batten_surface **out)
         status = bat_network_make_side(net, k, &sides[k]);
     if (status == BATTEN_OK)
         status = bat_network_sum(net, sides, out);
+    if (status == BATTEN_OK && (status = bat_network_measure(net, sides)) != BATTEN_OK) {
+        batten_surface_unref(*out);
+        *out = NULL;
+    }
     for (int k = 0; k < 2; k++)
         bat_network_side_free(&sides[k]);
     return status;

@@ -12,6 +12,7 @@ typedef struct {
     batten_curve *curve; /* polynomial, in space, clamped, over [0, 1] */
     bool point, closed;
     double moved;    /* by making it polynomial, and by closing it */
+    double gap;      /* the widest of its joints */
     bat_trace trace; /* until the nodes are found */
     double *at;      /* [nodes] parameters of the nodes, rising */
     batten_curve
@@ -33,13 +34,16 @@ typedef struct {
     const batten_gordon_options *options;
     double scale;     /* a length of the caller times this is one of ours */
     double tolerance; /* ours */
+    double gap;       /* ours: how far curves may miss each other */
+    double same;      /* ours: what is nearer is one place, whatever the tolerance */
+    double size;      /* ours */
     bat_work work;
     double *nodes; /* [profiles][guides][3] */
     batten_gordon_report report;
 } bat_network;
 
-/* "profile 3", or the name that was given. */
-enum { BAT_NETWORK_LABEL = 120 };
+/* "profile 3" of an array; "profile 'rib' (4 of 7)" when there are names. */
+enum { BAT_NETWORK_LABEL = 160 };
 const char *bat_network_label(const bat_network *net, int family,
                               const bat_network_curve *curve, char label[BAT_NETWORK_LABEL]);
 static inline const bat_network_curve *bat_network_at(const bat_network *net, int family, int k)
@@ -65,13 +69,28 @@ batten_status bat_network_find_nodes(bat_network *net);
  * the guide, and points midway; [profiles][guides] with room for more. */
 typedef struct {
     double *at[2];
-    double *points; /* [..][3] */
+    double *points;   /* [..][3] */
+    double *distance; /* of the curves there */
 } bat_network_pairs;
 /* The place of curve k of a family with curve l of the other one. */
 static inline int bat_network_pair(const bat_network *net, int family, int k, int l)
 {
     return (family == 0 ? k : l) * net->family[1].room + (family == 0 ? l : k);
 }
+/* What is nearer to an end or a corner of a curve stands on it: hardly anything of what may be
+ * missed, and of the network. */
+static inline double bat_network_snap(const bat_network *net)
+{
+    return bat_min(net->tolerance / 16, 1e-5 * net->size);
+}
+/* Which curves close, when it is known what meets them where (gordon_seam.c). */
+batten_status bat_network_find_closed(bat_network *net, const bat_network_pairs *pairs);
+/* Are two curves of a family one? *distance: how far the second is from the first. */
+batten_status bat_network_are_same(const bat_network *net, const bat_network_curve *a,
+                                   const bat_network_curve *b, bool *same, double *distance);
+/* What two curves may be apart to be one. */
+double bat_network_same(const bat_network *net, const bat_network_curve *a,
+                        const bat_network_curve *b);
 /* Curves of a family that were given twice, at the seam of closed ones, are dropped, or
  * refused; a point in which all of a family end becomes a curve of the other one
  * (gordon_poles.c). */
@@ -115,5 +134,8 @@ void bat_network_side_free(bat_network_side *side);
 /* A + B - T, and the check against all curves and nodes (gordon_sum.c). */
 batten_status bat_network_sum(bat_network *net, bat_network_side sides[2],
                               batten_surface **out);
+/* How near neighbours come, and how far the guides are from the skin of the profiles: for the
+ * report (gordon_measure.c). */
+batten_status bat_network_measure(bat_network *net, const bat_network_side sides[2]);
 
 #endif

@@ -45,7 +45,7 @@ static batten_status find_parameters(bat_network *net, int family)
             continue;
         if (!again)
             first = used++ ? first : k;
-        status = snap_to_knots(&f->curves[k], nodes, net->tolerance / 16);
+        status = snap_to_knots(&f->curves[k], nodes, bat_network_snap(net));
         for (int i = 0; i < nodes && !again; i++)
             f->parameters[i] += f->curves[k].at[i];
     }

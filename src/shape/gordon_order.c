@@ -273,6 +273,7 @@ static batten_status repeat_first(bat_network *net, int family, size_t nodes)
                                 .point = first->point,
                                 .closed = first->closed,
                                 .moved = first->moved,
+                                .gap = first->gap,
                                 .curve = batten_curve_ref(first->curve)};
     across->count++;
     last->at = bat_array(nodes, sizeof *last->at);

@@ -1,13 +1,13 @@
 /* Curves of a network that were given twice, and points in which a family ends. */
 #include "numeric/vector.h"
 #include "shape/gordon.h"
-#include <batten/inspect.h>
 
 #include <string.h>
 
 /* ---- curves given twice ---- */
 
-/* How many of the other family curves a and b meet in the same point; *first is one of them. A
+/* How many of the other family curves a and b meet in the same point, as far as the gaps of
+ * these joints can tell; *first is one of them. A
  * closed curve among open ones does not count: both its ends may belong to outermost curves. */
 static int share_nodes(const bat_network *net, const bat_network_pairs *pairs, int family,
                        int a, int b, int *first)
@@ -15,11 +15,12 @@ static int share_nodes(const bat_network *net, const bat_network_pairs *pairs, i
     const bat_network_family *across = &net->family[1 - family];
     int shared = 0;
     for (int l = 0; l < across->count; l++) {
-        const double *here = pairs->points + 3 * bat_network_pair(net, family, a, l),
-                     *there = pairs->points + 3 * bat_network_pair(net, family, b, l);
+        const int at_a = bat_network_pair(net, family, a, l),
+                  at_b = bat_network_pair(net, family, b, l);
+        const double near = bat_max(net->same, pairs->distance[at_a] + pairs->distance[at_b]);
         const bat_network_curve *c = &across->curves[l];
         if (c->point || (c->closed && !across->closed) ||
-            bat_distance(3, here, there) > 2 * net->tolerance)
+            bat_distance(3, pairs->points + 3 * at_a, pairs->points + 3 * at_b) > near)
             continue;
         if (shared++ == 0)
             *first = l;
@@ -49,29 +50,47 @@ static void drop(bat_network *net, bat_network_pairs *pairs, int family, int k)
     for (int on = 0; on < 2; on++)
         drop_rows(net, family, k, 1, pairs->at[on]);
     drop_rows(net, family, k, 3, pairs->points);
+    drop_rows(net, family, k, 1, pairs->distance);
     f->count--;
     memmove(f->curves + k, f->curves + k + 1, (size_t)(f->count - k) * sizeof *f->curves);
     f->curves[f->count] = (bat_network_curve){0};
     net->report.repeated_count++;
 }
 
-/* How far b is from a, from 65 places of it. */
-static batten_status apart(const bat_network_curve *a, const bat_network_curve *b,
-                           double *distance)
+/* Two different curves that meet another one in the same point: no network. */
+static batten_status refuse(const bat_network *net, const bat_network_pairs *pairs, int family,
+                            int a, int b, int l, double apart)
 {
-    enum { PLACES = 65 };
-    double points[3 * PLACES];
-    batten_deviation found;
-    for (int i = 0; i < PLACES; i++) {
-        const batten_status status =
-            batten_curve_evaluate(b->curve, i / (PLACES - 1.0), 0, points + 3 * i);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    const batten_status status =
-        batten_curve_deviation(a->curve, PLACES, points, NULL, NULL, NULL, &found);
-    *distance = found.max;
-    return status;
+    char names[3][BAT_NETWORK_LABEL];
+    const bat_network_family *f = &net->family[family];
+    const int pair[2] = {bat_network_pair(net, family, a, l),
+                         bat_network_pair(net, family, b, l)};
+    const double *p = pairs->points + 3 * pair[0], *q = pairs->points + 3 * pair[1];
+    const double s = net->scale;
+    return bat_fail(
+        BATTEN_COINCIDENT,
+        "%s and %s meet %s in the same point, (%g, %g, %g): they are %.3g apart there, and "
+        "miss "
+        "it by %.3g and %.3g; elsewhere they are up to %.3g apart",
+        bat_network_label(net, family, &f->curves[a], names[0]),
+        bat_network_label(net, family, &f->curves[b], names[1]),
+        bat_network_label(net, 1 - family, &net->family[1 - family].curves[l], names[2]),
+        p[0] / s, p[1] / s, p[2] / s, bat_distance(3, p, q) / s, pairs->distance[pair[0]] / s,
+        pairs->distance[pair[1]] / s, apart / s);
+}
+
+/* The second of two curves that are one is left out, and noted. */
+static void drop_second(bat_network *net, bat_network_pairs *pairs, int family, int a, int b,
+                        double apart)
+{
+    const bat_network_family *f = &net->family[family];
+    if (net->report.repeated_count < BATTEN_GORDON_REPEATED)
+        net->report.repeated[net->report.repeated_count] =
+            (batten_gordon_repeated){.is_guide = family == 1,
+                                     .used = f->curves[a].index,
+                                     .left = f->curves[b].index,
+                                     .apart = apart / net->scale};
+    drop(net, pairs, family, b);
 }
 
 /* Two curves of a family that meet another one in the same point are one curve, at the seam of
@@ -82,24 +101,20 @@ batten_status bat_network_drop_repeated(bat_network *net, bat_network_pairs *pai
     for (int a = 0; a < f->count; a++)
         for (int b = a + 1; b < f->count;) {
             int first = 0;
-            double distance = HUGE_VAL;
+            bool same = false;
+            double apart = 0;
             batten_status status = BATTEN_OK;
             const int shared = share_nodes(net, pairs, family, a, b, &first);
             if (shared > 0 && !f->curves[a].point && !f->curves[b].point)
-                status = apart(&f->curves[a], &f->curves[b], &distance);
+                status = bat_network_are_same(net, &f->curves[a], &f->curves[b], &same, &apart);
             if (status != BATTEN_OK)
                 return status;
-            char names[3][BAT_NETWORK_LABEL];
-            const bat_network_curve *met = &net->family[1 - family].curves[first];
             if (shared == 0)
                 b++;
-            else if (distance <= 2 * net->tolerance && met->closed)
-                drop(net, pairs, family, b);
+            else if (same && net->family[1 - family].curves[first].closed)
+                drop_second(net, pairs, family, a, b, apart);
             else
-                return bat_fail(BATTEN_COINCIDENT, "%s and %s meet %s in the same point",
-                                bat_network_label(net, family, &f->curves[a], names[0]),
-                                bat_network_label(net, family, &f->curves[b], names[1]),
-                                bat_network_label(net, 1 - family, met, names[2]));
+                return refuse(net, pairs, family, a, b, first, apart);
         }
     return BATTEN_OK;
 }
@@ -109,6 +124,13 @@ batten_status bat_network_drop_repeated(bat_network *net, bat_network_pairs *pai
 static batten_status end_of(const bat_network_curve *c, int end, double *point)
 {
     return batten_curve_evaluate(c->curve, end, 0, point);
+}
+
+/* How far ends may be from each other to be a pole: gaps may be as wide as is allowed, but what
+ * is an opening at the scale of the network stays one. */
+static double pole_width(const bat_network *net)
+{
+    return bat_min(net->gap, bat_max(net->same, net->size / 1000));
 }
 
 /* Does each curve of a family end in `point`? */
@@ -125,8 +147,8 @@ static batten_status all_end_in(const bat_network *net, int family, const double
         if (status != BATTEN_OK)
             return status;
         *all = !f->curves[k].point && !f->curves[k].closed &&
-               (bat_distance(3, ends[0], point) <= net->tolerance ||
-                bat_distance(3, ends[1], point) <= net->tolerance);
+               (bat_distance(3, ends[0], point) <= pole_width(net) ||
+                bat_distance(3, ends[1], point) <= pole_width(net));
     }
     return BATTEN_OK;
 }
@@ -168,7 +190,7 @@ static batten_status add_pole(bat_network *net, bat_network_pairs *pairs, int fa
         if (status != BATTEN_OK)
             return status;
         const int at = bat_network_pair(net, family, k, l);
-        pairs->at[family][at] = bat_distance(3, start, point) <= net->tolerance ? 0 : 1;
+        pairs->at[family][at] = bat_distance(3, start, point) <= pole_width(net) ? 0 : 1;
         pairs->at[1 - family][at] = 0.5;
         memcpy(pairs->points + 3 * at, point, 3 * sizeof *point);
     }

@@ -25,7 +25,7 @@ typedef struct {
 static const char *label(const task *t, int k, char text[BAT_NETWORK_LABEL])
 {
     if (t->names)
-        snprintf(text, BAT_NETWORK_LABEL, "%.100s", t->names[k]);
+        snprintf(text, BAT_NETWORK_LABEL, "'%.100s' (%d of %d)", t->names[k], k + 1, t->count);
     else
         snprintf(text, BAT_NETWORK_LABEL, "curve %d", k);
     return text;

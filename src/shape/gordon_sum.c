@@ -188,8 +188,10 @@ static batten_status compare(bat_network *net, int family, int count, const doub
         if (status != BATTEN_OK)
             return status;
         const double off = (worst + f->curves[k].moved) / net->scale;
+        const double gap =
+            net->gap > net->tolerance ? bat_max(net->report.gap, net->report.seam) : 0;
         char name[BAT_NETWORK_LABEL];
-        if (!(off <= net->options->tolerance))
+        if (!(off <= net->options->tolerance + gap))
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "the surface misses %s by %g at its parameter %g, more than the "
                             "tolerance %g",

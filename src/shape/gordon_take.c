@@ -15,34 +15,48 @@ const char *bat_network_label(const bat_network *net, int family,
     if (curve->index < 0)
         snprintf(label, BAT_NETWORK_LABEL, "the pole of the %ss", net->family[1 - family].what);
     else if (f->names)
-        snprintf(label, BAT_NETWORK_LABEL, "%.100s", f->names[curve->index]);
+        snprintf(label, BAT_NETWORK_LABEL, "%s '%.100s' (%d of %d)", f->what,
+                 f->names[curve->index], curve->index + 1, f->given);
     else
         snprintf(label, BAT_NETWORK_LABEL, "%s %d", f->what, curve->index);
     return label;
 }
 
+static batten_box box_of(int count, const batten_curve *const *curves)
+{
+    batten_box all = batten_curve_box(curves[0]);
+    for (int k = 1; k < count; k++) {
+        const batten_box box = batten_curve_box(curves[k]);
+        all.low.x = bat_min(all.low.x, box.low.x);
+        all.high.x = bat_max(all.high.x, box.high.x);
+        all.low.y = bat_min(all.low.y, box.low.y);
+        all.high.y = bat_max(all.high.y, box.high.y);
+        all.low.z = bat_min(all.low.z, box.low.z);
+        all.high.z = bat_max(all.high.z, box.high.z);
+    }
+    return all;
+}
+
+double batten_network_size(int count, const batten_curve *const *curves)
+{
+    const batten_box all = box_of(count, curves);
+    return hypot(hypot(all.high.x - all.low.x, all.high.y - all.low.y), all.high.z - all.low.z);
+}
+
 batten_status bat_network_scale(int count, const batten_curve *const *curves, double *scale)
 {
-    double largest = 0, extent = 0;
-    batten_box all = batten_curve_box(curves[0]);
-    for (int k = 0; k < count; k++) {
-        const int d = batten_curve_dimension(curves[k]);
-        const batten_box box = batten_curve_box(curves[k]);
-        if (d < 2)
+    double largest = 0;
+    for (int k = 0; k < count; k++)
+        if (batten_curve_dimension(curves[k]) < 2)
             return bat_fail(BATTEN_UNSUPPORTED, "curve %d of the network is a function", k);
-        const double low[3] = {box.low.x, box.low.y, box.low.z},
-                     high[3] = {box.high.x, box.high.y, box.high.z};
-        for (int c = 0; c < d; c++)
-            largest = bat_max(largest, bat_max(fabs(low[c]), fabs(high[c])));
-        all.low.x = bat_min(all.low.x, low[0]);
-        all.high.x = bat_max(all.high.x, high[0]);
-        all.low.y = bat_min(all.low.y, low[1]);
-        all.high.y = bat_max(all.high.y, high[1]);
-        all.low.z = bat_min(all.low.z, low[2]);
-        all.high.z = bat_max(all.high.z, high[2]);
+    const batten_box all = box_of(count, curves);
+    const double low[3] = {all.low.x, all.low.y, all.low.z},
+                 high[3] = {all.high.x, all.high.y, all.high.z};
+    double extent = 0;
+    for (int c = 0; c < 3; c++) {
+        largest = bat_max(largest, bat_max(fabs(low[c]), fabs(high[c])));
+        extent = bat_max(extent, high[c] - low[c]);
     }
-    extent = bat_max(all.high.x - all.low.x,
-                     bat_max(all.high.y - all.low.y, all.high.z - all.low.z));
     if (!(extent > 64 * DBL_EPSILON * largest))
         return bat_fail(BATTEN_COINCIDENT, "all curves of the network are one point");
     *scale = ldexp(1, -ilogb(largest));
@@ -83,27 +97,15 @@ batten_status bat_network_take_curve(const batten_curve *given, double scale, do
     return status;
 }
 
-/* A curve all of whose control points lie within the tolerance is a point. */
-static bool is_point(const batten_curve *curve, double tolerance)
+/* A curve all of whose control points lie within the distance is a point. */
+static bool is_point(const batten_curve *curve, double distance)
 {
     const double *P = batten_curve_points(curve);
     const int n = batten_curve_point_count(curve);
     for (int i = 1; i < n; i++)
-        if (bat_distance(3, P, P + 3 * i) > tolerance / 4)
+        if (bat_distance(3, P, P + 3 * i) > distance)
             return false;
     return true;
-}
-
-/* Do all curves close that are no points? */
-static bool find_closed(const bat_network_family *f)
-{
-    bool closed = false;
-    for (int k = 0; k < f->count; k++) {
-        if (!f->curves[k].point && !f->curves[k].closed)
-            return false;
-        closed = closed || f->curves[k].closed;
-    }
-    return closed;
 }
 
 static batten_status take_family(bat_network *net, int which, const batten_curve *const *given)
@@ -125,10 +127,9 @@ static batten_status take_family(bat_network *net, int which, const batten_curve
             c->curve = NULL;
             return status;
         }
-        c->point = is_point(c->curve, net->tolerance);
-        c->closed = !c->point && batten_curve_is_closed(c->curve, net->tolerance);
+        c->point = is_point(c->curve, bat_min(net->same, net->tolerance / 4));
+        c->closed = !c->point && batten_curve_is_closed(c->curve, net->gap);
     }
-    f->closed = find_closed(f);
     return BATTEN_OK;
 }
 

@@ -69,7 +69,7 @@ static batten_status count_cut(bat_network *net, int family, const bat_network_c
         return status;
     const double length = bat_distance(3, first, last) / net->scale;
     char name[BAT_NETWORK_LABEL];
-    if (!net->options->cut && length > net->options->tolerance)
+    if (!net->options->cut && length > net->gap / net->scale)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "%s goes on by %g beyond the network",
                         bat_network_label(net, family, c, name), length);
     net->report.cut = bat_max(net->report.cut, length);
@@ -114,7 +114,7 @@ batten_status bat_network_turn(bat_network *net, int family, bat_network_curve *
         return status == BATTEN_OK ? cut(net, family, c, count, c->at) : status;
     const double first = c->at[0] < 1 ? c->at[0] : 0;
     if (first > 0)
-        status = rotate(c, net->tolerance, first);
+        status = rotate(c, net->gap, first);
     for (int i = 0; i < count; i++) {
         c->at[i] -= first;
         if (c->at[i] < 0 || (c->at[i] >= 1 && i == 0))

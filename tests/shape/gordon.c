@@ -431,8 +431,10 @@ TEST(G7_a_gap_is_refused_with_names_and_its_size)
     options.profile_names = ribs;
     options.guide_names = spars;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("rib 7 misses spar 1 by 0.01");
-    CHECK_MESSAGE("more than the tolerance 0.001");
+    CHECK_MESSAGE("profile 'rib 7' (2 of 3) misses guide 'spar 1' (1 of 3) by 0.0116");
+    CHECK_MESSAGE("misses guide 'spar 3' (3 of 3) by 0.00929");
+    CHECK_MESSAGE("more than the gap allowed, 0.001; of 9 pairs 3 are apart");
+    CHECK_MESSAGE("a gap of 0.012 would join them");
     options.tolerance = 0.02;
     batten_gordon_report report;
     CHECK_OK(gordon(&n, &options, &report, &surface));
@@ -491,7 +493,8 @@ TEST(two_guides_through_one_point_are_refused)
     const batten_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_COINCIDENT);
-    CHECK_MESSAGE("guide 1 and guide 2 meet profile 0 in the same point");
+    CHECK_MESSAGE(
+        "guide 1 and guide 2 meet profile 0 in the same point, (2, 0, 0): they are 0 apart");
     network_end(&n);
 }
 
@@ -560,6 +563,12 @@ TEST(N6_options_that_mean_nothing_are_refused)
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("lost in the rounding");
     options.tolerance = 1e-3;
+    options.gap = -1;
+    CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the gap is -1");
+    options.gap = INFINITY;
+    CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_FINITE);
+    options.gap = 0;
     n.count[1] = 1;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_TOO_FEW_POINTS);
     CHECK_MESSAGE("there is 1 guide");

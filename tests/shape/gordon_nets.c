@@ -101,6 +101,54 @@ TEST(a_wing_with_an_open_trailing_edge_becomes_a_surface)
     check_row(&rows[4]);
 }
 
+/* Both guides at its trailing edge are 0.0058 to 0.072 apart. */
+TEST(a_blunt_trailing_edge_is_one_at_any_tolerance)
+{
+    static const double tolerances[] = {0.1, 0.03, 0.01, 0.003, 0.001, 3e-4};
+    for (int i = 0; i < COUNT(tolerances); i++) {
+        network n = load_network("wing2");
+        const batten_gordon_options options = within(tolerances[i]);
+        batten_gordon_report report;
+        batten_surface *surface = NULL;
+        CHECK_OK(gordon(&n, &options, &report, &surface));
+        CHECK(!report.closed_u && report.deviation <= tolerances[i]);
+        CHECK_INT(report.repeated_count, 0);
+        CHECK_NEAR(report.nearest, 0.00577, 1e-5);
+        batten_surface_unref(surface);
+        network_end(&n);
+    }
+}
+
+TEST(the_small_end_of_a_fuselage_is_no_point_at_a_coarse_tolerance)
+{
+    network n = load_network("fuselage1");
+    const batten_gordon_options options = within(0.1);
+    batten_gordon_report report;
+    batten_surface *surface = NULL;
+    CHECK_OK(gordon(&n, &options, &report, &surface));
+    CHECK(report.closed_u && report.repeated_count == 1);
+    CHECK(report.repeated[0].used == 0 && report.repeated[0].left == 8);
+    CHECK(report.guides_off > 0.13 &&
+          report.guides_off < 0.15); /* guides that wave at the nose */
+    batten_surface_unref(surface);
+    network_end(&n);
+}
+
+TEST(a_small_wing_is_near_to_its_curves_though_they_miss_each_other_by_more)
+{
+    network n = load_network("spiralwing");
+    batten_gordon_options options = within(1e-4);
+    batten_gordon_report report;
+    batten_surface *surface = NULL;
+    options.gap = 0.1;
+    CHECK_OK(gordon(&n, &options, &report, &surface));
+    CHECK_NEAR(report.gap, 0.000384351, 1e-8);
+    CHECK(report.deviation <= 1e-4 + report.gap);
+    CHECK(report.closed_u && report.repeated_count == 1);
+    batten_surface_unref(surface);
+    network_end(&n);
+}
+
 TEST(G7_a_leading_edge_that_misses_a_profile_is_named_with_the_gap)
 {
     network n = load_network("spiralwing");

@@ -67,7 +67,8 @@ TEST(a_curve_that_meets_none_is_named_with_its_nearest)
     CHECK_STATUS(
         batten_network_split(4, (const batten_curve *const *)all, 1e-3, names, NULL, family),
         BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("rib 2 meets no other curve; keel is nearest, 0.12 away");
+    CHECK_MESSAGE(
+        "'rib 2' (4 of 4) meets no other curve; 'keel' (1 of 4) is nearest, 0.12 away");
     end(4, all);
 }
 
