@@ -20,7 +20,8 @@ extern "C" {
  *
  * @param curve, path  of 1 to 3 dimensions, taken into space; degrees, knots and periods are
  *                     kept
- * @return BATTEN_OK; COINCIDENT when one of them is a point; TOO_LARGE (10 million control
+ * @return BATTEN_OK; COINCIDENT when one of them is a point, or both lie along one line: a
+ * surface without area; TOO_LARGE (10 million control
  * points), OVERFLOW Source: [PT97] 10.4
  */
 BATTEN_API batten_status batten_surface_translational(const batten_curve *curve,
@@ -46,7 +47,8 @@ typedef struct batten_swing_report {
  * @param factor      > 0
  * @param[out] report may be NULL
  * @return BATTEN_OK; NOT_COMPATIBLE for a curve that leaves its plane by more than 1e-12 of its
- * size, naming its control point; COINCIDENT for a curve that is a point; BAD_ARGUMENT;
+ * size, naming its control point; COINCIDENT for a curve that is a point,
+ * or when all swings within one line; BAD_ARGUMENT;
  * TOO_LARGE, OVERFLOW
  * Source: [PT97] 8.5 and 10.1; [Woodward87].
  */
@@ -59,7 +61,7 @@ BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
  * The tabulated cylinder: straight lines through a curve along `direction`, from the signed
  * distance `from` to `to`; u along the curve, v along the lines, in model units.
  * @return BATTEN_OK; BAD_ARGUMENT (no direction, or from >= to), NOT_FINITE, COINCIDENT for a
- * curve that is a point
+ * curve that is a point or lies along the direction: a surface without area
  */
 BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
                                                   batten_vec3 direction, double from, double to,
@@ -67,7 +69,8 @@ BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
 
 /**
  * The cone of straight lines from a curve (v = 0) to an apex (v = 1): a pole.
- * @return BATTEN_OK; COINCIDENT when the curve is the apex; NOT_FINITE
+ * @return BATTEN_OK; COINCIDENT when the curve is a point or lies on a line through the apex: a
+ * surface without area; NOT_FINITE
  */
 BATTEN_API batten_status batten_surface_cone_to(const batten_curve *curve, batten_vec3 apex,
                                                 batten_surface **out);
@@ -121,7 +124,8 @@ BATTEN_API batten_sweep_options batten_sweep_defaults(void);
 
 typedef struct batten_sweep_report {
     double error; /**< largest measured distance from the true sweep, of control points of the
-                       section: a bound for its points; at 11 places between all knots */
+                       section: a bound for its points; at 11 places between all knots, at
+                       63 where it is largest, with a margin */
     int section_count; /**< at which the surface is the true sweep */
     double length;     /**< of the spine */
     double turn; /**< of closing frames: the angle by which minimising ones miss, radians */
@@ -149,9 +153,10 @@ typedef struct batten_sweep_report {
  * @return BATTEN_OK; NOT_COMPATIBLE naming a corner that is not allowed, or the part of the
  * spine where sections run into each other (curvature times reach 1 or more); COINCIDENT (a
  * spine no longer than the tolerance, a section that is a point); SINGULAR_HERE (no tangent, no
- * frame); BAD_ARGUMENT (a scale that is not above 0, with its place); TOLERANCE_NOT_MET at 2000
- * sections, with what was reached; TOO_LARGE (a path of too many spans, or a surface of more
- * than a million control points, before the work), OVERFLOW ...
+ * frame); BAD_ARGUMENT (a scale that is not above 0 all along, with the
+ * place where it is least); TOLERANCE_NOT_MET where 2000 sections would not do, with what was
+ * reached, or below the rounding of the coordinates; TOO_LARGE (a path of too many spans, or a
+ * surface of more than a million control points, before the work), OVERFLOW ...
  *
  * Cost: each section that is placed or measured costs a frame, 6 evaluations of the spine, and
  * one step for each of its control points; minimising frames are found to 1e-10 radians first.
@@ -199,7 +204,7 @@ BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve 
  * helicoid, a thread. v is the angle.
  * @param pitch  model units for a full turn, of any sign; 0: a revolution, within the tolerance
  * @param angle  radians, > 0, at most 1000 turns
- * @return BATTEN_OK; COINCIDENT when the curve is a point; TOLERANCE_NOT_MET at 2000 sections;
+ * @return BATTEN_OK; COINCIDENT when the curve is a point; TOLERANCE_NOT_MET as for sweeps;
  * BAD_ARGUMENT, NOT_FINITE, TOO_LARGE
  */
 BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
@@ -240,8 +245,8 @@ BATTEN_API batten_rails_options batten_rails_defaults(void);
  *
  * @return BATTEN_OK; NOT_COMPATIBLE where the rails cross or meet inside, with the place, or,
  * of planes, do not have the same heights or do not rise; COINCIDENT for a section whose ends
- * are one point, or rails no longer than the tolerance; SINGULAR_HERE where the mean tangent
- * vanishes or lies along the chord; TOLERANCE_NOT_MET ...
+ * are one point, rails no longer than the tolerance, or rails that coincide; SINGULAR_HERE
+ * where the mean tangent vanishes or lies along the chord; TOLERANCE_NOT_MET ...
  */
 BATTEN_API batten_status batten_surface_two_rails(
     const batten_curve *section, const batten_curve *first, const batten_curve *second,

@@ -297,6 +297,25 @@ static batten_status least_gap(const between *m, double a, double b, double *at,
     return status;
 }
 
+/* Are the rails apart anywhere? */
+static batten_status check_apart(const between *m)
+{
+    const bat_motion *base = &m->base;
+    double widest = 0;
+    for (int i = 0; i <= (base->break_count - 1) * SAMPLES; i++) {
+        const int k = bat_min_int(i / SAMPLES, base->break_count - 2);
+        const double t = (double)(i - k * SAMPLES) / SAMPLES;
+        batten_vec3 gap;
+        const batten_status status =
+            gap_at(m, (1 - t) * base->breaks[k] + t * base->breaks[k + 1], &gap);
+        widest = bat_max(widest, bat_vec3_norm(gap));
+        if (status != BATTEN_OK || widest > m->tolerance)
+            return status;
+    }
+    return bat_fail(BATTEN_COINCIDENT,
+                    "the rails coincide: they are nowhere farther apart than %g", widest);
+}
+
 /* Rails may meet at their ends alone. */
 static batten_status check_meeting(const between *m)
 {
@@ -388,6 +407,8 @@ static batten_status build(between *m, const bat_rails *rails)
         status = check_heights(m);
     if (status == BATTEN_OK)
         status = lay_breaks(m);
+    if (status == BATTEN_OK)
+        status = check_apart(m);
     if (status == BATTEN_OK)
         status = check_meeting(m);
     if (status == BATTEN_OK)

@@ -111,6 +111,10 @@ static batten_status check_options(const batten_sweep_options *o)
         status = check_law(o->twist, "twist");
     if (status == BATTEN_OK && o->scale_y && !o->scale)
         status = bat_fail(BATTEN_BAD_ARGUMENT, "there is a scale in y, and none in x");
+    if (status == BATTEN_OK && o->scale)
+        status = bat_spine_check_scale(o->scale, "scale");
+    if (status == BATTEN_OK && o->scale_y)
+        status = bat_spine_check_scale(o->scale_y, "scale in y");
     if (status == BATTEN_OK && o->up && o->guide)
         status =
             bat_fail(BATTEN_BAD_ARGUMENT, "the frames shall look both upward and at a guide");

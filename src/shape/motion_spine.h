@@ -50,6 +50,8 @@ batten_status bat_spine_turn(const bat_spine_motion *m, const bat_jet *share, ba
                              bat_bare_frame *f);
 batten_status bat_spine_scale(const bat_spine_motion *m, const bat_jet *share, batten_side side,
                               bat_bare_frame *f);
+/* BAD_ARGUMENT with the place where a law is least, unless it is above 0 all along. */
+batten_status bat_spine_check_scale(const batten_curve *law, const char *name);
 /* At corners sections lean so that they lie in the plane halfway; between, less and less. */
 void bat_spine_lean(const bat_spine_motion *m, const bat_spine_run *r, double length,
                     bat_bare_frame *f);

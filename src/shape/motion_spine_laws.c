@@ -1,5 +1,9 @@
 /* Laws along a spine: twist, scale, and how sections lean at corners. */
 #include "shape/motion_spine.h"
+#include "spline/curve.h"
+#include <batten/inspect.h>
+
+#include <float.h>
 
 bat_jet bat_share(double length, const bat_jet *speed, double whole)
 {
@@ -25,6 +29,51 @@ static batten_status law_at(const batten_curve *law, const bat_jet *share, batte
             g[i] *= range;
     *out = bat_jet_compose(g, *share);
     return BATTEN_OK;
+}
+
+/* The least value of a law at its knots, from both sides, and where it turns back. */
+static batten_status least_value(const batten_curve *law, const batten_parameters *turns,
+                                 double *at, double *least)
+{
+    const int spans = batten_curve_spans(law, NULL);
+    double *knots = bat_array((size_t)spans, sizeof *knots);
+    batten_status status = knots ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        batten_curve_spans(law, knots);
+    *least = HUGE_VAL;
+    for (int i = 0; i < 2 * (spans + turns->count) && status == BATTEN_OK; i++) {
+        const double u = i / 2 < spans ? knots[i / 2] : turns->at[i / 2 - spans];
+        double value = 0;
+        status = batten_curve_evaluate_side(
+            law, u, i % 2 ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 0, &value);
+        if (status == BATTEN_OK && value < *least) {
+            *least = value;
+            *at = u;
+        }
+    }
+    bat_release(knots);
+    return status;
+}
+
+batten_status bat_spine_check_scale(const batten_curve *law, const char *name)
+{
+    const batten_interval domain = batten_curve_domain(law);
+    batten_parameters turns = {0, NULL};
+    double at = 0, least = 0, largest = 0;
+    batten_status status = batten_curve_turns(law, (batten_vec3){1, 0, 0}, &turns);
+    if (status == BATTEN_OK)
+        status = least_value(law, &turns, &at, &least);
+    batten_release(turns.at);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < law->count; i++)
+        largest = bat_max(largest, fabs(law->points[i]));
+    if (fabs(least) <= 32 * DBL_EPSILON * largest)
+        least = 0; /* but for rounding */
+    return least > 0 ? BATTEN_OK
+                     : bat_fail(BATTEN_BAD_ARGUMENT,
+                                "the %s is %g at %g of the spine: it must stay above 0", name,
+                                least, (at - domain.a) / (domain.b - domain.a));
 }
 
 batten_status bat_spine_turn(const bat_spine_motion *m, const bat_jet *share, batten_side side,
@@ -59,11 +108,6 @@ batten_status bat_spine_scale(const bat_spine_motion *m, const bat_jet *share, b
     scale[1] = scale[0];
     if (status == BATTEN_OK && m->laws[1])
         status = law_at(m->laws[1], share, side, &scale[1]);
-    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
-        if (!(scale[k].d[0] > 0))
-            status = bat_fail(BATTEN_BAD_ARGUMENT,
-                              "the scale is %g at %g of the spine: it must stay above 0",
-                              scale[k].d[0], share->d[0]);
     if (status != BATTEN_OK)
         return status;
     f->x = bat_jet3_multiply(scale[0], f->x);

@@ -67,6 +67,64 @@ static batten_status check_extent(const batten_curve *curve, const char *name)
                     d > 2 ? curve->points[2] : 0);
 }
 
+static double width(const batten_surface *s, batten_direction direction)
+{
+    const batten_interval domain = batten_surface_domain(s, direction);
+    return domain.b - domain.a;
+}
+
+/* Does the surface have area here? By the sine of the angle between its directions, neither of
+ * which may be nothing beside the whole. */
+static batten_status has_area(const batten_surface *s, double u, double v, bool *found)
+{
+    double d[9];
+    const batten_status status = batten_surface_evaluate(s, u, v, 1, d);
+    const double a = bat_norm(3, d + 3), b = bat_norm(3, d + 6);
+    const batten_box box = batten_surface_box(s);
+    const double least = 1e-12 * bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    if (status != BATTEN_OK ||
+        !(a * width(s, BATTEN_U) > least && b * width(s, BATTEN_V) > least))
+        return status;
+    for (int c = 0; c < 3; c++) {
+        d[3 + c] /= a;
+        d[6 + c] /= b;
+    }
+    *found = bat_vec3_norm(bat_vec3_cross(bat_vec3_of(3, d + 3), bat_vec3_of(3, d + 6))) > 1e-9;
+    return BATTEN_OK;
+}
+
+/* Takes back a surface whose directions are parallel wherever they are looked at: at 9 places
+ * of each span that no symmetry prefers. */
+static batten_status check_area(batten_surface **surface, const char *why)
+{
+    static const double places[3] = {0.2371, 0.5219, 0.8443};
+    const batten_surface *s = *surface;
+    const int m = batten_surface_spans(s, BATTEN_U, NULL),
+              n = batten_surface_spans(s, BATTEN_V, NULL);
+    double *u = bat_array((size_t)m, sizeof *u), *v = bat_array((size_t)n, sizeof *v);
+    batten_status status = u && v ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    bool found = false;
+    if (status == BATTEN_OK) {
+        batten_surface_spans(s, BATTEN_U, u);
+        batten_surface_spans(s, BATTEN_V, v);
+    }
+    for (int i = 0; i < 3 * (m - 1) && !found && status == BATTEN_OK; i++)
+        for (int j = 0; j < 3 * (n - 1) && !found && status == BATTEN_OK; j++) {
+            const double x = places[i % 3], y = places[j % 3];
+            status = has_area(s, (1 - x) * u[i / 3] + x * u[i / 3 + 1],
+                              (1 - y) * v[j / 3] + y * v[j / 3 + 1], &found);
+        }
+    bat_release(v);
+    bat_release(u);
+    if (status == BATTEN_OK && !found)
+        status = bat_fail(BATTEN_COINCIDENT, "the surface has no area: %s", why);
+    if (status != BATTEN_OK) {
+        batten_surface_unref(*surface);
+        *surface = NULL;
+    }
+    return status;
+}
+
 /* ---- translational ---- */
 
 static batten_vec3 translate(batten_vec3 p, batten_vec3 q, const void *context)
@@ -88,7 +146,9 @@ batten_status batten_surface_translational(const batten_curve *curve, const batt
     if (status != BATTEN_OK)
         return status;
     const batten_vec3 from = bat_vec3_of(path->dimension, start);
-    return multiply(curve, path, translate, &from, out);
+    status = multiply(curve, path, translate, &from, out);
+    return status == BATTEN_OK ? check_area(out, "the curve and the path lie along one line")
+                               : status;
 }
 
 /* ---- swung ---- */
@@ -174,6 +234,8 @@ static batten_status swing_both(const batten_curve *profile, const batten_curve 
         status = bat_fail(BATTEN_COINCIDENT, "the profile lies on the axis");
     if (status == BATTEN_OK)
         status = multiply(profile, trajectory, swing, &factor, out);
+    if (status == BATTEN_OK)
+        status = check_area(out, "the profile lies on the axis, or swings within one line");
     if (status == BATTEN_OK && report)
         *report = found;
     return status;
@@ -245,6 +307,8 @@ batten_status batten_surface_tabulated(const batten_curve *curve, batten_vec3 di
         status = moved(space, along, to, &high);
     if (status == BATTEN_OK)
         status = between(low, high, from, to, out);
+    if (status == BATTEN_OK)
+        status = check_area(out, "the curve lies along its lines");
     batten_curve_unref(high);
     batten_curve_unref(low);
     batten_curve_unref(space);
@@ -267,6 +331,8 @@ batten_status batten_surface_cone_to(const batten_curve *curve, batten_vec3 apex
         status = batten_curve_transform(space, &collapse, &tip);
     if (status == BATTEN_OK)
         status = batten_surface_ruled(space, tip, out);
+    if (status == BATTEN_OK)
+        status = check_area(out, "the curve lies on a line through the apex");
     batten_curve_unref(tip);
     batten_curve_unref(space);
     return status;

@@ -7,12 +7,14 @@
 #include "spline/surface.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
     MOST_SECTIONS = 2000,
     PLACES = 5,       /* at which a span is measured */
     LAST_PLACES = 11, /* the last time */
+    MOST_PLACES = 63, /* where the error is largest */
     MOST_PARTS = 8    /* that a span is cut into at once */
 };
 
@@ -169,24 +171,56 @@ static double distance(const fitting *f, const double *made, const double *truth
     return worst;
 }
 
+static batten_status measure_span(fitting *f, int s, int places, double *error)
+{
+    *error = 0;
+    for (int i = 0; i < places; i++) {
+        const double t = (i + 0.5) / places;
+        const double v = (1 - t) * f->mesh[s] + t * f->mesh[s + 1];
+        const batten_status status =
+            bat_sweep_rows(f->sweep, v, BATTEN_FROM_RIGHT, f->true_row);
+        if (status != BATTEN_OK)
+            return status;
+        made_at(f, v, f->made_row);
+        *error = bat_max(*error, distance(f, f->made_row, f->true_row));
+    }
+    return BATTEN_OK;
+}
+
 static batten_status measure(fitting *f, int places)
 {
     f->worst = 0;
     for (int s = 0; s + 1 < f->mesh_count; s++) {
-        f->error[s] = 0;
-        for (int i = 0; i < places; i++) {
-            const double t = (i + 0.5) / places;
-            const double v = (1 - t) * f->mesh[s] + t * f->mesh[s + 1];
-            const batten_status status =
-                bat_sweep_rows(f->sweep, v, BATTEN_FROM_RIGHT, f->true_row);
-            if (status != BATTEN_OK)
-                return status;
-            made_at(f, v, f->made_row);
-            f->error[s] = bat_max(f->error[s], distance(f, f->made_row, f->true_row));
-        }
+        const batten_status status = measure_span(f, s, places, &f->error[s]);
+        if (status != BATTEN_OK)
+            return status;
         f->worst = bat_max(f->worst, f->error[s]);
     }
     return BATTEN_OK;
+}
+
+/* Of the coordinates. */
+static double rounding_of(const fitting *f)
+{
+    return 4 * DBL_EPSILON * f->size;
+}
+
+/* The last time: spans that may be the worst at more places, and what more places found is
+ * added once more for those that lie between. */
+static batten_status measure_last(fitting *f)
+{
+    batten_status status = measure(f, LAST_PLACES);
+    const double found = f->worst;
+    for (int s = 0; s + 1 < f->mesh_count && status == BATTEN_OK; s++) {
+        double error = 0;
+        if (f->error[s] < 0.5 * found)
+            continue;
+        status = measure_span(f, s, MOST_PLACES, &error);
+        f->error[s] = bat_max(error, f->error[s]) + bat_max(0, error - f->error[s]);
+        f->worst = bat_max(f->worst, f->error[s]);
+    }
+    f->worst += rounding_of(f);
+    return status;
 }
 
 /* ---- more sections ---- */
@@ -201,13 +235,14 @@ static int parts_of(const fitting *f, int span)
     return bat_max_int(2, (int)bat_min(parts, MOST_PARTS));
 }
 
-/* False when there would be too many, or breaks could not be told apart. */
-static bool cut_spans(fitting *f)
+/* False when there would be too many, `needed`, or when breaks could not be told apart. */
+static bool cut_spans(fitting *f, int *needed)
 {
     int added = 0;
     for (int s = 0; s + 1 < f->mesh_count; s++)
         added += parts_of(f, s) - 1;
-    if (added == 0 || count_rows(f) + added > MOST_SECTIONS)
+    *needed = count_rows(f) + added;
+    if (added == 0 || *needed > MOST_SECTIONS)
         return false;
     int to = f->mesh_count + added - 1;
     for (int s = f->mesh_count - 2; s >= 0; s--) {
@@ -228,17 +263,21 @@ static bool cut_spans(fitting *f)
     return true;
 }
 
-static batten_status not_met(const fitting *f)
+static batten_status not_met(const fitting *f, int needed)
 {
     int s = 0;
+    char why[80] = "whose spans cannot be cut any more";
+    if (needed > MOST_SECTIONS)
+        snprintf(why, sizeof why, "and would need about %d; the limit is %d", needed,
+                 (int)MOST_SECTIONS);
     for (int i = 0; i + 1 < f->mesh_count; i++)
         if (f->error[i] > f->error[s])
             s = i;
     return bat_fail(
         BATTEN_TOLERANCE_NOT_MET,
         "the sweep is still %g from its true shape, more than %g, between %.17g and "
-        "%.17g of the path, with %d sections; the limit is %d",
-        f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, (int)MOST_SECTIONS);
+        "%.17g of the path, with %d sections, %s",
+        f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, why);
 }
 
 static batten_status too_many_spans(const bat_motion *m)
@@ -301,8 +340,16 @@ static batten_status try_straight(fitting *f, bat_work *work, bool *met)
     batten_status status = begin_mesh(f);
     if (status == BATTEN_OK)
         status = one_round(f, work, LAST_PLACES);
-    *met = status == BATTEN_OK && f->worst <= 32 * DBL_EPSILON * f->size;
-    if (!*met)
+    if (status == BATTEN_OK && f->tolerance < rounding_of(f))
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "the sweep cannot be within %g: its coordinates, as large as %g, are "
+                          "known to %.3g",
+                          f->tolerance, f->size, rounding_of(f));
+    *met = status == BATTEN_OK && f->worst <= 32 * DBL_EPSILON * f->size &&
+           f->worst + rounding_of(f) <= f->tolerance;
+    if (*met)
+        f->worst += rounding_of(f);
+    else
         f->degree = degree;
     return status;
 }
@@ -310,6 +357,7 @@ static batten_status try_straight(fitting *f, bat_work *work, bool *met)
 static batten_status refine(fitting *f, bat_work *work)
 {
     bool met = false;
+    int needed = 0;
     batten_status status = try_straight(f, work, &met);
     if (status != BATTEN_OK || met)
         return status;
@@ -317,10 +365,10 @@ static batten_status refine(fitting *f, bat_work *work)
     while (status == BATTEN_OK && !met) {
         status = one_round(f, work, PLACES);
         if (status == BATTEN_OK && f->worst <= f->tolerance)
-            status = measure(f, LAST_PLACES);
+            status = measure_last(f);
         met = status == BATTEN_OK && f->worst <= f->tolerance;
-        if (status == BATTEN_OK && !met && !cut_spans(f))
-            status = not_met(f);
+        if (status == BATTEN_OK && !met && !cut_spans(f, &needed))
+            status = not_met(f, needed);
     }
     return status;
 }

@@ -5,6 +5,7 @@ static const char common[] =
     "batten: 1\nunits: m\nfeatures:\n"
     "  ring: {circle: 1}\n  oval: {ellipse: 2, b: 1}\n"
     "  wall: {line: [[1, 0, 0], [2, 0, 3]]}\n  across: {line: [[-1, 0, 0], [2, 0, 3]]}\n"
+    "  upright: {line: [[0, 0, 0], [0, 0, 3]]}\n"
     "  tilted: {line: [[1, 1, 0], [2, 0, 3]]}\n"
     "  q: {points: [[0, 0, 0], [1, 2, 0], [3, 2, 1]]}\n  bend: {interpolate: q}\n"
     "  both: {collect: [wall, tilted]}\n"
@@ -96,7 +97,13 @@ TEST(features_of_sweeps_say_what_they_cannot_do)
         {"{helical: wall, pitch: 1, turns: 0}", "the angle is 0"},
         {"{helical: wall, pitch: 1, axis: origin}", "'axis' is 0"},
         {"{two-rails: [far, above, wall], section: bow}", "2 rails are needed, not 3"},
-        {"{two-rails: [far, far], section: bow}", "the rails cross or meet"},
+        {"{two-rails: [far, far], section: bow}", "the rails coincide"},
+        {"{helical: wall, pitch: 1e300, within: 1 mm}", "the sweep cannot be within 0.001"},
+        {"{tabulate: upright, to: 1}", "the curve lies along its lines"},
+        {"{translational: wall, path: wall}", "the curve and the path lie along one line"},
+        {"{cone-to: upright, apex: [0, 0, 2]}", "on a line through the apex"},
+        {"{swing: upright, along: ring}", "the profile lies on the axis"},
+        {"{sweep: ring, spine: far, scale: [1, 0, 1]}", "the scale is 0 at 0.5 of the spine"},
         {"{two-rails: [far, above], section: ring}", "begins and ends in the same place"},
         {"{two-rails: [far, above], section: wall}",
          "begins at z = 0 and ends at z = 3: its chord is laid from rail to rail"},

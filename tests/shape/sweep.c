@@ -146,6 +146,70 @@ TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
     batten_curve_unref(section);
 }
 
+/* Some numbers in -1 .. 1, always the same ones. */
+static double next_number(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (double)(*state >> 8) / (1 << 23) - 1;
+}
+
+/* The largest distance of a surface from the true sweep, looked for densely
+ * along the way. */
+static double worst_of(const batten_surface *surface, const batten_surface *truth)
+{
+    const batten_interval v = batten_surface_domain(truth, BATTEN_V);
+    double worst = 0;
+    for (int j = 0; j <= 1500; j++)
+        for (int i = 0; i < 4; i++) {
+            double p[3], q[3];
+            const double at = j < 1500 ? v.a + (v.b - v.a) * j / 1500 : v.b;
+            CHECK_OK(batten_surface_evaluate(surface, i / 4.0, at, 0, p));
+            CHECK_OK(batten_surface_evaluate(truth, i / 4.0, at, 0, q));
+            worst = fmax(worst, distance(p, q));
+        }
+    return worst;
+}
+
+TEST(the_error_that_a_sweep_reports_is_not_below_the_truth)
+{
+    static const double turns[2] = {0, 1.5}, tolerances[3] = {1e-2, 1e-3, 1e-5};
+    const batten_vec3 up = {0, 0, 1};
+    batten_curve *section = circle(0.05), *twist = law(2, turns);
+    unsigned state = 7;
+    for (int n = 0; n < 3; n++) {
+        double points[18], scales[6];
+        for (int i = 0; i < 6; i++) {
+            points[3 * i] = 2 * i + 0.4 * next_number(&state);
+            points[3 * i + 1] = 0.7 * next_number(&state);
+            points[3 * i + 2] = 0.7 * next_number(&state);
+            scales[i] = 2 + 0.4 * next_number(&state);
+        }
+        batten_curve *spine = through(6, points), *scale = law(6, scales);
+        for (int kind = 1; kind < 6; kind += kind == 1 ? 2 : 1) {
+            batten_sweep_options options = batten_sweep_defaults();
+            options.tolerance = tolerances[(n + kind) % 3];
+            options.degree = kind == 3 ? 5 : kind == 4 ? 2 : 3;
+            options.up = kind == 1 || kind == 5 ? &up : NULL;
+            options.scale = kind >= 2 ? scale : NULL;
+            options.twist = kind >= 4 ? twist : NULL;
+            options.allow_folds = true;
+            batten_sweep_report report;
+            batten_surface *surface = NULL, *truth = NULL;
+            CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
+                                          &surface));
+            CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+            const double worst = worst_of(surface, truth);
+            CHECK(worst <= report.error && report.error <= options.tolerance);
+            batten_surface_unref(truth);
+            batten_surface_unref(surface);
+        }
+        batten_curve_unref(scale);
+        batten_curve_unref(spine);
+    }
+    batten_curve_unref(twist);
+    batten_curve_unref(section);
+}
+
 TEST(the_derivatives_of_the_true_sweep_are_those_of_its_points)
 {
     static const double scales[3] = {1, 0.7, 0.9}, turns[3] = {0, 1, -1};
@@ -484,6 +548,56 @@ TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
     batten_curve_unref(section);
 }
 
+TEST(a_scale_that_touches_zero_is_refused_wherever_it_does)
+{
+    batten_curve *section = circle(0.3), *spine = through(5, bend_points), *scale = NULL;
+    batten_surface *none = NULL;
+    for (int i = 1; i < 20; i++) {
+        /* (u - c)^2 */
+        const double c = i / 20.0 - 0.0137, knots[6] = {0, 0, 0, 1, 1, 1};
+        const double points[3] = {c * c, c * c - c, (1 - c) * (1 - c)};
+        char place[60];
+        CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &scale));
+        batten_sweep_options options = batten_sweep_defaults();
+        options.scale = scale;
+        CHECK_STATUS(
+            batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+            BATTEN_BAD_ARGUMENT);
+        snprintf(place, sizeof place, "the scale is 0 at %g of the spine", c);
+        CHECK_MESSAGE(place);
+        batten_curve_unref(scale);
+    }
+    CHECK(none == NULL);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+}
+
+TEST(N6_a_sweep_within_less_than_rounding_is_refused)
+{
+    const double a[3] = {1, 0, 0}, b[3] = {3, 0, 0.5};
+    const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 1};
+    batten_curve *line = NULL, *section = circle(0.3), *spine = through(5, bend_points);
+    batten_surface *none = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_STATUS(batten_surface_helical(line, origin, axis, 1e300, 9, 1e-3, NULL, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("the sweep cannot be within 0.001: its coordinates");
+    batten_sweep_options options = batten_sweep_defaults();
+    options.tolerance = 1e-16;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("the sweep cannot be within 1e-16");
+    options.tolerance = 3e-14;
+    options.degree = 1;
+    CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("sections, and would need about");
+    CHECK(none == NULL);
+    batten_curve_unref(spine);
+    batten_curve_unref(section);
+    batten_curve_unref(line);
+}
+
 TEST(S5_a_sweep_that_would_be_too_large_is_refused_before_the_work)
 {
     enum { POINTS = 20000 };
@@ -541,8 +655,8 @@ TEST(N2_a_sweep_of_huge_or_tiny_size_is_the_scaled_one)
 
 TEST(where_a_pipe_is_too_thick_is_said)
 {
-    /* The least radius of curvature of this ellipse is b b / a = 0.5, at both ends of its
-     * length. */
+    /* The least radius of curvature of this ellipse is b b / a = 0.5, at both
+     * ends of its length. */
     batten_curve *flat = NULL, *spine = NULL;
     int count = 0;
     batten_surface **made = NULL;

@@ -178,6 +178,52 @@ TEST(a_ruled_surface_by_length_joins_equal_shares_of_length)
     batten_curve_unref(first);
 }
 
+TEST(exact_sweeps_without_area_are_refused)
+{
+    static const double tiny = 1e-80, huge = 1e80, sizes[3] = {1, tiny, huge};
+    for (int i = 0; i < 3; i++) {
+        const double h = sizes[i];
+        const double a[3] = {0, 0, h}, b[3] = {0, 0, 3 * h}, out[3] = {2 * h, 0, h};
+        const batten_vec3 up = {0, 0, 1}, aside = {1, 0, 1}, tip = {0, 0, 7 * h};
+        batten_curve *line = NULL, *level = NULL;
+        batten_surface *made = NULL;
+        CHECK_OK(batten_curve_line(3, a, b, &line));
+        CHECK_OK(batten_curve_line(3, a, out, &level));
+        CHECK_STATUS(batten_surface_translational(line, line, &made), BATTEN_COINCIDENT);
+        CHECK_MESSAGE("no area: the curve and the path lie along one line");
+        CHECK_STATUS(batten_surface_tabulated(line, up, 0, h, &made), BATTEN_COINCIDENT);
+        CHECK_MESSAGE("no area: the curve lies along its lines");
+        CHECK_STATUS(batten_surface_cone_to(line, tip, &made), BATTEN_COINCIDENT);
+        CHECK_MESSAGE("no area: the curve lies on a line through the apex");
+        CHECK(made == NULL);
+        CHECK_OK(batten_surface_translational(line, level, &made));
+        batten_surface_unref(made);
+        CHECK_OK(batten_surface_tabulated(line, aside, 0, h, &made));
+        batten_surface_unref(made);
+        CHECK_OK(batten_surface_cone_to(level, tip, &made));
+        batten_surface_unref(made);
+        batten_curve_unref(level);
+        batten_curve_unref(line);
+    }
+}
+
+TEST(a_swing_without_area_is_refused)
+{
+    const double a[3] = {1e-17, 0, 0}, b[3] = {0, 0, 3}, c[3] = {2, 0, 0}, d[3] = {4, 0, 0};
+    batten_curve *axis = NULL, *flat = NULL, *circle = arc(1, 2);
+    batten_surface *made = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &axis));
+    CHECK_OK(batten_curve_line(3, c, d, &flat));
+    CHECK_STATUS(batten_surface_swung(axis, circle, 1, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_swung(flat, flat, 1, NULL, &made), BATTEN_COINCIDENT);
+    CHECK_MESSAGE("no area: the profile lies on the axis, or swings within one line");
+    CHECK_OK(batten_surface_swung(flat, circle, 1, NULL, &made));
+    batten_surface_unref(made);
+    batten_curve_unref(circle);
+    batten_curve_unref(flat);
+    batten_curve_unref(axis);
+}
+
 TEST(exact_sweeps_refuse_what_they_cannot_do)
 {
     batten_curve *circle = arc(1, 2), *curve = bow();

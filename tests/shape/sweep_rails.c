@@ -157,7 +157,8 @@ TEST(G7_rails_that_cross_are_refused_with_the_place)
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the rails cross or meet at 0.5");
     CHECK_STATUS(batten_surface_two_rails(section, left, left, &options, NULL, NULL, &none),
-                 BATTEN_NOT_COMPATIBLE);
+                 BATTEN_COINCIDENT);
+    CHECK_MESSAGE("the rails coincide");
     options.match = BATTEN_RAILS_BY_PLANES;
     CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
