@@ -47,9 +47,7 @@ static batten_status find_scale(bat_network *net, const batten_curve *const *pro
     net->tolerance = net->options->tolerance * net->scale;
     net->gap = gap * net->scale;
     net->size = net->report.size * net->scale;
-    /* A millionth of the size is far below any distance that is meant; the rounding of
-     * coordinates is below it, but where the network is small and far from the origin. */
-    net->same = bat_min(net->gap, bat_max(1e-6 * net->size, 0x1p-44));
+    net->same = bat_network_same_place(net->gap, net->size);
     if (status == BATTEN_OK && net->tolerance < 0x1p-44)
         status = bat_fail(BATTEN_BAD_ARGUMENT,
                           "the tolerance %g is lost in the rounding of coordinates of %g",

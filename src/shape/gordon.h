@@ -77,6 +77,12 @@ static inline int bat_network_pair(const bat_network *net, int family, int k, in
 {
     return (family == 0 ? k : l) * net->family[1].room + (family == 0 ? l : k);
 }
+/* What is nearer is one place, whatever gap is allowed. A millionth of the size is far below
+ * any distance that is meant, and above the rounding of coordinates about 1. */
+static inline double bat_network_same_place(double gap, double size)
+{
+    return bat_min(gap, bat_max(1e-6 * size, 0x1p-44));
+}
 /* What is nearer to an end or a corner of a curve stands on it: hardly anything of what may be
  * missed, and of the network. */
 static inline double bat_network_snap(const bat_network *net)

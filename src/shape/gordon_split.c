@@ -2,24 +2,35 @@
  * One list of curves as two families.
  *
  * Curves that meet, but not in end points of both, are of different families; this colours the
- * curves in a forest whose links say "as" or "other than". Meetings of two ends, corners of the
- * network or poles, are asked last, and only where the others say nothing.
+ * curves in a forest whose links say "as" or "other than". Pairs with a gap are asked after
+ * those that meet, narrow gaps first, and only where the others say nothing: both sides of a
+ * thin edge may be within the tolerance. Meetings of two ends, corners of the network or poles,
+ * are asked last.
  */
 #include "numeric/vector.h"
 #include "shape/gordon.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+
+/* A pair with a gap. */
+typedef struct {
+    double distance;
+    int a, b;
+} gap;
 
 typedef struct {
     int count;
     bat_network_curve *curves;
     const char *const *names;
-    double scale, tolerance, given_tolerance;
+    double scale, tolerance, given_tolerance, same;
     bat_work work;
     int *parent; /* [count] */
     int *other;  /* [count] 1: of another family than the parent */
     int *met;    /* [count] how many others it meets */
     char *ends;  /* [count][count] the pair meets in ends alone */
+    int gap_count;
+    gap *gaps; /* [count (count - 1) / 2] */
 } task;
 
 static const char *label(const task *t, int k, char text[BAT_NETWORK_LABEL])
@@ -96,11 +107,23 @@ static bool run_along(const task *t, int a, int b, const bat_meetings *m)
     return worst <= 2 * t->tolerance;
 }
 
+/* Where two curves meet as closely as they do anywhere, but for a factor. */
+static batten_status find_closest(task *t, int a, int b, bat_meetings *m)
+{
+    const bat_trace *one = &t->curves[a].trace, *other = &t->curves[b].trace;
+    const batten_status status = bat_meetings_find(one, other, t->same, &t->work, m);
+    if (status != BATTEN_OK || m->count > 0 || m->nearest.distance > t->tolerance)
+        return status;
+    t->gaps[t->gap_count++] = (gap){m->nearest.distance, a, b};
+    return bat_meetings_find(one, other, bat_min(t->tolerance, 4 * m->nearest.distance),
+                             &t->work, m);
+}
+
 static batten_status meet(task *t, int a, int b, double *nearest, int *neighbour)
 {
     bat_meetings m;
-    const batten_status status =
-        bat_meetings_find(&t->curves[a].trace, &t->curves[b].trace, t->tolerance, &t->work, &m);
+    const int gaps = t->gap_count;
+    const batten_status status = find_closest(t, a, b, &m);
     if (status != BATTEN_OK)
         return status;
     if (m.count == 0) {
@@ -111,8 +134,11 @@ static batten_status meet(task *t, int a, int b, double *nearest, int *neighbour
             }
         return BATTEN_OK;
     }
-    if (run_along(t, a, b, &m))
+    const bool has_gap = t->gap_count > gaps;
+    if (run_along(t, a, b, &m)) {
+        t->gap_count = gaps;
         return BATTEN_OK;
+    }
     t->met[a]++;
     t->met[b]++;
     bool ends = true;
@@ -120,7 +146,18 @@ static batten_status meet(task *t, int a, int b, double *nearest, int *neighbour
         ends = ends && is_end(t, &t->curves[a], m.found[i].point[0]) &&
                is_end(t, &t->curves[b], m.found[i].point[1]);
     t->ends[a * t->count + b] = ends;
-    return ends || set_apart(t, a, b) ? BATTEN_OK : crosses_its_own(t, a, b, &m.found[0]);
+    if (ends)
+        t->gap_count = gaps;
+    return ends || has_gap || set_apart(t, a, b) ? BATTEN_OK
+                                                 : crosses_its_own(t, a, b, &m.found[0]);
+}
+
+static int by_distance(const void *one, const void *other)
+{
+    const gap *x = one, *y = other;
+    if (x->distance != y->distance)
+        return x->distance > y->distance ? 1 : -1;
+    return x->a != y->a ? x->a - y->a : x->b - y->b;
 }
 
 static batten_status meet_all(task *t, double *nearest, int *neighbour)
@@ -148,6 +185,9 @@ static batten_status meet_all(task *t, double *nearest, int *neighbour)
 static batten_status colour(task *t, int *family)
 {
     int other;
+    qsort(t->gaps, (size_t)t->gap_count, sizeof *t->gaps, by_distance);
+    for (int i = 0; i < t->gap_count; i++)
+        (void)set_apart(t, t->gaps[i].a, t->gaps[i].b); /* no joint, where they are of one */
     for (int a = 0; a < t->count; a++)
         for (int b = a + 1; b < t->count; b++)
             if (t->ends[a * t->count + b])
@@ -170,6 +210,9 @@ static batten_status take(task *t, const batten_curve *const *curves)
 {
     batten_status status = bat_network_scale(t->count, curves, &t->scale);
     t->tolerance *= t->scale;
+    t->same = bat_network_same_place(
+        t->tolerance,
+        status == BATTEN_OK ? batten_network_size(t->count, curves) * t->scale : 0);
     for (int k = 0; status == BATTEN_OK && k < t->count; k++) {
         bat_network_curve *c = &t->curves[k];
         t->parent[k] = k;
@@ -193,6 +236,7 @@ static void release(task *t)
     bat_release(t->other);
     bat_release(t->met);
     bat_release(t->ends);
+    bat_release(t->gaps);
 }
 
 static batten_status split(task *t, const batten_curve *const *curves, int *family)
@@ -205,10 +249,11 @@ static batten_status split(task *t, const batten_curve *const *curves, int *fami
     t->other = bat_array(n, sizeof *t->other);
     t->met = bat_array(n, sizeof *t->met);
     t->ends = bat_array3(n, n, sizeof *t->ends);
-    batten_status status =
-        nearest && neighbour && t->curves && t->parent && t->other && t->met && t->ends
-            ? take(t, curves)
-            : BATTEN_OUT_OF_MEMORY;
+    t->gaps = bat_array(n * (n - 1) / 2, sizeof *t->gaps); /* n is at most 1000 */
+    batten_status status = nearest && neighbour && t->curves && t->parent && t->other &&
+                                   t->met && t->ends && t->gaps
+                               ? take(t, curves)
+                               : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = meet_all(t, nearest, neighbour);
     if (status == BATTEN_OK)

@@ -32,6 +32,21 @@ TEST(G7_sides_of_a_slit_stay_two_however_coarse_the_tolerance)
     }
 }
 
+TEST(G7_a_mixed_list_with_a_slit_is_split_however_coarse_the_tolerance)
+{
+    for (int i = 0; i < 4; i++) {
+        network n = slit_tube();
+        const batten_curve *all[8];
+        int family[8];
+        for (int k = 0; k < 8; k++)
+            all[k] = n.curves[k % 2][k / 2];
+        CHECK_OK(batten_network_split(8, all, 0.3 * pow(0.2, i), NULL, NULL, family));
+        for (int k = 0; k < 8; k++)
+            CHECK_INT(family[k], k % 2);
+        network_end(&n);
+    }
+}
+
 /* The same without the last guide is a tube whose seam is open by a gap. */
 TEST(a_curve_whose_ends_are_within_the_gap_closes_and_it_is_said)
 {

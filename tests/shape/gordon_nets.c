@@ -174,9 +174,12 @@ TEST(mixed_lists_of_real_networks_are_split)
             guide[count] = f == 1;
             all[count] = n.curves[f][used[f]++];
         }
-        CHECK_OK(batten_network_split(count, all, rows[r].tolerance, NULL, NULL, family));
-        for (int k = 0; k < count; k++)
-            CHECK_INT(family[k], guide[k]);
+        for (int coarse = 1; coarse <= 30; coarse *= 30) {
+            CHECK_OK(batten_network_split(count, all, coarse * rows[r].tolerance, NULL, NULL,
+                                          family));
+            for (int k = 0; k < count; k++)
+                CHECK_INT(family[k], guide[k]);
+        }
         network_end(&n);
     }
 }
