@@ -44,9 +44,14 @@ static batten_status make(const char *feature, char *said, size_t size, batten_d
     batten_design_options options = batten_design_defaults();
     options.file_name = test_scratch("fits.yaml");
     CHECK_OK(batten_notes_create(50, &notes));
-    batten_status status = batten_design_parse(text, strlen(text), &options, notes, out);
+    batten_design *design = NULL;
+    batten_status status = batten_design_parse(text, strlen(text), &options, notes, &design);
     if (status == BATTEN_OK)
-        status = batten_design_evaluate(*out, "a", NULL, notes);
+        status = batten_design_evaluate(design, "a", NULL, notes);
+    if (status == BATTEN_OK)
+        *out = design;
+    else
+        batten_design_free(design);
     said[0] = '\0';
     for (int i = 0; batten_notes_dropped(notes) == 0 && i < batten_notes_count(notes); i++) {
         const size_t used = strlen(said);
@@ -112,14 +117,10 @@ TEST(what_is_no_function_over_a_grid_is_refused)
         batten_design *design = NULL;
         char said[2000];
         batten_status status = make(rows[i].feature, said, sizeof said, &design);
-        if (test_memory_failed(status, BATTEN_OK)) {
-            batten_design_free(design);
-            design = NULL;
+        if (test_memory_failed(status, BATTEN_OK))
             status = make(rows[i].feature, said, sizeof said, &design);
-        }
         CHECK(status != BATTEN_OK);
         CHECK_MESSAGE(rows[i].says);
-        batten_design_free(design);
     }
 }
 
