@@ -90,7 +90,8 @@ BATTEN_API batten_status batten_surface_scattered(int dimension, int count, cons
  * domain stay on it.
  *
  * @param points  [count][3]
- * @param base    any surface over which the cloud lies once; NULL: the plane of least squares
+ * @param base    any surface over which the cloud lies once; NULL: the smallest rectangle
+ * around it in the plane of least squares
  * @param[out] uv [count][2], of the points on the surface; may be NULL
  * @return as batten_surface_scattered; COINCIDENT when the points lie on a line (without base)
  * Cost: a search for each point on the base, then as batten_surface_scattered for each round.

@@ -84,6 +84,9 @@ batten_status bat_scatter_net(const bat_scatter *s, batten_surface **out);
 batten_status bat_scatter_take(bat_scatter *s, const batten_surface *surface);
 /* The surface of the control points, in the caller's units. */
 batten_status bat_scatter_surface(const bat_scatter *s, batten_surface **out);
+/* Coordinates in the plane of least squares, [count][2]; COINCIDENT when points lie on a line.
+ */
+batten_status bat_scatter_on_plane(size_t count, const double *points, double *uv);
 /* How many points of a cloud lie in several layers over the base, into the report. */
 batten_status bat_scatter_layers(bat_scatter *s);
 /* How far the surface leaves the box of the data, into the report. */

@@ -1,5 +1,4 @@
 /* Clouds of points: parameters by projection, then by steps towards the feet. */
-#include "numeric/eigen.h"
 #include "numeric/vector.h"
 #include "shape/scattered.h"
 #include "spline/surface.h"
@@ -12,71 +11,12 @@ enum { CHUNK = 1024, MOST_CHOICES = 3 };
 
 /* ---- the first parameters ---- */
 
-static void find_mean(size_t count, const double *points, double mean[3], double *size)
-{
-    double low[3], high[3];
-    *size = 0;
-    for (size_t c = 0; c < 3; c++) {
-        low[c] = HUGE_VAL;
-        high[c] = -HUGE_VAL;
-        for (size_t t = 0; t < count; t++) {
-            low[c] = bat_min(low[c], points[3 * t + c]);
-            high[c] = bat_max(high[c], points[3 * t + c]);
-        }
-        *size = bat_max(*size, high[c] - low[c]);
-        mean[c] = 0;
-        for (size_t t = 0; t < count; t++)
-            mean[c] += (points[3 * t + c] - low[c]) / (double)count;
-        mean[c] += low[c];
-    }
-}
-
-/* The directions of the plane of least squares: the longest first, pointing up their longest
- * coordinate. */
-static batten_status find_plane(size_t count, const double *points, double mean[3],
-                                double axes[2][3])
-{
-    double size, a[9] = {0}, values[3], vectors[9];
-    find_mean(count, points, mean, &size);
-    for (size_t t = 0; size > 0 && t < count; t++)
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++)
-                a[3 * i + j] += (points[3 * t + (size_t)i] - mean[i]) / size *
-                                ((points[3 * t + (size_t)j] - mean[j]) / size);
-    bat_eigen_symmetric(3, a, values, vectors);
-    if (!(values[1] > 1e-14 * values[2]))
-        return bat_fail(BATTEN_COINCIDENT, "the points lie on a line: no plane is theirs");
-    for (int k = 0; k < 2; k++) {
-        memcpy(axes[k], vectors + 3 * (2 - k), 3 * sizeof(double));
-        double longest = 0;
-        for (int c = 0; c < 3; c++)
-            if (fabs(axes[k][c]) > fabs(longest) * (1 + 1e-9))
-                longest = axes[k][c];
-        for (int c = 0; c < 3; c++)
-            axes[k][c] = copysign(1, longest) * axes[k][c];
-    }
-    return BATTEN_OK;
-}
-
-static batten_status project_on_plane(size_t count, const double *points, double *uv)
-{
-    double mean[3], axes[2][3], off[3];
-    const batten_status status = find_plane(count, points, mean, axes);
-    for (size_t t = 0; status == BATTEN_OK && t < count; t++) {
-        for (size_t c = 0; c < 3; c++)
-            off[c] = points[3 * t + c] - mean[c];
-        for (int k = 0; k < 2; k++)
-            uv[2 * t + (size_t)k] = bat_dot(3, off, axes[k]);
-    }
-    return status;
-}
-
 static batten_status project(int count, const double *points, const batten_surface *base,
                              const batten_job *job, double *uv)
 {
     batten_deviation ignored;
     if (!base)
-        return project_on_plane((size_t)count, points, uv);
+        return bat_scatter_on_plane((size_t)count, points, uv);
     if (batten_surface_dimension(base) != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the base has %d dimensions, not 3",
                         batten_surface_dimension(base));

@@ -10,8 +10,9 @@
 #include <string.h>
 
 enum { FIRST_SPANS = 4, USUAL_MOST = 250000, BINS = 8, PARTS = 16, MOST_ROUNDS = 60 };
-#define LEAST_SHARE 1e-9 /* of the penalty that only keeps the equations from being singular \
-                          */
+#define LEAST_SHARE                                                          \
+    1e-9 /* of the penalty that only keeps the equations from being singular \
+          */
 
 /* ---- what is left, by cells and strips ---- */
 

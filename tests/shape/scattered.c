@@ -536,6 +536,30 @@ TEST(clouds_are_fitted_over_corners_and_within_a_tolerance)
     batten_surface_unref(base);
 }
 
+/* Whatever the principal axes of a square are, its domain has no corners beyond it. */
+TEST(a_square_cloud_has_a_square_domain)
+{
+    enum { N = 3000 };
+    double *points = test_array(3 * N, sizeof *points);
+    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface *s = NULL;
+    batten_surface_fit_report report;
+    test_random random = test_random_begin("square");
+    for (int i = 0; i < N; i++) {
+        const double x = test_random_in(&random, -1, 1), y = test_random_in(&random, -1, 1);
+        /* a little more along a diagonal, and the square turned by half a radian */
+        const double p[] = {x * cos(0.5) - y * sin(0.5), x * sin(0.5) + y * cos(0.5),
+                            0.3 * sin(2 * x) + 0.1 * y};
+        const bool other = x * y < 0 && i % 8 == 0;
+        for (int c = 0; c < 3; c++)
+            points[3 * i + c] = other ? 0.5 * p[c] : p[c];
+    }
+    options.spans_u = options.spans_v = 8;
+    CHECK_OK(batten_surface_cloud(N, points, NULL, &options, NULL, NULL, &report, &s));
+    CHECK(report.outside_share < 0.05 && report.empty == 0);
+    batten_surface_unref(s);
+}
+
 TEST(G2_points_on_a_line_have_no_plane)
 {
     double points[30];
