@@ -94,13 +94,19 @@ static void add_features(batten_text *text)
 
 static const char *kind_name(const batten_parameter *p)
 {
-    static const char *const names[] = {
-        [BATTEN_VALUE_MODEL] = "a feature",      [BATTEN_VALUE_LENGTH] = "a length",
-        [BATTEN_VALUE_ANGLE] = "an angle",       [BATTEN_VALUE_NUMBER] = "a number",
-        [BATTEN_VALUE_COUNT] = "a whole number", [BATTEN_VALUE_WORD] = "a word",
-        [BATTEN_VALUE_TEXT] = "a text",          [BATTEN_VALUE_FILE] = "a file",
-        [BATTEN_VALUE_YES_NO] = "yes or no",     [BATTEN_VALUE_POINT] = "a point",
-        [BATTEN_VALUE_RANGE] = "a range"};
+    static const char *const names[] = {[BATTEN_VALUE_MODEL] = "a feature",
+                                        [BATTEN_VALUE_LENGTH] = "a length",
+                                        [BATTEN_VALUE_ANGLE] = "an angle",
+                                        [BATTEN_VALUE_NUMBER] = "a number",
+                                        [BATTEN_VALUE_COUNT] = "a whole number",
+                                        [BATTEN_VALUE_WORD] = "a word",
+                                        [BATTEN_VALUE_TEXT] = "a text",
+                                        [BATTEN_VALUE_FILE] = "a file",
+                                        [BATTEN_VALUE_YES_NO] = "yes or no",
+                                        [BATTEN_VALUE_POINT] = "a point",
+                                        [BATTEN_VALUE_RANGE] = "a range",
+                                        [BATTEN_VALUE_POINTS] =
+                                            "a point or a feature with points"};
     return (size_t)p->kind < sizeof names / sizeof names[0] ? names[p->kind] : "a value";
 }
 

@@ -27,7 +27,8 @@ static bool is_list(const char *text)
 
 static bool has_coordinates(const batten_parameter *p)
 {
-    return p->kind == BATTEN_VALUE_POINT || p->kind == BATTEN_VALUE_RANGE;
+    return p->kind == BATTEN_VALUE_POINT || p->kind == BATTEN_VALUE_RANGE ||
+           p->kind == BATTEN_VALUE_POINTS;
 }
 
 /* Do commas part values, or can they belong to a name or a text? */

@@ -116,7 +116,8 @@ static const char *kind_name(batten_value_kind kind)
                                         "the name of a file",
                                         "yes or no",
                                         "a point [x, y, z]",
-                                        "a range [a, b]"};
+                                        "a range [a, b]",
+                                        "a point [x, y, z], or the name of a feature"};
     return names[kind];
 }
 
@@ -218,7 +219,8 @@ static void read_list_item(const reading *r, const bat_node *node, bat_item *ite
 {
     const batten_value_kind kind = r->parameter->kind;
     char what[120];
-    if (kind == BATTEN_VALUE_POINT && node->kind == BAT_NODE_LIST) {
+    if ((kind == BATTEN_VALUE_POINT || kind == BATTEN_VALUE_POINTS) &&
+        node->kind == BAT_NODE_LIST) {
         read_coordinates(*r, node, 2, 3, item);
     } else if (kind == BATTEN_VALUE_RANGE && node->kind == BAT_NODE_LIST) {
         read_coordinates(*r, node, 2, 2, item);
@@ -259,6 +261,10 @@ static void read_item(const reading *r, const bat_node *node, bat_item *item)
     case BATTEN_VALUE_COUNT:
         read_count(r, word, item);
         return;
+    case BATTEN_VALUE_POINTS:
+        if (!named_point(word, item->number))
+            read_model(r, word, item);
+        return;
     case BATTEN_VALUE_POINT:
     case BATTEN_VALUE_RANGE:
         if (kind == BATTEN_VALUE_RANGE || !named_point(word, item->number)) {
@@ -277,17 +283,30 @@ static void read_item(const reading *r, const bat_node *node, bat_item *item)
 
 /* ---- one argument ---- */
 
-/* Is a list node many values, and not one point? */
-static bool is_many(const bat_document *d, const batten_parameter *p, const bat_node *node)
+/* Are all words of a list names of features? */
+static bool names_features(bat_document *d, const bat_node *list)
 {
+    for (int i = list->first; i >= 0; i = d->tree.nodes[i].next)
+        if (d->tree.nodes[i].kind != BAT_NODE_WORD ||
+            bat_document_feature(d, d->tree.nodes[i].word) < 0)
+            return false;
+    return true;
+}
+
+/* Is a list node many values, and not one point? */
+static bool is_many(bat_document *d, const batten_parameter *p, const bat_node *node)
+{
+    const bool has_coordinates = p->kind == BATTEN_VALUE_POINT ||
+                                 p->kind == BATTEN_VALUE_POINTS ||
+                                 p->kind == BATTEN_VALUE_RANGE;
     if (!p->is_list || node->kind != BAT_NODE_LIST)
         return false;
-    if ((p->kind != BATTEN_VALUE_POINT && p->kind != BATTEN_VALUE_RANGE) || !node->count)
+    if (!has_coordinates || !node->count)
         return true;
     for (int i = node->first; i >= 0; i = d->tree.nodes[i].next)
         if (d->tree.nodes[i].kind == BAT_NODE_LIST)
             return true;
-    return false;
+    return p->kind == BATTEN_VALUE_POINTS && names_features(d, node);
 }
 
 static batten_status read_argument(reading *r, int node, bat_argument *out)
@@ -391,6 +410,11 @@ batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
     return status;
 }
 
+bool bat_item_is_feature(batten_value_kind kind, const bat_item *item)
+{
+    return kind == BATTEN_VALUE_MODEL || (kind == BATTEN_VALUE_POINTS && item->text);
+}
+
 void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
                       void *user)
 {
@@ -398,8 +422,9 @@ void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feat
         return;
     const batten_feature *f = &entry->feature->shown;
     for (int i = 0; i < f->parameter_count; i++)
-        for (int k = 0;
-             f->parameters[i].kind == BATTEN_VALUE_MODEL && k < entry->arguments[i].count; k++)
-            if (entry->arguments[i].items[k].count >= 0)
-                visit(user, entry->arguments[i].items[k].count);
+        for (int k = 0; k < entry->arguments[i].count; k++) {
+            const bat_item *item = &entry->arguments[i].items[k];
+            if (bat_item_is_feature(f->parameters[i].kind, item) && item->count >= 0)
+                visit(user, item->count);
+        }
 }

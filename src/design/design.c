@@ -183,7 +183,7 @@ static bool same_text(const char *a, const char *b)
 static bool same_item(const state *now, batten_value_kind kind, const bat_item *a,
                       const bat_item *b)
 {
-    if (kind == BATTEN_VALUE_MODEL)
+    if (bat_item_is_feature(kind, a))
         return same_text(a->text, b->text) && b->count >= 0 && now->results[b->count].done;
     return memcmp(a->number, b->number, sizeof a->number) == 0 && a->count == b->count &&
            same_text(a->text, b->text);

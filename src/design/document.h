@@ -66,6 +66,8 @@ void bat_complain(bat_document *document, int node, const char *format, ...)
 bat_names bat_document_names(bat_document *document);
 /* Read the arguments of an entry from its node; wrong ones are complained about. */
 batten_status bat_arguments_read(bat_document *document, bat_entry *entry);
+/* Does the item name a feature, `count`? */
+bool bat_item_is_feature(batten_value_kind kind, const bat_item *item);
 /* The features that an entry needs: calls `visit` with each index. */
 void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
                       void *user);

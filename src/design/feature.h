@@ -8,8 +8,9 @@
 /* One value of an argument, in design units and radians. */
 typedef struct {
     double number[3]; /* LENGTH, ANGLE, NUMBER: [0]; POINT; RANGE: [0] and [1] */
-    int count;        /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature */
-    const char *text; /* WORD, TEXT, FILE; MODEL: its name */
+    int count;        /* COUNT; WORD: its place in `words`; YES_NO; MODEL: which feature,
+                         as POINTS that have a text */
+    const char *text; /* WORD, TEXT, FILE; MODEL, POINTS: its name */
 } bat_item;
 
 typedef struct {

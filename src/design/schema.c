@@ -18,8 +18,9 @@ static void add_words(batten_text *out, const char *words)
 
 static void add_value(batten_text *out, const batten_parameter *p)
 {
-    static const char *const kinds[] = {"feature", "length", "angle",  "number", "count", "",
-                                        "text",    "file",   "yes-no", "point",  "range"};
+    static const char *const kinds[] = {"feature", "length", "angle", "number",
+                                        "count",   "",       "text",  "file",
+                                        "yes-no",  "point",  "range", "points"};
     if (p->kind == BATTEN_VALUE_WORD)
         add_words(out, p->words);
     else
@@ -120,7 +121,9 @@ static const char head[] =
     "{\"type\": \"array\", \"minItems\": 2, \"maxItems\": 3, \"items\": {\"$ref\": "
     "\"#/$defs/length\"}}]},\n"
     "    \"range\": {\"type\": \"array\", \"minItems\": 2, \"maxItems\": 2, \"items\": "
-    "{\"$ref\": \"#/$defs/length\"}},\n";
+    "{\"$ref\": \"#/$defs/length\"}},\n"
+    "    \"points\": {\"anyOf\": [{\"$ref\": \"#/$defs/point\"}, {\"$ref\": "
+    "\"#/$defs/feature\"}]},\n";
 
 batten_status batten_design_schema(char **json)
 {
