@@ -46,7 +46,8 @@ static batten_status search(bat_scatter *s, double *lambda)
     return bat_lambda_choose(&search, lambda);
 }
 
-/* A target that the held places forbid is met without holding them. */
+/* A target that the held places forbid is met without holding them; one that cannot be met at
+ * all is no reason to let them go. */
 static batten_status choose(bat_scatter *s, double *lambda)
 {
     batten_status status = search(s, lambda);
@@ -55,7 +56,12 @@ static batten_status choose(bat_scatter *s, double *lambda)
         return status;
     s->hold = 0;
     status = bat_scatter_assemble(s);
-    return status == BATTEN_OK ? search(s, lambda) : status;
+    if (status == BATTEN_OK)
+        status = search(s, lambda);
+    if (status != BATTEN_OK || *lambda > 0)
+        return status;
+    s->hold = BAT_SCATTER_HOLD;
+    return bat_scatter_assemble(s);
 }
 
 /* Beyond all numbers is the plane; one that is as good as a plane has no such trouble. Without

@@ -70,6 +70,8 @@ TEST(fits_say_what_is_odd_about_their_points)
         {"{interpolate-grid: grid}", "'parameters: uniform'"},
         {"{fit-scattered: body}", "the cloud does not lie over its base once"},
         {"{fit-scattered: disc, as: function}", "leaves the box of the points by"},
+        {"{fit-scattered: grid, as: function, rms: 1 um, spans-u: 1, spans-v: 1}",
+         "not the 1e-06 asked for: 4 x 4 control points"},
         {"{fit-scattered: disc, as: function, method: multilevel}",
          "the next would have more than eight control points for each point"},
     };

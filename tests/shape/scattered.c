@@ -360,6 +360,25 @@ TEST(open_places_are_held_and_the_data_keep_their_fit)
     CHECK(rms[1] < 1.1 * rms[0]);
 }
 
+TEST(a_target_that_cannot_be_met_lets_nothing_go)
+{
+    double share[2];
+    for (int c = 0; c < 2; c++) {
+        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface *s = NULL;
+        batten_surface_fit_report report;
+        scatter_disc(400, 0.002);
+        options.spans_u = options.spans_v = 8;
+        options.by = c ? BATTEN_SMOOTH_BY_RMS : BATTEN_SMOOTH_BY_LAMBDA;
+        options.amount = c ? 1e-5 : 0;
+        CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
+        CHECK(report.rms > 1e-4);
+        share[c] = report.outside_share;
+        batten_surface_unref(s);
+    }
+    CHECK(share[1] < 3 && share[0] > 4 * share[1]);
+}
+
 TEST(a_surface_within_the_box_of_its_data_is_said_to_be)
 {
     batten_surface *s = NULL;

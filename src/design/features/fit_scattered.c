@@ -153,6 +153,11 @@ static batten_status run(bat_run *run)
         status = fit(run, &data, &options, &report, &surface);
     if (status == BATTEN_OK)
         bat_report_surface_fit(run, &report);
+    if (status == BATTEN_OK && bat_has(run, "rms") && report.rms > 1.01 * options.amount)
+        bat_note(run,
+                 "rms is %.3g, not the %.3g asked for: %d x %d control points do not come "
+                 "nearer; give more 'spans-u' and 'spans-v'",
+                 report.rms, options.amount, report.points_u, report.points_v);
     bat_release(data.points);
     return bat_put_surface(run, status, surface);
 }
