@@ -98,19 +98,26 @@ typedef struct batten_fill_report {
  * given one that goes over from the tangent of the side before to that of the side behind.
  * batten_surface_to_nurbs and batten_surface_to_smooth_nurbs approximate them.
  *
+ * Ribbons that contradict each other in a corner (report: corner_angle) are left there: no
+ * surface joins both. The fill has the plane of the two sides in the corner itself; split
+ * surfaces come back to the ribbons' planes within a 64th of half a side, formulas slowly along
+ * all of it. The angles along the sides say how much is left.
+ *
  * Sides come in any order and direction, and are put into a loop. One with a corner inside is
  * divided there, and one of two is halved; then there may be 3 to 8.
  *
  * @param sides [count], curves in space; `slope` points into the hole, NULL leaves the tangent
- *              planes along the side free
+ *              planes along the side free; a re-entrant corner of the hole, of more than 180
+ *              degrees, cannot have ribbons
  * @param options NULL for the defaults
  * @param[out] report may be NULL; set also with TOLERANCE_NOT_MET
  * @param[out] out [BATTEN_FILL_SIDES]; the first report->count are yours to unref, the others
  *             NULL
  * @return BATTEN_OK; BAD_ARGUMENT for fewer than 2 or more than 8 sides; NOT_COMPATIBLE naming
- * the corner of an open loop, or the side whose ribbon points out of the hole; SINGULAR_HERE
- * where a ribbon has no tangent plane at a corner; TOLERANCE_NOT_MET for a fill that folds over
- * or whose curvature is too uneven, with the numbers; NOT_FINITE, COINCIDENT ...
+ * the corner of an open loop, the side whose ribbon points out of the hole, or a re-entrant
+ * corner with ribbons (curves are counted from 1 in messages); SINGULAR_HERE where a ribbon has
+ * no tangent plane at a corner; TOLERANCE_NOT_MET for a fill that folds over, that misses a
+ * side, or whose curvature is too uneven, with the numbers; NOT_FINITE, COINCIDENT ...
  *
  * Degree and knots are those of the sides, three degrees higher. Cost: the cube of some 12 n
  * unknowns, and linear in the knots of two neighbouring sides.

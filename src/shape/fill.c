@@ -29,7 +29,7 @@ static void free_patches(batten_surface **patches)
 
 /* Surfaces that are exact along all edges, in the loop's coordinates. */
 static batten_status split(const bat_fill_loop *loop, const batten_fill_options *options,
-                           batten_fill_report *report, batten_surface **out)
+                           batten_surface **out)
 {
     bat_fill *fill = bat_array(1, sizeof *fill);
     if (!fill)
@@ -37,7 +37,7 @@ static batten_status split(const bat_fill_loop *loop, const batten_fill_options 
     batten_surface *plane[BATTEN_FILL_SIDES] = {NULL};
     batten_status status = bat_fill_plane(loop, plane);
     if (status == BATTEN_OK)
-        status = bat_fill_make(loop, plane, report, fill);
+        status = bat_fill_make(loop, plane, fill);
     for (int i = 0; status == BATTEN_OK && i < loop->count; i++)
         status = bat_fill_patch(fill, i, options->angle, &out[i]);
     bat_fill_end(fill);
@@ -46,6 +46,23 @@ static batten_status split(const bat_fill_loop *loop, const batten_fill_options 
     if (status == BATTEN_OK && options->curvature)
         status = bat_fill_bend(loop, out);
     return status;
+}
+
+/* Does it keep its sides? */
+static batten_status judge_gaps(const bat_fill_loop *loop, const batten_fill_options *options,
+                                const batten_fill_report *report)
+{
+    const double most = options->tolerance > 0 ? bat_max(options->tolerance, 1e-9 * loop->size)
+                                               : 1e-6 * loop->size;
+    for (int i = 0; i < report->count; i++) {
+        const batten_fill_edge *edge = &report->outer[i];
+        if (!(edge->gap <= most))
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "the fill misses curve %d by %.3g at (%g, %g, %g), more than %.3g",
+                            edge->curve + 1, edge->gap, edge->gap_at[0], edge->gap_at[1],
+                            edge->gap_at[2], most);
+    }
+    return BATTEN_OK;
 }
 
 /* Is it good enough to be given? */
@@ -78,14 +95,16 @@ static batten_status judge(const batten_fill_options *options, const batten_fill
 static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
                                   batten_fill_report *report, batten_surface **out)
 {
-    batten_status status = BATTEN_OK;
-    if (options->form == BATTEN_FILL_SPLIT)
-        status = split(loop, options, report, out);
+    batten_status status = bat_fill_corners(loop, report);
+    if (status == BATTEN_OK && options->form == BATTEN_FILL_SPLIT)
+        status = split(loop, options, out);
     for (int i = 0;
          options->form != BATTEN_FILL_SPLIT && status == BATTEN_OK && i < loop->count; i++)
         status = bat_fill_formula(loop, i, options->form, &out[i]);
     if (status == BATTEN_OK)
         status = bat_fill_measure(loop, out, report);
+    if (status == BATTEN_OK)
+        status = judge_gaps(loop, options, report);
     if (status == BATTEN_OK)
         status = judge(options, report);
     return status;

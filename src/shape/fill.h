@@ -42,6 +42,29 @@ typedef struct {
     double curve[5][3], slope[4][3];
 } bat_fill_place;
 
+batten_status bat_fill_see_place(const bat_fill_side *side, int station, bat_fill_place *out);
+
+/* What is seen in a corner from one of its sides that has a slope T: the derivative D across it
+ * is a T + b C' and what is beside the tangent plane of the ribbon. */
+typedef struct {
+    double normal[3], to_a[3], to_b[3]; /* unit normal; to_a . T = to_b . C' = 1 */
+    double a, b, twist;                 /* how D' leaves the plane */
+    bool back;                          /* D points to where T does not */
+} bat_fill_seen;
+
+/* The corners, for all forms (fill_corners.c). */
+void bat_fill_cross(const double a[3], const double b[3], double out[3]);
+/* D in a corner: from the side that starts there (which 0) that of the `other` one, back. */
+void bat_fill_across(int which, const bat_fill_place *other, double out[3]);
+/* @param curve  which of the caller's, for messages */
+batten_status bat_fill_look(const bat_fill_place *place, int station, const double across[3],
+                            int curve, bat_fill_seen *out);
+/* Does the side that starts in a corner go on from the one before? */
+bool bat_fill_is_flat(const bat_fill_place *start, const bat_fill_place *before);
+/* Refuse ribbons that point out of the hole and re-entrant corners with ribbons; report how the
+ * others contradict each other in their corners. */
+batten_status bat_fill_corners(const bat_fill_loop *loop, batten_fill_report *report);
+
 /* What is known and unknown of one side and its spoke; vectors and numbers as above, [order].
  * Along a side with a slope T the derivative across is D = a T + b C'; else D itself is a
  * cubic in each half. */
@@ -70,7 +93,7 @@ typedef struct {
 /* All of it, the unknowns too. @param plane  surfaces that map each quad into a polygon of the
  * plane z = 0; @param fill  zeros; bat_fill_end gives its memory back, also after a failure */
 batten_status bat_fill_make(const bat_fill_loop *loop, batten_surface *const *plane,
-                            batten_fill_report *report, bat_fill *fill);
+                            bat_fill *fill);
 void bat_fill_end(bat_fill *fill);
 static inline size_t bat_fill_length(const bat_fill *fill)
 {

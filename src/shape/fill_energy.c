@@ -63,10 +63,14 @@ static batten_status prepare_quad(variation *b, int quad)
             if (status != BATTEN_OK)
                 return status;
         }
+    /* Where ribbons contradict each other both directions have their own: then the mean. */
+    memset(b->corner, 0, 16 * b->length * sizeof(double));
     for (int a = 0; a < 4; a++)
-        for (int c = 0; c < 4; c++)
-            memcpy(b->corner + (size_t)(4 * a + c) * b->length,
-                   edge(b, 0, FIRST + a % 2, c, a / 2), b->length * sizeof(double));
+        for (int c = 0; c < 4; c++) {
+            double *corner = b->corner + (size_t)(4 * a + c) * b->length;
+            add(b->length, corner, 0.5, edge(b, 0, FIRST + a % 2, c, a / 2));
+            add(b->length, corner, 0.5, edge(b, 1, FIRST + c % 2, a, c / 2));
+        }
     return BATTEN_OK;
 }
 

@@ -74,142 +74,94 @@ double bat_fill_number(const bat_fill *fill, const double *number)
 
 /* ---- corners ---- */
 
-/* What is seen in a corner from one of its sides: D and the plane of the ribbon. */
+/* A corner seen from one of its sides. */
 typedef struct {
     bat_fill_fields *side;
-    int station, curve;
-    double across[3];                   /* D, the derivative of the other side */
-    double normal[3], to_a[3], to_b[3]; /* unit normal; to_a . T = to_b . C' = 1 */
-    double a, b, twist;                 /* D = a T + b C'; how D' leaves the plane */
+    int station;
+    bat_fill_seen seen;
 } corner_side;
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    const batten_vec3 c = bat_vec3_cross(bat_vec3_of(3, a), bat_vec3_of(3, b));
-    out[0] = c.x;
-    out[1] = c.y;
-    out[2] = c.z;
-}
-
-static batten_status look(corner_side *c)
-{
-    const bat_fill_place *p = &c->side->place[c->station];
-    const char *end = c->station == FILL_START ? "start" : "end";
-    const double *T = p->slope[0], *C = p->curve[1];
-    double n[3];
-    cross(C, T, n);
-    const double size = bat_norm(3, n), speed = bat_norm(3, c->across);
-    if (!(size > 1e-9 * bat_norm(3, C) * bat_norm(3, T)))
-        return bat_fail(BATTEN_SINGULAR_HERE,
-                        "the ribbon of curve %d has no tangent plane at the %s of its side: "
-                        "its slope runs along the curve",
-                        c->curve, end);
-    cross(C, n, c->to_a);
-    cross(n, T, c->to_b);
-    const double dual = bat_dot(3, T, c->to_a), other = bat_dot(3, C, c->to_b);
-    for (int k = 0; k < 3; k++) {
-        c->to_a[k] /= dual;
-        c->to_b[k] /= other;
-        c->normal[k] = n[k] / size;
-    }
-    c->a = bat_dot(3, c->across, c->to_a);
-    c->b = bat_dot(3, c->across, c->to_b);
-    c->twist =
-        c->a * bat_dot(3, p->slope[1], c->normal) + c->b * bat_dot(3, p->curve[2], c->normal);
-    /* A tenth: what turns back by rounding where sides go on smoothly is no mistake. */
-    if (c->a * bat_norm(3, T) < -0.1 * speed)
-        return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "the ribbon of curve %d points out of the hole at the %s of its side",
-                        c->curve, end);
-    return BATTEN_OK;
-}
 
 /* a and b, a' and b' of a side with a slope in a corner where D' is `turn`. */
 static void set_factors(const bat_fill *fill, const corner_side *c, const double *turn)
 {
     const bat_fill_place *p = &c->side->place[c->station];
     double *(*factor)[2] = c->side->factor[c->station];
-    factor[0][0][fill->unknowns] = c->a;
-    factor[1][0][fill->unknowns] = c->b;
-    component(fill, turn, c->to_a, factor[0][1]);
-    component(fill, turn, c->to_b, factor[1][1]);
+    factor[0][0][fill->unknowns] = c->seen.a;
+    factor[1][0][fill->unknowns] = c->seen.b;
+    component(fill, turn, c->seen.to_a, factor[0][1]);
+    component(fill, turn, c->seen.to_b, factor[1][1]);
     for (int k = 0; k < 2; k++) {
-        const double *dual = k == 0 ? c->to_a : c->to_b;
-        factor[k][1][fill->unknowns] -=
-            c->a * bat_dot(3, p->slope[1], dual) + c->b * bat_dot(3, p->curve[2], dual);
+        const double *dual = k == 0 ? c->seen.to_a : c->seen.to_b;
+        factor[k][1][fill->unknowns] -= c->seen.a * bat_dot(3, p->slope[1], dual) +
+                                        c->seen.b * bat_dot(3, p->curve[2], dual);
     }
 }
 
-static void corner_report(int i, corner_side c[2], batten_fill_report *report)
+/* D' in a corner, one or both of whose sides have a slope: two unknowns in the mean of their
+ * tangent planes, and the mean of what they say about how the plane turns. */
+static void set_turn(const bat_fill *fill, const corner_side c[2], double *turn, int *next)
 {
-    double tangent[3];
-    const double *C = c[0].side->place[FILL_START].curve[1];
-    cross(C, c[0].across, tangent);
-    const double product = bat_norm(3, C) * bat_norm(3, c[0].across);
-    c[0].side->flat_corner = bat_norm(3, tangent) < 1e-3 * product;
-    report->flat_corners += c[0].side->flat_corner;
-    for (int k = 0; k < 2; k++)
+    double normal[3] = {0}, along[3], across[3], twist = 0;
+    const double *C = NULL;
+    for (int k = 1; k >= 0; k--)
         if (c[k].side->has_slope) {
-            const double off = fabs(bat_dot(3, c[k].across, c[k].normal));
-            const double angle = atan2(off, bat_norm(3, c[k].across));
-            if (angle > report->corner_angle) {
-                report->corner_angle = angle;
-                report->corner = i;
-            }
+            add(3, normal, 1, c[k].seen.normal);
+            C = c[k].side->place[c[k].station].curve[1];
+            /* Seen from the side before, D' has the other sign. */
+            twist += k == 0 ? c[k].seen.twist : -c[k].seen.twist;
         }
-    if (c[0].side->has_slope && c[1].side->has_slope) {
-        const double twist = fabs(c[0].twist + c[1].twist) / sqrt(product);
-        report->twist = bat_max(report->twist, twist);
-        report->twisted += twist > 1e-9;
+    if (c[0].side->has_slope && c[1].side->has_slope)
+        twist /= 2;
+    if (!(bat_norm(3, normal) > 1e-9)) /* opposite planes have no mean */
+        memcpy(normal, c[0].seen.normal, sizeof normal);
+    const double size = bat_norm(3, normal);
+    for (int m = 0; m < 3; m++)
+        normal[m] /= size;
+    bat_fill_cross(normal, C, across);
+    bat_fill_cross(across, normal, along);
+    const double speed = bat_norm(3, along);
+    for (int m = 0; m < 3; m++) {
+        along[m] /= speed;
+        across[m] /= speed;
     }
+    new_along(turn, along, next);
+    c[0].side->corner_turn = *next;
+    new_along(turn, across, next);
+    add_fixed(fill, turn, twist, normal);
 }
 
 /* The corner at the start of side i: the derivatives across both sides are those of the other
  * one, and their derivatives are one vector, the twist. */
-static batten_status set_corner(bat_fill *fill, int i, int *next, batten_fill_report *report)
+static batten_status set_corner(bat_fill *fill, int i, int *next)
 {
     const int before = (i + fill->count - 1) % fill->count;
     corner_side c[2] = {{.side = &fill->side[i], .station = FILL_START},
                         {.side = &fill->side[before], .station = FILL_END}};
+    const bat_fill_place *places[2] = {&c[0].side->place[FILL_START],
+                                       &c[1].side->place[FILL_END]};
     for (int k = 0; k < 2; k++) {
-        const double sign = k == 0 ? -1 : 1;
-        const double *other = c[1 - k].side->place[c[1 - k].station].curve[1];
-        c[k].curve = fill->loop->sides[k == 0 ? i : before].given;
-        for (int m = 0; m < 3; m++)
-            c[k].across[m] = sign * other[m];
-        add_fixed(fill, c[k].side->across[c[k].station][0], 1, c[k].across);
-        const batten_status status = c[k].side->has_slope ? look(&c[k]) : BATTEN_OK;
+        double across[3];
+        bat_fill_across(k, places[1 - k], across);
+        add_fixed(fill, c[k].side->across[c[k].station][0], 1, across);
+        const int given = fill->loop->sides[k == 0 ? i : before].given;
+        const batten_status status =
+            c[k].side->has_slope
+                ? bat_fill_look(places[k], c[k].station, across, given, &c[k].seen)
+                : BATTEN_OK;
         if (status != BATTEN_OK)
             return status;
     }
     double *turn = c[0].side->across[FILL_START][1];
     c[0].side->corner_turn = -1;
-    const int known = c[0].side->has_slope + c[1].side->has_slope;
-    if (known == 0) {
+    c[0].side->flat_corner = bat_fill_is_flat(places[0], places[1]);
+    if (c[0].side->has_slope || c[1].side->has_slope)
+        set_turn(fill, c, turn, next);
+    else
         new_vector(turn, next);
-    } else {
-        /* Seen from the side before, D' has the other sign. */
-        const corner_side *plane = c[0].side->has_slope ? &c[0] : &c[1];
-        const double sum =
-            (c[0].side->has_slope ? c[0].twist : 0) - (c[1].side->has_slope ? c[1].twist : 0);
-        const double *C = plane->side->place[plane->station].curve[1];
-        double along[3], across[3];
-        cross(plane->normal, C, across);
-        const double speed = bat_norm(3, C);
-        for (int m = 0; m < 3; m++) {
-            along[m] = C[m] / speed;
-            across[m] /= speed;
-        }
-        new_along(turn, along, next);
-        c[0].side->corner_turn = *next;
-        new_along(turn, across, next);
-        add_fixed(fill, turn, sum / known, plane->normal);
-    }
     add_vector(fill, c[1].side->across[FILL_END][1], -1, turn);
     for (int k = 0; k < 2; k++)
         if (c[k].side->has_slope)
             set_factors(fill, &c[k], c[k].side->across[c[k].station][1]);
-    corner_report(i, c, report);
     return BATTEN_OK;
 }
 
@@ -323,18 +275,10 @@ static void set_centre(bat_fill *fill, int *next)
 
 static batten_status look_at_side(const bat_fill_side *side, bat_fill_fields *out)
 {
-    static const double at[FILL_STATIONS] = {0, 1, 1, 2};
     batten_status status = BATTEN_OK;
     out->has_slope = side->slope != NULL;
-    for (int station = 0; status == BATTEN_OK && station < FILL_STATIONS; station++) {
-        bat_fill_place *p = &out->place[station];
-        const batten_side from = station == FILL_BEFORE || station == FILL_END
-                                     ? BATTEN_FROM_LEFT
-                                     : BATTEN_FROM_RIGHT;
-        status = batten_curve_evaluate_side(side->curve, at[station], from, 4, p->curve[0]);
-        if (status == BATTEN_OK && side->slope)
-            status = batten_curve_evaluate_side(side->slope, at[station], from, 3, p->slope[0]);
-    }
+    for (int station = 0; status == BATTEN_OK && station < FILL_STATIONS; station++)
+        status = bat_fill_see_place(side, station, &out->place[station]);
     return status;
 }
 
@@ -386,7 +330,7 @@ static batten_status lay_out(bat_fill *fill)
 }
 
 batten_status bat_fill_make(const bat_fill_loop *loop, batten_surface *const *plane,
-                            batten_fill_report *report, bat_fill *fill)
+                            bat_fill *fill)
 {
     batten_status status = BATTEN_OK;
     fill->loop = loop;
@@ -400,7 +344,7 @@ batten_status bat_fill_make(const bat_fill_loop *loop, batten_surface *const *pl
     }
     int next = 9;
     for (int i = 0; status == BATTEN_OK && i < fill->count; i++)
-        status = set_corner(fill, i, &next, report);
+        status = set_corner(fill, i, &next);
     if (status != BATTEN_OK)
         return status;
     for (int i = 0; i < fill->count; i++)

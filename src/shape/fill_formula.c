@@ -9,11 +9,13 @@
 #include <string.h>
 
 /* A side over [0, 2] and the derivative D = a T + b C' across it, a and b linear, or linear
- * itself; such that D is the derivative of the sides beside it at its ends. */
+ * itself; such that D is the derivative of the sides beside it at its ends. Where that is not
+ * in the ribbon's plane, what is missing is added and fades away along the side. */
 typedef struct {
     batten_curve *curve, *slope;
     double factor[2][2];      /* a, b at the start, and their derivatives: [which][order] */
     double free[2][3];        /* D at the start and its derivative, without a slope */
+    double beside[2][3];      /* what a T + b C' lacks at both ends: out of its plane */
     double normal[2], offset; /* its line in the polygon: distance = normal . x + offset */
 } blended_side;
 
@@ -29,7 +31,7 @@ typedef struct {
 /* ---- ribbons ---- */
 
 static batten_status end_factors(const bat_fill_loop *loop, int i, double t,
-                                 const double wanted[3], double out[2])
+                                 const double wanted[3], double out[2], double beside[3])
 {
     double C[2][3], T[3];
     batten_status status = batten_curve_evaluate(loop->sides[i].curve, t, 1, C[0]);
@@ -43,9 +45,11 @@ static batten_status end_factors(const bat_fill_loop *loop, int i, double t,
     if (!(D > 1e-18 * TT * CC))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the ribbon of curve %d has no tangent plane at an end of its side",
-                        loop->sides[i].given);
+                        loop->sides[i].given + 1);
     out[0] = (WT * CC - WC * TC) / D;
     out[1] = (WC * TT - WT * TC) / D;
+    for (int c = 0; c < 3; c++)
+        beside[c] = wanted[c] - out[0] * T[c] - out[1] * C[1][c];
     return BATTEN_OK;
 }
 
@@ -65,9 +69,9 @@ static batten_status take_side(const bat_fill_loop *loop, int i, blended_side *o
         out->free[1][c] = (next[1][c] - before[1][c]) / 2;
     }
     if (loop->sides[i].slope) {
-        status = end_factors(loop, i, 0, before[1], ends[0]);
+        status = end_factors(loop, i, 0, before[1], ends[0], out->beside[0]);
         if (status == BATTEN_OK)
-            status = end_factors(loop, i, 2, next[1], ends[1]);
+            status = end_factors(loop, i, 2, next[1], ends[1], out->beside[1]);
         for (int k = 0; k < 2; k++) {
             out->factor[k][0] = ends[0][k];
             out->factor[k][1] = (ends[1][k] - ends[0][k]) / 2;
@@ -78,6 +82,28 @@ static batten_status take_side(const bat_fill_loop *loop, int i, blended_side *o
     out->curve = batten_curve_ref(loop->sides[i].curve);
     out->slope = loop->sides[i].slope ? batten_curve_ref(loop->sides[i].slope) : NULL;
     return BATTEN_OK;
+}
+
+/* (1 - s)^6 (1 + 6 s), s = t / 2, and three derivatives by t: 1 at 0 and flat there, so that
+ * the twist stays; 0 at 2 and at most a tenth in the second half. */
+static void fade(double t, double out[4])
+{
+    const double s = t / 2, r = 1 - s, r3 = r * r * r;
+    out[0] = r3 * r3 * (1 + 6 * s);
+    out[1] = -42 * s * r3 * r * r / 2;
+    out[2] = -42 * r3 * r * (1 - 6 * s) / 4;
+    out[3] = 42 * r3 * (10 - 30 * s) / 8;
+}
+
+static void add_beside(const blended_side *side, double t, double D[4][3])
+{
+    double start[4], end[4];
+    fade(t, start);
+    fade(2 - t, end);
+    for (int k = 0; k < 4; k++)
+        for (int c = 0; c < 3; c++)
+            D[k][c] += start[k] * side->beside[0][c] +
+                       (k % 2 == 0 ? end[k] : -end[k]) * side->beside[1][c];
 }
 
 /* C and D, and three derivatives of each, at t. */
@@ -102,6 +128,8 @@ static batten_status side_at(const blended_side *side, double t, double C[5][3],
                           : k == 1 ? side->free[1][c]
                                    : 0;
         }
+    if (side->slope)
+        add_beside(side, t, D);
     return BATTEN_OK;
 }
 

@@ -213,7 +213,7 @@ static batten_status even_scale(bat_fill_side *side)
         status = mean_length(side->slope, 0, &across);
     if (status == BATTEN_OK && !(across > 0))
         return bat_fail(BATTEN_SINGULAR_HERE, "the slope of the ribbon of curve %d is zero",
-                        side->given);
+                        side->given + 1);
     const double factor = speed / across;
     const batten_affine scale = batten_affine_scaling(factor, factor, factor);
     const batten_affine square =
@@ -280,8 +280,8 @@ static batten_status check_sides(int count, const batten_ribbon *sides)
         for (int k = 0; k < 3; k++)
             if (all[k] && batten_curve_dimension(all[k]) != 3)
                 return bat_fail(BATTEN_BAD_ARGUMENT,
-                                "curve %d has dimension %d: sides of a hole lie in space", i,
-                                batten_curve_dimension(all[k]));
+                                "curve %d has dimension %d: sides of a hole lie in space",
+                                i + 1, batten_curve_dimension(all[k]));
     }
     return BATTEN_OK;
 }
@@ -334,7 +334,7 @@ static batten_status check_size(const bat_fill_loop *loop)
             return bat_fail(BATTEN_TOO_LARGE,
                             "the surface between curves %d and %d would have more than %.0f x "
                             "%.0f control points; %.0f are the most",
-                            a->given, b->given, u, v, most_points);
+                            a->given + 1, b->given + 1, u, v, most_points);
     }
     return BATTEN_OK;
 }

@@ -111,9 +111,8 @@ batten_status bat_fill_plane(const bat_fill_loop *loop, batten_surface **plane)
     double lengths[BATTEN_FILL_SIDES], angles[BATTEN_FILL_SIDES];
     batten_surface *quads[BATTEN_FILL_SIDES] = {NULL};
     bat_fill_loop flat = {.size = 1};
-    batten_fill_report *ignored = bat_array(1, sizeof *ignored);
     bat_fill *fill = bat_array(1, sizeof *fill);
-    batten_status status = ignored && fill ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    batten_status status = fill ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = side_lengths(loop, lengths);
     if (status == BATTEN_OK) {
@@ -121,13 +120,12 @@ batten_status bat_fill_plane(const bat_fill_loop *loop, batten_surface **plane)
         status = polygon(loop->count, angles, &flat, quads);
     }
     if (status == BATTEN_OK)
-        status = bat_fill_make(&flat, quads, ignored, fill);
+        status = bat_fill_make(&flat, quads, fill);
     for (int i = 0; status == BATTEN_OK && i < loop->count; i++)
         status = bat_fill_patch(fill, i, 1, &plane[i]);
     if (fill)
         bat_fill_end(fill);
     bat_release(fill);
-    bat_release(ignored);
     bat_fill_loop_free(&flat);
     for (int i = 0; i < BATTEN_FILL_SIDES; i++)
         batten_surface_unref(quads[i]);

@@ -23,6 +23,11 @@ static batten_status look_at_end(batten_vec3 along, const double *across, const 
     const batten_vec3 n = normal ? bat_vec3_of(3, normal) : bat_vec3_cross(out->across, along);
     const batten_vec3 g = bat_vec3_cross(along, n);
     const double size = bat_vec3_norm(g), a = bat_vec3_norm(out->across);
+    if (!isfinite(size) || !isfinite(a * speed * speed))
+        return bat_fail(BATTEN_OVERFLOW,
+                        "the edge is too large: products of its derivatives are beyond all "
+                        "numbers at its %s",
+                        number == 0 ? "start" : "end");
     if (!(size > 1e-10 * speed * bat_vec3_norm(n)) ||
         !(bat_vec3_norm(bat_vec3_cross(out->across, along)) > 1e-10 * speed * a))
         return bat_fail(BATTEN_SINGULAR_HERE,
@@ -105,7 +110,7 @@ static batten_status take_cubic(const batten_curve *curve, int number, bool reve
         return bat_fail(BATTEN_UNSUPPORTED,
                         "curve %d has dimension %d, degree %d and %d spans%s: sides of a "
                         "Gregory patch are single cubics in space",
-                        number, batten_curve_dimension(curve), batten_curve_degree(curve),
+                        number + 1, batten_curve_dimension(curve), batten_curve_degree(curve),
                         batten_curve_spans(curve, NULL) - 1,
                         batten_curve_is_rational(curve) ? ", and is rational" : "");
     batten_curve *raised = NULL, *bezier = NULL;
@@ -146,7 +151,7 @@ static batten_status field_of(const cubics *all, int i, const double across[2][3
         return status;
     char why[300];
     snprintf(why, sizeof why, "%s", batten_message());
-    return bat_fail(status, "side %d, curve %d: %s", i, all->given[i], why);
+    return bat_fail(status, "side %d, curve %d: %s", i + 1, all->given[i] + 1, why);
 }
 
 /* Point k of side i seen in the net of the square, sides being v = 0, u = 1, v = 1 and u = 0 as

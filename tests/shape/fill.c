@@ -206,7 +206,7 @@ TEST(G7_open_loops_and_ribbons_that_cannot_be_are_refused_by_name)
     CHECK_OK(batten_curve_transform(h.slopes[2], &outwards, &out));
     ribbons[2].slope = out;
     CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_NOT_COMPATIBLE);
-    CHECK_MESSAGE("the ribbon of curve 2 points out of the hole");
+    CHECK_MESSAGE("the ribbon of curve 3 points out of the hole");
     batten_fill_options options = batten_fill_defaults();
     options.tolerance = -1;
     CHECK_STATUS(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches),
@@ -227,7 +227,7 @@ TEST(G5_a_ribbon_without_a_plane_is_refused)
     hole_add(&h, 1, right[0], 0, NULL);
     CHECK_STATUS(batten_surface_fill(3, h.ribbons, NULL, NULL, h.patches),
                  BATTEN_SINGULAR_HERE);
-    CHECK_MESSAGE("the slope of the ribbon of curve 0 is zero");
+    CHECK_MESSAGE("the slope of the ribbon of curve 1 is zero");
     static const double along[2][3] = {{1, 0, 0}, {2, 0, 0}};
     batten_curve_unref(h.slopes[0]);
     h.slopes[0] = NULL;
@@ -394,7 +394,7 @@ TEST(S5_a_fill_that_would_be_too_large_is_refused_before_the_work)
         ribbons[i].curve = fine[i];
     }
     CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_TOO_LARGE);
-    CHECK_MESSAGE("between curves 0 and 1 would have more than 2502 x 2502 control points");
+    CHECK_MESSAGE("between curves 1 and 2 would have more than 2502 x 2502 control points");
     batten_curve_unref(fine[0]);
     batten_curve_unref(fine[1]);
     hole_free(&h);

@@ -279,7 +279,7 @@ TEST(G7_gregory_patches_of_unfit_curves_are_refused_by_name)
     some[2] = raised;
     CHECK_STATUS(batten_surface_gregory_between(4, some, 1e-9, NULL, &patch),
                  BATTEN_UNSUPPORTED);
-    CHECK_MESSAGE("curve 2 has dimension 3, degree 4");
+    CHECK_MESSAGE("curve 3 has dimension 3, degree 4");
     double points[16][3] = {{0}}, inner[8][3] = {{0}};
     inner[3][1] = NAN;
     CHECK_STATUS(batten_surface_gregory(points[0], inner[0], &patch), BATTEN_NOT_FINITE);
@@ -293,4 +293,13 @@ TEST(G7_gregory_patches_of_unfit_curves_are_refused_by_name)
     batten_curve_unref(raised);
     for (int i = 0; i < 4; i++)
         batten_curve_unref(sides[i]);
+}
+
+TEST(N2_edges_beyond_all_numbers_are_an_overflow)
+{
+    static const double edge[12] = {0, 0, 0, 1e300, 0, 0, 2e300, 0, 0, 3e300, 0, 0};
+    static const double across[6] = {0, 1e300, 0, 0, 1e300, 0};
+    double field[12];
+    CHECK_STATUS(batten_gregory_field(edge, across, NULL, field), BATTEN_OVERFLOW);
+    CHECK_MESSAGE("the edge is too large");
 }

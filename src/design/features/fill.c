@@ -178,6 +178,12 @@ static void report_edges(const bat_run *run, const bat_objects *curves, const bo
         remark_excess(run, curves, most, &reached->inner[i]);
 }
 
+static const char *curve_name(const bat_objects *curves, const batten_fill_report *reached,
+                              int side)
+{
+    return curves->at[reached->outer[side % reached->count].curve]->name;
+}
+
 static void report(const bat_run *run, const bat_objects *curves,
                    const batten_fill_options *options, const batten_fill_report *reached)
 {
@@ -190,8 +196,10 @@ static void report(const bat_run *run, const bat_objects *curves,
     report_edges(run, curves, &most, reached);
     if (reached->corner_angle > 1e-4)
         bat_note(run,
-                 "at corner %d the surfaces around have planes that differ by %.3g degrees",
-                 reached->corner, reached->corner_angle * DEGREES);
+                 "in the corner between '%.100s' and '%.100s' the surfaces around have planes "
+                 "that differ by %.3g degrees",
+                 curve_name(curves, reached, reached->corner + reached->count - 1),
+                 curve_name(curves, reached, reached->corner), reached->corner_angle * DEGREES);
     if (reached->twisted > 0)
         bat_remark(run, "at %d corners the surfaces around twist against each other",
                    reached->twisted);
