@@ -5,11 +5,12 @@
 
 #include <string.h>
 
-enum { DEPTH = 14, MOST_STEPS = 8 };
+enum { DEPTH = 14, EASY_DEPTH = 10, MOST_STEPS = 8 };
 
 typedef struct {
     double uv[2], point[3];
     double tangent[3]; /* unit; of smooth lines; 0 where there is none */
+    int halvings;      /* after which it was found */
 } spot;
 
 /* Across the gradient, on the surface. */
@@ -222,6 +223,16 @@ static void put_arms(bat_lines *lines, bat_line *line, double arms[2][3])
     lines->has_arm = true;
 }
 
+/* Along a jump of the field, or where it has no value, Newton's method goes anywhere, and more
+ * points help nothing: on a contour a middle is about as far from both ends. */
+static bool is_between(const spot *a, const spot *middle, const spot *b)
+{
+    const double first = bat_distance(3, a->point, middle->point),
+                 second = bat_distance(3, middle->point, b->point);
+    return first < 8 * second && second < 8 * first &&
+           bat_max(first, second) < bat_distance(3, a->point, b->point);
+}
+
 batten_status bat_line_refine(const bat_net *net, const bat_triangle *t, int level,
                               const double from[2], const double to[2], bat_lines *lines,
                               bat_line *line)
@@ -242,7 +253,9 @@ batten_status bat_line_refine(const bat_net *net, const bat_triangle *t, int lev
             status = count_point(lines);
         if (status != BATTEN_OK)
             break;
-        if (found && off > 0.7 * lines->tolerance && depth < DEPTH) {
+        middle.halvings = 1 + bat_max_int(here.halvings, next->halvings);
+        if (found && off > 0.7 * lines->tolerance && middle.halvings <= DEPTH &&
+            (middle.halvings <= EASY_DEPTH || is_between(&here, &middle, next))) {
             stack[++depth] = middle;
             continue;
         }

@@ -389,6 +389,33 @@ static bool stop(void *user)
     return ++*(int *)user > 3;
 }
 
+static double wave(double x, double y)
+{
+    return 0.3 * x * x * y + 0.2 * y * y - 0.4 * x * y * y;
+}
+
+TEST(contours_that_end_where_a_field_has_no_value_are_finished)
+{
+    /* lines of light that run along reflected rays: the field ends inside the surface */
+    const batten_surface_field field = {
+        BATTEN_FIELD_REFLECTION, {1, 0, 0}, {0, 0, 3}, {0, 0, 1}};
+    batten_surface *surface = graph(wave, 0);
+    double levels[61];
+    for (int i = 0; i <= 60; i++)
+        levels[i] = -6 + 0.2 * i;
+    for (int i = 0; i < 4; i++) {
+        batten_contours c = {0};
+        long count = 0;
+        CHECK_OK((i % 2 ? batten_surface_smooth_contours : batten_surface_contours)(
+            surface, &field, COUNT(levels), levels, i < 2 ? 1e-5 : 1e-6, NULL, &c));
+        for (int k = 0; k < c.count; k++)
+            count += c.lines[k].line.count;
+        CHECK(count > 100 && count < (i % 2 ? 20000 : 300000));
+        batten_contours_release(&c);
+    }
+    batten_surface_unref(surface);
+}
+
 TEST(N6_contours_refuse_tolerances_that_would_take_for_ever)
 {
     batten_surface *torus = NULL;

@@ -257,6 +257,11 @@ static batten_status run(bat_run *run)
     if (status == BATTEN_OK && batten_model_count(run->model) == 0)
         status = bat_fail(BATTEN_NOT_FOUND, "no level from %g to %g is met by the field",
                           w.levels[0], w.levels[w.level_count - 1]);
+    if (status == BATTEN_OK && w.error > w.within)
+        bat_note(run,
+                 "the contours are off by up to %g, more than %g: somewhere the field jumps or "
+                 "has no value",
+                 w.error, w.within);
     if (status == BATTEN_OK)
         bat_report_error(run, w.error, w.error);
     bat_release(w.levels);
