@@ -58,7 +58,8 @@ typedef struct batten_fill_report {
     double loop_gap;                           /**< the widest corner of the loop */
     double approximation; /**< how far the sides are from the given curves */
     double corner_angle;  /**< the largest between the planes of the ribbons that meet in a
-                                corner, radians: no surface joins both there */
+                                corner, or of one and the side beside it, radians: no surface
+                                joins both there */
     int corner;           /**< at the start of side `corner` of the loop */
     double twist;     /**< the largest disagreement of two ribbons about how the tangent plane
                             turns in a corner, over the speed there; where it is not 0 no
@@ -70,7 +71,8 @@ typedef struct batten_fill_report {
     double rim_curvature;  /**< the largest of the ribbons that give one, 1 / length */
     double most_curvature; /**< what the curvature may differ by between the surfaces when it
                                 is taken over: rim_curvature, at least 1 / size of the loop */
-    bool folded;           /**< normals of neighbouring points turn back: the fill overlaps */
+    bool folded;           /**< normals of neighbouring points turn back, or those along a side
+                                against its ribbon: the fill overlaps */
     double fold_at[3];     /**< where it does first */
 } batten_fill_report;
 

@@ -90,19 +90,32 @@ static batten_status see_corner(const bat_fill_loop *loop, int i, corner *out)
     return status;
 }
 
+/* The angle between the planes of both ribbons, or of the one and the other side; 0 for none.
+ */
+static double planes_differ(const corner *c)
+{
+    if (c->side[0]->slope && c->side[1]->slope) {
+        double sine[3];
+        bat_fill_cross(c->seen[0].normal, c->seen[1].normal, sine);
+        return atan2(bat_norm(3, sine), bat_dot(3, c->seen[0].normal, c->seen[1].normal));
+    }
+    for (int k = 0; k < 2; k++)
+        if (c->side[k]->slope) {
+            const double off = fabs(bat_dot(3, c->across[k], c->seen[k].normal));
+            return asin(bat_min(1, off / bat_norm(3, c->across[k])));
+        }
+    return 0;
+}
+
 static void report_corner(int i, const corner *c, batten_fill_report *report)
 {
     const double product = bat_norm(3, c->across[0]) * bat_norm(3, c->across[1]);
     report->flat_corners += bat_fill_is_flat(&c->place[0], &c->place[1]);
-    for (int k = 0; k < 2; k++)
-        if (c->side[k]->slope) {
-            const double off = fabs(bat_dot(3, c->across[k], c->seen[k].normal));
-            const double angle = atan2(off, bat_norm(3, c->across[k]));
-            if (angle > report->corner_angle) {
-                report->corner_angle = angle;
-                report->corner = i;
-            }
-        }
+    const double angle = planes_differ(c);
+    if (angle > report->corner_angle) {
+        report->corner_angle = angle;
+        report->corner = i;
+    }
     if (c->side[0]->slope && c->side[1]->slope) {
         const double twist = fabs(c->seen[0].twist + c->seen[1].twist) / sqrt(product);
         report->twist = bat_max(report->twist, twist);

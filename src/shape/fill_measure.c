@@ -279,6 +279,11 @@ batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const 
             status = measure_spoke(patches[i], patches[next], inner);
         if (status == BATTEN_OK)
             status = look_for_folds(patches[i], &report->folded, report->fold_at);
+        /* What leaves a side against its ribbon turns back, too. */
+        if (status == BATTEN_OK && !report->folded && outer->angle > BAT_PI / 2) {
+            report->folded = true;
+            memcpy(report->fold_at, outer->angle_at, sizeof report->fold_at);
+        }
         to_given(loop, outer);
         to_given(loop, inner);
     }

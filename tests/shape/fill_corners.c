@@ -33,9 +33,7 @@ TEST(G7_every_form_keeps_its_sides_where_ribbons_contradict_each_other_and_says_
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
         const batten_fill_options options = form_of(form);
         CHECK_OK(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches));
-        /* (1, 0, 0) against the plane z = y, as a sine over a whole */
-        CHECK_NEAR(h.report.corner_angle * TESTS_DEGREES, atan(sqrt(0.5)) * TESTS_DEGREES,
-                   1e-9);
+        CHECK_NEAR(h.report.corner_angle * TESTS_DEGREES, 45, 1e-9); /* z = 0 and z = y */
         CHECK(h.report.corner == 0 || h.report.corner == 1);
         for (int i = 0; i < 4; i++)
             CHECK_NEAR(h.report.outer[i].gap, 0, 1e-12);
@@ -119,4 +117,38 @@ TEST(G7_ribbons_that_point_out_are_told_from_re_entrant_corners)
         }
         hole_free(&h);
     }
+}
+
+TEST(G7_fills_that_leave_a_side_against_its_ribbon_are_folds)
+{
+    hole h;
+    double slopes[4][3];
+    memcpy(slopes, tilted, sizeof slopes);
+    slopes[0][1] = -0.08; /* upright, and a little out of the hole */
+    straight_hole(4, square, (const double(*)[3])slopes, &h);
+    for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
+        const batten_fill_options options = form_of(form);
+        CHECK_STATUS(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches),
+                     BATTEN_TOLERANCE_NOT_MET);
+        CHECK_MESSAGE("folds over");
+        CHECK_NEAR(h.report.fold_at[1], 0, 0.3);
+    }
+    hole_free(&h);
+}
+
+TEST(one_ribbon_and_the_side_beside_it_contradict_each_other_too)
+{
+    hole h;
+    straight_hole(4, square, tilted, &h);
+    for (int i = 1; i < 4; i++)
+        h.ribbons[i].slope = NULL;
+    for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
+        const batten_fill_options options = form_of(form);
+        CHECK_OK(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches));
+        CHECK_NEAR(h.report.corner_angle * TESTS_DEGREES, 45, 1e-9);
+        for (int i = 0; i < 4; i++)
+            CHECK_NEAR(h.report.outer[i].gap, 0, 1e-12);
+        hole_free_patches(&h);
+    }
+    hole_free(&h);
 }
