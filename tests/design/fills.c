@@ -183,3 +183,32 @@ TEST(a_fill_with_curvatures_that_contradict_each_other_fails)
         batten_design_free(design);
     }
 }
+
+TEST(G7_a_corner_in_which_surfaces_contradict_each_other_is_named)
+{
+    static const char text[] = "batten: 1\nunits: m\nfeatures:\n"
+                               "  a: {line: [[0, 0, 0], [1, 0, 0]]}\n"
+                               "  b: {line: [[1, 0, 0], [1, 1, 0]]}\n"
+                               "  c: {line: [[1, 1, 0], [0, 1, 0]]}\n"
+                               "  d: {line: [[0, 1, 0], [0, 0, 0]]}\n"
+                               "  ramp: {extrude: a, along: [0, -1, -1]}\n"
+                               "  floor: {extrude: b, along: [1, 0, 0]}\n"
+                               "  x: {fill: [d, c, b, a], along: [ramp, floor], form: %s, "
+                               "within: 1 mm}\n";
+    static const char *forms[] = {"split", "kato", "charrot-gregory"};
+    for (int i = 0; i < COUNT(forms); i++) {
+        char design_text[1000];
+        batten_notes *notes = NULL;
+        batten_design *design = NULL;
+        snprintf(design_text, sizeof design_text, text, forms[i]);
+        CHECK_OK(batten_notes_create(100, &notes));
+        CHECK_OK(evaluate_design(design_text, "x", notes, &design));
+        if (batten_notes_dropped(notes) == 0) {
+            const char *note = note_with(notes, "planes that differ by 45 degrees", false);
+            CHECK_CONTAINS(note, "in the corner between '");
+            CHECK_CONTAINS(note, "'a'");
+        }
+        batten_design_free(design);
+        batten_notes_free(notes);
+    }
+}
