@@ -64,6 +64,28 @@ TEST(N6_contours_within_a_nanometre_are_few_cubics_and_less_is_refused)
     CHECK_MESSAGE("contours cannot be within 1e-15");
 }
 
+TEST(reflection_lines_that_end_where_there_is_no_value_are_finished_with_a_note)
+{
+    static const char text[] =
+        "batten: 1\nunits: m\nfeatures:\n"
+        "  p: {points: [[0, 0, 0], [1, 0, 0.3], [2, 0, 0], [3, 0, 0.4], [0, 1, 0.4], [1, 1, "
+        "1], "
+        "[2, 1, 0.2], [3, 1, 0], [0, 2, 0], [1, 2, 0.6], [2, 2, 0.9], [3, 2, 0.1], "
+        "[0, 3, 0.2], [1, 3, 0], [2, 3, 0.5], [3, 3, 0]], columns: 4}\n"
+        "  s: {interpolate-grid: p}\n"
+        "  a: {contours: s, of: reflection, direction: x, through: [0, 0, 3], spacing: 0.2, "
+        "eye: z, within: 3e-6}\n";
+    batten_design *design = NULL;
+    CHECK_OK(evaluate_design(text, "a", NULL, &design));
+    const batten_feature_result *result = batten_design_result(design, "a");
+    long count = 0;
+    for (int i = 0; i < batten_model_count(result->value); i++)
+        count += batten_curve_point_count(batten_model_object(result->value, i)->curve);
+    CHECK(count > 100 && count < 200000);
+    CHECK(result->error_max > 3e-6); /* where the field ends, as the note says */
+    batten_design_free(design);
+}
+
 TEST(contours_of_many_surfaces_share_their_levels)
 {
     batten_design *design = NULL;
