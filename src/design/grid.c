@@ -56,6 +56,8 @@ batten_status bat_grid_of(const bat_run *run, const char *parameter, bat_grid *o
         status = add_rows(objects.at[i], &all);
     if (status == BATTEN_OK)
         status = turn(&all, out);
+    if (status == BATTEN_OK)
+        status = bat_points_check_size(out->count_u * out->count_v, out->points);
     bat_rows_release(&all);
     bat_objects_release(&objects);
     return status;

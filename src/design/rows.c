@@ -132,6 +132,8 @@ batten_status bat_gather_points(const bat_run *run, const char *parameter, int *
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
         status = add_rows(objects.at[i], &all, &gathered);
     bat_objects_release(&objects);
+    if (status == BATTEN_OK)
+        status = bat_points_check_size(all, gathered);
     if (status != BATTEN_OK) {
         bat_release(gathered);
         return status;
@@ -192,4 +194,18 @@ batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_cur
     batten_curve_unref(turned);
     batten_curve_unref(lifted);
     return status;
+}
+
+batten_status bat_points_check_size(int count, const double *points)
+{
+    static const double least = 1e-90, most = 1e90;
+    double size = 0;
+    for (int i = 0; i < 3 * count; i++)
+        size = fmax(size, fabs(points[i]));
+    if (size == 0 || (size >= least && size <= most))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_BAD_ARGUMENT,
+                    "the largest coordinate is %g; from %g to %g can be worked with: choose "
+                    "another unit",
+                    size, least, most);
 }

@@ -59,22 +59,6 @@ static batten_status split_function(task *t)
     return BATTEN_OK;
 }
 
-/* Methods multiply lengths, two and three of them: beyond these sizes a product leaves the
- * numbers, and there is no such thing to draw. */
-static batten_status check_size(const bat_row *row)
-{
-    static const double least = 1e-90, most = 1e90;
-    double size = 0;
-    for (int i = 0; i < 3 * row->count; i++)
-        size = fmax(size, fabs(row->points[i]));
-    if (size == 0 || (size >= least && size <= most))
-        return BATTEN_OK;
-    return bat_fail(BATTEN_BAD_ARGUMENT,
-                    "the largest coordinate is %g; from %g to %g can be worked with: choose "
-                    "another unit",
-                    size, least, most);
-}
-
 static batten_status prepare(task *t)
 {
     const bool function = as_function(t->run, t->method->ways);
@@ -208,7 +192,7 @@ static batten_status make_row(bat_run *run, const bat_method *method, const bat_
                               const batten_object *from)
 {
     task t = {.run = run, .method = method, .row = row, .plane = {.axis = -1}};
-    batten_status status = check_size(row);
+    batten_status status = bat_points_check_size(row->count, row->points);
     if (status == BATTEN_OK)
         status = prepare(&t);
     if (status == BATTEN_OK)

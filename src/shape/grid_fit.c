@@ -191,8 +191,8 @@ static batten_status solve(bat_grid_fit *t)
 
 /* ---- the report ---- */
 
-void bat_surface_fit_measure(size_t count, double *distances, const double *weights,
-                             batten_surface_fit_report *report)
+batten_status bat_surface_fit_measure(size_t count, double *distances, const double *weights,
+                                      batten_surface_fit_report *report)
 {
     size_t counted = 0;
     double squares = 0;
@@ -210,9 +210,14 @@ void bat_surface_fit_measure(size_t count, double *distances, const double *weig
         distances[counted++] = distance;
     }
     if (counted == 0)
-        return;
+        return BATTEN_OK;
+    if (!isfinite(squares))
+        return bat_fail(BATTEN_OVERFLOW,
+                        "distances of up to %g are too large for the sum of their squares",
+                        report->max);
     report->rms = sqrt(squares / (double)counted);
     report->most = bat_select(counted, distances, (size_t)ceil(0.95 * (double)counted) - 1);
+    return BATTEN_OK;
 }
 
 static batten_status measure(const bat_grid_fit *t, const batten_surface *surface,
@@ -232,7 +237,9 @@ static batten_status measure(const bat_grid_fit *t, const batten_surface *surfac
         found[i] = bat_distance(d, found + i * (size_t)d, t->points + i * (size_t)d);
     }
     if (status == BATTEN_OK) {
-        bat_surface_fit_measure(nu * nv, found, weights, report);
+        status = bat_surface_fit_measure(nu * nv, found, weights, report);
+    }
+    if (status == BATTEN_OK) {
         const size_t i = (size_t)report->worst;
         report->at[0] = t->parameters[0][i / nv];
         report->at[1] = t->parameters[1][i % nv];

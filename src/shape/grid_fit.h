@@ -37,8 +37,9 @@ batten_status bat_grid_fit_within(int dimension, const int count[2], const doubl
                                   double *u, double *v, batten_surface_fit_report *report,
                                   batten_surface **out);
 
-/* max, rms, most, worst of distances [count]; weights NULL: all 1. `distances` is sorted. */
-void bat_surface_fit_measure(size_t count, double *distances, const double *weights,
-                             batten_surface_fit_report *report);
+/* max, rms, most, worst of distances [count]; weights NULL: all 1. `distances` is sorted.
+ * OVERFLOW when their squares are no numbers. */
+batten_status bat_surface_fit_measure(size_t count, double *distances, const double *weights,
+                                      batten_surface_fit_report *report);
 
 #endif

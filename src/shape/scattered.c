@@ -323,11 +323,13 @@ static int count_empty(const bat_scatter *s, bool *held)
     return empty;
 }
 
-void bat_scatter_report(bat_scatter *s)
+batten_status bat_scatter_report(bat_scatter *s)
 {
     const size_t d = (size_t)s->dimension;
     batten_surface_fit_report *r = &s->report;
-    bat_surface_fit_measure(s->count, s->away, s->given, r);
+    const batten_status status = bat_surface_fit_measure(s->count, s->away, s->given, r);
+    if (status != BATTEN_OK)
+        return status;
     const size_t worst = (size_t)r->worst;
     for (int k = 0; k < 2; k++)
         r->at[k] = s->origin[k] + s->length * s->uv[2 * worst + (size_t)k];
@@ -342,6 +344,7 @@ void bat_scatter_report(bat_scatter *s)
     r->lambda = s->lambda * s->length * s->length;
     r->freedom = s->freedom;
     r->iterations = s->system.iterations;
+    return BATTEN_OK;
 }
 
 static batten_status find_empty(bat_scatter *s)
@@ -386,7 +389,7 @@ batten_status batten_surface_scattered(int dimension, int count, const double *u
     if (status == BATTEN_OK)
         status = bat_scatter_outside(&s);
     if (status == BATTEN_OK)
-        bat_scatter_report(&s);
+        status = bat_scatter_report(&s);
     if (status == BATTEN_OK)
         status = bat_scatter_surface(&s, out);
     if (status == BATTEN_OK && report)

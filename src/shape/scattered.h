@@ -92,7 +92,7 @@ batten_status bat_scatter_layers(bat_scatter *s);
 /* How far the surface leaves the box of the data, into the report. */
 batten_status bat_scatter_outside(bat_scatter *s);
 /* max, rms, where. */
-void bat_scatter_report(bat_scatter *s);
+batten_status bat_scatter_report(bat_scatter *s);
 /* By the method of the options. */
 batten_status bat_scatter_fit(bat_scatter *s);
 

@@ -307,7 +307,7 @@ batten_status batten_surface_cloud(int count, const double *points, const batten
     if (status == BATTEN_OK)
         status = bat_scatter_outside(&s);
     if (status == BATTEN_OK)
-        bat_scatter_report(&s);
+        status = bat_scatter_report(&s);
     if (status == BATTEN_OK)
         status = bat_scatter_surface(&s, out);
     if (status == BATTEN_OK && report)

@@ -472,3 +472,20 @@ TEST(N2_sizes_far_from_one_change_nothing_of_a_grid)
         batten_surface_unref(s);
     }
 }
+
+TEST(N2_distances_whose_squares_are_no_numbers_are_refused)
+{
+    double points[16 * 3];
+    batten_surface *surface = NULL;
+    for (int i = 0; i < 16; i++) {
+        points[3 * i] = i / 4;
+        points[3 * i + 1] = i % 4;
+        points[3 * i + 2] = (i * 7 % 5 - 2) * 1e200;
+    }
+    batten_grid_fit_options o = batten_grid_fit_defaults();
+    o.points_u = o.points_v = 2;
+    o.degree_u = o.degree_v = 1;
+    const batten_status status =
+        batten_surface_fit_grid(3, 4, 4, points, &o, NULL, NULL, NULL, NULL, &surface);
+    CHECK(status != BATTEN_OK && !surface);
+}
