@@ -34,9 +34,9 @@
 #include <batten/fold.h>
 #include <batten/gcode.h>
 #include <batten/geometry.h>
-#include <batten/grid_fit.h>
 #include <batten/gordon.h>
 #include <batten/gregory.h>
+#include <batten/grid_fit.h>
 #include <batten/implicit.h>
 #include <batten/inspect.h>
 #include <batten/interpolate.h>
@@ -62,9 +62,9 @@
 #include <batten/standard.h>
 #include <batten/surface.h>
 #include <batten/surface_blend.h>
-#include <batten/surface_match.h>
 #include <batten/surface_extend.h>
 #include <batten/surface_fillet.h>
+#include <batten/surface_match.h>
 #include <batten/surface_offset.h>
 #include <batten/sweep.h>
 #include <batten/tension.h>

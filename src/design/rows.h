@@ -21,8 +21,8 @@ void bat_rows_release(bat_rows *rows);
 batten_status bat_gather_points(const bat_run *run, const char *parameter, int *count,
                                 double **points);
 
-/* Methods multiply lengths, two and three of them: points [count][3] whose largest coordinate is
- * not from 1e-90 to 1e90 (or 0) are refused, with a word about units. */
+/* Methods multiply lengths, two and three of them: points [count][3] whose largest coordinate
+ * is not from 1e-90 to 1e90 (or 0) are refused, with a word about units. */
 batten_status bat_points_check_size(int count, const double *points);
 
 /* The axis along which all points have the same coordinate bit for bit (the last of several),

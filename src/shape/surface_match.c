@@ -4,8 +4,8 @@
 #include "numeric/vector.h"
 #include "shape/ribbon_fit.h"
 #include "spline/surface.h"
-#include <batten/within.h>
 #include <batten/inspect.h>
+#include <batten/within.h>
 
 #include <string.h>
 

@@ -377,7 +377,8 @@ int test_random_int(test_random *random, int a, int b)
 
 /* ---- main ---- */
 
-/* `--part 1/3`: each third test, from the first on, so that several processes share the work. */
+/* `--part 1/3`: each third test, from the first on, so that several processes share the work.
+ */
 int main(int argument_count, char **arguments)
 {
     unsigned part = 1, parts = 1, index = 0;

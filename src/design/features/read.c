@@ -4,8 +4,8 @@
 
 static const batten_parameter parameters[] = {
     {"read", BATTEN_VALUE_FILE, false, true, NULL, NULL, "the file"},
-    {"format", BATTEN_VALUE_WORD, false, false, "auto",
-     "auto offsets points aerofoil iges", "what is in it; by its content by default"},
+    {"format", BATTEN_VALUE_WORD, false, false, "auto", "auto offsets points aerofoil iges",
+     "what is in it; by its content by default"},
     {"unit", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the unit of a file that names none"},
     {"scale", BATTEN_VALUE_NUMBER, false, false, "1", NULL,
      "all numbers are multiplied by this"},
