@@ -159,10 +159,10 @@ static long greatest_divisor(long a, long b)
 
 /* Each place once, in steps of the golden section: wherever time runs out, those that were
  * tried lie evenly over the whole test, the last one among them. */
-static void run_with_faults(const test_entry *test, long count)
+static void run_with_faults(const test_entry *test, long count, double plain_seconds)
 {
     const double limit = fault_seconds(), begin = now();
-    const int at_least = limit < 1 ? 2 : 8;
+    const int at_least = limit >= 1 ? 8 : plain_seconds > limit ? 1 : 2;
     long step = (long)(0.6180339887498949 * (double)count), tried = 0;
     while (greatest_divisor(count, step) != 1)
         step++;
@@ -182,8 +182,9 @@ static void run_with_faults(const test_entry *test, long count)
 static void run_entry(void **state)
 {
     const test_entry *test = *state;
+    const double begin = now();
     if (run_once(test, NO_FAULT, 0) && fault_mode)
-        run_with_faults(test, allocation_count);
+        run_with_faults(test, allocation_count, now() - begin);
 }
 
 /* ---- checks ---- */
