@@ -186,11 +186,10 @@ static batten_status run_pass(tension_surface *s, bool is_u, double tension,
 
 /* ---- making ---- */
 
-static batten_status make_strips(int count, bool closed, double *parameters, strips *out)
+/* The strips own their parameters, whatever becomes of the rest. */
+static strips strips_of(int count, bool closed, double *parameters)
 {
-    const int spans = closed ? count : count - 1;
-    *out = (strips){count, spans, closed, parameters, bat_array((size_t)spans, sizeof(double))};
-    return out->tensions ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    return (strips){count, closed ? count : count - 1, closed, parameters, NULL};
 }
 
 /* Parameters and points of a surface whose second derivatives are still to be found. */
@@ -199,18 +198,22 @@ static batten_status begin(int dimension, int count_u, int count_v, const double
 {
     const size_t d = (size_t)dimension, total = (size_t)count_u * (size_t)count_v;
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    s->dimension = dimension;
-    batten_status status =
+    const batten_status status =
         bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD, o->closed_u,
                                o->closed_v, o->u, o->v, &at);
-    const batten_status made_u = make_strips(count_u, o->closed_u, at.u, &s->u);
-    const batten_status made_v = make_strips(count_v, o->closed_v, at.v, &s->v);
+    s->dimension = dimension;
+    s->u = strips_of(count_u, o->closed_u, at.u);
+    s->v = strips_of(count_v, o->closed_v, at.v);
+    if (status != BATTEN_OK)
+        return status;
+    s->u.tensions = bat_array((size_t)s->u.spans, sizeof *s->u.tensions);
+    s->v.tensions = bat_array((size_t)s->v.spans, sizeof *s->v.tensions);
     s->vectors = bat_array3(total, VECTORS * d, sizeof *s->vectors);
-    if (status == BATTEN_OK && (made_u != BATTEN_OK || made_v != BATTEN_OK || !s->vectors))
-        status = BATTEN_OUT_OF_MEMORY;
-    for (size_t i = 0; status == BATTEN_OK && i < total; i++)
+    if (!s->u.tensions || !s->v.tensions || !s->vectors)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < total; i++)
         memcpy(s->vectors + i * VECTORS * d, points + i * d, d * sizeof *points);
-    return status;
+    return BATTEN_OK;
 }
 
 static batten_status hand_over(tension_surface *s, size_t total, batten_surface **out)
