@@ -337,6 +337,8 @@ batten_status bat_runs_cut(const bat_facets *facets, size_t count, const double 
     }
     if (status == BATTEN_OK && at < end)
         status = add_run(out, false, count, points, at, end);
+    if (status != BATTEN_OK)
+        bat_runs_free(out);
     bat_release(hidden.all);
     return status;
 }

@@ -44,7 +44,7 @@ typedef struct {
 
 /* Cut a polyline points [count][3] into runs that are seen and hidden; those shorter than
  * `least` beside others join them. Whether they are is asked at `probes` [count][3]: the points
- * themselves or others near them. */
+ * themselves or others near them. `out` begins empty, and is so after a failure. */
 batten_status bat_runs_cut(const bat_facets *facets, size_t count, const double *points,
                            const double *probes, double least, bat_runs *out);
 void bat_runs_free(bat_runs *runs);

@@ -49,6 +49,9 @@ void bat_wires_free(bat_wires *w)
     bat_wires_drop(w, 0);
     bat_release(w->tiles);
     bat_release(w->wires);
+    w->tiles = NULL;
+    w->wires = NULL;
+    w->capacity = 0;
 }
 
 /* ---- isolines, edges, creases ---- */
@@ -362,5 +365,7 @@ batten_status bat_wires_gather(bat_wires *w, double scale)
     if (status == BATTEN_OK && w->options->contours)
         status = add_all_contours(w);
     w->lasting = w->count;
+    if (status != BATTEN_OK)
+        bat_wires_free(w);
     return status;
 }

@@ -13,8 +13,10 @@ static void check_sample(const batten_surface *surface, const char *sample, doub
     double p[3], n[3];
     batten_surface_local at;
     json_numbers(json_key(sample, "p"), 3, p);
-    const batten_status status = batten_surface_local_at(
-        surface, json_number(json_key(sample, "u")), json_number(json_key(sample, "v")), &at);
+    const double u = json_number(json_key(sample, "u")), v = json_number(json_key(sample, "v"));
+    batten_status status = batten_surface_local_at(surface, u, v, &at);
+    if (test_memory_failed(status, BATTEN_OK))
+        status = batten_surface_local_at(surface, u, v, &at);
     if (status == BATTEN_SINGULAR_HERE)
         return;
     CHECK_STATUS(status, BATTEN_OK);
@@ -32,20 +34,21 @@ static void check_sample(const batten_surface *surface, const char *sample, doub
 
 TEST(surfaces_of_iges_files_are_those_that_open_cascade_sees)
 {
-    static const char *const names[] = {"hull_surfaces/cargo_hull_surface.igs",
-                                        "hull_surfaces/ropax_maxsurf.igs",
-                                        "iges/gd_wing128.igs"};
+    static const struct {
+        const char *name;
+        batten_status status; /* other entities of the last one are left out */
+    } files[] = {{"hull_surfaces/cargo_hull_surface.igs", BATTEN_OK},
+                 {"hull_surfaces/ropax_maxsurf.igs", BATTEN_OK},
+                 {"iges/gd_wing128.igs", BATTEN_PARTLY_READ}};
     const char *all = json_file("peer_tests/occt_surface_evaluation.json");
-    for (int f = 0; f < COUNT(names); f++) {
+    for (int f = 0; f < COUNT(files); f++) {
         batten_model *model = NULL;
-        const batten_status status =
-            batten_read_file(test_data(names[f]), NULL, NULL, NULL, &model);
-        if (status != BATTEN_PARTLY_READ)
-            CHECK_STATUS(status, BATTEN_OK);
+        CHECK_STATUS(batten_read_file(test_data(files[f].name), NULL, NULL, NULL, &model),
+                     files[f].status);
         batten_model *read = model;
         CHECK_OK(batten_model_to_unit(read, 0.001, &model)); /* millimetres */
         batten_model_unref(read);
-        const char *faces = json_key(all, names[f]);
+        const char *faces = json_key(all, files[f].name);
         int face = 0;
         for (int i = 0; i < batten_model_count(model); i++) {
             const batten_object *object = batten_model_object(model, i);
