@@ -178,3 +178,26 @@ TEST(parts_of_chains_stay_chains)
     CHECK(batten_model_object(batten_design_result(design, "a")->value, 0)->chain == NULL);
     batten_design_free(design);
 }
+
+/* Beams, splines in tension, clothoids and arcs around one patch. */
+TEST(surfaces_are_made_from_curves_of_any_kind)
+{
+    static const char sides[] =
+        "  p0: {points: [[0, 0, 0], [1, 0, 0.4], [2, 0, 0.3], [3, 0, 0]]}\n"
+        "  p1: {points: [[0, 2, 0], [1, 2, 0.6], [2, 2, 0.5], [3, 2, 0]]}\n"
+        "  q0: {points: [[0, 0, 0], [0, 1, 0.3], [0, 2, 0]]}\n"
+        "  q1: {points: [[3, 0, 0], [3, 1, 0.2], [3, 2, 0]]}\n"
+        "  s: {elastica: p0}\n  n: {tension: p1, amount: 6}\n"
+        "  w: {euler-spiral: q0}\n  e: {biarcs: q1}\n";
+    static const char *const features[] = {
+        "{coons: [s, e, n, w]}", "{skin: [s, n]}", "{ruled: [w, e]}",
+        "{gordon: [s, n], guides: [w, e]}", "{fill: [s, e, n, w], continuity: G0}"};
+    for (int i = 0; i < COUNT(features); i++) {
+        batten_design *design = NULL;
+        CHECK_OK(evaluate(sides, features[i], &design, NULL));
+        const batten_model *model = batten_design_result(design, "a")->value;
+        CHECK(batten_model_count(model) > 0);
+        CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_SURFACE);
+        batten_design_free(design);
+    }
+}
