@@ -137,30 +137,6 @@ TEST(G2_points_on_two_lines_or_round_a_hub_give_planes_where_no_quadratic_is_det
     }
 }
 
-TEST(places_behind_a_corner_of_the_rim_that_turns_inwards_are_found)
-{
-    /* a bar with two teeth: from one tooth to the other the walk leaves the triangles */
-    const double vertices[] = {0, 0, 3, 0, 3, 3, 2, 1, 1, 1, 0, 3};
-    const int corners[] = {0, 4, 5, 0, 1, 4, 1, 3, 4, 1, 2, 3};
-    const batten_triangulation domain = {6, vertices, corners};
-    double f[6];
-    for (int v = 0; v < 6; v++)
-        f[v] = plane(vertices[2 * v], vertices[2 * v + 1]);
-    batten_triangles *out = NULL;
-    CHECK_OK(batten_triangles_linear(&domain, 4, f, &out));
-    const double at[] = {0.1, 2.5, 2.9, 2.5, 0.1, 2.5, 1.5, 2.0, 2.9, 2.6, 1.5, -1};
-    double found[6];
-    size_t outside = 0;
-    CHECK_OK(
-        batten_triangles_over(out, 6, at, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found, &outside));
-    CHECK_INT((int)outside, 2);
-    for (int i = 0; i < 5; i++)
-        if (i != 3)
-            CHECK_NEAR(found[i], plane(at[2 * i], at[2 * i + 1]), 1e-13);
-    CHECK_NEAR(found[5], plane(1.5, 0), 1e-13);
-    batten_triangles_unref(out);
-}
-
 TEST(the_network_bends_less_than_any_other)
 {
     enum { N = 6 };

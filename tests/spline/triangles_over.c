@@ -1,0 +1,106 @@
+#include <batten/scattered_triangles.h>
+#include <batten/triangulate.h>
+
+#include "support/test.h"
+
+static double plane(double x, double y)
+{
+    return 3 * x - 2 * y + 0.5;
+}
+
+/* The linear function over the triangulation of random points of the unit square. */
+static batten_triangles *square(int count)
+{
+    test_random random = test_random_begin("places over triangles");
+    double *points = test_array((size_t)count * 2, sizeof *points),
+           *f = test_array((size_t)count, sizeof *f);
+    const double corners[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    batten_plane_triangles plan;
+    batten_triangles *out = NULL;
+    memcpy(points, corners, sizeof corners);
+    for (int i = 8; i < 2 * count; i++)
+        points[i] = test_random_unit(&random);
+    CHECK_OK(batten_triangulate(count, points, NULL, &plan));
+    CHECK_INT(plan.vertex_count, count);
+    for (int v = 0; v < count; v++)
+        f[v] = plane(plan.vertices[2 * v], plan.vertices[2 * v + 1]);
+    const batten_triangulation domain = {plan.vertex_count, plan.vertices, plan.corners};
+    CHECK_OK(batten_triangles_linear(&domain, plan.count, f, &out));
+    batten_plane_triangles_release(&plan);
+    return out;
+}
+
+TEST(values_and_slopes_over_triangles_are_those_of_the_plane)
+{
+    batten_triangles *triangles = square(60);
+    test_random random = test_random_begin("places");
+    double at[2 * 500], found[3 * 500];
+    size_t outside = 9;
+    for (int i = 0; i < COUNT(at); i++)
+        at[i] = test_random_unit(&random);
+    CHECK_OK(batten_triangles_over(triangles, 500, at, 1, BATTEN_OUTSIDE_REFUSED, NULL, found,
+                                   &outside));
+    CHECK_INT((int)outside, 0);
+    for (int i = 0; i < 500; i++) {
+        CHECK_NEAR(found[3 * i], plane(at[2 * i], at[2 * i + 1]), 1e-12);
+        CHECK_NEAR(found[3 * i + 1], 3, 1e-10);
+        CHECK_NEAR(found[3 * i + 2], -2, 1e-10);
+    }
+    batten_triangles_unref(triangles);
+}
+
+TEST(places_outside_are_refused_or_taken_to_the_rim)
+{
+    batten_triangles *triangles = square(30);
+    const double at[6] = {0.5, 0.5, 2, 0.25, -1, -1}, odd[2] = {NAN, 0};
+    double found[3];
+    size_t outside = 0;
+    CHECK_STATUS(
+        batten_triangles_over(triangles, 3, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, found, NULL),
+        BATTEN_OUT_OF_DOMAIN);
+    CHECK_STATUS(
+        batten_triangles_over(triangles, 1, odd, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found, NULL),
+        BATTEN_NOT_FINITE);
+    CHECK_OK(batten_triangles_over(triangles, 3, at, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found,
+                                   &outside));
+    CHECK_INT((int)outside, 2);
+    CHECK_NEAR(found[1], plane(1, 0.25), 1e-12);
+    CHECK_NEAR(found[2], plane(0, 0), 1e-12);
+    batten_triangles_unref(triangles);
+}
+
+TEST(triangles_without_a_domain_are_no_function)
+{
+    const double points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, at[2] = {0.2, 0.2};
+    double found[3];
+    batten_triangles *triangles = NULL;
+    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, NULL, &triangles));
+    CHECK_STATUS(
+        batten_triangles_over(triangles, 1, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, found, NULL),
+        BATTEN_BAD_ARGUMENT);
+    batten_triangles_unref(triangles);
+}
+
+TEST(places_behind_a_corner_of_the_rim_that_turns_inwards_are_found)
+{
+    /* a bar with two teeth: from one tooth to the other the walk leaves the triangles */
+    const double vertices[] = {0, 0, 3, 0, 3, 3, 2, 1, 1, 1, 0, 3};
+    const int corners[] = {0, 4, 5, 0, 1, 4, 1, 3, 4, 1, 2, 3};
+    const batten_triangulation domain = {6, vertices, corners};
+    double f[6];
+    for (int v = 0; v < 6; v++)
+        f[v] = plane(vertices[2 * v], vertices[2 * v + 1]);
+    batten_triangles *out = NULL;
+    CHECK_OK(batten_triangles_linear(&domain, 4, f, &out));
+    const double at[] = {0.1, 2.5, 2.9, 2.5, 0.1, 2.5, 1.5, 2.0, 2.9, 2.6, 1.5, -1};
+    double found[6];
+    size_t outside = 0;
+    CHECK_OK(
+        batten_triangles_over(out, 6, at, 0, BATTEN_OUTSIDE_CLAMPED, NULL, found, &outside));
+    CHECK_INT((int)outside, 2);
+    for (int i = 0; i < 5; i++)
+        if (i != 3)
+            CHECK_NEAR(found[i], plane(at[2 * i], at[2 * i + 1]), 1e-13);
+    CHECK_NEAR(found[5], plane(1.5, 0), 1e-13);
+    batten_triangles_unref(out);
+}
