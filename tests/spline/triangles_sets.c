@@ -1,0 +1,79 @@
+/* Parts of sets of triangles, sets put together, graphs: what they keep, what they refuse. */
+#include <batten/triangles.h>
+
+#include "support/test.h"
+
+/* Two linear triangles over the unit square, values x + 2 y. */
+static batten_triangles *square(void)
+{
+    const double vertices[8] = {0, 0, 1, 0, 0, 1, 1, 1}, values[6] = {0, 1, 2, 3, 2, 1};
+    const int corners[6] = {0, 1, 2, 3, 2, 1};
+    const batten_triangulation domain = {4, vertices, corners};
+    batten_triangles *out = NULL;
+    CHECK_OK(batten_triangles_create(1, 1, 2, values, NULL, &domain, &out));
+    return out;
+}
+
+TEST(selected_triangles_keep_their_domain_and_values)
+{
+    batten_triangles *all = square(), *one = NULL, *graph = NULL;
+    const int which[1] = {1}, none[1] = {2}, low[1] = {-1};
+    double at[3];
+    CHECK_OK(batten_triangles_select(all, 1, which, &one));
+    CHECK_INT(batten_triangles_count(one), 1);
+    CHECK_OK(batten_triangles_graph(one, &graph));
+    CHECK_OK(batten_triangles_evaluate(graph, 0, (const double[3]){1, 0, 0}, 0, at));
+    CHECK_NEAR(at[0], 1, 0);
+    CHECK_NEAR(at[1], 1, 0);
+    CHECK_NEAR(at[2], 3, 0);
+    CHECK_STATUS(batten_triangles_select(all, 0, which, &one), BATTEN_TOO_FEW_POINTS);
+    CHECK_STATUS(batten_triangles_select(all, 1, none, &one), BATTEN_OUT_OF_DOMAIN);
+    CHECK_MESSAGE("there are 2");
+    CHECK_STATUS(batten_triangles_select(all, 1, low, &one), BATTEN_OUT_OF_DOMAIN);
+    batten_triangles_unref(all);
+    batten_triangles_unref(one);
+    batten_triangles_unref(graph);
+}
+
+TEST(sets_of_different_dimensions_are_not_put_together)
+{
+    const double flat[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const double weights[3] = {1, 2, 1};
+    batten_triangles *values = square(), *space = NULL, *rational = NULL, *both = NULL;
+    double at[3];
+    CHECK_OK(batten_triangles_create(3, 1, 1, flat, NULL, NULL, &space));
+    CHECK_OK(batten_triangles_create(3, 1, 1, flat, weights, NULL, &rational));
+    CHECK_STATUS(batten_triangles_together(values, space, &both), BATTEN_NOT_COMPATIBLE);
+    CHECK_MESSAGE("1 and 3");
+    CHECK_OK(batten_triangles_together(rational, space, &both));
+    CHECK_OK(batten_triangles_evaluate(both, 0, (const double[3]){0.5, 0.5, 0}, 0, at));
+    CHECK_NEAR(at[0], 2.0 / 3, 1e-15);
+    CHECK_OK(batten_triangles_evaluate(both, 1, (const double[3]){0.5, 0.5, 0}, 0, at));
+    CHECK_NEAR(at[0], 0.5, 1e-15);
+    batten_triangles *graph = NULL;
+    CHECK_STATUS(batten_triangles_graph(space, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_graph(rational, &graph), BATTEN_BAD_ARGUMENT);
+    batten_triangles_unref(values);
+    batten_triangles_unref(space);
+    batten_triangles_unref(rational);
+    batten_triangles_unref(both);
+}
+
+TEST(graphs_are_of_functions)
+{
+    const double knots[4] = {0, 0, 1, 1}, plane[4] = {0, 0, 1, 2}, line[2] = {3, 4},
+                 weights[2] = {1, 2};
+    batten_curve *curve = NULL, *rational = NULL, *function = NULL, *graph = NULL;
+    CHECK_OK(batten_curve_create(2, 1, 2, plane, NULL, knots, &curve));
+    CHECK_OK(batten_curve_create(1, 1, 2, line, weights, knots, &rational));
+    CHECK_OK(batten_curve_create(1, 1, 2, line, NULL, knots, &function));
+    CHECK_STATUS(batten_curve_graph(curve, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_graph(rational, &graph), BATTEN_UNSUPPORTED);
+    CHECK_OK(batten_curve_graph(function, &graph));
+    CHECK_NEAR(batten_curve_points(graph)[2], 1, 0);
+    CHECK_NEAR(batten_curve_points(graph)[3], 4, 0);
+    batten_curve_unref(curve);
+    batten_curve_unref(rational);
+    batten_curve_unref(function);
+    batten_curve_unref(graph);
+}
