@@ -120,6 +120,10 @@ batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curv
 /* The same of a curve that is a chain, or NULL, in truth; both references are given back. */
 batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curve *curve,
                                  batten_chain *chain, const batten_object *like);
+/* A curve in the plane of a flat sheet, put into space with a name, a layer ("cut" ...) and a
+ * colour [3], for cutting and bending. */
+batten_status bat_put_flat(bat_run *run, batten_status status, batten_curve *curve,
+                           const char *name, const char *layer, const double *colour);
 batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_surface *surface,
                                    const batten_object *like);
 

@@ -221,6 +221,20 @@ batten_status bat_put_curve_like(bat_run *run, batten_status status, batten_curv
     return put_curve(run, status, curve, NULL, like, keep_data);
 }
 
+batten_status bat_put_flat(bat_run *run, batten_status status, batten_curve *curve,
+                           const char *name, const char *layer, const double *colour)
+{
+    const batten_object like = {.name = name,
+                                .layer = layer,
+                                .has_colour = true,
+                                .colour = {colour[0], colour[1], colour[2]}};
+    batten_curve *space = NULL;
+    if (status == BATTEN_OK)
+        status = batten_curve_to_dimension(curve, 3, &space);
+    batten_curve_unref(curve);
+    return bat_put_curve_like(run, status, space, &like, false);
+}
+
 batten_status bat_put_chain_like(bat_run *run, batten_status status, batten_curve *curve,
                                  batten_chain *chain, const batten_object *like)
 {

@@ -279,21 +279,6 @@ static batten_status formula_normal_grid(const batten_surface *surface, size_t c
                : status;
 }
 
-static int span_of(const formula_surface *made, batten_direction direction, double at,
-                   batten_side side)
-{
-    const double *spans = made->spans[direction];
-    int low = 0, high = made->count[direction] - 2;
-    while (low < high) {
-        const int middle = low + (high - low + 1) / 2;
-        if (spans[middle] < at || (side == BATTEN_FROM_RIGHT && spans[middle] == at))
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    return low;
-}
-
 static void formula_local(const batten_surface *surface, double u, double v, batten_side side_u,
                           batten_side side_v, bat_surface_local *out)
 {
@@ -302,7 +287,7 @@ static void formula_local(const batten_surface *surface, double u, double v, bat
     const batten_side sides[2] = {side_u, side_v};
     out->largest = made->size;
     for (int k = 0; k < 2; k++) {
-        const int s = span_of(made, (batten_direction)k, at[k], sides[k]);
+        const int s = bat_breaks_span(made->count[k], made->spans[k], at[k], sides[k]);
         out->degree[k] = LIKE_DEGREE;
         out->span[k] = made->spans[k][s + 1] - made->spans[k][s];
     }
@@ -475,13 +460,4 @@ int bat_formula_smoothness(const batten_surface *surface, batten_direction direc
     return surface->kind->evaluate == formula_evaluate
                ? formula_of(surface)->smoothness[direction]
                : 0;
-}
-
-const void *bat_formula_data(const batten_surface *surface, const bat_formula *formula)
-{
-    if (surface->kind->evaluate != formula_evaluate)
-        return NULL;
-    const formula_surface *made = formula_of(surface);
-    const bool same = made->shared->formula.evaluate == formula->evaluate;
-    return same && !made->mapped ? made->shared->data : NULL;
 }

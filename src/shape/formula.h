@@ -43,8 +43,20 @@ batten_status bat_formula_create(const bat_formula *formula, void *data, int dim
                                  const bat_formula_axis *u, const bat_formula_axis *v,
                                  double size, batten_surface **out);
 
-/* Its data, when the surface is of this very kind and not mapped; else NULL. */
-const void *bat_formula_data(const batten_surface *surface, const bat_formula *formula);
+/* Which of the spans between breaks [count] holds a parameter of their range; a break belongs
+ * to the span on the side named. */
+static inline int bat_breaks_span(int count, const double *breaks, double at, batten_side side)
+{
+    int low = 0, high = count - 2;
+    while (low < high) {
+        const int middle = low + (high - low + 1) / 2;
+        if (breaks[middle] < at || (breaks[middle] == at && side == BATTEN_FROM_RIGHT))
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return low;
+}
 
 /*
  * The tensor B-spline near any surface of dimension 1 to 3: degree 5, interpolating at

@@ -51,15 +51,7 @@ typedef struct {
 
 static place place_on(const strips *s, double at, batten_side side)
 {
-    int low = 0, high = s->spans - 1;
-    while (low < high) {
-        const int middle = low + (high - low + 1) / 2;
-        const double knot = s->parameters[middle];
-        if (knot < at || (knot == at && side == BATTEN_FROM_RIGHT))
-            low = middle;
-        else
-            high = middle - 1;
-    }
+    const int low = bat_breaks_span(s->spans + 1, s->parameters, at, side);
     const double a = s->parameters[low], b = s->parameters[low + 1], h = b - a;
     const double x = (at - a) / h, rest = (b - at) / h, z = s->tensions[low] * h;
     double up[4], down[4];

@@ -2,6 +2,8 @@
 
 #include "support/test.h"
 
+#include <string.h>
+
 /* A random triangulation with values and gradients. */
 enum { MANY = 40 };
 typedef struct {
@@ -147,73 +149,72 @@ TEST(random_values_and_gradients_give_smooth_functions_with_them)
     }
 }
 
-TEST(elements_commute_with_affine_maps_and_with_the_order_of_corners)
+static const double corners[6] = {0, 0, 2, 0.3, 0.7, 1.8}, places[4] = {0.8, 0.5, 1.2, 0.9};
+
+/* Two sets have equal values at the places; both are given back. */
+static void check_same(batten_triangles *one, batten_triangles *other, double tolerance)
+{
+    double value[2][2];
+    CHECK_OK(
+        batten_triangles_over(one, 2, places, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[0], NULL));
+    CHECK_OK(batten_triangles_over(other, 2, places, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[1],
+                                   NULL));
+    for (int i = 0; i < 2; i++)
+        CHECK_NEAR(value[0][i], value[1][i], tolerance);
+    batten_triangles_unref(one);
+    batten_triangles_unref(other);
+}
+
+/* The slopes across edges are given with the edges: edge e of the turned triangle is edge e
+ * + 2. */
+TEST(elements_commute_with_the_order_of_corners)
 {
     test_random random = test_random_begin(__func__);
-    const double p[6] = {0, 0, 2, 0.3, 0.7, 1.8}, m[4] = {1.5, 0.4, -0.3, 2};
     const int plain[3] = {0, 1, 2}, turned[3] = {2, 0, 1};
-    double f[3], g[6], q[6], h[6], value[2][2];
+    const batten_triangulation one = {3, corners, plain}, two = {3, corners, turned};
+    double f[3], g[6], middles[6], changed[6];
     for (int i = 0; i < 6; i++) {
         f[i / 2] = test_random_in(&random, -1, 1);
         g[i] = test_random_in(&random, -1, 1);
+        middles[i] = 0.2 * i;
     }
-    for (int v = 0; v < 3; v++) { /* q = m p + (3, 1); the gradient by the inverse transposed */
-        const double whole = m[0] * m[3] - m[1] * m[2];
-        q[2 * v] = m[0] * p[2 * v] + m[1] * p[2 * v + 1] + 3;
-        q[2 * v + 1] = m[2] * p[2 * v] + m[3] * p[2 * v + 1] + 1;
-        h[2 * v] = (m[3] * g[2 * v] - m[2] * g[2 * v + 1]) / whole;
-        h[2 * v + 1] = (-m[1] * g[2 * v] + m[0] * g[2 * v + 1]) / whole;
-    }
-    const batten_triangulation one = {3, p, plain}, two = {3, q, turned},
-                               three = {3, p, turned};
-    const double at[4] = {0.8, 0.5, 1.2, 0.9};
-    double mapped[4];
-    for (int i = 0; i < 2; i++) {
-        mapped[2 * i] = m[0] * at[2 * i] + m[1] * at[2 * i + 1] + 3;
-        mapped[2 * i + 1] = m[2] * at[2 * i] + m[3] * at[2 * i + 1] + 1;
-    }
-    batten_triangles *made = NULL, *other = NULL;
-    /* condensed slopes are across edges: so it is the full element that commutes with maps */
-    double middles[6], changed[6];
-    for (int k = 0; k < 6; k++)
-        middles[k] = 0.2 * k;
     for (int e = 0; e < 3; e++)
-        for (int k = 0; k < 2; k++)
-            changed[2 * e + k] = middles[2 * ((e + 2) % 3) + k];
+        memcpy(changed + 2 * e, middles + 2 * ((e + 2) % 3), 2 * sizeof *changed);
+    batten_triangles *made = NULL, *other = NULL;
     CHECK_OK(batten_triangles_clough_tocher(&one, 1, f, g, middles, &made));
-    CHECK_OK(batten_triangles_clough_tocher(&three, 1, f, g, changed, &other));
-    CHECK_OK(
-        batten_triangles_over(made, 2, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[0], NULL));
-    CHECK_OK(
-        batten_triangles_over(other, 2, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[1], NULL));
-    for (int i = 0; i < 2; i++)
-        CHECK_NEAR(value[0][i], value[1][i], 1e-14);
-    batten_triangles_unref(made);
-    batten_triangles_unref(other);
-    /* one triangle of Powell and Sabin is cut in the middles, but its centre is no affine one:
-     * equal are those with the order changed */
+    CHECK_OK(batten_triangles_clough_tocher(&two, 1, f, g, changed, &other));
+    check_same(made, other, 1e-14);
+    made = other = NULL;
     CHECK_OK(batten_triangles_powell_sabin(&one, 1, f, g, NULL, &made));
-    CHECK_OK(batten_triangles_powell_sabin(&three, 1, f, g, NULL, &other));
-    CHECK_OK(
-        batten_triangles_over(made, 2, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[0], NULL));
-    CHECK_OK(
-        batten_triangles_over(other, 2, at, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[1], NULL));
-    for (int i = 0; i < 2; i++)
-        CHECK_NEAR(value[0][i], value[1][i], 1e-14);
-    batten_triangles_unref(made);
-    batten_triangles_unref(other);
-    /* planes are met whatever the map */
-    double plane[3];
+    CHECK_OK(batten_triangles_powell_sabin(&two, 1, f, g, NULL, &other));
+    check_same(made, other, 1e-14);
+}
+
+/* Condensed slopes are across edges, so that the element does not commute with maps; but it
+ * meets planes over the image of a triangle. */
+TEST(planes_are_met_over_the_affine_image_of_a_triangle)
+{
+    const double m[4] = {1.5, 0.4, -0.3, 2};
+    const int turned[3] = {2, 0, 1};
+    double q[6], h[6], plane[3], mapped[4], value[2];
     for (int v = 0; v < 3; v++) {
+        q[2 * v] = m[0] * corners[2 * v] + m[1] * corners[2 * v + 1] + 3;
+        q[2 * v + 1] = m[2] * corners[2 * v] + m[3] * corners[2 * v + 1] + 1;
         plane[v] = 2 * q[2 * v] - q[2 * v + 1];
         h[2 * v] = 2;
         h[2 * v + 1] = -1;
     }
-    CHECK_OK(batten_triangles_clough_tocher(&two, 1, plane, h, NULL, &made));
-    CHECK_OK(batten_triangles_over(made, 2, mapped, 0, BATTEN_OUTSIDE_REFUSED, NULL, value[0],
-                                   NULL));
+    for (int i = 0; i < 2; i++) {
+        mapped[2 * i] = m[0] * places[2 * i] + m[1] * places[2 * i + 1] + 3;
+        mapped[2 * i + 1] = m[2] * places[2 * i] + m[3] * places[2 * i + 1] + 1;
+    }
+    const batten_triangulation domain = {3, q, turned};
+    batten_triangles *made = NULL;
+    CHECK_OK(batten_triangles_clough_tocher(&domain, 1, plane, h, NULL, &made));
+    CHECK_OK(
+        batten_triangles_over(made, 2, mapped, 0, BATTEN_OUTSIDE_REFUSED, NULL, value, NULL));
     for (int i = 0; i < 2; i++)
-        CHECK_NEAR(value[0][i], 2 * mapped[2 * i] - mapped[2 * i + 1], 1e-13);
+        CHECK_NEAR(value[i], 2 * mapped[2 * i] - mapped[2 * i + 1], 1e-13);
     batten_triangles_unref(made);
 }
 

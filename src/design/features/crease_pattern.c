@@ -35,20 +35,6 @@ static batten_status smooth(const batten_fold *fold, const batten_fold_sheet *sh
     return status;
 }
 
-static batten_status put(bat_run *run, batten_status status, batten_curve *curve,
-                         const char *name, const char *layer, const double *colour)
-{
-    const batten_object like = {.name = name,
-                                .layer = layer,
-                                .has_colour = true,
-                                .colour = {colour[0], colour[1], colour[2]}};
-    batten_curve *space = NULL;
-    if (status == BATTEN_OK)
-        status = batten_curve_to_dimension(curve, 3, &space);
-    batten_curve_unref(curve);
-    return bat_put_curve_like(run, status, space, &like, false);
-}
-
 /* From the end of one edge over the crease to the end of the other: sample 0 or the last. */
 static batten_status end_line(const batten_fold *fold, bool at_start, batten_curve **out)
 {
@@ -95,7 +81,7 @@ static batten_status put_outline(bat_run *run, const batten_fold *fold)
     if (status == BATTEN_OK)
         status = end_line(fold, true, &piece);
     status = add_piece(status, &outline, piece, tolerance);
-    return put(run, status, outline, "outline", "cut", black);
+    return bat_put_flat(run, status, outline, "outline", "cut", black);
 }
 
 static batten_status put_crease(bat_run *run, const batten_fold *fold)
@@ -104,8 +90,8 @@ static batten_status put_crease(bat_run *run, const batten_fold *fold)
     const bool mountain = fold->angles[0] > 0;
     batten_curve *crease = NULL;
     const batten_status status = smooth(fold, NULL, &crease);
-    return put(run, status, crease, "crease", mountain ? "mountain" : "valley",
-               mountain ? red : blue);
+    return bat_put_flat(run, status, crease, "crease", mountain ? "mountain" : "valley",
+                        mountain ? red : blue);
 }
 
 static batten_status put_rulings(bat_run *run, const batten_fold *fold,
@@ -120,7 +106,7 @@ static batten_status put_rulings(bat_run *run, const batten_fold *fold,
         flat_point(fold, NULL, i, ends);
         flat_point(fold, sheet, i, ends + 2);
         status = batten_curve_line(2, ends, ends + 2, &line);
-        status = put(run, status, line, "", "rulings", grey);
+        status = bat_put_flat(run, status, line, "", "rulings", grey);
     }
     return status;
 }

@@ -25,20 +25,6 @@ static const batten_parameter parameters[] = {
 
 static const double black[3] = {0, 0, 0}, grey[3] = {0.6, 0.6, 0.6}, blue[3] = {0, 0, 1};
 
-static batten_status put(bat_run *run, batten_status status, batten_curve *curve,
-                         const char *name, const char *layer, const double *colour)
-{
-    const batten_object like = {.name = name,
-                                .layer = layer,
-                                .has_colour = true,
-                                .colour = {colour[0], colour[1], colour[2]}};
-    batten_curve *space = NULL;
-    if (status == BATTEN_OK)
-        status = batten_curve_to_dimension(curve, 3, &space);
-    batten_curve_unref(curve);
-    return bat_put_curve_like(run, status, space, &like, false);
-}
-
 /* ---- the outline ---- */
 
 /* What is shorter than this is a point. */
@@ -149,7 +135,7 @@ static batten_status put_lines(bat_run *run, const batten_unrolled *flat, int co
             status = batten_curve_evaluate(flat->second, u, 0, to);
         if (status == BATTEN_OK)
             status = batten_curve_line(2, from, to, &line);
-        status = put(run, status, line, "", "rulings", grey);
+        status = bat_put_flat(run, status, line, "", "rulings", grey);
     }
     return status;
 }
@@ -250,7 +236,7 @@ static batten_status put_marks(bat_run *run, const batten_unrolled *flat, double
         batten_curve_unref(space);
         if (status == BATTEN_OK)
             bat_report_error(run, error, error);
-        status = put(run, status, mark, curves.at[i]->name, "marks", blue);
+        status = bat_put_flat(run, status, mark, curves.at[i]->name, "marks", blue);
     }
     bat_objects_release(&curves);
     return status;
@@ -287,7 +273,7 @@ static batten_status put_sheet(bat_run *run, const batten_unrolled *flat, double
         return status;
     }
     say(run, flat);
-    status = put(run, status, outline, run->name, "cut", black);
+    status = bat_put_flat(run, status, outline, run->name, "cut", black);
     if (status == BATTEN_OK)
         status = put_lines(run, flat, bat_count(run, "lines"));
     if (status == BATTEN_OK && bat_has(run, "marks"))
