@@ -1,32 +1,22 @@
 /* The sides of a hole in order, each smooth, polynomial, over [0, 2], in a box of size 1. */
 #include "numeric/vector.h"
 #include "shape/fill.h"
+#include "spline/curve.h"
 #include <batten/within.h>
-
-/* Put what was made of a curve, when that went well, in its place. */
-static batten_status replace(batten_status status, batten_curve *const *made,
-                             batten_curve **curve)
-{
-    if (status != BATTEN_OK)
-        return status;
-    batten_curve_unref(*curve);
-    *curve = *made;
-    return BATTEN_OK;
-}
 
 /* Polynomial and clamped; *error grows by how far it moved. */
 static batten_status make_polynomial(double tolerance, double *error, batten_curve **curve)
 {
     batten_curve *made = NULL;
     if (!batten_curve_is_rational(*curve))
-        return replace(batten_curve_clamp(*curve, &made), &made, curve);
+        return bat_curve_replace(batten_curve_clamp(*curve, &made), curve, &made);
     double moved = 0;
     const int degree = bat_max_int(5, batten_curve_degree(*curve));
     const batten_status status =
         batten_curve_approximate(*curve, degree, tolerance, &moved, &made);
     if (status == BATTEN_OK && moved > *error)
         *error = moved;
-    return replace(status, &made, curve);
+    return bat_curve_replace(status, curve, &made);
 }
 
 /* The same curve with knots that are 1 but for rounding at 1: there the side is halved, and a
@@ -56,11 +46,11 @@ static batten_status take(const batten_curve *given, bool reversed, const batten
     if (status == BATTEN_OK)
         status = make_polynomial(tolerance, error, &curve);
     if (status == BATTEN_OK && reversed)
-        status = replace(batten_curve_reverse(curve, &made), &made, &curve);
+        status = bat_curve_replace(batten_curve_reverse(curve, &made), &curve, &made);
     if (status == BATTEN_OK)
-        status = replace(batten_curve_set_domain(curve, 0, 2, &made), &made, &curve);
+        status = bat_curve_replace(batten_curve_set_domain(curve, 0, 2, &made), &curve, &made);
     if (status == BATTEN_OK)
-        status = replace(settle_middle(curve, &made), &made, &curve);
+        status = bat_curve_replace(settle_middle(curve, &made), &curve, &made);
     if (status == BATTEN_OK)
         *out = curve;
     else
@@ -107,9 +97,9 @@ static batten_status cut(const batten_curve *curve, double t, batten_curve **low
     if (status == BATTEN_OK)
         status = batten_curve_set_domain(b, 0, 2, &right);
     if (status == BATTEN_OK)
-        status = replace(settle_middle(left, &made), &made, &left);
+        status = bat_curve_replace(settle_middle(left, &made), &left, &made);
     if (status == BATTEN_OK)
-        status = replace(settle_middle(right, &made), &made, &right);
+        status = bat_curve_replace(settle_middle(right, &made), &right, &made);
     batten_curve_unref(a);
     batten_curve_unref(b);
     if (status != BATTEN_OK) {
@@ -219,11 +209,11 @@ static batten_status even_scale(bat_fill_side *side)
     const batten_affine square =
         batten_affine_scaling(factor * factor, factor * factor, factor * factor);
     if (status == BATTEN_OK)
-        status =
-            replace(batten_curve_transform(side->slope, &scale, &made), &made, &side->slope);
+        status = bat_curve_replace(batten_curve_transform(side->slope, &scale, &made),
+                                   &side->slope, &made);
     if (status == BATTEN_OK && side->bend)
-        status =
-            replace(batten_curve_transform(side->bend, &square, &made), &made, &side->bend);
+        status = bat_curve_replace(batten_curve_transform(side->bend, &square, &made),
+                                   &side->bend, &made);
     return status;
 }
 
@@ -238,9 +228,10 @@ static batten_status close_corner(batten_curve **before, batten_curve **after)
     for (int c = 0; c < 3; c++)
         mean[c] = end[c] / 2 + start[c] / 2;
     batten_status status =
-        replace(batten_curve_with_point(*before, last, mean, &made), &made, before);
+        bat_curve_replace(batten_curve_with_point(*before, last, mean, &made), before, &made);
     if (status == BATTEN_OK)
-        status = replace(batten_curve_with_point(*after, 0, mean, &made), &made, after);
+        status =
+            bat_curve_replace(batten_curve_with_point(*after, 0, mean, &made), after, &made);
     return status;
 }
 

@@ -63,13 +63,6 @@ batten_status bat_network_scale(int count, const batten_curve *const *curves, do
     return BATTEN_OK;
 }
 
-/* Another curve takes the place of one. */
-static void replace(batten_curve **curve, batten_curve *by)
-{
-    batten_curve_unref(*curve);
-    *curve = by;
-}
-
 batten_status bat_network_take_curve(const batten_curve *given, double scale, double tolerance,
                                      batten_curve **out, double *moved)
 {
@@ -79,17 +72,17 @@ batten_status bat_network_take_curve(const batten_curve *given, double scale, do
     batten_status status = batten_curve_to_dimension(given, 3, &curve);
     if (status == BATTEN_OK &&
         (status = batten_curve_transform(curve, &map, &next)) == BATTEN_OK)
-        replace(&curve, next);
+        bat_curve_take(&curve, next);
     if (status == BATTEN_OK && batten_curve_is_rational(curve)) {
         status = batten_curve_approximate(curve, 3, tolerance / 16, moved, &next);
         if (status == BATTEN_OK)
-            replace(&curve, next);
+            bat_curve_take(&curve, next);
     }
     if (status == BATTEN_OK && (status = bat_skin_even_speed(curve, &next)) == BATTEN_OK)
-        replace(&curve, next);
+        bat_curve_take(&curve, next);
     if (status == BATTEN_OK &&
         (status = batten_curve_set_domain(curve, 0, 1, &next)) == BATTEN_OK)
-        replace(&curve, next);
+        bat_curve_take(&curve, next);
     if (status == BATTEN_OK)
         *out = curve;
     else

@@ -1,21 +1,16 @@
 /* A curve of a network is cut to it, turned to run with the others, begun where they begin. */
 #include "numeric/vector.h"
 #include "shape/gordon.h"
+#include "spline/curve.h"
 
 #include <string.h>
-
-static void replace(batten_curve **curve, batten_curve *by)
-{
-    batten_curve_unref(*curve);
-    *curve = by;
-}
 
 static batten_status over_unit(batten_curve **curve)
 {
     batten_curve *next = NULL;
     const batten_status status = batten_curve_set_domain(*curve, 0, 1, &next);
     if (status == BATTEN_OK)
-        replace(curve, next);
+        bat_curve_take(curve, next);
     return status;
 }
 
@@ -25,7 +20,7 @@ static batten_status reverse(bat_network *net, bat_network_curve *c, int count, 
     batten_status status = batten_curve_reverse(c->curve, &next);
     if (status != BATTEN_OK)
         return status;
-    replace(&c->curve, next);
+    bat_curve_take(&c->curve, next);
     for (int i = 0; i < count; i++)
         nodes[i] = 1 - nodes[i];
     net->report.reversed_count++;
@@ -50,7 +45,7 @@ static batten_status rotate(bat_network_curve *c, double tolerance, double u)
     if (status == BATTEN_OK)
         status = batten_curve_join(high, low, tolerance, &next);
     if (status == BATTEN_OK) {
-        replace(&c->curve, next);
+        bat_curve_take(&c->curve, next);
         c->moved += bat_distance(3, first, last) / 2;
         status = over_unit(&c->curve);
     }
@@ -90,7 +85,7 @@ static batten_status cut(bat_network *net, int family, bat_network_curve *c, int
         status = batten_curve_subrange(c->curve, a, b, &next);
     if (status != BATTEN_OK)
         return status;
-    replace(&c->curve, next);
+    bat_curve_take(&c->curve, next);
     net->report.cut_count++;
     for (int i = 0; i < count; i++)
         nodes[i] = i == count - 1 ? 1 : (nodes[i] - a) / (b - a);

@@ -1,9 +1,9 @@
 #include "shape/motion.h"
 #include "numeric/vector.h"
 
-void bat_motion_unref(bat_motion *motion)
+void bat_motion_free(bat_motion *motion)
 {
-    if (!motion || !bat_references_drop(&motion->references))
+    if (!motion)
         return;
     bat_release(motion->breaks);
     bat_release(motion->smoothness);

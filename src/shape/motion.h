@@ -20,7 +20,6 @@ typedef struct bat_motion bat_motion;
 
 /* The first member of every motion. Its domain is breaks[0] .. breaks[break_count - 1]. */
 struct bat_motion {
-    bat_references references;
     batten_status (*pose)(const bat_motion *motion, double v, batten_side side, bat_pose *out);
     void (*free)(bat_motion *motion);
     int break_count;
@@ -30,12 +29,7 @@ struct bat_motion {
     bool flat;       /* sections have z = 0: it does not matter how Z jumps */
 };
 
-void bat_motion_unref(bat_motion *motion);
-static inline bat_motion *bat_motion_ref(bat_motion *motion)
-{
-    bat_references_add(&motion->references);
-    return motion;
-}
+void bat_motion_free(bat_motion *motion);
 
 /* Fill `smoothness` at inner breaks by comparing both sides. */
 batten_status bat_motion_find_smoothness(bat_motion *motion);

@@ -421,13 +421,12 @@ batten_status bat_motion_between(const bat_rails *rails, bat_motion **out)
     between *m = bat_array(1, sizeof *m);
     if (!m)
         return BATTEN_OUT_OF_MEMORY;
-    bat_references_begin(&m->base.references);
     m->base.pose = between_pose;
     m->base.free = between_free;
     const batten_status status = build(m, rails);
     if (status == BATTEN_OK)
         *out = &m->base;
     else
-        bat_motion_unref(&m->base);
+        bat_motion_free(&m->base);
     return status;
 }

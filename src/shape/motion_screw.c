@@ -97,7 +97,6 @@ batten_status bat_motion_screw(batten_vec3 origin, batten_vec3 axis, double pitc
                  .axis = bat_vec3_scale(axis, 1 / bat_vec3_norm(axis)),
                  .rise = pitch / (2 * BAT_PI),
                  .angle = angle};
-    bat_references_begin(&s->base.references);
     breaks[1] = angle;
     *out = &s->base;
     return BATTEN_OK;

@@ -244,7 +244,6 @@ batten_status bat_motion_along(const batten_curve *spine, const batten_sweep_opt
     bat_spine_motion *m = bat_array(1, sizeof *m);
     if (!m)
         return BATTEN_OUT_OF_MEMORY;
-    bat_references_begin(&m->base.references);
     m->base.pose = bat_spine_pose;
     m->base.free = spine_free;
     m->base.flat = flat;
@@ -256,6 +255,6 @@ batten_status bat_motion_along(const batten_curve *spine, const batten_sweep_opt
     if (status == BATTEN_OK)
         *out = &m->base;
     else
-        bat_motion_unref(&m->base);
+        bat_motion_free(&m->base);
     return status;
 }

@@ -9,16 +9,11 @@
  * What cannot be cured so is replaced by polynomial sections within a tolerance.
  */
 #include "shape/skin_parts.h"
+#include "spline/curve.h"
 #include <batten/within.h>
 
 #include <stdlib.h>
 #include <string.h>
-
-static void replace(batten_curve **curve, batten_curve *by)
-{
-    batten_curve_unref(*curve);
-    *curve = by;
-}
 
 batten_status bat_skin_stretch(bat_skin *t)
 {
@@ -35,7 +30,7 @@ batten_status bat_skin_stretch(bat_skin *t)
                    (size_t)batten_curve_knot_count(even) * sizeof(double)) != 0;
         if (stretched)
             t->found.cure = BATTEN_CURE_STRETCHED;
-        replace(&t->placed[k], even);
+        bat_curve_take(&t->placed[k], even);
     }
     return BATTEN_OK;
 }
@@ -52,7 +47,7 @@ batten_status bat_skin_polynomial(bat_skin *t)
             t->placed[k], degree, t->options->tolerance / 4, &error, &near);
         if (status != BATTEN_OK)
             return status;
-        replace(&t->placed[k], near);
+        bat_curve_take(&t->placed[k], near);
         t->moved[k] += error;
     }
     /* Where the speed jumped it jumps still. */
@@ -245,10 +240,10 @@ static batten_status join(const chain *c, double size, batten_curve **out)
         if (status == BATTEN_OK && !c->links[i].corner) {
             status = batten_curve_remove_knot(joined, at, 1, 1e-9 * size, NULL, NULL, &thinner);
             if (status == BATTEN_OK)
-                replace(&joined, thinner);
+                bat_curve_take(&joined, thinner);
         }
         if (status == BATTEN_OK) {
-            replace(&whole, joined);
+            bat_curve_take(&whole, joined);
             joined = NULL;
         }
         batten_curve_unref(joined);
@@ -296,7 +291,7 @@ batten_status bat_skin_rescale(bat_skin *t, bool *done)
             return status;
         *done = rescaled != NULL;
         if (rescaled)
-            replace(&t->placed[k], rescaled);
+            bat_curve_take(&t->placed[k], rescaled);
     }
     if (*done)
         t->found.cure = BATTEN_CURE_RESCALED;

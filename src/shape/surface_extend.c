@@ -3,6 +3,7 @@
 
 #include "numeric/vector.h"
 #include "shape/ribbon_fit.h"
+#include "spline/surface.h"
 
 #include <float.h>
 
@@ -19,28 +20,18 @@ typedef struct {
 
 /* ---- turning ---- */
 
-static batten_status replace(batten_status status, batten_surface **surface,
-                             batten_surface *changed)
-{
-    if (status != BATTEN_OK)
-        return status;
-    batten_surface_unref(*surface);
-    *surface = changed;
-    return BATTEN_OK;
-}
-
 static batten_status swap(batten_surface **surface)
 {
     batten_surface *changed = NULL;
     const batten_status status = batten_surface_swap(*surface, &changed);
-    return replace(status, surface, changed);
+    return bat_surface_replace(status, surface, &changed);
 }
 
 static batten_status reverse(batten_surface **surface)
 {
     batten_surface *changed = NULL;
     const batten_status status = batten_surface_reverse(*surface, BATTEN_V, &changed);
-    return replace(status, surface, changed);
+    return bat_surface_replace(status, surface, &changed);
 }
 
 static bool across_u(batten_edge edge)
@@ -61,7 +52,7 @@ static batten_status turn_to(batten_surface **surface, batten_edge edge)
         status = reverse(surface);
     if (status == BATTEN_OK)
         status = batten_surface_clamp(*surface, BATTEN_V, &changed);
-    return replace(status, surface, changed);
+    return bat_surface_replace(status, surface, &changed);
 }
 
 static batten_status turn_back(batten_surface **surface, batten_edge edge)

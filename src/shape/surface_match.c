@@ -3,6 +3,7 @@
 
 #include "numeric/vector.h"
 #include "shape/ribbon_fit.h"
+#include "spline/curve.h"
 #include "spline/surface.h"
 #include <batten/inspect.h>
 #include <batten/within.h>
@@ -83,16 +84,6 @@ batten_status batten_surfaces_near_edges(const batten_surface *first,
 
 /* ---- the surface with its edge at the start of u ---- */
 
-static batten_status replaced(batten_status status, batten_surface **surface,
-                              batten_surface *const *made)
-{
-    if (status == BATTEN_OK) {
-        batten_surface_unref(*surface);
-        *surface = *made;
-    }
-    return status;
-}
-
 /* Turn the surface so that the edge is at the start of u; doing it in the other order turns it
  * back. */
 static batten_status turn(batten_edge edge, bool back, batten_surface **surface)
@@ -103,10 +94,10 @@ static batten_status turn(batten_edge edge, bool back, batten_surface **surface)
     batten_status status = BATTEN_OK;
     for (int step = 0; step < 2 && status == BATTEN_OK; step++) {
         if (step == (back ? 1 : 0) && swapped)
-            status = replaced(batten_surface_swap(*surface, &made), surface, &made);
+            status = bat_surface_replace(batten_surface_swap(*surface, &made), surface, &made);
         else if (step == (back ? 0 : 1) && at_end)
-            status =
-                replaced(batten_surface_reverse(*surface, BATTEN_U, &made), surface, &made);
+            status = bat_surface_replace(batten_surface_reverse(*surface, BATTEN_U, &made),
+                                         surface, &made);
     }
     return status;
 }
@@ -120,8 +111,8 @@ static batten_status take(const batten_surface *first, batten_edge edge, int ord
     batten_surface *surface = batten_surface_ref(first), *made = NULL;
     batten_status status = turn(edge, false, &surface);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
-        status = replaced(batten_surface_clamp(surface, (batten_direction)k, &made), &surface,
-                          &made);
+        status = bat_surface_replace(batten_surface_clamp(surface, (batten_direction)k, &made),
+                                     &surface, &made);
     if (status == BATTEN_OK && batten_surface_degree(surface, BATTEN_U) < order)
         status =
             bat_fail(BATTEN_BAD_DEGREE,
@@ -147,16 +138,6 @@ typedef struct {
     double scale; /* of the derivative across */
 } match;
 
-static batten_status replaced_curve(batten_status status, batten_curve **curve,
-                                    batten_curve *const *made)
-{
-    if (status == BATTEN_OK) {
-        batten_curve_unref(*curve);
-        *curve = *made;
-    }
-    return status;
-}
-
 /* The ribbon in the direction of the edge and over its domain. */
 static batten_status lay_along(match *m, bool reversed)
 {
@@ -166,11 +147,11 @@ static batten_status lay_along(match *m, bool reversed)
     for (int k = 0; k <= m->order && status == BATTEN_OK; k++) {
         if (reversed)
             status =
-                replaced_curve(batten_curve_reverse(m->rows[k], &made), &m->rows[k], &made);
+                bat_curve_replace(batten_curve_reverse(m->rows[k], &made), &m->rows[k], &made);
         if (status == BATTEN_OK)
-            status =
-                replaced_curve(batten_curve_set_domain(m->rows[k], domain.a, domain.b, &made),
-                               &m->rows[k], &made);
+            status = bat_curve_replace(
+                batten_curve_set_domain(m->rows[k], domain.a, domain.b, &made), &m->rows[k],
+                &made);
     }
     return status;
 }
@@ -183,8 +164,8 @@ static batten_status refine(match *m, const batten_curve *common)
     const int by = batten_curve_degree(common) - batten_surface_degree(m->surface, BATTEN_V);
     batten_status status = BATTEN_OK;
     if (by > 0)
-        status = replaced(batten_surface_elevate(m->surface, BATTEN_V, by, &made), &m->surface,
-                          &made);
+        status = bat_surface_replace(batten_surface_elevate(m->surface, BATTEN_V, by, &made),
+                                     &m->surface, &made);
     const double *own = batten_surface_knots(m->surface, BATTEN_V);
     const double *wanted = batten_curve_knots(common);
     const int own_count = batten_surface_knot_count(m->surface, BATTEN_V);
@@ -200,8 +181,9 @@ static batten_status refine(match *m, const batten_curve *common)
     if (!missing && status == BATTEN_OK)
         status = BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && added > 0)
-        status = replaced(batten_surface_refine(m->surface, BATTEN_V, added, missing, &made),
-                          &m->surface, &made);
+        status = bat_surface_replace(
+            batten_surface_refine(m->surface, BATTEN_V, added, missing, &made), &m->surface,
+            &made);
     bat_release(missing);
     return status;
 }
@@ -210,7 +192,7 @@ static batten_status make_common(match *m)
 {
     batten_curve *edge = NULL, *common[4] = {NULL};
     batten_surface *made = NULL;
-    batten_status status = replaced(
+    batten_status status = bat_surface_replace(
         batten_surface_set_domain(m->surface, BATTEN_V, 0, 1, &made), &m->surface, &made);
     if (status == BATTEN_OK)
         status = batten_surface_isocurve(m->surface, BATTEN_U,
@@ -305,8 +287,8 @@ static batten_status move_rows(match *m, double *moved)
     const batten_axis u = {p, n, U, false},
                       v = {q, columns, batten_surface_knots(m->surface, BATTEN_V), false};
     batten_surface *made = NULL;
-    const batten_status status =
-        replaced(batten_surface_create(3, &u, &v, points, NULL, &made), &m->surface, &made);
+    const batten_status status = bat_surface_replace(
+        batten_surface_create(3, &u, &v, points, NULL, &made), &m->surface, &made);
     bat_release(points);
     return status;
 }
@@ -436,7 +418,7 @@ static batten_status make_polynomial(match *m, double tolerance)
         batten_curve *made = NULL;
         const int degree = bat_max_int(5, batten_curve_degree(m->rows[k]));
         if (batten_curve_is_rational(m->rows[k]))
-            status = replaced_curve(
+            status = bat_curve_replace(
                 batten_curve_approximate(m->rows[k], degree, tolerance, NULL, &made),
                 &m->rows[k], &made);
     }

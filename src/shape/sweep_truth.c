@@ -8,7 +8,7 @@
 
 void bat_sweep_release(bat_sweep *sweep)
 {
-    bat_motion_unref(sweep->motion);
+    bat_motion_free(sweep->motion);
     batten_curve_unref(sweep->section);
     batten_surface_unref(sweep->row);
     *sweep = (bat_sweep){0};

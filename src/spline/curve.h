@@ -121,4 +121,20 @@ void bat_pieces_free(bat_pieces *pieces);
 /* The frame with axes square and of length one, z kept; and its y-axis. */
 batten_status bat_frame_square(const batten_frame *frame, batten_frame *square, batten_vec3 *y);
 
+/* Put another curve in the place of one that is given back. */
+static inline void bat_curve_take(batten_curve **curve, batten_curve *by)
+{
+    batten_curve_unref(*curve);
+    *curve = by;
+}
+
+/* The same with the result of a change, when it succeeded; see bat_surface_replace. */
+static inline batten_status bat_curve_replace(batten_status status, batten_curve **curve,
+                                              batten_curve *const *made)
+{
+    if (status == BATTEN_OK)
+        bat_curve_take(curve, *made);
+    return status;
+}
+
 #endif

@@ -119,6 +119,18 @@ void bat_surface_divide(int dimension, int order, const double *a, double *out);
 /* Is every number finite? Faster than asking for the index of one that is not. */
 bool bat_all_finite(const double *values, size_t count);
 
+/* When a change succeeded, put its result in the place of what it was made from. The result is
+ * pointed to, for the change may be made in the same call, and arguments have no order. */
+static inline batten_status bat_surface_replace(batten_status status, batten_surface **surface,
+                                                batten_surface *const *made)
+{
+    if (status == BATTEN_OK) {
+        batten_surface_unref(*surface);
+        *surface = *made;
+    }
+    return status;
+}
+
 static inline batten_direction bat_other(batten_direction direction)
 {
     return direction == BATTEN_U ? BATTEN_V : BATTEN_U;

@@ -7,29 +7,18 @@
 
 /* ---- making them alike ---- */
 
-/* Put a changed surface in the place of the one it was made from. */
-static batten_status replace(batten_status status, batten_surface **surface,
-                             batten_surface *changed)
-{
-    if (status != BATTEN_OK)
-        return status;
-    batten_surface_unref(*surface);
-    *surface = changed;
-    return BATTEN_OK;
-}
-
 /* Clamped, and of this degree. */
 static batten_status prepare_direction(batten_surface **surface, batten_direction direction,
                                        int degree)
 {
     batten_surface *changed = NULL;
     batten_status status = batten_surface_clamp(*surface, direction, &changed);
-    status = replace(status, surface, changed);
+    status = bat_surface_replace(status, surface, &changed);
     const int by = degree - batten_surface_degree(*surface, direction);
     if (status != BATTEN_OK || by == 0)
         return status;
     status = batten_surface_elevate(*surface, direction, by, &changed);
-    return replace(status, surface, changed);
+    return bat_surface_replace(status, surface, &changed);
 }
 
 static batten_status prepare(const batten_surface *surface, const int degrees[2], bool rational,
@@ -41,7 +30,7 @@ static batten_status prepare(const batten_surface *surface, const int degrees[2]
         status = prepare_direction(&made, (batten_direction)k, degrees[k]);
     if (status == BATTEN_OK && rational && !batten_surface_is_rational(made)) {
         status = batten_surface_to_rational(made, &changed);
-        status = replace(status, &made, changed);
+        status = bat_surface_replace(status, &made, &changed);
     }
     if (status == BATTEN_OK)
         *out = made;
@@ -80,7 +69,7 @@ static batten_status take_knots(batten_surface **surface, const batten_surface *
     const batten_status status =
         batten_surface_refine(*surface, direction, count, knots, &changed);
     bat_release(knots);
-    return replace(status, surface, changed);
+    return bat_surface_replace(status, surface, &changed);
 }
 
 /* The same knots across the joint: those of both, on the domain of the first. */
@@ -90,7 +79,7 @@ static batten_status unify_across(batten_surface **a, batten_surface **b,
     const batten_interval domain = batten_surface_domain(*a, across);
     batten_surface *changed = NULL;
     batten_status status = batten_surface_set_domain(*b, across, domain.a, domain.b, &changed);
-    status = replace(status, b, changed);
+    status = bat_surface_replace(status, b, &changed);
     if (status == BATTEN_OK)
         status = take_knots(b, *a, across);
     if (status == BATTEN_OK)
