@@ -108,6 +108,9 @@ static facts facts_of(const batten_object *object, double tolerance)
     case BATTEN_OBJECT_TRIANGLES:
         return triangles_facts(object->triangles);
     case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_BODY:
+    case BATTEN_OBJECT_MESH:
+    case BATTEN_OBJECT_INSTANCE:
         break;
     }
     return (facts){.type = "points",

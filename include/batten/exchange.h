@@ -17,10 +17,18 @@ typedef enum batten_format {
     BATTEN_FORMAT_POINTS,   /**< x y z in lines: .xyz; .csv, .tsv, .txt without offsets */
     BATTEN_FORMAT_AEROFOIL, /**< .dat, Selig or Lednicer order */
     BATTEN_FORMAT_IGES,     /**< .igs, .iges */
-    BATTEN_FORMAT_STEP,     /**< .stp, .step; written */
-    BATTEN_FORMAT_DXF,      /**< .dxf, release 2000; written: points, curves, arcs as bulges */
-    BATTEN_FORMAT_SVG,  /**< .svg at true scale, for cutting; written: curves seen along z */
-    BATTEN_FORMAT_GCODE /**< .nc, .ngc, .gcode, .tap; written: see gcode.h */
+    BATTEN_FORMAT_STEP,     /**< .stp, .step; AP203, AP214, AP242 */
+    BATTEN_FORMAT_DXF,   /**< .dxf; written as release 2000: points, curves, arcs as bulges */
+    BATTEN_FORMAT_SVG,   /**< .svg at true scale, for cutting; written: curves seen along z */
+    BATTEN_FORMAT_GCODE, /**< .nc, .ngc, .gcode, .tap; written: see gcode.h */
+    BATTEN_FORMAT_G2,    /**< .g2, GoTools */
+    BATTEN_FORMAT_OBJ,   /**< .obj, meshes and free-form curves and surfaces */
+    BATTEN_FORMAT_STL,   /**< .stl, both forms */
+    BATTEN_FORMAT_PLY,   /**< .ply, all three forms; meshes and point clouds */
+    BATTEN_FORMAT_GLTF,  /**< .glb, glTF 2.0; written */
+    BATTEN_FORMAT_3MF,   /**< .3mf; written */
+    BATTEN_FORMAT_PCD,   /**< .pcd, point clouds; read */
+    BATTEN_FORMAT_FTM    /**< .ftm, the control net of FREE!ship; read */
 } batten_format;
 
 /** "iges", "step" ... */
@@ -66,6 +74,12 @@ BATTEN_API batten_status batten_read_file(const char *path, const batten_read_op
                                           const batten_job *job, batten_notes *notes,
                                           batten_model **out);
 
+typedef enum batten_step_schema {
+    BATTEN_STEP_AP214, /**< AUTOMOTIVE_DESIGN: read everywhere */
+    BATTEN_STEP_AP203, /**< CONFIG_CONTROL_DESIGN: has no colours */
+    BATTEN_STEP_AP242
+} batten_step_schema;
+
 typedef struct batten_write_options {
     size_t size;
     batten_format format; /**< by the name's ending */
@@ -74,6 +88,11 @@ typedef struct batten_write_options {
                            accuracy; model units; 0: 1e-6 of a metre */
     const char *date; /**< "2026-11-21T10:25:00", as the file is to say it; NULL for the same
                            neutral date always, so that equal models give equal bytes */
+    batten_step_schema schema;
+    bool no_parameter_curves; /**< STEP: faces without curves in (u, v) */
+    bool as_text;             /**< STL and PLY: the readable form */
+    batten_mesh_options mesh; /**< for the formats of meshes: how shapes become triangles */
+    bool eighths;             /**< tables of offsets in feet, inches and eighths, "1-7-4" */
 } batten_write_options;
 BATTEN_API batten_write_options batten_write_defaults(void);
 

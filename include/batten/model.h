@@ -6,6 +6,7 @@
  * the features of a design.
  */
 #include <batten/chain.h>
+#include <batten/mesh.h>
 #include <batten/notes.h>
 #include <batten/offsets.h>
 #include <batten/surface.h>
@@ -20,14 +21,21 @@ typedef enum batten_object_kind {
     BATTEN_OBJECT_POINTS, /**< a row of points, in order */
     BATTEN_OBJECT_CURVE,
     BATTEN_OBJECT_SURFACE,
-    BATTEN_OBJECT_OFFSETS,  /**< a table of offsets */
-    BATTEN_OBJECT_TRIANGLES /**< Bezier triangles, in space */
+    BATTEN_OBJECT_OFFSETS,   /**< a table of offsets */
+    BATTEN_OBJECT_TRIANGLES, /**< Bezier triangles, in space */
+    BATTEN_OBJECT_BODY,      /**< trimmed faces, shells, a solid */
+    BATTEN_OBJECT_MESH,
+    BATTEN_OBJECT_INSTANCE /**< another model, placed */
 } batten_object_kind;
+
+typedef struct batten_model batten_model;
 
 /** One object of a model; what its kind does not use is NULL or 0. */
 typedef struct batten_object {
     const char *name;
     const char *layer; /**< "" for none */
+    const char *group; /**< "" for none; of a group within a group "outer/inner" */
+    bool is_hidden;    /**< the file says that it is not to be shown */
     bool has_colour;
     double colour[3]; /**< sRGB, 0..1 */
     batten_object_kind kind;
@@ -37,15 +45,17 @@ typedef struct batten_object {
     const batten_surface *surface;
     const batten_offsets *offsets;
     const batten_triangles *triangles;
+    const batten_body *body;
+    const batten_mesh *mesh;
+    const batten_model *definition; /**< of an INSTANCE; in the unit of the model */
+    batten_affine place;            /**< of an INSTANCE: from the definition into the model */
     int point_count;          /**< POINTS; also of a CURVE: the data that it was made from */
     const double *points;     /**< [point_count][3] */
     const double *parameters; /**< [point_count], of the data on the curve; or NULL */
 } batten_object;
 
-/**
- * A model is filled by its maker, then shared as const.
- */
-typedef struct batten_model batten_model;
+/* A model is filled by its maker, then shared as const. */
+
 /** @param unit_metres  how many metres one unit is; 0 when nothing says so */
 BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
 BATTEN_API batten_model *batten_model_ref(const batten_model *model);
@@ -55,8 +65,25 @@ BATTEN_API int batten_model_count(const batten_model *model);
 BATTEN_API const batten_object *batten_model_object(const batten_model *model, int index);
 /** The index of the first object of that name, or -1. */
 BATTEN_API int batten_model_find(const batten_model *model, const char *name);
-/** Copy an object in: names and arrays are copied, geometry is referenced. */
+/** Copy an object in: names and arrays are copied, geometry is referenced.
+ * @return BATTEN_OK; BAD_ARGUMENT, NOT_FINITE; TOO_LARGE for instances within instances more
+ * than 32 deep */
 BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
+/**
+ * Add the object as an affine map takes it. A plane curve that leaves its plane becomes one in
+ * space; a chain that is not kept in shape goes, its curve stays.
+ * @return as batten_model_add; BAD_ARGUMENT for a singular map; UNSUPPORTED for a table of
+ * offsets
+ */
+BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
+                                                 const batten_object *object,
+                                                 const batten_affine *map);
+/** The same model with instances replaced by what they place, named "instance/object"; the
+ * model itself when it has none.
+ * @return TOO_LARGE for more than a million objects */
+BATTEN_API batten_status batten_model_flat(const batten_model *model, batten_model **out);
+/** How deep instances lie within instances: 0 without any. */
+BATTEN_API int batten_model_depth(const batten_model *model);
 /** The box of all objects; false when there is none. */
 BATTEN_API bool batten_model_box(const batten_model *model, batten_box *box);
 /** The same model in another unit; geometry is scaled. A model without a unit is taken to be in

@@ -106,6 +106,8 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_SURFACES (1u << BATTEN_OBJECT_SURFACE)
 #define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSETS)
 #define BAT_TRIANGLES (1u << BATTEN_OBJECT_TRIANGLES)
+#define BAT_BODIES (1u << BATTEN_OBJECT_BODY)
+#define BAT_MESHES (1u << BATTEN_OBJECT_MESH)
 #define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS | BAT_TRIANGLES)
 
 /* Put a curve or surface into the model under the feature's name and give its reference back,

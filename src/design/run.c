@@ -84,11 +84,11 @@ const char *bat_file_name(const bat_run *run)
 /* "curves or surfaces" */
 static void name_kinds(unsigned kinds, char *text, size_t size)
 {
-    static const char *const names[] = {"points", "curves", "surfaces", "tables of offsets",
-                                        "triangles"};
+    static const char *const names[] = {"points",    "curves", "surfaces", "tables of offsets",
+                                        "triangles", "bodies", "meshes",   "instances"};
     size_t used = 0;
     *text = 0;
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < (int)(sizeof names / sizeof names[0]); i++)
         if (kinds & (1u << i) && used < size)
             used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " or " : "",
                                      names[i]);
@@ -361,91 +361,10 @@ batten_status bat_change_all(bat_run *run, const bat_change *change)
 
 /* ---- affine maps ---- */
 
-static double *map_points(const batten_affine *map, int count, const double *points)
-{
-    double *mapped = bat_array3((size_t)count, 3, sizeof *mapped);
-    for (int i = 0; mapped && i < count; i++) {
-        const batten_vec3 p = batten_affine_apply(
-            *map, (batten_vec3){points[3 * i], points[3 * i + 1], points[3 * i + 2]});
-        mapped[3 * i] = p.x;
-        mapped[3 * i + 1] = p.y;
-        mapped[3 * i + 2] = p.z;
-    }
-    return mapped;
-}
-
-/* A chain keeps being one under maps that keep shapes; else the curve alone goes on. */
-static batten_status map_chain(const batten_affine *map, const batten_chain *chain,
-                               batten_chain **out)
-{
-    const batten_frame world = batten_frame_world();
-    batten_chain *placed = NULL;
-    batten_status status = BATTEN_OK;
-    if (batten_chain_dimension(chain) < 3)
-        status = batten_chain_place(chain, &world, &placed);
-    if (status == BATTEN_OK)
-        status = batten_chain_transform(placed ? placed : chain, map, out);
-    batten_chain_unref(placed);
-    return status == BATTEN_BAD_ARGUMENT ? BATTEN_OK : status;
-}
-
-/* A plane curve is lifted into space, unless it would stay in its plane anyway. */
-static batten_status map_curve(const batten_affine *map, const batten_curve *curve,
-                               batten_curve **out)
-{
-    batten_curve *lifted = NULL;
-    batten_status status = batten_curve_to_dimension(curve, 3, &lifted);
-    if (status == BATTEN_OK)
-        status = batten_curve_transform(lifted, map, out);
-    batten_curve_unref(lifted);
-    return status;
-}
-
 batten_status bat_transform_object(bat_run *run, const batten_affine *map,
                                    const batten_object *object)
 {
-    batten_object made = *object;
-    batten_curve *curve = NULL;
-    batten_chain *chain = NULL;
-    batten_surface *surface = NULL;
-    batten_triangles *triangles = NULL;
-    double *points = NULL;
-    batten_status status = BATTEN_OK;
-    if (object->kind == BATTEN_OBJECT_OFFSETS)
-        return bat_fail(
-            BATTEN_UNSUPPORTED,
-            "'%s' is a table of offsets, which cannot be moved; 'read' can scale and turn "
-            "it, and the curves through it can be moved",
-            object->name);
-    if (object->point_count) {
-        points = map_points(map, object->point_count, object->points);
-        status = points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-        made.points = points;
-    }
-    if (status == BATTEN_OK && object->curve) {
-        status = map_curve(map, object->curve, &curve);
-        made.curve = curve;
-    }
-    if (status == BATTEN_OK && object->chain) {
-        status = map_chain(map, object->chain, &chain);
-        made.chain = chain;
-    }
-    if (status == BATTEN_OK && object->surface) {
-        status = batten_surface_transform(object->surface, map, &surface);
-        made.surface = surface;
-    }
-    if (status == BATTEN_OK && object->triangles) {
-        status = batten_triangles_transform(object->triangles, map, &triangles);
-        made.triangles = triangles;
-    }
-    if (status == BATTEN_OK)
-        status = batten_model_add(run->model, &made);
-    batten_triangles_unref(triangles);
-    batten_surface_unref(surface);
-    batten_chain_unref(chain);
-    batten_curve_unref(curve);
-    bat_release(points);
-    return status;
+    return batten_model_add_mapped(run->model, object, map);
 }
 
 batten_status bat_transform_all(bat_run *run, const batten_affine *map)

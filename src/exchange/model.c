@@ -8,9 +8,12 @@
 struct batten_model {
     bat_references references;
     double unit_metres;
+    int depth; /* of instances within instances */
     int count, capacity;
     batten_object *objects; /* each owns its name, layer, arrays and one reference */
 };
+
+enum { DEEPEST = 32 };
 
 static bool is_unit(double metres)
 {
@@ -40,6 +43,7 @@ static void object_free(const batten_object *object)
 {
     release(object->name);
     release(object->layer);
+    release(object->group);
     release(object->points);
     release(object->parameters);
     batten_curve_unref((batten_curve *)(uintptr_t)object->curve);
@@ -47,6 +51,9 @@ static void object_free(const batten_object *object)
     batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
     batten_offsets_unref((batten_offsets *)(uintptr_t)object->offsets);
     batten_triangles_unref((batten_triangles *)(uintptr_t)object->triangles);
+    batten_body_unref((batten_body *)(uintptr_t)object->body);
+    batten_mesh_unref((batten_mesh *)(uintptr_t)object->mesh);
+    batten_model_unref((batten_model *)(uintptr_t)object->definition);
 }
 
 batten_model *batten_model_ref(const batten_model *model)
@@ -78,6 +85,11 @@ int batten_model_count(const batten_model *model)
     return model->count;
 }
 
+int batten_model_depth(const batten_model *model)
+{
+    return model->depth;
+}
+
 const batten_object *batten_model_object(const batten_model *model, int index)
 {
     assert(index >= 0 && index < model->count);
@@ -105,9 +117,25 @@ static void widen(batten_box *box, bool *any, batten_box by)
     box->high.z = bat_max(box->high.z, by.high.z);
 }
 
+/* The box of a box that is mapped. */
+static batten_box place_box(const batten_affine *place, batten_box box)
+{
+    batten_box whole = box;
+    bool any = false;
+    for (int k = 0; k < 8; k++) {
+        const batten_vec3 corner = {k & 1 ? box.high.x : box.low.x,
+                                    k & 2 ? box.high.y : box.low.y,
+                                    k & 4 ? box.high.z : box.low.z};
+        const batten_vec3 at = batten_affine_apply(*place, corner);
+        widen(&whole, &any, (batten_box){at, at});
+    }
+    return whole;
+}
+
+/* Instances lie at most DEEPEST deep, and so does the recursion. */
 bool batten_model_box(const batten_model *model, batten_box *box)
 {
-    batten_box all = {{0, 0, 0}, {0, 0, 0}};
+    batten_box all = {{0, 0, 0}, {0, 0, 0}}, placed;
     bool any = false;
     for (int i = 0; i < model->count; i++) {
         const batten_object *object = &model->objects[i];
@@ -124,6 +152,12 @@ bool batten_model_box(const batten_model *model, batten_box *box)
             widen(&all, &any, batten_offsets_box(object->offsets));
         if (object->triangles)
             widen(&all, &any, batten_triangles_box(object->triangles));
+        if (object->body)
+            widen(&all, &any, batten_body_box(object->body));
+        if (object->mesh && batten_mesh_view(object->mesh)->vertex_count)
+            widen(&all, &any, batten_mesh_box(object->mesh));
+        if (object->definition && batten_model_box(object->definition, &placed))
+            widen(&all, &any, place_box(&object->place, placed));
     }
     if (any)
         *box = all;
@@ -139,6 +173,9 @@ static batten_status check(const batten_object *object)
     assert((object->kind == BATTEN_OBJECT_SURFACE) == (object->surface != NULL));
     assert((object->kind == BATTEN_OBJECT_OFFSETS) == (object->offsets != NULL));
     assert((object->kind == BATTEN_OBJECT_TRIANGLES) == (object->triangles != NULL));
+    assert((object->kind == BATTEN_OBJECT_BODY) == (object->body != NULL));
+    assert((object->kind == BATTEN_OBJECT_MESH) == (object->mesh != NULL));
+    assert((object->kind == BATTEN_OBJECT_INSTANCE) == (object->definition != NULL));
     assert(object->point_count >= 0 && (object->points || !object->point_count));
 
     if (object->triangles && batten_triangles_dimension(object->triangles) != 3)
@@ -158,6 +195,26 @@ static batten_status check(const batten_object *object)
     if (object->parameters && bat_first_not_finite(object->parameters, count) < count)
         return bat_fail(BATTEN_NOT_FINITE, "parameter %zu is not finite",
                         bat_first_not_finite(object->parameters, count));
+    return BATTEN_OK;
+}
+
+/* Instances must be of another model in the same unit, not too deep, and placed by numbers. */
+static batten_status check_instance(const batten_model *model, const batten_object *object)
+{
+    const batten_model *definition = object->definition;
+    if (!definition)
+        return BATTEN_OK;
+    if (definition == model || definition->unit_metres != model->unit_metres)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "instance '%.60s' is of the model itself, or of one in another unit",
+                        object->name);
+    if (definition->depth >= DEEPEST)
+        return bat_fail(BATTEN_TOO_LARGE, "instance '%.60s' lies more than %d deep",
+                        object->name, DEEPEST);
+    if (bat_first_not_finite(&object->place.m[0][0], 9) < 9 ||
+        bat_first_not_finite(object->place.t, 3) < 3)
+        return bat_fail(BATTEN_NOT_FINITE, "the place of instance '%.60s' is not finite",
+                        object->name);
     return BATTEN_OK;
 }
 
@@ -194,6 +251,8 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
 {
     batten_status status = check(object);
     if (status == BATTEN_OK)
+        status = check_instance(model, object);
+    if (status == BATTEN_OK)
         status = reserve(model);
     if (status != BATTEN_OK)
         return status;
@@ -202,6 +261,7 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
     const size_t count = (size_t)object->point_count;
     copied.name = copy_text(object->name);
     copied.layer = copy_text(object->layer);
+    copied.group = copy_text(object->group);
     copied.points = count ? copy(object->points, 3 * count, sizeof *object->points) : NULL;
     copied.parameters = object->parameters && count
                             ? copy(object->parameters, count, sizeof *object->parameters)
@@ -211,11 +271,16 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
     copied.surface = object->surface ? batten_surface_ref(object->surface) : NULL;
     copied.offsets = object->offsets ? batten_offsets_ref(object->offsets) : NULL;
     copied.triangles = object->triangles ? batten_triangles_ref(object->triangles) : NULL;
-    if (!copied.name || !copied.layer || (count && !copied.points) ||
+    copied.body = object->body ? batten_body_ref(object->body) : NULL;
+    copied.mesh = object->mesh ? batten_mesh_ref(object->mesh) : NULL;
+    copied.definition = object->definition ? batten_model_ref(object->definition) : NULL;
+    if (!copied.name || !copied.layer || !copied.group || (count && !copied.points) ||
         (object->parameters && count && !copied.parameters)) {
         object_free(&copied);
         return BATTEN_OUT_OF_MEMORY;
     }
     model->objects[model->count++] = copied;
+    if (object->definition)
+        model->depth = bat_max_int(model->depth, object->definition->depth + 1);
     return BATTEN_OK;
 }

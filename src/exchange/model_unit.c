@@ -2,18 +2,6 @@
 
 #include <batten/model.h>
 
-static batten_status scale_points(const batten_object *object, double factor, double **points)
-{
-    const size_t count = 3 * (size_t)object->point_count;
-    double *scaled = bat_array(count, sizeof *scaled);
-    if (!scaled)
-        return BATTEN_OUT_OF_MEMORY;
-    for (size_t k = 0; k < count; k++)
-        scaled[k] = object->points[k] * factor;
-    *points = scaled;
-    return BATTEN_OK;
-}
-
 static batten_status scale_offsets(const batten_offsets *offsets, double factor,
                                    double unit_metres, batten_offsets **out)
 {
@@ -24,44 +12,94 @@ static batten_status scale_offsets(const batten_offsets *offsets, double factor,
     return batten_offsets_select(offsets, &selection, out);
 }
 
-static batten_status add_scaled(batten_model *model, const batten_object *object, double factor)
-{
-    const batten_affine map = {{{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}}, {0, 0, 0}};
-    batten_object scaled = *object;
-    batten_curve *curve = NULL;
-    batten_chain *chain = NULL;
-    batten_surface *surface = NULL;
-    batten_offsets *offsets = NULL;
-    batten_triangles *triangles = NULL;
-    double *points = NULL;
+/* Definitions that were scaled, and what became of them: each once, however often it is placed.
+ */
+typedef struct {
+    int count, capacity;
+    const batten_model **from; /* [count] */
+    batten_model **to;         /* [count] */
+} scaled_models;
 
-    batten_status status = scale_points(object, factor, &points);
-    if (status == BATTEN_OK && object->curve)
-        status = batten_curve_transform(object->curve, &map, &curve);
-    if (status == BATTEN_OK && object->chain)
-        status = batten_chain_transform(object->chain, &map, &chain);
-    if (status == BATTEN_OK && object->surface)
-        status = batten_surface_transform(object->surface, &map, &surface);
-    if (status == BATTEN_OK && object->offsets)
-        status =
-            scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
-    if (status == BATTEN_OK && object->triangles)
-        status = batten_triangles_transform(object->triangles, &map, &triangles);
-    scaled.points = points;
-    scaled.curve = curve;
-    scaled.chain = chain;
-    scaled.surface = surface;
+static batten_status scale_model(const batten_model *model, double unit_metres, double factor,
+                                 scaled_models *known, batten_model **out);
+
+static batten_status remember(scaled_models *known, const batten_model *from, batten_model *to)
+{
+    if (known->count == known->capacity) {
+        const int capacity = bat_max_int(8, 2 * known->capacity);
+        const batten_model **sources =
+            bat_resize(known->from, (size_t)capacity, sizeof *sources);
+        if (!sources)
+            return BATTEN_OUT_OF_MEMORY;
+        known->from = sources;
+        batten_model **made = bat_resize(known->to, (size_t)capacity, sizeof *made);
+        if (!made)
+            return BATTEN_OUT_OF_MEMORY;
+        known->to = made;
+        known->capacity = capacity;
+    }
+    known->from[known->count] = from;
+    known->to[known->count++] = batten_model_ref(to);
+    return BATTEN_OK;
+}
+
+/* The definition scaled, and the place in the new unit. */
+static batten_status add_instance(batten_model *model, const batten_object *object,
+                                  double factor, scaled_models *known)
+{
+    batten_object made = *object;
+    batten_model *definition = NULL;
+    for (int i = 0; i < known->count && !definition; i++)
+        if (known->from[i] == object->definition)
+            definition = batten_model_ref(known->to[i]);
+    batten_status status = BATTEN_OK;
+    if (!definition) {
+        status = scale_model(object->definition, batten_model_unit_metres(model), factor, known,
+                             &definition);
+        if (status == BATTEN_OK)
+            status = remember(known, object->definition, definition);
+    }
+    made.definition = definition;
+    for (int k = 0; k < 3; k++)
+        made.place.t[k] *= factor;
+    if (status == BATTEN_OK)
+        status = batten_model_add(model, &made);
+    batten_model_unref(definition);
+    return status;
+}
+
+static batten_status add_scaled(batten_model *model, const batten_object *object, double factor,
+                                scaled_models *known)
+{
+    const batten_affine map = batten_affine_scaling(factor, factor, factor);
+    if (object->kind == BATTEN_OBJECT_INSTANCE)
+        return add_instance(model, object, factor, known);
+    if (object->kind != BATTEN_OBJECT_OFFSETS)
+        return factor == 1 ? batten_model_add(model, object)
+                           : batten_model_add_mapped(model, object, &map);
+    batten_object scaled = *object;
+    batten_offsets *offsets = NULL;
+    batten_status status =
+        scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
     scaled.offsets = offsets;
-    scaled.triangles = triangles;
     if (status == BATTEN_OK)
         status = batten_model_add(model, &scaled);
-
-    bat_release(points);
-    batten_curve_unref(curve);
-    batten_chain_unref(chain);
-    batten_surface_unref(surface);
     batten_offsets_unref(offsets);
-    batten_triangles_unref(triangles);
+    return status;
+}
+
+/* Instances lie at most 32 deep, and so does the recursion. */
+static batten_status scale_model(const batten_model *model, double unit_metres, double factor,
+                                 scaled_models *known, batten_model **out)
+{
+    batten_model *made = NULL;
+    batten_status status = batten_model_create(unit_metres, &made);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+        status = add_scaled(made, batten_model_object(model, i), factor, known);
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        batten_model_unref(made);
     return status;
 }
 
@@ -70,19 +108,13 @@ batten_status batten_model_to_unit(const batten_model *model, double unit_metres
 {
     if (!isfinite(unit_metres) || unit_metres <= 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a unit of %g metres is not allowed", unit_metres);
-    batten_model *made = NULL;
-    batten_status status = batten_model_create(unit_metres, &made);
-    const double factor =
-        batten_model_unit_metres(model) > 0 ? batten_model_unit_metres(model) / unit_metres : 1;
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        const bool kept = factor == 1 && !object->offsets;
-        status = kept ? batten_model_add(made, object) : add_scaled(made, object, factor);
-    }
-    if (status != BATTEN_OK) {
-        batten_model_unref(made);
-        return status;
-    }
-    *out = made;
-    return BATTEN_OK;
+    const double own = batten_model_unit_metres(model);
+    scaled_models known = {0};
+    const batten_status status =
+        scale_model(model, unit_metres, own > 0 ? own / unit_metres : 1, &known, out);
+    for (int i = 0; i < known.count; i++)
+        batten_model_unref(known.to[i]);
+    bat_release(known.from);
+    bat_release(known.to);
+    return status;
 }

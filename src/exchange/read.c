@@ -20,6 +20,14 @@ static const struct {
     {BATTEN_FORMAT_DXF, "dxf", {".dxf"}, NULL},
     {BATTEN_FORMAT_SVG, "svg", {".svg"}, NULL},
     {BATTEN_FORMAT_GCODE, "g-code", {".nc", ".ngc", ".gcode", ".tap"}, NULL},
+    {BATTEN_FORMAT_G2, "g2", {".g2"}, NULL},
+    {BATTEN_FORMAT_OBJ, "obj", {".obj"}, NULL},
+    {BATTEN_FORMAT_STL, "stl", {".stl"}, NULL},
+    {BATTEN_FORMAT_PLY, "ply", {".ply"}, NULL},
+    {BATTEN_FORMAT_GLTF, "gltf", {".glb"}, NULL},
+    {BATTEN_FORMAT_3MF, "3mf", {".3mf"}, NULL},
+    {BATTEN_FORMAT_PCD, "pcd", {".pcd"}, NULL},
+    {BATTEN_FORMAT_FTM, "ftm", {".ftm"}, NULL},
 };
 #define FORMATS (sizeof formats / sizeof formats[0])
 

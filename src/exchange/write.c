@@ -11,7 +11,8 @@ batten_write_options batten_write_defaults(void)
                                   .format = BATTEN_FORMAT_AUTO,
                                   .name = "batten",
                                   .tolerance = 0,
-                                  .date = NULL};
+                                  .date = NULL,
+                                  .mesh = batten_mesh_defaults()};
 }
 
 /* Is there something that the format holds? An empty model makes an empty file. */
@@ -70,6 +71,16 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
         return bat_write_svg(model, options, notes, text);
     case BATTEN_FORMAT_GCODE:
         return bat_write_gcode(model, NULL, notes, text);
+    case BATTEN_FORMAT_G2:
+    case BATTEN_FORMAT_OBJ:
+    case BATTEN_FORMAT_STL:
+    case BATTEN_FORMAT_PLY:
+    case BATTEN_FORMAT_GLTF:
+    case BATTEN_FORMAT_3MF:
+    case BATTEN_FORMAT_PCD:
+    case BATTEN_FORMAT_FTM:
+        return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written",
+                        batten_format_name(options->format));
     case BATTEN_FORMAT_AUTO:
         break;
     }

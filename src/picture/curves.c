@@ -95,6 +95,9 @@ static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
     case BATTEN_OBJECT_TRIANGLES:
         return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
     case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_BODY: /* the model was made flat, and its bodies and meshes lines */
+    case BATTEN_OBJECT_MESH:
+    case BATTEN_OBJECT_INSTANCE:
         break;
     }
     return BATTEN_OK;

@@ -257,6 +257,9 @@ static batten_status write_object(writing *w, const batten_object *object)
     case BATTEN_OBJECT_POINTS:
         return write_points(w, object);
     case BATTEN_OBJECT_OFFSETS:
+    case BATTEN_OBJECT_BODY:
+    case BATTEN_OBJECT_MESH:
+    case BATTEN_OBJECT_INSTANCE:
     case BATTEN_OBJECT_TRIANGLES: /* the caller has made patches of them */
         break;
     }

@@ -1,0 +1,181 @@
+#ifndef BATTEN_BODY_H
+#define BATTEN_BODY_H
+/**
+ * @file
+ * Bodies: trimmed faces that share their edges; sheets, shells and solids.
+ *
+ * A body is a list of each of these, and they refer to one another by index:
+ *
+ *     vertices   points in space
+ *     edges      a curve in space from one vertex to another
+ *     uses       of an edge by a loop, one way or the other, with the curve in the parameters
+ * of the face loops      uses, head to tail, around a face; an edge of two faces has two uses
+ *     faces      a surface and the loops that bound what counts of it
+ *     shells     faces that belong together
+ *
+ * A body is immutable and reference counted, as curves and surfaces are.
+ */
+#include <batten/notes.h>
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct batten_body batten_body;
+
+/** An edge runs as its curve does. */
+typedef struct batten_body_edge {
+    const batten_curve *curve; /**< in space; its whole domain, from the first vertex to the
+                                    second; NULL for an edge that is one point, as at a pole */
+    int vertices[2];           /**< the same one twice when it is closed */
+} batten_body_edge;
+
+/** A loop goes along an edge. */
+typedef struct batten_body_use {
+    int edge;
+    bool reversed;                  /**< the loop runs against the edge */
+    const batten_curve *parameters; /**< the curve (u, v) on the surface of the face; it runs as
+                                         the edge does, whatever `reversed` says; or NULL */
+} batten_body_use;
+
+/** The uses `first` .. `first` + `count` - 1, each beginning where the one before ends. */
+typedef struct batten_body_loop {
+    int first, count;
+} batten_body_loop;
+
+/**
+ * A part of a surface. Its loops have it on their left as seen from outside: when it is not
+ * reversed, the outer loop runs counter-clockwise in (u, v), and holes clockwise.
+ */
+typedef struct batten_body_face {
+    const char *name; /**< "" for none */
+    bool has_colour;
+    double colour[3]; /**< sRGB, 0..1 */
+    const batten_surface *surface;
+    bool reversed;    /**< its outside is against Su x Sv */
+    int first, count; /**< of its loops; none: the whole of the surface */
+} batten_body_face;
+
+/** The faces `first` .. `first` + `count` - 1. */
+typedef struct batten_body_shell {
+    int first, count;
+    bool closed; /**< said to have no rim */
+} batten_body_shell;
+
+/** All that a body is: what batten_body_create takes and batten_body_view shows. */
+typedef struct batten_body_parts {
+    int vertex_count;
+    const double *vertices; /**< [vertex_count][3] */
+    int edge_count;
+    const batten_body_edge *edges;
+    int use_count;
+    const batten_body_use *uses;
+    int loop_count;
+    const batten_body_loop *loops; /**< in their order they take up all uses */
+    int face_count;
+    const batten_body_face *faces; /**< in their order they take up all loops */
+    int shell_count;
+    const batten_body_shell *shells; /**< in their order they take up all faces */
+    bool is_solid;    /**< the first shell bounds it, the others are voids in it; all have their
+                           outside away from the material */
+    double tolerance; /**< of the file that it comes from: how far curves may miss their
+                           vertices and surfaces; > 0 */
+    bool is_traced;   /**< every use has its parameters, with the knots' domain and the speed of
+                           its edge, as batten_body_trace makes them */
+} batten_body_parts;
+
+/**
+ * Copies the arrays and names, and refers to the geometry.
+ *
+ * Checked are the indices, that uses of a loop meet in their vertices, dimensions, and that
+ * numbers are finite; whether curves lie on their surfaces is for batten_body_check.
+ * @return BATTEN_OK; BAD_ARGUMENT naming the part that does not fit; NOT_FINITE
+ */
+BATTEN_API batten_status batten_body_create(const batten_body_parts *parts, batten_body **out);
+BATTEN_API batten_body *batten_body_ref(const batten_body *body);
+BATTEN_API void batten_body_unref(batten_body *body);
+/** Valid as long as the body. */
+BATTEN_API const batten_body_parts *batten_body_view(const batten_body *body);
+/** The box of the edges' control points and of the vertices; of faces without loops that of the
+ * surface. A face may swell beyond its edges: then beyond this box too. */
+BATTEN_API batten_box batten_body_box(const batten_body *body);
+/** A map that mirrors turns the loops and sides of faces, so that outside stays outside. */
+BATTEN_API batten_status batten_body_transform(const batten_body *body,
+                                               const batten_affine *map, batten_body **out);
+/** One face that is the whole of a NURBS surface, with its border as edges: opposite borders
+ * that are the same curve are one edge (a seam), borders that are one point have no curve (a
+ * pole). It is traced.
+ * @param tolerance model units, > 0, for what is the same */
+BATTEN_API batten_status batten_body_of_surface(const char *name, const batten_surface *surface,
+                                                double tolerance, batten_body **out);
+
+/* ---- parameter curves (src/body/trace.c) ---- */
+
+typedef struct batten_trace_report {
+    int kept;    /**< parameter curves that were good */
+    int rebuilt; /**< missing, or too far off */
+    int seams;   /**< edges put in where a face goes all around a closed surface */
+    int poles;   /**< edges without a curve put in */
+    double miss; /**< the largest distance of an edge from its face, over all uses */
+    int failed;  /**< faces whose edges do not lie on them within the tolerance, or whose loops
+                      cannot be closed in (u, v): they are not in the result */
+} batten_trace_report;
+/**
+ * The same body with everything that work in (u, v) needs: every use has a parameter curve B
+ * with the domain of its edge's curve C, |S(B(t)) - C(t)| <= tolerance for all t (checked at
+ * samples), continuous along each loop also across the seam of a closed surface; where a loop
+ * goes around a closed surface, seams are put in as edges; at poles, edges without a curve.
+ * Loops then are closed in (u, v), and the first loop of each face is the outer one. Faces
+ * without loops get the border of their surface. Shared edges stay shared: an edge that is
+ * divided by a seam is divided in all its uses.
+ *
+ * @param tolerance model units, > 0
+ * @param notes     each face that fails, and why; may be NULL
+ */
+BATTEN_API batten_status batten_body_trace(const batten_body *body, double tolerance,
+                                           const batten_job *job, batten_notes *notes,
+                                           batten_trace_report *report, batten_body **out);
+
+/* ---- measures (src/body/measure.c) ---- */
+
+typedef struct batten_body_measures {
+    double area;
+    double volume;                   /**< within the shells; of a body that is not closed, 0 */
+    double centroid[3];              /**< of the volume, or of the area when it is not closed */
+    double edge_length;              /**< every edge once */
+    bool is_closed;                  /**< every edge has two uses, one each way */
+    double area_error, volume_error; /**< from two rules of integration, and the tracing */
+} batten_body_measures;
+/** By Gauss along the boundaries in (u, v).
+ * @param precision relative, > 0
+ * @return TOLERANCE_NOT_MET when the precision is not reached; the measures are set then */
+BATTEN_API batten_status batten_body_measure(const batten_body *body, double precision,
+                                             const batten_job *job, batten_body_measures *out);
+
+/* ---- what is wrong with it (src/body/check.c) ---- */
+
+typedef struct batten_body_faults {
+    int free_edges;    /**< one use: the rim of a sheet */
+    int shared_edges;  /**< two uses, one each way */
+    int wrong_edges;   /**< two uses the same way: faces turned against each other */
+    int crowded_edges; /**< more than two uses */
+    int tiny_edges;    /**< shorter than the tolerance */
+    int gaps; /**< ends of curves that miss their vertices by more than the tolerance */
+    double largest_gap; /**< model units */
+    int loose;          /**< edges that miss the surface of a face by more than the tolerance */
+    double largest_miss;
+    int crossing_loops; /**< loops that touch or cross themselves or another of the face */
+    int poles, seams;
+    int close_knots; /**< curves and surfaces with knots nearer than 1e-6 of the domain */
+    int open_shells; /**< said to be closed, but with free edges */
+} batten_body_faults;
+/** @param notes each fault with the face or edge and the number; may be NULL */
+BATTEN_API batten_status batten_body_check(const batten_body *body, double tolerance,
+                                           const batten_job *job, batten_notes *notes,
+                                           batten_body_faults *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

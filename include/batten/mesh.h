@@ -1,0 +1,104 @@
+#ifndef BATTEN_MESH_H
+#define BATTEN_MESH_H
+/**
+ * @file
+ * Meshes of triangles, and triangles from surfaces and bodies.
+ */
+#include <batten/body.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct batten_mesh batten_mesh;
+
+/** A named number of each vertex, such as a curvature. */
+typedef struct batten_mesh_attribute {
+    const char *name;
+    const double *values; /**< [vertex_count] */
+} batten_mesh_attribute;
+
+/** All that a mesh is: what batten_mesh_create takes and batten_mesh_view shows. */
+typedef struct batten_mesh_parts {
+    int vertex_count;
+    const double *points;  /**< [vertex_count][3] */
+    const double *colours; /**< [vertex_count][3], sRGB, 0..1; or NULL */
+    int triangle_count;
+    const int *corners;    /**< [triangle_count][3], counter-clockwise from outside */
+    const double *normals; /**< [triangle_count][3 corners][3], unit; or NULL. Of the corner and
+                                not of the vertex: faces that meet in an edge differ there */
+    const int *faces;      /**< [triangle_count] of the body that it was made of; or NULL */
+    int attribute_count;
+    const batten_mesh_attribute *attributes;
+} batten_mesh_parts;
+
+/** Copies all. @return BATTEN_OK; BAD_ARGUMENT naming the triangle with a corner that is no
+ * vertex; NOT_FINITE */
+BATTEN_API batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **out);
+BATTEN_API batten_mesh *batten_mesh_ref(const batten_mesh *mesh);
+BATTEN_API void batten_mesh_unref(batten_mesh *mesh);
+BATTEN_API const batten_mesh_parts *batten_mesh_view(const batten_mesh *mesh);
+BATTEN_API batten_box batten_mesh_box(const batten_mesh *mesh);
+/** A map that mirrors turns the triangles. */
+BATTEN_API batten_status batten_mesh_transform(const batten_mesh *mesh,
+                                               const batten_affine *map, batten_mesh **out);
+/** Vertices at the same point (bit for bit) become one, as files without sharing need.
+ * Triangles keep their order; those that lose their area stay. */
+BATTEN_API batten_status batten_mesh_weld(const batten_mesh *mesh, batten_mesh **out);
+
+/* ---- what is true of a mesh (src/mesh/check.c) ---- */
+
+typedef struct batten_mesh_facts {
+    int edges;           /**< distinct */
+    int rim_edges;       /**< of one triangle */
+    int wrong_edges;     /**< of two triangles that run along it the same way */
+    int crowded_edges;   /**< of more than two triangles */
+    int flat_triangles;  /**< two corners are one vertex, or the area is 0 */
+    int loose_vertices;  /**< of no triangle */
+    int pieces;          /**< connected by edges */
+    int euler;           /**< vertices in use - edges + triangles */
+    bool is_watertight;  /**< every edge has two triangles, one each way */
+    double area, volume; /**< volume: 0 unless watertight */
+    double centroid[3];  /**< of the volume, or of the area */
+} batten_mesh_facts;
+BATTEN_API batten_status batten_mesh_check(const batten_mesh *mesh, batten_mesh_facts *out);
+
+/* ---- triangles from shapes (src/mesh) ---- */
+
+typedef struct batten_mesh_options {
+    size_t size;
+    double chord;   /**< how far triangles may be from the surface, model units; 0: 1e-3 of the
+                         size of the shape */
+    double angle;   /**< between the normals at the ends of an edge, radians; 0.35 */
+    double longest; /**< edge, model units; 0: any */
+    int most;       /**< triangles; 10 million */
+} batten_mesh_options;
+BATTEN_API batten_mesh_options batten_mesh_defaults(void);
+
+typedef struct batten_mesh_report {
+    double chord; /**< the largest distance found, at samples inside triangles and edges */
+    double angle;
+    int failed; /**< faces left out; each has a note */
+} batten_mesh_report;
+
+/**
+ * Triangles of a body: each edge is sampled once, so that faces that share it meet without a
+ * gap; poles are one vertex; normals are those of the surface, turned outside.
+ * @param notes, report may be NULL
+ * @return BATTEN_OK, also when faces were left out (report->failed); TOO_LARGE beyond `most`;
+ * TOLERANCE_NOT_MET never silently: report->chord says what was reached
+ */
+BATTEN_API batten_status batten_mesh_of_body(const batten_body *body,
+                                             const batten_mesh_options *options,
+                                             const batten_job *job, batten_notes *notes,
+                                             batten_mesh_report *report, batten_mesh **out);
+/** The same of a whole surface of any kind. */
+BATTEN_API batten_status batten_mesh_of_surface(const batten_surface *surface,
+                                                const batten_mesh_options *options,
+                                                const batten_job *job,
+                                                batten_mesh_report *report, batten_mesh **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,89 @@
+/* Instances replaced by what they place. */
+#include "base/base.h"
+
+#include <batten/model.h>
+#include <batten/text.h>
+
+enum { MOST_OBJECTS = 1000000, DEEPEST = 32 };
+
+/* A model on the way down, where it stands, and what its objects are named after. */
+typedef struct {
+    const batten_model *model;
+    batten_affine place;
+    int next;
+    size_t name_length; /* of the path so far */
+} level;
+
+typedef struct {
+    level *levels; /* [DEEPEST + 1] */
+    int depth;     /* of the level at work */
+    batten_text path;
+    batten_model *made;
+} flattening;
+
+/* Path and name: "arm/bolt". */
+static void set_name(flattening *f, const char *name)
+{
+    f->path.length = f->levels[f->depth].name_length;
+    batten_text_add(&f->path, "%s%s", f->path.length ? "/" : "", name);
+}
+
+static batten_status add_object(flattening *f, const batten_object *object)
+{
+    batten_object named = *object;
+    if (batten_model_count(f->made) == MOST_OBJECTS)
+        return bat_fail(BATTEN_TOO_LARGE, "the instances place more than %d objects",
+                        MOST_OBJECTS);
+    if (f->path.failed)
+        return BATTEN_OUT_OF_MEMORY;
+    named.name = f->path.bytes ? f->path.bytes : "";
+    if (f->depth == 0)
+        return batten_model_add(f->made, &named);
+    return batten_model_add_mapped(f->made, &named, &f->levels[f->depth].place);
+}
+
+static batten_status add_all(flattening *f)
+{
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && f->depth >= 0) {
+        level *at = &f->levels[f->depth];
+        if (at->next == batten_model_count(at->model)) {
+            f->depth--;
+            continue;
+        }
+        const batten_object *object = batten_model_object(at->model, at->next++);
+        set_name(f, object->name);
+        if (object->kind != BATTEN_OBJECT_INSTANCE) {
+            status = add_object(f, object);
+            continue;
+        }
+        assert(f->depth < DEEPEST);
+        f->levels[++f->depth] =
+            (level){.model = object->definition,
+                    .place = batten_affine_compose(object->place, at->place),
+                    .name_length = f->path.length};
+    }
+    return status;
+}
+
+batten_status batten_model_flat(const batten_model *model, batten_model **out)
+{
+    if (batten_model_depth(model) == 0) {
+        *out = batten_model_ref(model);
+        return BATTEN_OK;
+    }
+    flattening f = {.levels = bat_array(DEEPEST + 1, sizeof(level)), .path = BATTEN_TEXT};
+    if (!f.levels)
+        return BATTEN_OUT_OF_MEMORY;
+    f.levels[0] = (level){.model = model, .place = batten_affine_identity()};
+    batten_status status = batten_model_create(batten_model_unit_metres(model), &f.made);
+    if (status == BATTEN_OK)
+        status = add_all(&f);
+    batten_text_free(&f.path);
+    bat_release(f.levels);
+    if (status == BATTEN_OK)
+        *out = f.made;
+    else
+        batten_model_unref(f.made);
+    return status;
+}

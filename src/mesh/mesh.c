@@ -1,0 +1,167 @@
+#include "base/base.h"
+
+#include <batten/mesh.h>
+#include <stdint.h>
+#include <string.h>
+
+struct batten_mesh {
+    bat_references references;
+    batten_mesh_parts parts; /* owns its arrays */
+};
+
+/* Casts away the const under which the parts show what they own. */
+static void release(const void *memory)
+{
+    bat_release((void *)(uintptr_t)memory);
+}
+
+static void free_mesh(batten_mesh *mesh)
+{
+    const batten_mesh_parts *p = &mesh->parts;
+    release(p->points);
+    release(p->colours);
+    release(p->corners);
+    release(p->normals);
+    release(p->faces);
+    for (int k = 0; p->attributes && k < p->attribute_count; k++) {
+        release(p->attributes[k].name);
+        release(p->attributes[k].values);
+    }
+    release(p->attributes);
+    bat_release(mesh);
+}
+
+batten_mesh *batten_mesh_ref(const batten_mesh *mesh)
+{
+    batten_mesh *counted = (batten_mesh *)(uintptr_t)mesh;
+    bat_references_add(&counted->references);
+    return counted;
+}
+
+void batten_mesh_unref(batten_mesh *mesh)
+{
+    if (mesh && bat_references_drop(&mesh->references))
+        free_mesh(mesh);
+}
+
+const batten_mesh_parts *batten_mesh_view(const batten_mesh *mesh)
+{
+    return &mesh->parts;
+}
+
+/* ---- making ---- */
+
+static batten_status check_numbers(const double *values, size_t count, const char *what)
+{
+    const size_t bad = values ? bat_first_not_finite(values, count) : count;
+    return bad == count
+               ? BATTEN_OK
+               : bat_fail(BATTEN_NOT_FINITE, "number %zu of the %s is not finite", bad, what);
+}
+
+static batten_status check(const batten_mesh_parts *p)
+{
+    if (p->vertex_count < 0 || p->triangle_count < 0 || p->attribute_count < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d vertices, %d triangles, %d attributes",
+                        p->vertex_count, p->triangle_count, p->attribute_count);
+    const size_t vertices = (size_t)p->vertex_count, triangles = (size_t)p->triangle_count;
+    for (size_t i = 0; i < 3 * triangles; i++)
+        if (p->corners[i] < 0 || p->corners[i] >= p->vertex_count)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "triangle %zu has vertex %d, of %d", i / 3,
+                            p->corners[i], p->vertex_count);
+    batten_status status = check_numbers(p->points, 3 * vertices, "points");
+    if (status == BATTEN_OK)
+        status = check_numbers(p->colours, 3 * vertices, "colours");
+    if (status == BATTEN_OK)
+        status = check_numbers(p->normals, 9 * triangles, "normals");
+    for (int k = 0; status == BATTEN_OK && k < p->attribute_count; k++)
+        status = check_numbers(p->attributes[k].values, vertices, "attributes");
+    return status;
+}
+
+/* A copy of `count` items of `size` bytes; of NULL, NULL. */
+static batten_status copy(const void *items, size_t count, size_t size, const void **out)
+{
+    if (!items)
+        return BATTEN_OK;
+    void *copied = bat_array(count, size);
+    if (!copied)
+        return BATTEN_OUT_OF_MEMORY;
+    if (count)
+        memcpy(copied, items, count * size);
+    *out = copied;
+    return BATTEN_OK;
+}
+
+static batten_status copy_attributes(const batten_mesh_parts *from, batten_mesh_parts *to)
+{
+    const size_t count = (size_t)from->attribute_count;
+    if (count == 0)
+        return BATTEN_OK;
+    batten_mesh_attribute *made = bat_array(count, sizeof *made);
+    if (!made)
+        return BATTEN_OUT_OF_MEMORY;
+    to->attributes = made;
+    to->attribute_count = from->attribute_count;
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < count; k++) {
+        const batten_mesh_attribute *source = &from->attributes[k];
+        const void *name = NULL, *values = NULL;
+        status = copy(source->name, strlen(source->name) + 1, 1, &name);
+        if (status == BATTEN_OK)
+            status = copy(source->values, (size_t)from->vertex_count, sizeof(double), &values);
+        made[k] = (batten_mesh_attribute){name, values};
+    }
+    return status;
+}
+
+batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **out)
+{
+    batten_status status = check(parts);
+    if (status != BATTEN_OK)
+        return status;
+    batten_mesh *mesh = bat_array(1, sizeof *mesh);
+    if (!mesh)
+        return BATTEN_OUT_OF_MEMORY;
+    bat_references_begin(&mesh->references);
+    const size_t vertices = (size_t)parts->vertex_count;
+    const size_t triangles = (size_t)parts->triangle_count;
+    const void *points = NULL, *colours = NULL, *corners = NULL, *normals = NULL, *faces = NULL;
+    status = copy(parts->points, 3 * vertices, sizeof(double), &points);
+    if (status == BATTEN_OK)
+        status = copy(parts->colours, 3 * vertices, sizeof(double), &colours);
+    if (status == BATTEN_OK)
+        status = copy(parts->corners, 3 * triangles, sizeof(int), &corners);
+    if (status == BATTEN_OK)
+        status = copy(parts->normals, 9 * triangles, sizeof(double), &normals);
+    if (status == BATTEN_OK)
+        status = copy(parts->faces, triangles, sizeof(int), &faces);
+    mesh->parts = (batten_mesh_parts){.vertex_count = parts->vertex_count,
+                                      .points = points,
+                                      .colours = colours,
+                                      .triangle_count = parts->triangle_count,
+                                      .corners = corners,
+                                      .normals = normals,
+                                      .faces = faces};
+    if (status == BATTEN_OK)
+        status = copy_attributes(parts, &mesh->parts);
+    if (status != BATTEN_OK) {
+        free_mesh(mesh);
+        return status;
+    }
+    *out = mesh;
+    return BATTEN_OK;
+}
+
+batten_box batten_mesh_box(const batten_mesh *mesh)
+{
+    const batten_mesh_parts *p = &mesh->parts;
+    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    for (int i = 0; i < p->vertex_count; i++)
+        for (int k = 0; k < 3; k++) {
+            const double x = p->points[3 * (size_t)i + (size_t)k];
+            low[k] = i ? bat_min(low[k], x) : x;
+            high[k] = i ? bat_max(high[k], x) : x;
+        }
+    return (batten_box){{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
