@@ -1,62 +1,16 @@
-#include "exchange/csv/csv.h"
-#include "exchange/iges/iges.h"
+#include "exchange/formats.h"
 #include "exchange/recognise.h"
-
-#include <string.h>
-
-/* The formats, their names, and the endings of their files. */
-static const struct {
-    batten_format format;
-    const char *name;
-    const char *endings[4];
-    batten_status (*read)(bat_input *input, batten_model **out);
-} formats[] = {
-    {BATTEN_FORMAT_AUTO, "auto", {NULL}, NULL},
-    {BATTEN_FORMAT_OFFSETS, "offsets", {".csv", ".tsv", ".txt"}, bat_read_offsets},
-    {BATTEN_FORMAT_POINTS, "points", {".xyz"}, bat_read_points},
-    {BATTEN_FORMAT_AEROFOIL, "aerofoil", {".dat"}, bat_read_aerofoil},
-    {BATTEN_FORMAT_IGES, "iges", {".igs", ".iges"}, bat_read_iges},
-    {BATTEN_FORMAT_STEP, "step", {".stp", ".step"}, NULL},
-    {BATTEN_FORMAT_DXF, "dxf", {".dxf"}, NULL},
-    {BATTEN_FORMAT_SVG, "svg", {".svg"}, NULL},
-    {BATTEN_FORMAT_GCODE, "g-code", {".nc", ".ngc", ".gcode", ".tap"}, NULL},
-    {BATTEN_FORMAT_G2, "g2", {".g2"}, NULL},
-    {BATTEN_FORMAT_OBJ, "obj", {".obj"}, NULL},
-    {BATTEN_FORMAT_STL, "stl", {".stl"}, NULL},
-    {BATTEN_FORMAT_PLY, "ply", {".ply"}, NULL},
-    {BATTEN_FORMAT_GLTF, "gltf", {".glb"}, NULL},
-    {BATTEN_FORMAT_3MF, "3mf", {".3mf"}, NULL},
-    {BATTEN_FORMAT_PCD, "pcd", {".pcd"}, NULL},
-    {BATTEN_FORMAT_FTM, "ftm", {".ftm"}, NULL},
-};
-#define FORMATS (sizeof formats / sizeof formats[0])
-
-const char *batten_format_name(batten_format format)
-{
-    return (size_t)format < FORMATS ? formats[format].name : "?";
-}
-
-batten_format batten_format_of_name(const char *path)
-{
-    const size_t length = strlen(path);
-    for (size_t k = 0; k < FORMATS; k++)
-        for (int i = 0; i < 4 && formats[k].endings[i]; i++) {
-            const size_t end = strlen(formats[k].endings[i]);
-            if (length > end && bat_same_word(path + length - end, formats[k].endings[i]))
-                return formats[k].format;
-        }
-    return BATTEN_FORMAT_AUTO;
-}
 
 static batten_status read_as(bat_input *input, batten_format format, batten_model **out)
 {
     batten_model *model = NULL;
-    if ((size_t)format >= FORMATS || !formats[format].read)
+    const bat_format_row *row = bat_format_of(format);
+    if (!row || !row->read)
         return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "%s files cannot be read",
-                              batten_format_name(format));
-    batten_status status = bat_input_as_text(input);
+                              row ? row->title : "such");
+    batten_status status = row->is_binary ? BATTEN_OK : bat_input_as_text(input);
     if (status == BATTEN_OK)
-        status = formats[format].read(input, &model);
+        status = row->read(input, &model);
     if (status != BATTEN_OK)
         return status;
     *out = model;

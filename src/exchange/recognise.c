@@ -1,71 +1,49 @@
 #include "exchange/recognise.h"
 #include "exchange/csv/csv.h"
-#include "exchange/iges/iges.h"
-
-#include <string.h>
+#include "exchange/formats.h"
 
 /* Beginnings of files that are known and not read. */
 static const struct {
     const char *bytes;
-    size_t length;
     const char *name;
 } signatures[] = {
-    {"PK\x03\x04", 4, "a ZIP archive"},
-    {"\x1f\x8b", 2, "compressed with gzip"},
-    {"BZh", 3, "compressed with bzip2"},
+    {"PK\x03\x04", "a ZIP archive"},
+    {"\x1f\x8b", "compressed with gzip"},
+    {"BZh", "compressed with bzip2"},
     {"\xfd"
      "7zXZ",
-     5, "compressed with xz"},
-    {"7z\xbc\xaf", 4, "a 7-Zip archive"},
-    {"%PDF", 4, "a PDF document"},
-    {"\x89PNG", 4, "a PNG picture"},
-    {"\xff\xd8\xff", 3, "a JPEG picture"},
-    {"GIF8", 4, "a GIF picture"},
-    {"\xd0\xcf\x11\xe0", 4, "an office document"},
-    {"3D Geometry File Format", 23, "a 3DM model"},
-    {"glTF", 4, "a glTF model"},
-    {"ply\n", 4, "a PLY mesh"},
-    {"ply\r", 4, "a PLY mesh"},
-    {"solid ", 6, "an STL mesh"},
-    {"AC10", 4, "a DWG drawing"},
-    {"AutoCAD Binary DXF", 18, "a binary DXF drawing"},
-    {"  0\nSECTION", 11, "a DXF drawing"},
-    {"  0\r\nSECTION", 12, "a DXF drawing"},
-    {"DBRep_DrawableShape", 19, "an OCCT B-rep"},
-    {"<?xml", 5, "an XML document"},
-    {"<svg", 4, "an SVG drawing"},
-    {"batten:", 7, "a design of Batten, to be built rather than read"},
-    {"{", 1, "a JSON document"},
+     "compressed with xz"},
+    {"7z\xbc\xaf", "a 7-Zip archive"},
+    {"%PDF", "a PDF document"},
+    {"\x89PNG", "a PNG picture"},
+    {"\xff\xd8\xff", "a JPEG picture"},
+    {"GIF8", "a GIF picture"},
+    {"\xd0\xcf\x11\xe0", "an office document"},
+    {"3D Geometry File Format", "a 3DM model"},
+    {"glTF", "a glTF model"},
+    {"ply\n", "a PLY mesh"},
+    {"ply\r", "a PLY mesh"},
+    {"solid ", "an STL mesh"},
+    {"AC10", "a DWG drawing"},
+    {"AutoCAD Binary DXF", "a binary DXF drawing"},
+    {"  0\nSECTION", "a DXF drawing"},
+    {"  0\r\nSECTION", "a DXF drawing"},
+    {"DBRep_DrawableShape", "an OCCT B-rep"},
+    {"<?xml", "an XML document"},
+    {"<svg", "an SVG drawing"},
+    {"batten:", "a design of Batten, to be built rather than read"},
+    {"{", "a JSON document"},
 };
 
-/* Do the bytes from `at` on begin so? */
-static bool begins(const bat_input *input, size_t at, const char *bytes, size_t length)
-{
-    return input->size - at >= length && memcmp(input->data + at, bytes, length) == 0;
-}
-
-/* Where white space at the beginning ends. */
-static size_t past_white(const bat_input *input)
-{
-    size_t at = 0;
-    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
-                                input->data[at] == '\r'))
-        at++;
-    return at;
-}
-
+/* Files with a beginning that is known to be of something else. */
 static batten_status refuse_signatures(const bat_input *input)
 {
-    const size_t at = past_white(input);
-    static const char step[] = "ISO-10303-21;";
+    const size_t at = bat_past_white(input);
     for (size_t k = 0; k < sizeof signatures / sizeof signatures[0]; k++)
-        if (begins(input, 0, signatures[k].bytes, signatures[k].length) ||
-            begins(input, at, signatures[k].bytes, signatures[k].length))
+        if (bat_begins(input, 0, signatures[k].bytes) ||
+            bat_begins(input, at, signatures[k].bytes))
             return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "this is %s, which is not read",
                                   signatures[k].name);
-    if (begins(input, at, step, sizeof step - 1))
-        return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                              "STEP files can be written but not yet read");
     return BATTEN_OK;
 }
 
@@ -151,15 +129,20 @@ static batten_status recognise_text(bat_input *input, batten_format *format)
 
 batten_status bat_recognise(bat_input *input, batten_format *format)
 {
-    batten_status status = refuse_signatures(input);
-    if (status != BATTEN_OK)
-        return status;
-    bool is_iges = false;
-    status = bat_iges_recognise(input, &is_iges);
-    if (status != BATTEN_OK || is_iges) {
-        *format = BATTEN_FORMAT_IGES;
-        return status;
+    bool is_such = false;
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && !is_such && bat_format_at(k); k++) {
+        const bat_format_row *row = bat_format_at(k);
+        if (!row->recognise)
+            continue;
+        status = row->recognise(input, &is_such);
+        if (is_such)
+            *format = row->format;
     }
+    if (status == BATTEN_OK && !is_such)
+        status = refuse_signatures(input);
+    if (status != BATTEN_OK || is_such)
+        return status;
     status = bat_input_as_text(input);
     return status == BATTEN_OK ? recognise_text(input, format) : status;
 }

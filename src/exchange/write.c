@@ -1,9 +1,4 @@
-#include "exchange/csv/csv.h"
-#include "exchange/dxf/dxf.h"
-#include "exchange/gcode/gcode.h"
-#include "exchange/iges/iges.h"
-#include "exchange/step/step.h"
-#include "exchange/svg/svg.h"
+#include "exchange/formats.h"
 
 batten_write_options batten_write_defaults(void)
 {
@@ -15,39 +10,83 @@ batten_write_options batten_write_defaults(void)
                                   .mesh = batten_mesh_defaults()};
 }
 
-/* Is there something that the format holds? An empty model makes an empty file. */
-static batten_status check_shapes(const batten_model *model, batten_format format)
+/* "points, curves and surfaces" */
+static void name_kinds(unsigned kinds, batten_text *text)
 {
-    const int count = batten_model_count(model);
-    for (int i = 0; i < count; i++) {
-        const batten_object_kind kind = batten_model_object(model, i)->kind;
-        if (kind == BATTEN_OBJECT_CURVE || kind == BATTEN_OBJECT_SURFACE ||
-            kind == BATTEN_OBJECT_TRIANGLES ||
-            (kind == BATTEN_OBJECT_POINTS && format == BATTEN_FORMAT_STEP))
-            return BATTEN_OK;
+    static const char *const names[] = {"points",    "curves", "surfaces", "tables of offsets",
+                                        "triangles", "bodies", "meshes",   "instances"};
+    bool first = true;
+    for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (!(kinds & (1u << i)))
+            continue;
+        const bool last = kinds >> (i + 1) == 0;
+        batten_text_add(text, "%s%s", first ? "" : last ? " and " : ", ", names[i]);
+        first = false;
     }
-    if (count == 0)
-        return BATTEN_OK;
-    return bat_fail(
-        BATTEN_UNSUPPORTED, "%s, and of the %d object%s ('%.60s' first) none is such",
-        format == BATTEN_FORMAT_IGES ? "IGES files hold curves and surfaces"
-                                     : "STEP files hold points, curves and surfaces",
-        count, count == 1 ? "" : "s", batten_model_object(model, 0)->name);
 }
 
-/* In files of NURBS, triangles are patches. */
-static batten_status write_patches(const batten_model *model,
-                                   const batten_write_options *options, batten_notes *notes,
-                                   batten_text *text)
+/* A file would hold nothing of a model that is not empty. */
+static batten_status nothing(const bat_format_row *row, const batten_model *model)
 {
-    batten_model *patches = NULL;
-    batten_status status = check_shapes(model, options->format);
+    const int count = batten_model_count(model);
+    batten_text kinds = BATTEN_TEXT;
+    name_kinds(row->holds, &kinds);
+    const batten_status status =
+        bat_fail(BATTEN_UNSUPPORTED,
+                 "%s files hold %s, and of the %d object%s ('%.60s' first) none is such",
+                 row->title, kinds.bytes ? kinds.bytes : "", count, count == 1 ? "" : "s",
+                 batten_model_object(model, 0)->name);
+    batten_text_free(&kinds);
+    return status;
+}
+
+/* The objects of the kinds that the format holds, with a note for each other one. */
+static batten_status select_held(const bat_format_row *row, const batten_model *model,
+                                 batten_notes *notes, batten_model **out)
+{
+    batten_model *held = NULL;
+    batten_text kinds = BATTEN_TEXT;
+    name_kinds(row->holds, &kinds);
+    batten_status status = batten_model_create(batten_model_unit_metres(model), &held);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (row->holds & (1u << object->kind))
+            status = batten_model_add(held, object);
+        else
+            batten_notes_add(notes, "", 0, object->name, "left out: %s files hold %s",
+                             row->title, kinds.bytes ? kinds.bytes : "");
+    }
+    batten_text_free(&kinds);
+    if (status == BATTEN_OK && batten_model_count(model) > 0 && batten_model_count(held) == 0)
+        status = nothing(row, model);
     if (status == BATTEN_OK)
-        status = batten_model_with_patches(model, BATTEN_PATCHES_REGULAR, &patches);
+        *out = held;
+    else
+        batten_model_unref(held);
+    return status;
+}
+
+/* The model in the kinds that the format holds: without instances, triangles as patches. */
+static batten_status prepare(const bat_format_row *row, const batten_model *model,
+                             batten_notes *notes, batten_model **out)
+{
+    batten_model *flat = NULL, *patches = NULL;
+    if (!row->holds) {
+        *out = batten_model_ref(model);
+        return BATTEN_OK;
+    }
+    batten_status status = BATTEN_OK;
+    if (row->holds & BAT_HOLDS(INSTANCE))
+        flat = batten_model_ref(model);
+    else
+        status = batten_model_flat(model, &flat);
+    if (status == BATTEN_OK && (row->holds & BAT_HOLDS(SURFACE)))
+        status = batten_model_with_patches(flat, BATTEN_PATCHES_REGULAR, &patches);
+    else if (status == BATTEN_OK)
+        patches = batten_model_ref(flat);
     if (status == BATTEN_OK)
-        status = options->format == BATTEN_FORMAT_IGES
-                     ? bat_write_iges(patches, options, notes, text)
-                     : bat_write_step(patches, options, notes, text);
+        status = select_held(row, patches, notes, out);
+    batten_model_unref(flat);
     batten_model_unref(patches);
     return status;
 }
@@ -55,36 +94,17 @@ static batten_status write_patches(const batten_model *model,
 static batten_status write_as(const batten_model *model, const batten_write_options *options,
                               batten_notes *notes, batten_text *text)
 {
-    switch (options->format) {
-    case BATTEN_FORMAT_OFFSETS:
-        return bat_write_offsets(model, notes, text);
-    case BATTEN_FORMAT_POINTS:
-        return bat_write_points(model, notes, text);
-    case BATTEN_FORMAT_AEROFOIL:
-        return bat_write_aerofoil(model, notes, text);
-    case BATTEN_FORMAT_IGES:
-    case BATTEN_FORMAT_STEP:
-        return write_patches(model, options, notes, text);
-    case BATTEN_FORMAT_DXF:
-        return bat_write_dxf(model, notes, text);
-    case BATTEN_FORMAT_SVG:
-        return bat_write_svg(model, options, notes, text);
-    case BATTEN_FORMAT_GCODE:
-        return bat_write_gcode(model, NULL, notes, text);
-    case BATTEN_FORMAT_G2:
-    case BATTEN_FORMAT_OBJ:
-    case BATTEN_FORMAT_STL:
-    case BATTEN_FORMAT_PLY:
-    case BATTEN_FORMAT_GLTF:
-    case BATTEN_FORMAT_3MF:
-    case BATTEN_FORMAT_PCD:
-    case BATTEN_FORMAT_FTM:
-        return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written",
-                        batten_format_name(options->format));
-    case BATTEN_FORMAT_AUTO:
-        break;
-    }
-    return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
+    const bat_format_row *row = bat_format_of(options->format);
+    batten_model *prepared = NULL;
+    if (!row || options->format == BATTEN_FORMAT_AUTO)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
+    if (!row->write)
+        return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", row->title);
+    batten_status status = prepare(row, model, notes, &prepared);
+    if (status == BATTEN_OK)
+        status = row->write(prepared, options, notes, text);
+    batten_model_unref(prepared);
+    return status;
 }
 
 batten_status batten_write_memory(const batten_model *model,

@@ -44,11 +44,11 @@ TEST(F1_a_file_that_is_not_there_is_refused_with_the_reason)
     CHECK(model == NULL);
 }
 
-TEST(STEP_cannot_be_read_yet)
+TEST(formats_that_are_only_written_cannot_be_read)
 {
-    check_refused("ISO-10303-21;", BATTEN_FORMAT_STEP, BATTEN_UNSUPPORTED,
-                  "t: step files cannot be read");
-    check_refused("1 2\n", (batten_format)99, BATTEN_UNSUPPORTED, "? files cannot be read");
+    check_refused("G0 X1\n", BATTEN_FORMAT_GCODE, BATTEN_UNSUPPORTED,
+                  "t: G-code files cannot be read");
+    check_refused("1 2\n", (batten_format)99, BATTEN_UNSUPPORTED, "such files cannot be read");
 }
 
 TEST(messages_name_the_file)

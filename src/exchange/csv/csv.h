@@ -3,6 +3,7 @@
 #define BAT_CSV_H
 #include "exchange/csv/gather.h"
 #include "exchange/csv/separated.h"
+#include <batten/exchange.h>
 #include <batten/text.h>
 
 batten_status bat_read_offsets(bat_input *input, batten_model **out);
@@ -29,11 +30,11 @@ batten_status bat_offsets_loft(bat_separated *table, bat_gathering *gathering);
 /* Do the first two rows of an aerofoil begin with Lednicer's counts? */
 bool bat_are_aerofoil_counts(const double first[3], const double second[3]);
 
-batten_status bat_write_offsets(const batten_model *model, batten_notes *notes,
-                                batten_text *text);
-batten_status bat_write_points(const batten_model *model, batten_notes *notes,
-                               batten_text *text);
-batten_status bat_write_aerofoil(const batten_model *model, batten_notes *notes,
-                                 batten_text *text);
+batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
+                                batten_notes *notes, batten_text *text);
+batten_status bat_write_points(const batten_model *model, const batten_write_options *options,
+                               batten_notes *notes, batten_text *text);
+batten_status bat_write_aerofoil(const batten_model *model, const batten_write_options *options,
+                                 batten_notes *notes, batten_text *text);
 
 #endif

@@ -135,9 +135,10 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
     batten_text_bytes(text, "\n", 1);
 }
 
-batten_status bat_write_offsets(const batten_model *model, batten_notes *notes,
-                                batten_text *text)
+batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
+                                batten_notes *notes, batten_text *text)
 {
+    (void)options;
     const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSETS);
     if (!object)
         return nothing("table of offsets");
@@ -168,9 +169,10 @@ static void put_coordinates(batten_text *text, const double *point, int count)
     batten_text_bytes(text, "\n", 1);
 }
 
-batten_status bat_write_points(const batten_model *model, batten_notes *notes,
-                               batten_text *text)
+batten_status bat_write_points(const batten_model *model, const batten_write_options *options,
+                               batten_notes *notes, batten_text *text)
 {
+    (void)options;
     const double unit = batten_model_unit_metres(model);
     bool first = true;
     if (!first_of_kind(model, BATTEN_OBJECT_POINTS))
@@ -208,9 +210,10 @@ static bool is_good_name(const char *name)
     return first != '\0' && !strchr("#\"+-.0123456789", first) && !strpbrk(name, "\r\n");
 }
 
-batten_status bat_write_aerofoil(const batten_model *model, batten_notes *notes,
-                                 batten_text *text)
+batten_status bat_write_aerofoil(const batten_model *model, const batten_write_options *options,
+                                 batten_notes *notes, batten_text *text)
 {
+    (void)options;
     const batten_object *object = first_of_kind(model, BATTEN_OBJECT_POINTS);
     if (!object || object->point_count < 3)
         return nothing("row of 3 points or more");

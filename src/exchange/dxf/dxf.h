@@ -5,7 +5,8 @@
 #include <batten/exchange.h>
 #include <batten/text.h>
 
-batten_status bat_write_dxf(const batten_model *model, batten_notes *notes, batten_text *text);
+batten_status bat_write_dxf(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text);
 
 /* ---- groups (src/exchange/dxf/groups.c) ---- */
 

@@ -170,11 +170,6 @@ static batten_status put_object(writing *w, int index)
     const batten_object *object = batten_model_object(w->model, index);
     if (object->kind == BATTEN_OBJECT_CURVE)
         return put_curve(w, index, object);
-    if (object->kind != BATTEN_OBJECT_POINTS) {
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "left out: DXF holds points and curves here");
-        return BATTEN_OK;
-    }
     for (int i = 0; i < object->point_count; i++) {
         begin_entity(w, index, "POINT", "AcDbPoint");
         bat_dxf_point(&w->dxf, 10, object->points + 3 * i);
@@ -218,8 +213,10 @@ static batten_status write_all(writing *w)
     return status;
 }
 
-batten_status bat_write_dxf(const batten_model *model, batten_notes *notes, batten_text *text)
+batten_status bat_write_dxf(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text)
 {
+    (void)options;
     writing w = {.dxf = {.text = BATTEN_TEXT}, .model = model, .notes = notes};
     const batten_status status = write_all(&w);
     bat_release(w.layers);

@@ -355,11 +355,7 @@ static batten_status write_object(writing *w, const batten_object *object, doubl
         return status;
     if (object->kind == BATTEN_OBJECT_CURVE)
         return write_curve(w, object);
-    if (object->kind == BATTEN_OBJECT_SURFACE)
-        return write_surface(w, object, tolerance);
-    batten_notes_add(w->notes, "", 0, object->name,
-                     "points and tables are not written to IGES; left out");
-    return BATTEN_OK;
+    return write_surface(w, object, tolerance);
 }
 
 /* ---- the global section ---- */

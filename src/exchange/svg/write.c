@@ -190,8 +190,8 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
 {
     bool is_path = false;
     bat_path path = {0};
-    if (object->kind != BATTEN_OBJECT_CURVE || batten_curve_dimension(object->curve) < 2) {
-        batten_notes_add(notes, "", 0, object->name, "left out: SVG holds curves here");
+    if (batten_curve_dimension(object->curve) < 2) {
+        batten_notes_add(notes, "", 0, object->name, "left out: it lies in no plane");
         return BATTEN_OK;
     }
     batten_status status = bat_path_of(object, &is_path, &path);

@@ -1,0 +1,146 @@
+#include "exchange/formats.h"
+#include "exchange/csv/csv.h"
+#include "exchange/dxf/dxf.h"
+#include "exchange/gcode/gcode.h"
+#include "exchange/iges/iges.h"
+#include "exchange/step/step.h"
+#include "exchange/svg/svg.h"
+
+#include <string.h>
+
+static batten_status write_gcode(const batten_model *model, const batten_write_options *options,
+                                 batten_notes *notes, batten_text *text)
+{
+    (void)options;
+    return bat_write_gcode(model, NULL, notes, text);
+}
+
+static batten_status recognise_step(const bat_input *input, bool *is_such)
+{
+    *is_such = bat_begins(input, bat_past_white(input), "ISO-10303-21;");
+    return BATTEN_OK;
+}
+
+/* In the order of batten_format. */
+static const bat_format_row formats[] = {
+    {.format = BATTEN_FORMAT_AUTO, .name = "auto", .title = "auto"},
+
+    {.format = BATTEN_FORMAT_OFFSETS,
+     .name = "offsets",
+     .title = "offsets",
+     .endings = {".csv", ".tsv", ".txt"},
+     .read = bat_read_offsets,
+     .write = bat_write_offsets},
+
+    {.format = BATTEN_FORMAT_POINTS,
+     .name = "points",
+     .title = "points",
+     .endings = {".xyz"},
+     .read = bat_read_points,
+     .write = bat_write_points},
+
+    {.format = BATTEN_FORMAT_AEROFOIL,
+     .name = "aerofoil",
+     .title = "aerofoil",
+     .endings = {".dat"},
+     .read = bat_read_aerofoil,
+     .write = bat_write_aerofoil},
+
+    {.format = BATTEN_FORMAT_IGES,
+     .name = "iges",
+     .title = "IGES",
+     .endings = {".igs", ".iges"},
+     .recognise = bat_iges_recognise,
+     .read = bat_read_iges,
+     .holds = BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .write = bat_write_iges},
+
+    {.format = BATTEN_FORMAT_STEP,
+     .name = "step",
+     .title = "STEP",
+     .endings = {".stp", ".step"},
+     .recognise = recognise_step,
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .write = bat_write_step},
+
+    {.format = BATTEN_FORMAT_DXF,
+     .name = "dxf",
+     .title = "DXF",
+     .endings = {".dxf"},
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE),
+     .write = bat_write_dxf},
+
+    {.format = BATTEN_FORMAT_SVG,
+     .name = "svg",
+     .title = "SVG",
+     .endings = {".svg"},
+     .holds = BAT_HOLDS(CURVE),
+     .write = bat_write_svg},
+
+    {.format = BATTEN_FORMAT_GCODE,
+     .name = "g-code",
+     .title = "G-code",
+     .endings = {".nc", ".ngc", ".gcode", ".tap"},
+     .write = write_gcode},
+
+    {.format = BATTEN_FORMAT_G2, .name = "g2", .title = "G2", .endings = {".g2"}},
+
+    {.format = BATTEN_FORMAT_OBJ, .name = "obj", .title = "OBJ", .endings = {".obj"}},
+
+    {.format = BATTEN_FORMAT_STL, .name = "stl", .title = "STL", .endings = {".stl"}},
+
+    {.format = BATTEN_FORMAT_PLY, .name = "ply", .title = "PLY", .endings = {".ply"}},
+
+    {.format = BATTEN_FORMAT_GLTF, .name = "gltf", .title = "glTF", .endings = {".glb"}},
+
+    {.format = BATTEN_FORMAT_3MF, .name = "3mf", .title = "3MF", .endings = {".3mf"}},
+
+    {.format = BATTEN_FORMAT_PCD, .name = "pcd", .title = "PCD", .endings = {".pcd"}},
+
+    {.format = BATTEN_FORMAT_FTM, .name = "ftm", .title = "FTM", .endings = {".ftm"}},
+};
+#define FORMATS (sizeof formats / sizeof formats[0])
+
+const bat_format_row *bat_format_at(size_t index)
+{
+    return index < FORMATS ? &formats[index] : NULL;
+}
+
+const bat_format_row *bat_format_of(batten_format format)
+{
+    return bat_format_at((size_t)format);
+}
+
+const char *batten_format_name(batten_format format)
+{
+    const bat_format_row *row = bat_format_of(format);
+    return row ? row->name : "?";
+}
+
+batten_format batten_format_of_name(const char *path)
+{
+    const size_t length = strlen(path);
+    for (size_t k = 0; k < FORMATS; k++)
+        for (int i = 0; i < 4 && formats[k].endings[i]; i++) {
+            const size_t end = strlen(formats[k].endings[i]);
+            if (length > end && bat_same_word(path + length - end, formats[k].endings[i]))
+                return formats[k].format;
+        }
+    return BATTEN_FORMAT_AUTO;
+}
+
+bool bat_begins(const bat_input *input, size_t at, const char *bytes)
+{
+    const size_t length = strlen(bytes);
+    return at <= input->size && input->size - at >= length &&
+           memcmp(input->data + at, bytes, length) == 0;
+}
+
+size_t bat_past_white(const bat_input *input)
+{
+    size_t at = bat_begins(input, 0, "\xef\xbb\xbf") ? 3 : 0;
+    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
+                                input->data[at] == '\r'))
+        at++;
+    return at;
+}

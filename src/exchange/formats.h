@@ -1,0 +1,36 @@
+/* The one table of formats: their names, who reads and who writes them. */
+#ifndef BAT_FORMATS_H
+#define BAT_FORMATS_H
+#include "exchange/input.h"
+#include <batten/exchange.h>
+#include <batten/text.h>
+
+typedef struct {
+    batten_format format;
+    const char *name;       /* as designs write it: "step" */
+    const char *title;      /* "STEP" */
+    const char *endings[4]; /* of file names */
+    /* Is this the format of the bytes? A form of it that is not read is refused. NULL: what is
+     * in rows of numbers decides. */
+    batten_status (*recognise)(const bat_input *input, bool *is_such);
+    bool is_binary; /* zero bytes are allowed */
+    batten_status (*read)(bat_input *input, batten_model **out);
+    /* The model has only objects of the kinds that the format holds, when it names any. */
+    unsigned holds; /* bits 1 << BATTEN_OBJECT_... */
+    batten_status (*write)(const batten_model *model, const batten_write_options *options,
+                           batten_notes *notes, batten_text *text);
+} bat_format_row;
+
+/* NULL when there is no such format. */
+const bat_format_row *bat_format_of(batten_format format);
+/* From 0 on; NULL at the end. */
+const bat_format_row *bat_format_at(size_t index);
+
+#define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)
+
+/* Do the bytes from `at` on begin so? */
+bool bat_begins(const bat_input *input, size_t at, const char *bytes);
+/* Where white space at the beginning, and a byte order mark, end. */
+size_t bat_past_white(const bat_input *input);
+
+#endif
