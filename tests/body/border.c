@@ -1,0 +1,139 @@
+#include "support/test.h"
+#include <batten/body.h>
+#include <batten/standard.h>
+
+static const batten_frame WORLD = {.x = {1, 0, 0}, .z = {0, 0, 1}};
+
+/* The largest distance of the edges of all uses from their surfaces, and how far uses that
+ * follow one another are apart in (u, v); both at 50 places of each use. */
+static void check_traced(const batten_body *body, double tolerance)
+{
+    const batten_body_parts *p = batten_body_view(body);
+    CHECK(p->is_traced);
+    for (int f = 0; f < p->face_count; f++)
+        for (int l = 0; l < p->faces[f].count; l++) {
+            const batten_body_loop *loop = &p->loops[p->faces[f].first + l];
+            for (int k = 0; k < loop->count; k++) {
+                const batten_body_use *use = &p->uses[loop->first + k];
+                const batten_body_use *next = &p->uses[loop->first + (k + 1) % loop->count];
+                const batten_body_edge *edge = &p->edges[use->edge];
+                const batten_interval on = batten_curve_domain(use->parameters);
+                const batten_interval then = batten_curve_domain(next->parameters);
+                double end[2], begin[2];
+                for (int i = 0; i <= 50; i++) {
+                    const double t = i < 50 ? on.a + (on.b - on.a) * i / 50 : on.b;
+                    double uv[2], s[3], c[3];
+                    CHECK_OK(batten_curve_evaluate(use->parameters, t, 0, uv));
+                    CHECK_OK(batten_surface_evaluate(p->faces[f].surface, uv[0], uv[1], 0, s));
+                    if (edge->curve)
+                        CHECK_OK(batten_curve_evaluate(edge->curve, t, 0, c));
+                    else
+                        memcpy(c, p->vertices + 3 * edge->vertices[0], sizeof c);
+                    CHECK_NEAR(hypot(hypot(s[0] - c[0], s[1] - c[1]), s[2] - c[2]), 0,
+                               tolerance);
+                }
+                CHECK_OK(batten_curve_evaluate(use->parameters, use->reversed ? on.a : on.b, 0,
+                                               end));
+                CHECK_OK(batten_curve_evaluate(next->parameters,
+                                               next->reversed ? then.b : then.a, 0, begin));
+                CHECK_NEAR(hypot(end[0] - begin[0], end[1] - begin[1]), 0, 1e-12);
+            }
+        }
+}
+
+static void check_counts(const batten_body *body, int vertices, int edges, int poles)
+{
+    const batten_body_parts *p = batten_body_view(body);
+    int points = 0;
+    for (int i = 0; i < p->edge_count; i++)
+        points += !p->edges[i].curve;
+    CHECK_INT(p->vertex_count, vertices);
+    CHECK_INT(p->edge_count, edges);
+    CHECK_INT(points, poles);
+    CHECK_INT(p->use_count, 4);
+    CHECK_INT(p->face_count, 1);
+}
+
+TEST(a_surface_as_a_body_has_its_border_as_edges)
+{
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){2, 0, 0},
+                                     (batten_vec3){0, 1, 0}, (batten_vec3){2, 1, 1}, &surface));
+    CHECK_OK(batten_body_of_surface("plate", surface, 1e-6, &body));
+    check_counts(body, 4, 4, 0);
+    check_traced(body, 1e-14);
+    CHECK(!batten_body_view(body)->shells[0].closed);
+    CHECK_TEXT(batten_body_view(body)->faces[0].name, "plate");
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+TEST(a_surface_that_closes_has_a_seam_that_is_used_twice)
+{
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_cylinder(&WORLD, 2, 5, &surface));
+    CHECK_OK(batten_body_of_surface(NULL, surface, 1e-6, &body));
+    check_counts(body, 2, 3, 0);
+    check_traced(body, 1e-14);
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+TEST(a_sphere_as_a_body_has_a_seam_and_two_poles)
+{
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_sphere(&WORLD, 2, &surface));
+    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    check_counts(body, 2, 3, 2);
+    check_traced(body, 1e-14);
+    CHECK(batten_body_view(body)->shells[0].closed);
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+TEST(a_torus_as_a_body_has_two_seams_and_one_vertex)
+{
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_torus(&WORLD, 3, 1, &surface));
+    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    check_counts(body, 1, 2, 0);
+    check_traced(body, 1e-14);
+    CHECK(batten_body_view(body)->shells[0].closed);
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+TEST(a_periodic_surface_as_a_body_is_clamped)
+{
+    const double u[] = {0, 1, 2, 3, 4}, v[] = {0, 0, 1, 1};
+    const double points[] = {1,  0, 0, 1,  0, 3, 0, 1,  0, 0, 1,  3,
+                             -1, 0, 0, -1, 0, 3, 0, -1, 0, 0, -1, 3};
+    const batten_axis along = {3, 4, u, true}, across = {1, 2, v, false};
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_create(3, &along, &across, points, NULL, &surface));
+    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    check_counts(body, 2, 3, 0);
+    check_traced(body, 1e-14);
+    CHECK(!batten_surface_is_periodic(batten_body_view(body)->faces[0].surface, BATTEN_U));
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+TEST(a_flat_surface_is_no_body)
+{
+    const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 0, 1, 1, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &surface));
+    CHECK_STATUS(batten_body_of_surface("", surface, 1e-6, &body), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("2 dimensions");
+    CHECK_STATUS(batten_body_of_surface("", surface, 0, &body), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance is 0");
+    batten_surface_unref(surface);
+}
