@@ -102,6 +102,18 @@ typedef enum batten_patches {
  * @return BATTEN_OK; TOO_LARGE for more than a million patches */
 BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
                                                    batten_patches patches, batten_model **out);
+/**
+ * The same model with its surfaces, Bezier triangles and bodies as meshes, one for each object,
+ * under the same name, layer, group and colour. Definitions of instances are meshed once, by
+ * what they measure where they are defined. Points, curves, tables and meshes stay.
+ * @param options NULL for the defaults
+ * @param notes faces that were left out, each with its object; may be NULL
+ * @return BATTEN_OK, as batten_mesh_of_body, also when faces were left out
+ */
+BATTEN_API batten_status batten_model_meshed(const batten_model *model,
+                                             const batten_mesh_options *options,
+                                             const batten_job *job, batten_notes *notes,
+                                             batten_model **out);
 
 #ifdef __cplusplus
 }
