@@ -12,7 +12,8 @@ typedef struct {
     batten_limits limits;
     bat_work work;
     batten_notes *notes;
-    size_t memory; /* bytes asked for so far */
+    size_t memory;  /* bytes asked for so far */
+    uint64_t again; /* bytes that a reader came back to */
     /* Either makes the result BATTEN_PARTLY_READ: */
     int left_out; /* entities that could not be read */
     bool is_cut;  /* the end of the file is missing */

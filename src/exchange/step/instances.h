@@ -57,6 +57,7 @@ typedef struct {
     /* From the header: */
     char schema[128], system[128], name[128];
     bool has_end;
+    uint64_t scanned; /* bytes gone over, some twice where something is wrong */
 } bat_step_file;
 
 /* Take the file apart. Broken instances are left out, each with a note; a missing end makes the
@@ -85,9 +86,12 @@ const char *bat_step_keyword(const bat_step_file *file, const bat_step_instance 
 /* "#317 CIRCLE: " and the sentence. All messages about instances begin so. */
 batten_status bat_step_fail(const bat_step_file *file, const bat_step_instance *instance,
                             batten_status status, const char *format, ...) BATTEN_PRINTF(4, 5);
+/* "#317 CIRCLE: argument 3 is a string, not a number": what stands at `at` is not `wanted`. */
+batten_status bat_step_fail_kind(const bat_step_file *file, const bat_step_record *record,
+                                 size_t at, const char *wanted);
 /* Leave an entity out for the reason that is the message now: a note with its line, a count in
- * the census and in the input. Failures that no entity is to blame for (memory, cancelled, over
- * a limit of the whole input) are handed back, else OK. */
+ * the census and in the input. Failures that no entity is to blame for (memory, cancelled, the
+ * whole file read too many times over) are handed back, else OK. The census may be NULL. */
 batten_status bat_step_leave_out(const bat_step_file *file, bat_census *census,
                                  const bat_step_instance *instance, batten_status reason);
 
