@@ -1,0 +1,109 @@
+#include "exchange/words.h"
+
+#include <batten/number.h>
+#include <limits.h>
+#include <string.h>
+
+void bat_words_begin(bat_words *words, bat_input *input)
+{
+    *words = (bat_words){.input = input, .line = 1, .begins_line = true};
+}
+
+static bool is_white(char c)
+{
+    return c == '\n' || c == '\r' || bat_is_blank(c);
+}
+
+/* A line ends with LF, CRLF or CR. */
+static void count_line(bat_words *words, char c)
+{
+    const char *data = words->input->data;
+    const bool second = c == '\n' && words->at > 0 && data[words->at - 1] == '\r';
+    if ((c == '\n' || c == '\r') && !second && words->line < INT_MAX)
+        words->line++;
+    words->begins_line |= c == '\n' || c == '\r';
+}
+
+bool bat_words_next(bat_words *words)
+{
+    const bat_input *input = words->input;
+    words->begins_line = words->at == 0;
+    for (; words->at < input->size && is_white(input->data[words->at]); words->at++)
+        count_line(words, input->data[words->at]);
+    const size_t begin = words->at;
+    while (words->at < input->size && !is_white(input->data[words->at]))
+        words->at++;
+    words->word = (bat_span){input->data + begin, words->at - begin};
+    return words->at > begin;
+}
+
+bool bat_words_are(const bat_words *words, const char *text)
+{
+    return words->word.length == strlen(text) &&
+           memcmp(words->word.bytes, text, words->word.length) == 0;
+}
+
+static batten_status ended(const bat_words *words, const char *what)
+{
+    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
+                          "the text ends where %s should stand", what);
+}
+
+batten_status bat_words_real(bat_words *words, const char *what, double *value)
+{
+    if (!bat_words_next(words))
+        return ended(words, what);
+    const batten_status status =
+        batten_number_read(words->word.bytes, words->word.length, value, NULL);
+    if (status == BATTEN_OK)
+        return BATTEN_OK;
+    char shown[BAT_SHOWN_SIZE];
+    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
+                          "%s is '%.60s', %s", what,
+                          bat_shown(words->word.bytes, words->word.length, shown),
+                          status == BATTEN_OVERFLOW ? "which is too large for a number"
+                                                    : "not a number");
+}
+
+batten_status bat_words_integer(bat_words *words, const char *what, int low, int high,
+                                int *value)
+{
+    double number = 0;
+    batten_status status = bat_words_real(words, what, &number);
+    if (status != BATTEN_OK)
+        return status;
+    if (!(number >= low && number <= high) || number != floor(number) ||
+        memchr(words->word.bytes, '.', words->word.length))
+        return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
+                              "%s is %g, not a whole number from %d to %d", what, number, low,
+                              high);
+    *value = (int)number;
+    return BATTEN_OK;
+}
+
+batten_status bat_words_check(const bat_words *words, const char *what, size_t count,
+                              size_t least)
+{
+    /* A word and the white space after it take two bytes at least. */
+    const size_t room = (words->input->size - words->at + 1) / 2;
+    if (count <= room / least)
+        return BATTEN_OK;
+    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
+                          "%zu %s cannot stand in the %zu bytes that are left", count, what,
+                          words->input->size - words->at);
+}
+
+batten_status bat_words_reals(bat_words *words, const char *what, size_t count, double **out)
+{
+    double *values = NULL;
+    batten_status status = bat_words_check(words, what, count, 1);
+    if (status == BATTEN_OK)
+        status = bat_input_array(words->input, count, sizeof *values, &values);
+    for (size_t i = 0; status == BATTEN_OK && i < count; i++)
+        status = bat_words_real(words, what, &values[i]);
+    if (status == BATTEN_OK)
+        *out = values;
+    else
+        bat_release(values);
+    return status;
+}
