@@ -1,6 +1,7 @@
 #include "exchange/formats.h"
 #include "exchange/csv/csv.h"
 #include "exchange/dxf/dxf.h"
+#include "exchange/g2/g2.h"
 #include "exchange/gcode/gcode.h"
 #include "exchange/iges/iges.h"
 #include "exchange/step/step.h"
@@ -83,7 +84,14 @@ static const bat_format_row formats[] = {
      .endings = {".nc", ".ngc", ".gcode", ".tap"},
      .write = write_gcode},
 
-    {.format = BATTEN_FORMAT_G2, .name = "g2", .title = "G2", .endings = {".g2"}},
+    {.format = BATTEN_FORMAT_G2,
+     .name = "g2",
+     .title = "G2",
+     .endings = {".g2"},
+     .recognise = bat_g2_recognise,
+     .read = bat_read_g2,
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
+     .write = bat_write_g2},
 
     {.format = BATTEN_FORMAT_OBJ, .name = "obj", .title = "OBJ", .endings = {".obj"}},
 

@@ -83,7 +83,7 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
     char place[16] = "", sentence[768];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(sentence, sizeof sentence, format, arguments);
+    bat_format(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
     if (line > 0)
         snprintf(place, sizeof place, "%d", line);
@@ -94,6 +94,31 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
                                : "",
                     named && line > 0 ? ":" : "", place, named || line > 0 ? ": " : "",
                     sentence);
+}
+
+const char *bat_input_reason(const bat_input *input, int *line)
+{
+    const char *message = batten_message(), *at = message;
+    const size_t named = strlen(input->file);
+    int number = 0;
+    *line = 0;
+    if (named > 0) {
+        if (strncmp(at, input->file, named) != 0 || at[named] != ':')
+            return message;
+        at += named + 1;
+    } else if (strncmp(at, "line ", 5) == 0) {
+        at += 5;
+    }
+    const char *digits = at;
+    while (*at >= '0' && *at <= '9' && number < INT_MAX / 10 - 1)
+        number = 10 * number + (*at++ - '0');
+    if (at > digits && *at == ':') {
+        *line = number;
+        at++;
+    } else if (named == 0 || at > digits) {
+        return message;
+    }
+    return *at == ' ' ? at + 1 : message;
 }
 
 batten_status bat_input_step(bat_input *input, size_t at)

@@ -28,6 +28,9 @@ batten_status bat_input_as_text(bat_input *input);
 /* "hull.csv:12: " and the sentence; line 0 is left out. */
 batten_status bat_input_fail(const bat_input *input, batten_status status, int line,
                              const char *format, ...) BATTEN_PRINTF(4, 5);
+/* The sentence of the last failure without the place that bat_input_fail put before it, for a
+ * note; *line is that of the place, 0 for none. */
+const char *bat_input_reason(const bat_input *input, int *line);
 /* Ask whether to go on: at[size] of the file has been reached. */
 batten_status bat_input_step(bat_input *input, size_t at);
 /* BATTEN_TOO_LARGE when `count` is above the limit on what `what` names. */

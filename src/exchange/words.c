@@ -58,9 +58,8 @@ batten_status bat_words_real(bat_words *words, const char *what, double *value)
     if (status == BATTEN_OK)
         return BATTEN_OK;
     char shown[BAT_SHOWN_SIZE];
-    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
-                          "%s is '%.60s', %s", what,
-                          bat_shown(words->word.bytes, words->word.length, shown),
+    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line, "%s is '%.60s', %s",
+                          what, bat_shown(words->word.bytes, words->word.length, shown),
                           status == BATTEN_OVERFLOW ? "which is too large for a number"
                                                     : "not a number");
 }

@@ -23,8 +23,8 @@ batten_status bat_words_real(bat_words *words, const char *what, double *value);
 /* A whole number from `low` to `high`. */
 batten_status bat_words_integer(bat_words *words, const char *what, int low, int high,
                                 int *value);
-/* Many numbers into new memory. More than could stand in the rest of the text are refused before
- * anything is allocated. */
+/* Many numbers into new memory. More than could stand in the rest of the text are refused
+ * before anything is allocated. */
 batten_status bat_words_reals(bat_words *words, const char *what, size_t count, double **out);
 /* `count` things of `least` words each that a header promises: could they stand in the rest? */
 batten_status bat_words_check(const bat_words *words, const char *what, size_t count,

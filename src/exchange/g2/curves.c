@@ -28,15 +28,15 @@ batten_status bat_g2_divide_weights(bat_words *words, int dimension, size_t coun
 batten_status bat_g2_read_axis(bat_words *words, batten_axis *axis, double **knots)
 {
     int order = 0;
-    batten_status status = bat_words_integer(words, "the number of points", 1,
-                                             (int)bat_min(1e9, (double)words->input->limits.points),
-                                             &axis->point_count);
+    batten_status status = bat_words_integer(
+        words, "the number of points", 1,
+        (int)bat_min(1e9, (double)words->input->limits.points), &axis->point_count);
     if (status == BATTEN_OK)
         status = bat_words_integer(words, "the order", 2, BATTEN_MAX_DEGREE + 1, &order);
     axis->degree = order - 1;
     if (status == BATTEN_OK)
-        status = bat_words_reals(words, "knots", (size_t)axis->point_count + (size_t)order,
-                                 knots);
+        status =
+            bat_words_reals(words, "knots", (size_t)axis->point_count + (size_t)order, knots);
     axis->knots = *knots;
     return status;
 }
@@ -52,11 +52,12 @@ static batten_status read_spline(bat_words *words, batten_curve **out)
     if (status == BATTEN_OK)
         status = bat_g2_read_axis(words, &axis, &knots);
     if (status == BATTEN_OK)
-        status = bat_words_reals(words, "coordinates",
-                                 (size_t)axis.point_count * (size_t)(dimension + rational),
-                                 &points);
+        status =
+            bat_words_reals(words, "coordinates",
+                            (size_t)axis.point_count * (size_t)(dimension + rational), &points);
     if (status == BATTEN_OK && rational)
-        status = bat_g2_divide_weights(words, dimension, (size_t)axis.point_count, points, &weights);
+        status =
+            bat_g2_divide_weights(words, dimension, (size_t)axis.point_count, points, &weights);
     if (status == BATTEN_OK)
         status = batten_curve_create(dimension, axis.degree, axis.point_count, points, weights,
                                      knots, out);
@@ -93,7 +94,8 @@ static batten_status read_turned(bat_words *words, bool alone, bool *turned)
     return status;
 }
 
-batten_status bat_g2_read_vector(bat_words *words, const char *what, int count, batten_vec3 *out)
+batten_status bat_g2_read_vector(bat_words *words, const char *what, int count,
+                                 batten_vec3 *out)
 {
     double v[3] = {0, 0, 0};
     batten_status status = BATTEN_OK;
@@ -154,8 +156,8 @@ static batten_status read_line(bat_words *words, bool alone, batten_curve **out)
     if (status == BATTEN_OK) {
         const batten_vec3 a = bat_vec3_along(point, range.a, way);
         const batten_vec3 b = bat_vec3_along(point, range.b, way);
-        status = batten_curve_line(3, (double[]){a.x, a.y, a.z}, (double[]){b.x, b.y, b.z},
-                                   &line);
+        status =
+            batten_curve_line(3, (double[]){a.x, a.y, a.z}, (double[]){b.x, b.y, b.z}, &line);
     }
     return finish(status, turned, dimension, line, out);
 }
@@ -190,8 +192,8 @@ static batten_status read_ellipse(bat_words *words, bool alone, bool is_circle,
         status = bat_g2_make_frame(words, &frame);
     if (status == BATTEN_OK) {
         const bat_conic conic = {BAT_ELLIPSE, frame, a, b};
-        status = bat_conic_between(&conic, range.a, bat_min(range.b, range.a + 2 * BAT_PI),
-                                   &space);
+        status =
+            bat_conic_between(&conic, range.a, bat_min(range.b, range.a + 2 * BAT_PI), &space);
     }
     return finish(status, turned, dimension, space, out);
 }

@@ -1,28 +1,7 @@
 /* Surfaces of .g2 files: splines, and elementary ones with their ranges, as exact NURBS. */
 #include "exchange/g2/g2.h"
+#include "exchange/net.h"
 #include "numeric/vector.h"
-
-#include <string.h>
-
-/* Numbers that run with u fastest, `width` at a time, put into our order, v fastest. */
-static batten_status transpose(bat_input *input, size_t count_u, size_t count_v, size_t width,
-                               double **values)
-{
-    double *turned = NULL;
-    if (!*values)
-        return BATTEN_OK;
-    batten_status status =
-        bat_input_array(input, count_u * count_v * width, sizeof *turned, &turned);
-    if (status != BATTEN_OK)
-        return status;
-    for (size_t j = 0; j < count_v; j++)
-        for (size_t i = 0; i < count_u; i++)
-            memcpy(&turned[(i * count_v + j) * width], &(*values)[(j * count_u + i) * width],
-                   width * sizeof *turned);
-    bat_release(*values);
-    *values = turned;
-    return BATTEN_OK;
-}
 
 /* The points of a net, and its weights. */
 static batten_status read_net(bat_words *words, int dimension, bool rational,
@@ -36,9 +15,9 @@ static batten_status read_net(bat_words *words, int dimension, bool rational,
     if (status == BATTEN_OK && rational)
         status = bat_g2_divide_weights(words, dimension, count_u * count_v, *points, weights);
     if (status == BATTEN_OK)
-        status = transpose(words->input, count_u, count_v, (size_t)dimension, points);
+        status = bat_net_transpose(words->input, count_u, count_v, (size_t)dimension, points);
     if (status == BATTEN_OK)
-        status = transpose(words->input, count_u, count_v, 1, weights);
+        status = bat_net_transpose(words->input, count_u, count_v, 1, weights);
     return status;
 }
 
