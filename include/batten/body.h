@@ -147,9 +147,22 @@ typedef struct batten_body_measures {
     bool is_closed;                  /**< every edge has two uses, one each way */
     double area_error, volume_error; /**< from two rules of integration, and the tracing */
 } batten_body_measures;
-/** By Gauss along the boundaries in (u, v).
- * @param precision relative, > 0
- * @return TOLERANCE_NOT_MET when the precision is not reached; the measures are set then */
+/**
+ * By Green's theorem: Gauss along the loops in (u, v), and across to them.
+ *
+ * Loops are cut at the knot lines of their surface. Everything is measured with two rules, and
+ * what they differ in is halved until the precision is reached; by their shorter rule, so
+ * `area_error` and `volume_error` are much above what the result is off. To them is added the
+ * room between the edges and the curves of the faces. The volume is the mean of the integrals
+ * of x Nx, y Ny and z Nz, which agree when the faces close; their spread is part of its error.
+ * It is negative where the faces have their outside inside.
+ *
+ * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
+ * can
+ * @return BATTEN_OK; BAD_ARGUMENT (precision); TOLERANCE_NOT_MET when the precision is not
+ * reached after about 4 million evaluations for a face: the measures are set then; OVERFLOW
+ * Cost: about 250 evaluations for each span of the loops and each knot line across.
+ */
 BATTEN_API batten_status batten_body_measure(const batten_body *body, double precision,
                                              const batten_job *job, batten_body_measures *out);
 

@@ -35,9 +35,9 @@ batten_status bat_conic_part(const bat_conic *conic, const double p[3], const do
                              bool forward, double tolerance, batten_curve **out);
 
 /* Of another curve the part from near p to near q, running as the curve does, or against it
- * when not `forward`; the whole, begun there, when they are the same point and the curve is
- * closed. A curve whose ends are p and q to `tolerance` is kept bit for bit.
- * *miss: the larger distance of p and q from the curve. */
+ * when not `forward` (of an open curve always from p to q); the whole, begun there, when they
+ * are the same point and the curve is closed. A curve whose ends are p and q to `tolerance` is
+ * kept bit for bit. *miss: the larger distance of p and q from the curve. */
 batten_status bat_curve_part(const batten_curve *curve, const double p[3], const double q[3],
                              bool forward, double tolerance, batten_curve **out, double *miss);
 

@@ -1,0 +1,213 @@
+/* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
+#include "base/work.h"
+#include "body/face_integral.h"
+#include "numeric/vector.h"
+#include <batten/inspect.h>
+
+#include <string.h>
+
+/* So often a surface may be asked for the integrals of one face. */
+static const size_t MOST = 1u << 22;
+
+typedef struct {
+    const batten_body_parts *parts; /* traced */
+    bat_face_rules rules;
+    bat_face_sums sums; /* over all faces */
+    double gross;       /* the sum of the sizes of the areas of faces */
+    int unmet;
+    int first_unmet;
+} total;
+
+static bool needs_tracing(const batten_body_parts *parts)
+{
+    bool needs = !parts->is_traced;
+    for (int f = 0; f < parts->face_count; f++)
+        needs |= parts->faces[f].count == 0;
+    return needs;
+}
+
+static batten_status add_faces(total *t, const batten_job *job)
+{
+    bat_work work = {.job = job};
+    const int count = t->parts->face_count;
+    t->sums = (bat_face_sums){.is_met = true};
+    t->gross = 0;
+    t->unmet = 0;
+    for (int f = 0; f < count; f++) {
+        bat_face_sums face;
+        batten_status status = bat_face_integrate(t->parts, f, &t->rules, &face);
+        if (status == BATTEN_OK)
+            status = bat_work_step(&work, 1, (double)f / count, "measuring faces");
+        if (status != BATTEN_OK)
+            return status;
+        for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
+            t->sums.values[k] += face.values[k];
+        t->sums.area_error += face.area_error;
+        t->sums.volume_error += face.volume_error;
+        t->sums.slack += face.slack;
+        t->gross += fabs(face.values[BAT_AREA]);
+        if (!face.is_met && t->unmet++ == 0)
+            t->first_unmet = f;
+    }
+    return BATTEN_OK;
+}
+
+/* Has every edge with a curve two uses, one each way? */
+static batten_status find_closed(const batten_body_parts *parts, bool *closed)
+{
+    char *ways = bat_array((size_t)parts->edge_count + 1, 1);
+    if (!ways)
+        return BATTEN_OUT_OF_MEMORY;
+    memset(ways, 0, (size_t)parts->edge_count + 1);
+    bool is = parts->face_count > 0;
+    for (int i = 0; i < parts->use_count; i++) {
+        const char way = parts->uses[i].reversed ? 2 : 1;
+        char *met = &ways[parts->uses[i].edge];
+        if (parts->edges[parts->uses[i].edge].curve)
+            is &= !(*met & way);
+        *met = (char)(*met | way);
+    }
+    for (int i = 0; i < parts->edge_count; i++)
+        is &= !parts->edges[i].curve || ways[i] == 3 || ways[i] == 0;
+    bat_release(ways);
+    *closed = is;
+    return BATTEN_OK;
+}
+
+static batten_status add_lengths(const batten_body_parts *parts, double precision,
+                                 double *length)
+{
+    for (int i = 0; i < parts->edge_count; i++) {
+        const batten_curve *curve = parts->edges[i].curve;
+        double one = 0;
+        if (!curve)
+            continue;
+        const batten_box box = batten_curve_box(curve);
+        const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+        if (size == 0)
+            continue;
+        batten_status status = batten_curve_length(curve, precision * size, &one, NULL);
+        if (status != BATTEN_OK && status != BATTEN_TOLERANCE_NOT_MET)
+            return status;
+        *length += one;
+    }
+    return BATTEN_OK;
+}
+
+static double mean_volume(const double values[BAT_FACE_INTEGRALS])
+{
+    return (values[BAT_VOLUME] + values[BAT_VOLUME + 1] + values[BAT_VOLUME + 2]) / 3;
+}
+
+/* The three forms of the volume agree when the faces close. */
+static double spread_of(const double values[BAT_FACE_INTEGRALS])
+{
+    const double mean = mean_volume(values);
+    double spread = 0;
+    for (int k = 0; k < 3; k++)
+        spread = bat_max(spread, fabs(values[BAT_VOLUME + k] - mean));
+    return spread;
+}
+
+static void set_centroid(const total *t, batten_body_measures *out)
+{
+    const double *values = t->sums.values;
+    const double of = out->is_closed ? mean_volume(values) : values[BAT_AREA];
+    const double *moment = values + (out->is_closed ? BAT_VOLUME_MOMENT : BAT_AREA_MOMENT);
+    const double centre[3] = {t->rules.centre.x, t->rules.centre.y, t->rules.centre.z};
+    for (int k = 0; k < 3; k++)
+        out->centroid[k] = centre[k] + (of != 0 ? moment[k] / of * t->rules.size : 0);
+}
+
+static batten_status integrate(total *t, double precision, const batten_job *job,
+                               batten_body_measures *out)
+{
+    const double size = t->rules.size;
+    batten_status status = find_closed(t->parts, &out->is_closed);
+    t->rules.area_precision = t->rules.volume_precision = precision;
+    if (status == BATTEN_OK)
+        status = add_faces(t, job);
+    /* A thin or a small volume in a large box asks for more. */
+    const double volume = status == BATTEN_OK ? fabs(mean_volume(t->sums.values)) : 0;
+    if (status == BATTEN_OK && out->is_closed && volume > 0 &&
+        t->sums.volume_error > precision * volume) {
+        t->rules.volume_precision = precision * volume / t->gross;
+        status = add_faces(t, job);
+    }
+    if (status != BATTEN_OK)
+        return status;
+    out->area = t->sums.values[BAT_AREA] * size * size;
+    out->area_error = (t->sums.area_error + t->sums.slack) * size * size;
+    if (out->is_closed) {
+        out->volume = mean_volume(t->sums.values) * size * size * size;
+        out->volume_error =
+            (t->sums.volume_error + bat_max(t->sums.slack / 3, spread_of(t->sums.values))) *
+            size * size * size;
+    }
+    set_centroid(t, out);
+    return BATTEN_OK;
+}
+
+static batten_status finish(const total *t, int failed, double precision,
+                            const batten_body_measures *out)
+{
+    const double volume = fabs(mean_volume(t->sums.values));
+    if (!isfinite(out->area) || !isfinite(out->volume))
+        return bat_fail(BATTEN_OVERFLOW, "the area is %g and the volume %g", out->area,
+                        out->volume);
+    if (failed > 0)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "%d faces have no closed loops in their parameters; they are not "
+                        "measured",
+                        failed);
+    if (t->unmet > 0)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "%d of %d faces do not reach the precision %g, face %d first: the area "
+                        "is %g, within %g",
+                        t->unmet, t->parts->face_count, precision, t->first_unmet, out->area,
+                        out->area_error);
+    /* Below some 1e-13 both sides are rounding. */
+    if (out->is_closed && t->sums.volume_error > bat_max(precision * volume, 1e-13 * t->gross))
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the volume is %g, within %g", out->volume,
+                        out->volume_error);
+    return BATTEN_OK;
+}
+
+/* Where the coordinates are measured from, and by what. */
+static void set_rules(const batten_body *body, bat_face_rules *rules)
+{
+    const batten_box box = batten_body_box(body);
+    rules->centre = bat_vec3_along(bat_vec3_scale(box.low, 0.5), 0.5, box.high);
+    rules->size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    if (!(rules->size > 0))
+        rules->size = 1;
+    rules->most = MOST;
+}
+
+batten_status batten_body_measure(const batten_body *body, double precision,
+                                  const batten_job *job, batten_body_measures *out)
+{
+    assert(body && out);
+    const batten_body_parts *given = batten_body_view(body);
+    batten_body_measures made = {.area = 0};
+    batten_status status = BATTEN_OK;
+    if (!(precision > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the precision is %g; it must be positive",
+                        precision);
+    if (needs_tracing(given))
+        return bat_fail(
+            BATTEN_NOT_COMPATIBLE,
+            "the body has no curves in the parameters of its faces: trace it first");
+    batten_body *traced = batten_body_ref(body);
+    total t = {.parts = batten_body_view(traced)};
+    set_rules(traced, &t.rules);
+    status = add_lengths(given, precision, &made.edge_length);
+    if (status == BATTEN_OK)
+        status = integrate(&t, precision, job, &made);
+    if (status == BATTEN_OK)
+        status = finish(&t, 0, precision, &made);
+    if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET)
+        *out = made;
+    batten_body_unref(traced);
+    return status;
+}
