@@ -4,7 +4,9 @@
 #include "exchange/g2/g2.h"
 #include "exchange/gcode/gcode.h"
 #include "exchange/iges/iges.h"
+#include "exchange/ply/ply.h"
 #include "exchange/step/step.h"
+#include "exchange/stl/stl.h"
 #include "exchange/svg/svg.h"
 
 #include <string.h>
@@ -95,9 +97,25 @@ static const bat_format_row formats[] = {
 
     {.format = BATTEN_FORMAT_OBJ, .name = "obj", .title = "OBJ", .endings = {".obj"}},
 
-    {.format = BATTEN_FORMAT_STL, .name = "stl", .title = "STL", .endings = {".stl"}},
+    {.format = BATTEN_FORMAT_STL,
+     .name = "stl",
+     .title = "STL",
+     .endings = {".stl"},
+     .recognise = bat_stl_recognise,
+     .is_binary = true,
+     .read = bat_read_stl,
+     .holds = BAT_HOLDS(MESH),
+     .write = bat_write_stl},
 
-    {.format = BATTEN_FORMAT_PLY, .name = "ply", .title = "PLY", .endings = {".ply"}},
+    {.format = BATTEN_FORMAT_PLY,
+     .name = "ply",
+     .title = "PLY",
+     .endings = {".ply"},
+     .recognise = bat_ply_recognise,
+     .is_binary = true,
+     .read = bat_read_ply,
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(MESH),
+     .write = bat_write_ply},
 
     {.format = BATTEN_FORMAT_GLTF, .name = "gltf", .title = "glTF", .endings = {".glb"}},
 

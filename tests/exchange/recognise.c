@@ -30,7 +30,6 @@ TEST(F7_known_formats_that_are_not_read_are_named)
         {"PK\x03\x04zip", "a ZIP archive"},
         {"%PDF-1.4", "a PDF document"},
         {"\x1f\x8b\x08", "compressed with gzip"},
-        {"solid cube\n", "an STL mesh"},
         {"{\"a\": 1}", "a JSON document"},
         {"  0\nSECTION\n", "a DXF drawing"},
         {"batten: 1\nunits: m\n", "a design of Batten"},

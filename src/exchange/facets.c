@@ -1,0 +1,180 @@
+#include "exchange/facets.h"
+
+#include <string.h>
+
+void bat_facet_normal(const double a[3], const double b[3], const double c[3], double normal[3])
+{
+    double u[3], v[3], size = 0;
+    for (int k = 0; k < 3; k++) {
+        u[k] = b[k] / 2 - a[k] / 2;
+        v[k] = c[k] / 2 - a[k] / 2;
+        size = bat_max(size, bat_max(fabs(u[k]), fabs(v[k])));
+    }
+    normal[0] = normal[1] = normal[2] = 0;
+    if (size == 0)
+        return;
+    for (int k = 0; k < 3; k++) {
+        u[k] /= size;
+        v[k] /= size;
+    }
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                         u[0] * v[1] - u[1] * v[0]};
+    const double length = hypot(hypot(n[0], n[1]), n[2]);
+    for (int k = 0; k < 3 && length > 0; k++)
+        normal[k] = n[k] / length;
+}
+
+/* ---- polygons ---- */
+
+/* The corners that are left while ears are cut, as a ring. */
+typedef struct {
+    double xy[BAT_POLYGON_MOST][2];
+    int next[BAT_POLYGON_MOST], before[BAT_POLYGON_MOST];
+} ring;
+
+/* Twice the vector area, after Newell; scaled so that nothing overflows. */
+static void vector_area(int count, const double *points, double area[3])
+{
+    double size = 0;
+    area[0] = area[1] = area[2] = 0;
+    for (int i = 0; i < 3 * count; i++)
+        size = bat_max(size, fabs(points[i] / 2 - points[i % 3] / 2));
+    for (int i = 0; i < count && size > 0; i++) {
+        double p[3], q[3];
+        for (int k = 0; k < 3; k++) {
+            p[k] = (points[3 * i + k] / 2 - points[k] / 2) / size;
+            q[k] = (points[3 * ((i + 1) % count) + k] / 2 - points[k] / 2) / size;
+        }
+        area[0] += p[1] * q[2] - p[2] * q[1];
+        area[1] += p[2] * q[0] - p[0] * q[2];
+        area[2] += p[0] * q[1] - p[1] * q[0];
+    }
+}
+
+static void cut_fan(int count, int *triangles)
+{
+    for (int i = 0; i + 2 < count; i++) {
+        triangles[3 * i] = 0;
+        triangles[3 * i + 1] = i + 1;
+        triangles[3 * i + 2] = i + 2;
+    }
+}
+
+/* Are all triangles of the fan turned as the whole is? */
+static bool fan_covers(int count, const double *points, const double area[3])
+{
+    for (int i = 1; i + 1 < count; i++) {
+        double n[3];
+        bat_facet_normal(points, points + 3 * i, points + 3 * (i + 1), n);
+        if (n[0] * area[0] + n[1] * area[1] + n[2] * area[2] < 0)
+            return false;
+    }
+    return true;
+}
+
+/* Twice the area of three corners in the plane. */
+static double turn(const ring *r, int a, int b, int c)
+{
+    const double *p = r->xy[a], *q = r->xy[b], *s = r->xy[c];
+    return (q[0] - p[0]) * (s[1] - p[1]) - (q[1] - p[1]) * (s[0] - p[0]);
+}
+
+static bool is_ear(const ring *r, int tip)
+{
+    const int a = r->before[tip], c = r->next[tip];
+    if (turn(r, a, tip, c) <= 0)
+        return false;
+    for (int i = r->next[c]; i != a; i = r->next[i]) {
+        const bool same = memcmp(r->xy[i], r->xy[a], sizeof r->xy[i]) == 0 ||
+                          memcmp(r->xy[i], r->xy[tip], sizeof r->xy[i]) == 0 ||
+                          memcmp(r->xy[i], r->xy[c], sizeof r->xy[i]) == 0;
+        if (!same && turn(r, a, tip, i) >= 0 && turn(r, tip, c, i) >= 0 &&
+            turn(r, c, a, i) >= 0)
+            return false;
+    }
+    return true;
+}
+
+/* The polygon seen along the axis in which its area is largest, counter-clockwise. */
+static void begin_ring(int count, const double *points, const double area[3], ring *r)
+{
+    int axis = 0;
+    for (int k = 1; k < 3; k++)
+        if (fabs(area[k]) > fabs(area[axis]))
+            axis = k;
+    const int x = (axis + (area[axis] < 0 ? 2 : 1)) % 3, y = 3 - axis - x;
+    for (int i = 0; i < count; i++) {
+        r->xy[i][0] = points[3 * i + x] / 2 - points[x] / 2;
+        r->xy[i][1] = points[3 * i + y] / 2 - points[y] / 2;
+        r->next[i] = (i + 1) % count;
+        r->before[i] = (i + count - 1) % count;
+    }
+}
+
+static void cut_ears(int count, ring *r, int *triangles, bool *is_odd)
+{
+    int at = 0;
+    for (int left = count; left > 3; left--) {
+        int tries = 0;
+        for (; tries < left && !is_ear(r, at); tries++)
+            at = r->next[at];
+        *is_odd = *is_odd || tries == left;
+        const int a = r->before[at], c = r->next[at];
+        const int ear[3] = {a, at, c};
+        memcpy(triangles, ear, sizeof ear);
+        triangles += 3;
+        r->next[a] = c;
+        r->before[c] = a;
+        at = r->next[c]; /* away from the last cut: triangles stay wide */
+    }
+    const int last[3] = {r->before[at], at, r->next[at]};
+    *is_odd = *is_odd || turn(r, last[0], last[1], last[2]) < 0;
+    memcpy(triangles, last, sizeof last);
+}
+
+void bat_polygon_triangles(int count, const double *points, int *triangles, bool *is_odd)
+{
+    double area[3];
+    *is_odd = false;
+    cut_fan(count, triangles);
+    if (count == 3)
+        return;
+    vector_area(count, points, area);
+    if (fan_covers(count, points, area))
+        return;
+    if (count > BAT_POLYGON_MOST) {
+        *is_odd = true;
+        return;
+    }
+    ring r;
+    begin_ring(count, points, area, &r);
+    cut_ears(count, &r, triangles, is_odd);
+}
+
+/* ---- remarks ---- */
+
+void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes)
+{
+    const double unit = batten_model_unit_metres(model);
+    if (unit > 0)
+        batten_notes_remark(notes, "", 0, "",
+                            "%s files name no unit; the numbers are in units of %g m", title,
+                            unit);
+}
+
+void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name,
+                     batten_notes *notes)
+{
+    const batten_mesh_parts *p = batten_mesh_view(mesh);
+    int flat = 0;
+    for (int i = 0; i < p->triangle_count; i++) {
+        const int *t = p->corners + 3 * (size_t)i;
+        double n[3];
+        bat_facet_normal(p->points + 3 * (size_t)t[0], p->points + 3 * (size_t)t[1],
+                         p->points + 3 * (size_t)t[2], n);
+        flat += n[0] == 0 && n[1] == 0 && n[2] == 0;
+    }
+    if (flat)
+        batten_notes_remark(notes, file, 0, name, "%d of %d triangles have no area; kept", flat,
+                            p->triangle_count);
+}

@@ -1,0 +1,31 @@
+/* What the formats of meshes share: triangles of polygons, normals, remarks on units. */
+#ifndef BAT_FACETS_H
+#define BAT_FACETS_H
+#include "base/base.h"
+#include <batten/exchange.h>
+
+/* The unit normal of a triangle; 0 0 0 when it has none. Right for corners of any size. */
+void bat_facet_normal(const double a[3], const double b[3], const double c[3],
+                      double normal[3]);
+
+/* Above this, a polygon that is not convex is cut without looking for the best cuts: so that
+ * the time stays in proportion to the file. */
+enum { BAT_POLYGON_MOST = 100 };
+
+/*
+ * Cut a polygon in space into count - 2 triangles of its corners: a fan when that covers it,
+ * else by ears in the plane on which it is largest. *is_odd when no cut covers it once: it
+ * crosses itself, or has a hole's bridge, or more than BAT_POLYGON_MOST corners and a bay.
+ *
+ * @param points [count][3]; count >= 3
+ * @param[out] triangles [count - 2][3] indices of the corners
+ */
+void bat_polygon_triangles(int count, const double *points, int *triangles, bool *is_odd);
+
+/* Say in which unit the numbers of a file without units are. */
+void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes);
+/* How often has a mesh triangles without area? A remark says so. */
+void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name,
+                     batten_notes *notes);
+
+#endif

@@ -1,0 +1,31 @@
+/* A mesh of vertices and polygons, as readers gather it. */
+#ifndef BAT_INDEXED_H
+#define BAT_INDEXED_H
+#include "exchange/input.h"
+
+typedef struct {
+    bat_input *input;
+    size_t count;              /* vertices */
+    double *points;            /* [count][3]; a vertex that could not be read is NaN */
+    double *colours, *normals; /* [count][3], or NULL */
+    bat_list attributes;       /* of batten_mesh_attribute, with memory of ours */
+    bat_list polygon;          /* of int64_t: the corners of the one that is being read */
+    bat_list triangles;        /* of int[3] */
+    bat_list places, cut;      /* of the polygon */
+    size_t polygons;
+    int odd; /* polygons that cross themselves or the like */
+} bat_indexed;
+
+/* Of no vertex yet: `points`, and what else there is, come by bat_input_array. */
+bat_indexed bat_indexed_begin(bat_input *input);
+void bat_indexed_end(bat_indexed *mesh);
+
+/* The polygon becomes triangles and is empty again. One with too few corners, or a corner that
+ * is no vertex, is left out with a note. */
+batten_status bat_indexed_polygon(bat_indexed *mesh, int line);
+/* A further number of each vertex; the memory is then the mesh's. */
+batten_status bat_indexed_attribute(bat_indexed *mesh, bat_span name, double **values);
+/* Add it to the model: as a mesh, or, when there is no polygon, as a row of points. */
+batten_status bat_indexed_add(bat_indexed *mesh, const char *name, batten_model *model);
+
+#endif

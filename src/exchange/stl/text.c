@@ -1,0 +1,134 @@
+/* The readable form: solid, facet normal, outer loop, three vertices, endloop, endfacet ... */
+#include "exchange/formats.h"
+#include "exchange/scan.h"
+#include "exchange/stl/stl.h"
+
+typedef struct {
+    bat_input *input;
+    batten_model *model;
+    bat_scan words;
+    bat_stl_solid solid;
+    size_t facets; /* of this solid, with those left out */
+    bool inside;   /* a solid has begun and not ended */
+    char *name;
+} reading;
+
+static bool expect(reading *r, const char *text)
+{
+    bat_span word;
+    return bat_next_word(&r->words, &word) && bat_word_is_like(word, text);
+}
+
+/* NaN and numbers beyond a double come as NaN, for the triangle to be left out. */
+static bool read_numbers(reading *r, int count, double *numbers)
+{
+    for (int k = 0; k < count; k++) {
+        bat_span word;
+        if (!bat_next_word(&r->words, &word))
+            return false;
+        if (!bat_word_number(word, &numbers[k]))
+            numbers[k] = NAN;
+    }
+    return true;
+}
+
+/* After "facet" to "endfacet"; the normal may be missing. */
+static bool read_facet(reading *r, double corners[9], double normal[3])
+{
+    bat_span word;
+    if (!bat_next_word(&r->words, &word))
+        return false;
+    if (bat_word_is_like(word, "normal")) {
+        if (!read_numbers(r, 3, normal) || !bat_next_word(&r->words, &word))
+            return false;
+    }
+    if (!bat_word_is_like(word, "outer") || !expect(r, "loop"))
+        return false;
+    for (int k = 0; k < 3; k++)
+        if (!expect(r, "vertex") || !read_numbers(r, 3, corners + 3 * k))
+            return false;
+    return expect(r, "endloop") && expect(r, "endfacet");
+}
+
+/* What is wrong is left out; reading goes on at the next facet or end. */
+static batten_status add_facet(reading *r)
+{
+    double corners[9], normal[3] = {0, 0, 0};
+    const int line = r->words.line;
+    const size_t index = r->facets++;
+    if (read_facet(r, corners, normal))
+        return bat_stl_add(&r->solid, line, index, corners, normal);
+    if (r->words.at >= r->words.end) {
+        r->input->is_cut = true;
+        batten_notes_add(r->input->notes, r->input->file, line, "",
+                         "the file ends within triangle %zu", index + 1);
+    } else {
+        r->input->left_out++;
+        batten_notes_add(r->input->notes, r->input->file, line, "",
+                         "triangle %zu is left out: line %d is not what follows in a facet",
+                         index + 1, r->words.line);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status begin_solid(reading *r)
+{
+    const bat_span name = bat_rest_of_line(&r->words);
+    batten_status status = bat_input_limit(r->input, r->words.line, name.length,
+                                           r->input->limits.string_bytes, "bytes in a name");
+    bat_release(r->name);
+    r->name = NULL;
+    if (status == BATTEN_OK)
+        status = bat_input_array(r->input, name.length + 1, 1, &r->name);
+    if (status != BATTEN_OK)
+        return status;
+    bat_word_copy(name, name.length + 1, r->name);
+    r->inside = true;
+    r->facets = 0;
+    return BATTEN_OK;
+}
+
+static batten_status end_solid(reading *r)
+{
+    batten_status status = bat_stl_end(&r->solid, r->name[0] ? r->name : "mesh", r->model);
+    r->inside = false;
+    return status;
+}
+
+static batten_status read_solids(reading *r)
+{
+    bat_span word;
+    size_t steps = 0;
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && bat_next_word(&r->words, &word)) {
+        if (bat_word_is_like(word, "facet") && r->inside)
+            status = add_facet(r);
+        else if (bat_word_is_like(word, "solid")) {
+            status = r->inside ? end_solid(r) : BATTEN_OK;
+            if (status == BATTEN_OK)
+                status = begin_solid(r);
+        } else if (bat_word_is_like(word, "endsolid") && r->inside) {
+            bat_rest_of_line(&r->words);
+            status = end_solid(r);
+        }
+        if (status == BATTEN_OK && ++steps % 10000 == 0)
+            status = bat_input_step(r->input, (size_t)(word.bytes - r->input->data));
+    }
+    if (status == BATTEN_OK && r->inside) {
+        r->input->is_cut = true;
+        status = end_solid(r);
+    }
+    return status;
+}
+
+batten_status bat_stl_read_text(bat_input *input, batten_model *model)
+{
+    reading r = {.input = input,
+                 .model = model,
+                 .words = bat_scan_begin(input->data, input->size),
+                 .solid = {input, {.size = 9 * sizeof(double)}, 0}};
+    const batten_status status = read_solids(&r);
+    bat_release(r.solid.points.items);
+    bat_release(r.name);
+    return status;
+}
