@@ -63,7 +63,8 @@ static const bat_format_row formats[] = {
      .title = "STEP",
      .endings = {".stp", ".step"},
      .recognise = recognise_step,
-     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
+              BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .write = bat_write_step},
 
     {.format = BATTEN_FORMAT_DXF,

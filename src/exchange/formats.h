@@ -28,6 +28,12 @@ const bat_format_row *bat_format_at(size_t index);
 
 #define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)
 
+/* The model in the kinds that the format holds, with a note for each object that it does not:
+ * without instances where it has none, triangles as patches. What instances place is as it
+ * was. */
+batten_status bat_format_prepare(const bat_format_row *row, const batten_model *model,
+                                 batten_notes *notes, batten_model **out);
+
 /* Do the bytes from `at` on begin so? */
 bool bat_begins(const bat_input *input, size_t at, const char *bytes);
 /* Where white space at the beginning, and a byte order mark, end. */

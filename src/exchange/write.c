@@ -57,8 +57,6 @@ static batten_status select_held(const bat_format_row *row, const batten_model *
                              row->title, kinds.bytes ? kinds.bytes : "");
     }
     batten_text_free(&kinds);
-    if (status == BATTEN_OK && batten_model_count(model) > 0 && batten_model_count(held) == 0)
-        status = nothing(row, model);
     if (status == BATTEN_OK)
         *out = held;
     else
@@ -66,9 +64,8 @@ static batten_status select_held(const bat_format_row *row, const batten_model *
     return status;
 }
 
-/* The model in the kinds that the format holds: without instances, triangles as patches. */
-static batten_status prepare(const bat_format_row *row, const batten_model *model,
-                             batten_notes *notes, batten_model **out)
+batten_status bat_format_prepare(const bat_format_row *row, const batten_model *model,
+                                 batten_notes *notes, batten_model **out)
 {
     batten_model *flat = NULL, *patches = NULL;
     if (!row->holds) {
@@ -100,7 +97,10 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
         return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
     if (!row->write)
         return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", row->title);
-    batten_status status = prepare(row, model, notes, &prepared);
+    batten_status status = bat_format_prepare(row, model, notes, &prepared);
+    if (status == BATTEN_OK && row->holds && batten_model_count(model) > 0 &&
+        batten_model_count(prepared) == 0)
+        status = nothing(row, model);
     if (status == BATTEN_OK)
         status = row->write(prepared, options, notes, text);
     batten_model_unref(prepared);

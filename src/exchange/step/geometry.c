@@ -1,21 +1,47 @@
 #include "exchange/step/step.h"
+#include "exchange/real.h"
 
-int bat_step_point(bat_step *step, const double *point)
+#include <string.h>
+
+/* A whole instance at once: that is less than 120 columns, and most of a file. */
+int bat_step_point(bat_step *step, int dimension, const double *point)
 {
-    const int id = bat_step_open(step, "CARTESIAN_POINT");
-    bat_step_token(step, "'',(");
-    for (int k = 0; k < 3; k++)
-        bat_step_real(step, point[k], k < 2 ? "," : ")");
+    static const char keyword[] = "=CARTESIAN_POINT('',(";
+    char line[BAT_INTEGER_SIZE + sizeof keyword + 3 * BAT_REAL_SIZE + 8] = "#";
+    size_t length = 1 + (size_t)bat_integer_write(++step->count, line + 1);
+    memcpy(line + length, keyword, sizeof keyword - 1);
+    length += sizeof keyword - 1;
+    for (int k = 0; k < dimension; k++) {
+        length += (size_t)bat_real_write(point[k], line + length);
+        line[length++] = k + 1 < dimension ? ',' : ')';
+    }
+    batten_text_bytes(step->text, line, length);
     bat_step_close(step);
-    return id;
+    return step->count;
 }
 
-int bat_step_points(bat_step *step, const double *points, size_t count)
+int bat_step_points(bat_step *step, int dimension, const double *points, size_t count)
 {
     const int first = step->count + 1;
     for (size_t i = 0; i < count; i++)
-        bat_step_point(step, &points[3 * i]);
+        bat_step_point(step, dimension, &points[(size_t)dimension * i]);
     return first;
+}
+
+int bat_step_placement(bat_step *step, const double origin[3], const double z[3],
+                       const double x[3])
+{
+    int ids[3];
+    ids[0] = bat_step_point(step, 3, origin);
+    for (int k = 1; k < 3; k++) {
+        const double *direction = k == 1 ? z : x;
+        ids[k] = bat_step_open(step, "DIRECTION");
+        bat_step_token(step, "'',(");
+        for (int i = 0; i < 3; i++)
+            bat_step_real(step, direction[i], i < 2 ? "," : ")");
+        bat_step_close(step);
+    }
+    return bat_step_add(step, "AXIS2_PLACEMENT_3D", "'',#%d,#%d,#%d", ids[0], ids[1], ids[2]);
 }
 
 /* The end of the run of equal knots that begins at i. */
@@ -47,49 +73,60 @@ static void put_distinct(bat_step *step, const double *knots, int count)
 
 /* ---- curves ---- */
 
-static void put_curve(bat_step *step, const bat_step_row *row)
+static void put_curve(bat_step *step, const batten_curve *curve, const bat_step_row *row)
 {
-    bat_step_integer(step, row->degree, ",(");
-    for (int i = 0; i < row->count; i++)
-        bat_step_id(step, row->first_id + i * (int)row->stride, i + 1 < row->count ? "," : ")");
+    const int count = batten_curve_point_count(curve);
+    bat_step_integer(step, batten_curve_degree(curve), ",(");
+    for (int i = 0; i < count; i++)
+        bat_step_id(step, row->first + i * row->step, i + 1 < count ? "," : ")");
     bat_step_token(step, ",.UNSPECIFIED.,.F.,.F.");
 }
 
-static void put_curve_knots(bat_step *step, const bat_step_row *row)
+static void put_curve_knots(bat_step *step, const batten_curve *curve)
 {
-    const int count = row->count + row->degree + 1;
-    put_multiplicities(step, row->knots, count);
-    put_distinct(step, row->knots, count);
+    const double *knots = batten_curve_knots(curve);
+    const int count = batten_curve_knot_count(curve);
+    put_multiplicities(step, knots, count);
+    put_distinct(step, knots, count);
     bat_step_token(step, ".UNSPECIFIED.");
 }
 
 /* The parts of a complex instance stand in the order of the alphabet. */
-static int rational_curve(bat_step *step, const char *name, const bat_step_row *row)
+static int rational_curve(bat_step *step, const char *name, const batten_curve *curve,
+                          const bat_step_row *row)
 {
-    const int id = bat_step_open(step, "");
+    const double *weights = batten_curve_weights(curve);
+    const int count = batten_curve_point_count(curve), id = bat_step_open(step, "");
     bat_step_token(step, "BOUNDED_CURVE() B_SPLINE_CURVE(");
-    put_curve(step, row);
+    put_curve(step, curve, row);
     bat_step_token(step, ") B_SPLINE_CURVE_WITH_KNOTS(");
-    put_curve_knots(step, row);
+    put_curve_knots(step, curve);
     bat_step_token(step, ") CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE((");
-    for (int i = 0; i < row->count; i++)
-        bat_step_real(step, row->weights[(size_t)i * row->stride],
-                      i + 1 < row->count ? "," : "))");
+    for (int i = 0; i < count; i++)
+        bat_step_real(step, weights[i], i + 1 < count ? "," : "))");
     bat_step_token(step, " REPRESENTATION_ITEM(");
     bat_step_string(step, name, ")");
     bat_step_close(step);
     return id;
 }
 
-int bat_step_curve(bat_step *step, const char *name, const bat_step_row *row)
+int bat_step_curve(bat_step *step, const char *name, const batten_curve *curve,
+                   const bat_step_row *row)
 {
-    if (row->weights)
-        return rational_curve(step, name, row);
+    bat_step_row own = {0, 1};
+    if (!row) {
+        own.first =
+            bat_step_points(step, batten_curve_dimension(curve), batten_curve_points(curve),
+                            (size_t)batten_curve_point_count(curve));
+        row = &own;
+    }
+    if (batten_curve_is_rational(curve))
+        return rational_curve(step, name, curve, row);
     const int id = bat_step_open(step, "B_SPLINE_CURVE_WITH_KNOTS");
     bat_step_string(step, name, ",");
-    put_curve(step, row);
+    put_curve(step, curve, row);
     bat_step_token(step, ",");
-    put_curve_knots(step, row);
+    put_curve_knots(step, curve);
     bat_step_close(step);
     return id;
 }

@@ -9,53 +9,77 @@
 /* 120 with the end of an instance. */
 #define COLUMNS 118
 
+static void put(bat_step *step, const char *token, size_t length)
+{
+    const size_t used = step->text->length - step->line;
+    if (used > 0 && used + length > COLUMNS) {
+        batten_text_bytes(step->text, "\n", 1);
+        step->line = step->text->length;
+    }
+    batten_text_bytes(step->text, token, length);
+}
+
 void bat_step_token(bat_step *step, const char *token)
 {
-    const size_t length = strlen(token), used = step->text.length - step->line;
-    if (used > 0 && used + length > COLUMNS) {
-        batten_text_bytes(&step->text, "\n", 1);
-        step->line = step->text.length;
-    }
-    batten_text_bytes(&step->text, token, length);
+    put(step, token, strlen(token));
+}
+
+/* Put a number that stands in the token, with what comes after it. */
+static void put_number(bat_step *step, char *token, int length, const char *after)
+{
+    const size_t more = strlen(after);
+    assert(more < 16);
+    memcpy(token + length, after, more);
+    put(step, token, (size_t)length + more);
 }
 
 int bat_step_open(bat_step *step, const char *keyword)
 {
-    char head[64];
-    snprintf(head, sizeof head, "#%d=%s(", ++step->count, keyword);
-    bat_step_token(step, head);
+    char head[BAT_INTEGER_SIZE + 80] = "#";
+    int length = 1 + bat_integer_write(++step->count, head + 1);
+    const size_t more = strlen(keyword);
+    assert(more < 70);
+    head[length++] = '=';
+    memcpy(head + length, keyword, more);
+    head[(size_t)length + more] = '(';
+    put(step, head, (size_t)length + more + 1);
     return step->count;
 }
 
 void bat_step_close(bat_step *step)
 {
-    batten_text_bytes(&step->text, ");\n", 3);
-    step->line = step->text.length;
+    batten_text_bytes(step->text, ");\n", 3);
+    step->line = step->text->length;
 }
 
 void bat_step_id(bat_step *step, int id, const char *after)
 {
-    char token[32];
-    assert(strlen(after) < 16);
-    snprintf(token, sizeof token, "#%d%s", id, after);
-    bat_step_token(step, token);
+    char token[BAT_INTEGER_SIZE + 16] = "#";
+    put_number(step, token, 1 + bat_integer_write(id, token + 1), after);
 }
 
 void bat_step_integer(bat_step *step, int value, const char *after)
 {
-    char token[32];
-    assert(strlen(after) < 16);
-    snprintf(token, sizeof token, "%d%s", value, after);
-    bat_step_token(step, token);
+    char token[BAT_INTEGER_SIZE + 16];
+    put_number(step, token, bat_integer_write(value, token), after);
 }
 
 void bat_step_real(bat_step *step, double value, const char *after)
 {
-    char number[BAT_REAL_SIZE], token[BAT_REAL_SIZE + 16];
-    assert(strlen(after) < 16);
-    bat_real_write(value, number);
-    snprintf(token, sizeof token, "%s%s", number, after);
-    bat_step_token(step, token);
+    char token[BAT_REAL_SIZE + 16];
+    put_number(step, token, bat_real_write(value, token), after);
+}
+
+void bat_step_ids(bat_step *step, const int *ids, int count, const char *after)
+{
+    for (int i = 0; i < count; i++)
+        bat_step_id(step, ids[i], i + 1 < count ? "," : after);
+}
+
+void bat_step_range(bat_step *step, int first, int count, const char *after)
+{
+    for (int i = 0; i < count; i++)
+        bat_step_id(step, first + i, i + 1 < count ? "," : after);
 }
 
 /* ---- strings ---- */
@@ -97,6 +121,11 @@ void bat_step_string(bat_step *step, const char *value, const char *after)
 {
     batten_text token = BATTEN_TEXT;
     const unsigned char *at = (const unsigned char *)value;
+    if (!value[0]) {
+        char empty[24] = "''";
+        put_number(step, empty, 2, after);
+        return;
+    }
     batten_text_bytes(&token, "'", 1);
     while (*at) {
         bool valid = true;
@@ -105,7 +134,7 @@ void bat_step_string(bat_step *step, const char *value, const char *after)
     }
     batten_text_add(&token, "'%s", after);
     if (token.failed)
-        step->text.failed = true;
+        step->text->failed = true;
     else
         bat_step_token(step, token.bytes);
     batten_text_free(&token);
@@ -120,6 +149,16 @@ int bat_step_add(bat_step *step, const char *keyword, const char *format, ...)
     va_end(list);
     const int id = bat_step_open(step, keyword);
     bat_step_token(step, arguments);
+    bat_step_close(step);
+    return id;
+}
+
+int bat_step_list(bat_step *step, const char *keyword, const char *name, const int *ids,
+                  int count)
+{
+    const int id = bat_step_open(step, keyword);
+    bat_step_string(step, name, ",(");
+    bat_step_ids(step, ids, count, ")");
     bat_step_close(step);
     return id;
 }

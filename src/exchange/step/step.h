@@ -1,4 +1,4 @@
-/* Writing STEP, ISO 10303-21, with the schema AUTOMOTIVE_DESIGN (AP214). */
+/* Writing STEP, ISO 10303-21, with the schemas of AP203, AP214 and AP242. */
 #ifndef BAT_STEP_H
 #define BAT_STEP_H
 #include "base/base.h"
@@ -12,11 +12,13 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
 
 /* The data section as it grows: instances with ids from 1 on, wrapped at 120 columns. */
 typedef struct {
-    batten_text text;
+    batten_text *text;
     size_t line; /* where the last line begins */
     int count;   /* instances so far */
     batten_notes *notes;
     double tolerance;
+    bool has_parameter_curves;
+    int plane_context; /* of curves in (u, v); 0 before the first */
 } bat_step;
 
 /* Begin "#n=KEYWORD("; the id is handed back. Without a keyword it is a complex instance. */
@@ -31,32 +33,41 @@ void bat_step_integer(bat_step *step, int value, const char *after);
 void bat_step_real(bat_step *step, double value, const char *after);
 /* A string in its quotes; what is not ASCII is escaped. */
 void bat_step_string(bat_step *step, const char *value, const char *after);
+/* References with commas between them. */
+void bat_step_ids(bat_step *step, const int *ids, int count, const char *after);
+/* The same of `count` consecutive ids. */
+void bat_step_range(bat_step *step, int first, int count, const char *after);
 /* A whole instance; the arguments are short and ASCII. */
 int bat_step_add(bat_step *step, const char *keyword, const char *format, ...)
     BATTEN_PRINTF(3, 4);
+/* A whole instance of a name and of references in a list: KEYWORD('name',(#1,#2)). */
+int bat_step_list(bat_step *step, const char *keyword, const char *name, const int *ids,
+                  int count);
 
-/* ---- shapes (geometry.c): what they are given is clamped and in space ---- */
+/* ---- shapes (geometry.c): what they are given is clamped ---- */
 
-int bat_step_point(bat_step *step, const double *point);
+int bat_step_point(bat_step *step, int dimension, const double *point);
 /* `count` points with consecutive ids; the first is handed back. */
-int bat_step_points(bat_step *step, const double *points, size_t count);
+int bat_step_points(bat_step *step, int dimension, const double *points, size_t count);
 
-/* A row of control points, which may be one of a net. */
+/* Control points that are there already: the ids first, first + step ... */
 typedef struct {
-    int degree, count;
-    const double *knots;   /* [count + degree + 1] */
-    const double *points;  /* of the first; [3] each */
-    const double *weights; /* of the first; or NULL */
-    size_t stride;         /* from one point to the next */
-    int first_id;          /* of the instances of its points, with the same stride */
+    int first, step;
 } bat_step_row;
-int bat_step_curve(bat_step *step, const char *name, const bat_step_row *row);
+/* Without a row the points of the curve are written first. */
+int bat_step_curve(bat_step *step, const char *name, const batten_curve *curve,
+                   const bat_step_row *row);
 int bat_step_surface(bat_step *step, const char *name, const batten_surface *surface,
                      int first_id);
+int bat_step_placement(bat_step *step, const double origin[3], const double z[3],
+                       const double x[3]);
 
-/* ---- faces (face.c) ---- */
+/* ---- bodies (write_body.c) ---- */
 
-/* The whole of a surface as an ADVANCED_FACE; 0 when its whole border is one point. */
-int bat_step_face(bat_step *step, const char *name, const batten_surface *surface);
+/* Write a body: the id of its SHELL_BASED_SURFACE_MODEL, MANIFOLD_SOLID_BREP or
+ * BREP_WITH_VOIDS, 0 when nothing was left of it; and the ids of its faces [face_count], 0 for
+ * those left out. */
+batten_status bat_step_body(bat_step *step, const char *name, const batten_body *body,
+                            int *faces, int *out);
 
 #endif

@@ -1,342 +1,458 @@
+/* A model as a STEP file: a product for the model and for each that it places. */
+#include "exchange/formats.h"
 #include "exchange/prepare.h"
-#include "exchange/step/step.h"
+#include "exchange/step/writing.h"
 
-#include <batten/units.h>
 #include <string.h>
-
-/* A list of ids that grows. */
-typedef struct {
-    int *ids;
-    int count, capacity;
-} id_list;
-
-static batten_status add_id(id_list *list, int id)
-{
-    if (list->count == list->capacity) {
-        const int capacity = bat_max_int(16, 2 * list->capacity);
-        int *ids = bat_resize(list->ids, (size_t)capacity, sizeof *ids);
-        if (!ids)
-            return BATTEN_OUT_OF_MEMORY;
-        list->ids = ids;
-        list->capacity = capacity;
-    }
-    list->ids[list->count++] = id;
-    return BATTEN_OK;
-}
-
-typedef struct {
-    bat_step step;
-    const batten_model *model;
-    const char *product;
-    int placement, context; /* the origin; units and accuracy */
-    int definition_shape;   /* of the product, to which representations belong */
-    id_list surface_models, curve_sets, styled;
-} writing;
-
-static void put_ids(bat_step *step, const int *ids, int count, const char *after)
-{
-    for (int i = 0; i < count; i++)
-        bat_step_id(step, ids[i], i + 1 < count ? "," : after);
-}
-
-/* ---- units ---- */
-
-/* A length: a prefix of the metre, or so many of a metre under a name. */
-static int put_length(bat_step *step, double metres)
-{
-    static const struct {
-        double metres;
-        const char *prefix;
-    } prefixes[] = {
-        {1, "$"}, {0.001, ".MILLI."}, {0.01, ".CENTI."}, {1000, ".KILO."}, {1e-6, ".MICRO."}};
-    for (size_t k = 0; k < sizeof prefixes / sizeof prefixes[0]; k++)
-        if (metres == prefixes[k].metres)
-            return bat_step_add(step, "", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(%s,.METRE.)",
-                                prefixes[k].prefix);
-    const char *name = batten_unit_name(metres);
-    const int metre = bat_step_add(step, "", "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.)");
-    const int exponents = bat_step_add(step, "DIMENSIONAL_EXPONENTS", "1.,0.,0.,0.,0.,0.,0.");
-    const int measure = bat_step_open(step, "LENGTH_MEASURE_WITH_UNIT");
-    bat_step_token(step, "LENGTH_MEASURE(");
-    bat_step_real(step, metres, "),");
-    bat_step_id(step, metre, "");
-    bat_step_close(step);
-    const int id = bat_step_open(step, "");
-    bat_step_token(step, "CONVERSION_BASED_UNIT(");
-    bat_step_string(step,
-                    metres == 0.0254   ? "INCH"
-                    : metres == 0.3048 ? "FOOT"
-                    : name             ? name
-                                       : "UNIT",
-                    ",");
-    bat_step_id(step, measure, ") ");
-    bat_step_token(step, "LENGTH_UNIT() NAMED_UNIT(");
-    bat_step_id(step, exponents, ")");
-    bat_step_close(step);
-    return id;
-}
-
-static void put_context(writing *w)
-{
-    bat_step *step = &w->step;
-    const int length = put_length(step, batten_model_unit_metres(w->model));
-    const int angle =
-        bat_step_add(step, "", "NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)");
-    const int solid =
-        bat_step_add(step, "", "NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT()");
-    const int accuracy = bat_step_open(step, "UNCERTAINTY_MEASURE_WITH_UNIT");
-    bat_step_token(step, "LENGTH_MEASURE(");
-    bat_step_real(step, step->tolerance, "),");
-    bat_step_id(step, length, ",");
-    bat_step_token(step, "'distance_accuracy_value',''");
-    bat_step_close(step);
-    w->context = bat_step_open(step, "");
-    bat_step_token(step,
-                   "GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((");
-    bat_step_id(step, accuracy, ")) ");
-    bat_step_token(step, "GLOBAL_UNIT_ASSIGNED_CONTEXT((");
-    bat_step_id(step, length, ",");
-    bat_step_id(step, angle, ",");
-    bat_step_id(step, solid, ")) ");
-    bat_step_token(step, "REPRESENTATION_CONTEXT('','3D')");
-    bat_step_close(step);
-}
-
-/* ---- the product ---- */
-
-static void put_product(writing *w)
-{
-    static const double origin[] = {0, 0, 0};
-    bat_step *step = &w->step;
-    const int application = bat_step_add(
-        step, "APPLICATION_CONTEXT", "'core data for automotive mechanical design processes'");
-    bat_step_add(step, "APPLICATION_PROTOCOL_DEFINITION",
-                 "'international standard','automotive_design',2000,#%d", application);
-    const int product_context =
-        bat_step_add(step, "PRODUCT_CONTEXT", "'',#%d,'mechanical'", application);
-    const int product = bat_step_open(step, "PRODUCT");
-    bat_step_string(step, w->product, ",");
-    bat_step_string(step, w->product, ",'',(");
-    bat_step_id(step, product_context, ")");
-    bat_step_close(step);
-    bat_step_add(step, "PRODUCT_RELATED_PRODUCT_CATEGORY", "'part',$,(#%d)", product);
-    const int formation =
-        bat_step_add(step, "PRODUCT_DEFINITION_FORMATION", "'','',#%d", product);
-    const int definition_context = bat_step_add(step, "PRODUCT_DEFINITION_CONTEXT",
-                                                "'part definition',#%d,'design'", application);
-    const int definition = bat_step_add(step, "PRODUCT_DEFINITION", "'design','',#%d,#%d",
-                                        formation, definition_context);
-    w->definition_shape =
-        bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", definition);
-    const int point = bat_step_point(step, origin);
-    const int z = bat_step_add(step, "DIRECTION", "'',(0.,0.,1.)");
-    const int x = bat_step_add(step, "DIRECTION", "'',(1.,0.,0.)");
-    w->placement = bat_step_add(step, "AXIS2_PLACEMENT_3D", "'',#%d,#%d,#%d", point, z, x);
-}
-
-/* ---- colours ---- */
-
-static int put_colour(bat_step *step, const double rgb[3])
-{
-    const int id = bat_step_open(step, "COLOUR_RGB");
-    bat_step_token(step, "'',");
-    for (int k = 0; k < 3; k++)
-        bat_step_real(step, rgb[k], k < 2 ? "," : "");
-    bat_step_close(step);
-    return id;
-}
-
-static int put_fill(bat_step *step, int colour)
-{
-    int id = bat_step_add(step, "FILL_AREA_STYLE_COLOUR", "'',#%d", colour);
-    id = bat_step_add(step, "FILL_AREA_STYLE", "'',(#%d)", id);
-    id = bat_step_add(step, "SURFACE_STYLE_FILL_AREA", "#%d", id);
-    id = bat_step_add(step, "SURFACE_SIDE_STYLE", "'',(#%d)", id);
-    return bat_step_add(step, "SURFACE_STYLE_USAGE", ".BOTH.,#%d", id);
-}
-
-static int put_stroke(bat_step *step, int colour)
-{
-    const int font = bat_step_add(step, "DRAUGHTING_PRE_DEFINED_CURVE_FONT", "'continuous'");
-    return bat_step_add(step, "CURVE_STYLE", "'',#%d,POSITIVE_LENGTH_MEASURE(0.1),#%d", font,
-                        colour);
-}
-
-static batten_status style(writing *w, const batten_object *object, int item)
-{
-    bat_step *step = &w->step;
-    if (!object->has_colour)
-        return BATTEN_OK;
-    const int colour = put_colour(step, object->colour);
-    const int look = object->kind == BATTEN_OBJECT_SURFACE ? put_fill(step, colour)
-                                                           : put_stroke(step, colour);
-    const int assignment = bat_step_add(step, "PRESENTATION_STYLE_ASSIGNMENT", "(#%d)", look);
-    return add_id(&w->styled,
-                  bat_step_add(step, "STYLED_ITEM", "'',(#%d),#%d", assignment, item));
-}
 
 /* ---- objects ---- */
 
-static batten_status write_surface(writing *w, const batten_object *object)
+/* What is of one model: items of each kind of representation. */
+typedef struct {
+    bat_step_bag solids, sheets, curves, meshes, places;
+} contents;
+
+static void contents_end(contents *c)
 {
-    bat_step *step = &w->step;
+    bat_release(c->solids.ids);
+    bat_release(c->sheets.ids);
+    bat_release(c->curves.ids);
+    bat_release(c->meshes.ids);
+    bat_release(c->places.ids);
+}
+
+/* The body with what its faces need to be written. */
+static batten_status prepare_body(bat_step_writing *w, const batten_object *object,
+                                  batten_body **out)
+{
     batten_surface *surface = NULL;
-    batten_status status = bat_prepare_surface(object, step->tolerance, step->notes, &surface);
-    if (status != BATTEN_OK)
-        return status;
-    const int face = bat_step_face(step, object->name, surface);
-    batten_surface_unref(surface);
-    if (!face) {
-        batten_notes_add(step->notes, "", 0, object->name,
-                         "the border of the surface is one point; left out");
+    if (object->kind == BATTEN_OBJECT_BODY) {
+        *out = batten_body_ref(object->body);
         return BATTEN_OK;
     }
-    const int shell = bat_step_open(step, "OPEN_SHELL");
-    bat_step_string(step, object->name, ",(");
-    bat_step_id(step, face, ")");
-    bat_step_close(step);
-    const int model = bat_step_open(step, "SHELL_BASED_SURFACE_MODEL");
-    bat_step_string(step, object->name, ",(");
-    bat_step_id(step, shell, ")");
-    bat_step_close(step);
-    status = add_id(&w->surface_models, model);
-    return status == BATTEN_OK ? style(w, object, face) : status;
+    batten_status status =
+        bat_prepare_surface(object, w->step.tolerance, w->step.notes, &surface);
+    if (status == BATTEN_OK)
+        status = batten_body_of_surface(object->name, surface, w->step.tolerance, out);
+    batten_surface_unref(surface);
+    return status;
 }
 
-/* A set of the curves and points `first` .. `first` + count - 1. */
-static batten_status put_set(writing *w, const char *name, int first, int count)
+static batten_status mark_faces(bat_step_writing *w, const batten_body_parts *parts,
+                                const int *faces)
 {
-    bat_step *step = &w->step;
-    const int id = bat_step_open(step, "GEOMETRIC_CURVE_SET");
-    bat_step_string(step, name, ",(");
-    for (int i = 0; i < count; i++)
-        bat_step_id(step, first + i, i + 1 < count ? "," : ")");
-    bat_step_close(step);
-    return add_id(&w->curve_sets, id);
+    batten_status status = BATTEN_OK;
+    for (int f = 0; status == BATTEN_OK && f < parts->face_count; f++)
+        if (faces[f] && parts->faces[f].has_colour)
+            status = bat_step_put_colour(w, BATTEN_OBJECT_BODY, parts->faces[f].colour,
+                                         faces[f]);
+    return status;
 }
 
-static batten_status write_curve(writing *w, const batten_object *object)
+static batten_status write_body(bat_step_writing *w, const batten_object *object, contents *c)
 {
-    bat_step *step = &w->step;
+    batten_body *body = NULL;
+    int id = 0;
+    batten_status status = prepare_body(w, object, &body);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_body_parts *parts = batten_body_view(body);
+    int *faces = bat_array((size_t)parts->face_count, sizeof *faces);
+    status = faces ? bat_step_body(&w->step, object->name, body, faces, &id)
+                   : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && id)
+        status = bat_step_bag_add(parts->is_solid ? &c->solids : &c->sheets, id);
+    if (status == BATTEN_OK && id)
+        status = bat_step_mark(w, object, id);
+    if (status == BATTEN_OK)
+        status = mark_faces(w, parts, faces);
+    bat_release(faces);
+    batten_body_unref(body);
+    return status;
+}
+
+static batten_status write_curve(bat_step_writing *w, const batten_object *object, contents *c)
+{
     batten_curve *curve = NULL;
     batten_status status = bat_prepare_curve(object, &curve);
     if (status != BATTEN_OK)
         return status;
-    const size_t count = (size_t)batten_curve_point_count(curve);
-    const bat_step_row row = {.degree = batten_curve_degree(curve),
-                              .count = (int)count,
-                              .knots = batten_curve_knots(curve),
-                              .points = batten_curve_points(curve),
-                              .weights = batten_curve_weights(curve),
-                              .stride = 1,
-                              .first_id =
-                                  bat_step_points(step, batten_curve_points(curve), count)};
-    const int id = bat_step_curve(step, object->name, &row);
+    const int id = bat_step_curve(&w->step, object->name, curve, NULL);
     batten_curve_unref(curve);
-    status = put_set(w, object->name, id, 1);
-    return status == BATTEN_OK ? style(w, object, id) : status;
+    const int set = bat_step_list(&w->step, "GEOMETRIC_CURVE_SET", object->name, &id, 1);
+    status = bat_step_bag_add(&c->curves, set);
+    return status == BATTEN_OK ? bat_step_mark(w, object, id) : status;
 }
 
-static batten_status write_points(writing *w, const batten_object *object)
+static batten_status write_points(bat_step_writing *w, const batten_object *object, contents *c)
 {
+    bat_step *step = &w->step;
     if (object->point_count == 0)
         return BATTEN_OK;
-    const int first = bat_step_points(&w->step, object->points, (size_t)object->point_count);
-    return put_set(w, object->name, first, object->point_count);
+    const int first =
+        bat_step_points(step, 3, object->points, (size_t)object->point_count);
+    const int set = bat_step_open(step, "GEOMETRIC_CURVE_SET");
+    bat_step_string(step, object->name, ",(");
+    bat_step_range(step, first, object->point_count, ")");
+    bat_step_close(step);
+    const batten_status status = bat_step_bag_add(&c->curves, set);
+    return status == BATTEN_OK ? bat_step_mark(w, object, set) : status;
 }
 
-static batten_status write_object(writing *w, const batten_object *object)
+static batten_status write_mesh(bat_step_writing *w, const batten_object *object, contents *c)
+{
+    if (w->options->schema != BATTEN_STEP_AP242) {
+        batten_notes_add(w->step.notes, "", 0, object->name,
+                         "left out: of the schemas of STEP only AP242 has meshes");
+        return BATTEN_OK;
+    }
+    if (batten_mesh_view(object->mesh)->triangle_count == 0)
+        return BATTEN_OK;
+    const int id = bat_step_put_mesh(&w->step, object->name, object->mesh);
+    const batten_status status = bat_step_bag_add(&c->meshes, id);
+    return status == BATTEN_OK ? bat_step_mark(w, object, id) : status;
+}
+
+/* Objects go in the order of the representations, so that what is read has it too. */
+enum { SOLIDS, SHEETS, CURVES, MESHES, KINDS };
+
+static int kind_of(const batten_object *object)
+{
+    switch (object->kind) {
+    case BATTEN_OBJECT_SURFACE:
+        return SHEETS;
+    case BATTEN_OBJECT_BODY:
+        return batten_body_view(object->body)->is_solid ? SOLIDS : SHEETS;
+    case BATTEN_OBJECT_CURVE:
+    case BATTEN_OBJECT_POINTS:
+        return CURVES;
+    case BATTEN_OBJECT_MESH:
+        return MESHES;
+    default: /* instances; what the format does not hold was taken out before */
+        return KINDS;
+    }
+}
+
+static batten_status write_object(bat_step_writing *w, const batten_object *object, contents *c)
 {
     if (w->step.count > 1000000000)
         return bat_fail(BATTEN_TOO_LARGE, "a STEP file has room for 1000000000 instances");
     switch (object->kind) {
     case BATTEN_OBJECT_SURFACE:
-        return write_surface(w, object);
+    case BATTEN_OBJECT_BODY:
+        return write_body(w, object, c);
     case BATTEN_OBJECT_CURVE:
-        return write_curve(w, object);
+        return write_curve(w, object, c);
     case BATTEN_OBJECT_POINTS:
-        return write_points(w, object);
-    default: /* what the format does not hold was taken out before */
-        return BATTEN_OK;
+        return write_points(w, object, c);
+    default:
+        return write_mesh(w, object, c);
     }
+}
+
+static batten_status write_objects(bat_step_writing *w, const batten_model *model, contents *c)
+{
+    batten_status status = BATTEN_OK;
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+            if (kind_of(batten_model_object(model, i)) == kind)
+                status = write_object(w, batten_model_object(model, i), c);
+    return status;
 }
 
 /* ---- representations ---- */
 
-static int put_representation(writing *w, const char *keyword, const id_list *items)
+static int put_representation(bat_step_writing *w, const char *keyword, const char *name,
+                              int origin, const bat_step_bag *items)
 {
     bat_step *step = &w->step;
     const int id = bat_step_open(step, keyword);
-    bat_step_string(step, w->product, ",(");
-    bat_step_id(step, w->placement, ",");
-    put_ids(step, items->ids, items->count, "),");
+    bat_step_string(step, name, ",(");
+    bat_step_id(step, origin, items->count ? "," : "),");
+    bat_step_ids(step, items->ids, items->count, "),");
     bat_step_id(step, w->context, "");
     bat_step_close(step);
     return id;
 }
 
-/* Faces and curves need representations of their own; where there are both, or neither, an
- * empty one holds them together. */
-static void put_representations(writing *w)
+/* Solids, sheets, curves and meshes need representations of their own; where there are
+ * several, or none, or where others are placed, a further one holds them together. */
+static void put_representations(bat_step_writing *w, const char *name, const contents *c,
+                                bat_step_node *node)
+{
+    const struct {
+        const char *keyword;
+        const bat_step_bag *items;
+    } kinds[] = {{"ADVANCED_BREP_SHAPE_REPRESENTATION", &c->solids},
+                 {"MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &c->sheets},
+                 {"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", &c->curves},
+                 {"TESSELLATED_SHAPE_REPRESENTATION", &c->meshes}};
+    bat_step *step = &w->step;
+    int ids[KINDS], count = 0;
+    for (int k = 0; k < KINDS; k++)
+        if (kinds[k].items->count)
+            ids[count++] =
+                put_representation(w, kinds[k].keyword, name, node->origin, kinds[k].items);
+    node->representation = ids[0];
+    if (count != 1 || c->places.count) {
+        node->representation =
+            put_representation(w, "SHAPE_REPRESENTATION", name, node->origin, &c->places);
+        for (int k = 0; k < count; k++)
+            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d",
+                         node->representation, ids[k]);
+    }
+    const int shape =
+        bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", node->definition);
+    bat_step_add(step, "SHAPE_DEFINITION_REPRESENTATION", "#%d,#%d", shape,
+                 node->representation);
+}
+
+/* ---- assemblies ---- */
+
+/* Can two directions and a point say the place? */
+static bool is_rigid(const batten_affine *place)
+{
+    const double tolerance = 1e-12;
+    double dot[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            dot[i][k] = place->m[0][i] * place->m[0][k] + place->m[1][i] * place->m[1][k] +
+                        place->m[2][i] * place->m[2][k];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(fabs(dot[i][k] - (i == k)) <= tolerance))
+                return false;
+    const double(*m)[3] = place->m;
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
+               m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) >
+           0;
+}
+
+/* Add what the instance places, since its place scales or mirrors. */
+static batten_status add_flat(bat_step_writing *w, const batten_object *object,
+                              batten_model *made)
+{
+    batten_model *one = NULL, *flat = NULL;
+    batten_notes_add(w->step.notes, "", 0, object->name,
+                     "the place scales, shears or mirrors; written as copies, not as an "
+                     "instance");
+    batten_status status = batten_model_create(batten_model_unit_metres(made), &one);
+    if (status == BATTEN_OK)
+        status = batten_model_add(one, object);
+    if (status == BATTEN_OK)
+        status = batten_model_flat(one, &flat);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(flat); i++)
+        status = batten_model_add(made, batten_model_object(flat, i));
+    batten_model_unref(one);
+    batten_model_unref(flat);
+    return status;
+}
+
+/* The model with instances only where they can be said. */
+static batten_status with_rigid_places(bat_step_writing *w, const batten_model *model,
+                                       batten_model **out)
+{
+    bool rigid = true;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        rigid &= object->kind != BATTEN_OBJECT_INSTANCE || is_rigid(&object->place);
+    }
+    if (rigid) {
+        *out = batten_model_ref(model);
+        return BATTEN_OK;
+    }
+    batten_model *made = NULL;
+    batten_status status = batten_model_create(batten_model_unit_metres(model), &made);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        status = object->kind == BATTEN_OBJECT_INSTANCE && !is_rigid(&object->place)
+                     ? add_flat(w, object, made)
+                     : batten_model_add(made, object);
+    }
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        batten_model_unref(made);
+    return status;
+}
+
+/* The model as it can be written, with no instances that cannot. */
+static batten_status prepare(bat_step_writing *w, const batten_model *model, batten_model **out)
+{
+    batten_model *rigid = NULL;
+    batten_status status = with_rigid_places(w, model, &rigid);
+    if (status == BATTEN_OK)
+        status = bat_format_prepare(bat_format_of(BATTEN_FORMAT_STEP), rigid, w->step.notes,
+                                    out);
+    batten_model_unref(rigid);
+    return status;
+}
+
+static bat_step_node *find_node(const bat_step_writing *w, const batten_model *model)
+{
+    for (int i = 0; i < w->node_count; i++)
+        if (w->nodes[i].model == model)
+            return &w->nodes[i];
+    return NULL;
+}
+
+static batten_status add_node(bat_step_writing *w, const bat_step_node *node)
+{
+    if (w->node_count == w->node_capacity) {
+        const int capacity = bat_max_int(16, 2 * w->node_capacity);
+        bat_step_node *nodes = bat_resize(w->nodes, (size_t)capacity, sizeof *nodes);
+        if (!nodes)
+            return BATTEN_OUT_OF_MEMORY;
+        w->nodes = nodes;
+        w->node_capacity = capacity;
+    }
+    w->nodes[w->node_count++] = *node;
+    return BATTEN_OK;
+}
+
+/* The place as an item of the representation, to which it belongs. */
+static batten_status put_place(bat_step_writing *w, const batten_object *object, contents *c)
+{
+    const double(*m)[3] = object->place.m;
+    const double z[] = {m[0][2], m[1][2], m[2][2]}, x[] = {m[0][0], m[1][0], m[2][0]};
+    if (object->has_colour || object->is_hidden || object->layer[0] || object->group[0])
+        batten_notes_add(w->step.notes, "", 0, object->name,
+                         "colour, layer, group and visibility of an instance are left out");
+    return bat_step_bag_add(&c->places,
+                            bat_step_placement(&w->step, object->place.t, z, x));
+}
+
+/* That the definition is placed in the node. */
+static void put_occurrence(bat_step_writing *w, const batten_object *object, int place,
+                           const bat_step_node *node)
 {
     bat_step *step = &w->step;
-    int faces = 0, curves = 0, main;
-    if (w->surface_models.count)
-        faces =
-            put_representation(w, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &w->surface_models);
-    if (w->curve_sets.count)
-        curves = put_representation(w, "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
-                                    &w->curve_sets);
-    main = faces ? faces : curves;
-    if (!faces == !curves) {
-        main = bat_step_add(step, "SHAPE_REPRESENTATION", "'',(#%d),#%d", w->placement,
-                            w->context);
-        if (faces) {
-            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main,
-                         faces);
-            bat_step_add(step, "SHAPE_REPRESENTATION_RELATIONSHIP", "'','',#%d,#%d", main,
-                         curves);
-        }
-    }
-    bat_step_add(step, "SHAPE_DEFINITION_REPRESENTATION", "#%d,#%d", w->definition_shape, main);
-    if (w->styled.count == 0)
-        return;
-    bat_step_open(step, "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION");
-    bat_step_token(step, "'',(");
-    put_ids(step, w->styled.ids, w->styled.count, "),");
-    bat_step_id(step, w->context, "");
+    const bat_step_node *part = find_node(w, object->definition);
+    const int use = bat_step_open(step, "NEXT_ASSEMBLY_USAGE_OCCURRENCE");
+    bat_step_token(step, "'");
+    bat_step_integer(step, ++w->occurrences, "',");
+    bat_step_string(step, object->name, ",'',");
+    bat_step_id(step, node->definition, ",");
+    bat_step_id(step, part->definition, ",$");
     bat_step_close(step);
+    const int shape = bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", use);
+    const int transformation = bat_step_add(step, "ITEM_DEFINED_TRANSFORMATION",
+                                            "'','',#%d,#%d", part->origin, place);
+    const int relation = bat_step_add(
+        step, "",
+        "REPRESENTATION_RELATIONSHIP('','',#%d,#%d) "
+        "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%d) "
+        "SHAPE_REPRESENTATION_RELATIONSHIP()",
+        part->representation, node->representation, transformation);
+    bat_step_add(step, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", "#%d,#%d", relation, shape);
+}
+
+/* ---- models ---- */
+
+/* The product of a model whose instances have theirs. */
+static batten_status write_product(bat_step_writing *w, const char *name, bat_step_node *node)
+{
+    static const double origin[] = {0, 0, 0}, z[] = {0, 0, 1}, x[] = {1, 0, 0};
+    const batten_model *model = node->prepared;
+    contents c = {0};
+    batten_text id = BATTEN_TEXT;
+    batten_text_add(&id, "%s", w->options->name);
+    if (w->node_count)
+        batten_text_add(&id, ".%d", w->node_count);
+    batten_status status = id.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+    if (status == BATTEN_OK)
+        status = bat_step_put_product(w, id.bytes, name, &node->definition);
+    batten_text_free(&id);
+    node->origin = bat_step_placement(&w->step, origin, z, x);
+    if (status == BATTEN_OK)
+        status = write_objects(w, model, &c);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_INSTANCE)
+            status = put_place(w, batten_model_object(model, i), &c);
+    if (status == BATTEN_OK)
+        put_representations(w, name, &c, node);
+    for (int i = 0, k = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_INSTANCE)
+            put_occurrence(w, batten_model_object(model, i), c.places.ids[k++], node);
+    contents_end(&c);
+    return status;
+}
+
+/* Definitions come before what places them. Instances lie at most 32 deep, and so does the
+ * recursion. */
+static batten_status write_model(bat_step_writing *w, const batten_model *model,
+                                 const char *name)
+{
+    bat_step_node node = {.model = model};
+    batten_status status = prepare(w, model, &node.prepared);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(node.prepared); i++) {
+        const batten_object *object = batten_model_object(node.prepared, i);
+        if (object->kind == BATTEN_OBJECT_INSTANCE && !find_node(w, object->definition))
+            status = write_model(w, object->definition, object->name);
+    }
+    if (status == BATTEN_OK)
+        status = write_product(w, name, &node);
+    if (status == BATTEN_OK)
+        status = add_node(w, &node);
+    if (status != BATTEN_OK)
+        batten_model_unref(node.prepared);
+    return status;
 }
 
 /* ---- the file ---- */
 
-static void put_header(bat_step *step, const batten_write_options *options)
+static const char *schema_name(batten_step_schema schema)
 {
-    batten_text_add(&step->text, "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n");
-    step->line = step->text.length;
-    bat_step_token(step, "FILE_NAME(");
-    bat_step_string(step, options->name, ",");
-    bat_step_string(step, options->date ? options->date : "2000-01-01T00:00:00", ",(''),(''),");
-    batten_text_add(&step->text, "'Batten %s','Batten','');\n", batten_version());
-    batten_text_add(&step->text,
-                    "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\n"
-                    "ENDSEC;\nDATA;\n");
-    step->line = step->text.length;
+    static const char *const names[] = {
+        [BATTEN_STEP_AP214] = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }",
+        [BATTEN_STEP_AP203] = "CONFIG_CONTROL_DESIGN",
+        [BATTEN_STEP_AP242] = "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 "
+                              "1 1 4 }"};
+    return names[schema];
 }
 
-static batten_status write_all(writing *w, const batten_write_options *options)
+static void put_header(bat_step *step, const batten_write_options *options)
 {
-    put_header(&w->step, options);
-    put_product(w);
-    put_context(w);
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(w->model); i++)
-        status = write_object(w, batten_model_object(w->model, i));
+    batten_text_add(step->text, "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n");
+    step->line = step->text->length;
+    bat_step_token(step, "FILE_NAME(");
+    bat_step_string(step, options->name, ",");
+    bat_step_string(step, options->date ? options->date : BAT_STEP_NEUTRAL_DATE,
+                    ",(''),(''),");
+    batten_text_add(step->text, "'Batten %s','Batten','');\n", batten_version());
+    batten_text_add(step->text, "FILE_SCHEMA(('%s'));\nENDSEC;\nDATA;\n",
+                    schema_name(options->schema));
+    step->line = step->text->length;
+}
+
+static batten_status write_all(bat_step_writing *w, const batten_model *model)
+{
+    put_header(&w->step, w->options);
+    bat_step_put_contexts(w, batten_model_unit_metres(model));
+    batten_status status = write_model(w, model, w->options->name);
+    if (status == BATTEN_OK)
+        status = bat_step_put_marks(w);
     if (status == BATTEN_OK) {
-        put_representations(w);
-        batten_text_add(&w->step.text, "ENDSEC;\nEND-ISO-10303-21;\n");
+        if (w->options->schema == BATTEN_STEP_AP203)
+            bat_step_put_management(w);
+        batten_text_add(w->step.text, "ENDSEC;\nEND-ISO-10303-21;\n");
     }
     return status;
+}
+
+static void end(bat_step_writing *w)
+{
+    for (int i = 0; i < w->node_count; i++)
+        batten_model_unref(w->nodes[i].prepared);
+    bat_release(w->nodes);
+    bat_release(w->products.ids);
+    bat_release(w->formations.ids);
+    bat_release(w->definitions.ids);
+    bat_release(w->styled.ids);
+    bat_release(w->hidden.ids);
+    bat_release(w->layers.members);
+    bat_release(w->groups.members);
 }
 
 batten_status bat_write_step(const batten_model *model, const batten_write_options *options,
@@ -344,6 +460,10 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
 {
     batten_model *scaled = NULL;
     batten_status status = BATTEN_OK;
+    if (options->schema != BATTEN_STEP_AP214 && options->schema != BATTEN_STEP_AP203 &&
+        options->schema != BATTEN_STEP_AP242)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no schema %d of STEP",
+                        (int)options->schema);
     if (batten_model_unit_metres(model) > 0) {
         scaled = batten_model_ref(model);
     } else {
@@ -354,17 +474,14 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
         return status;
     const double tolerance =
         options->tolerance > 0 ? options->tolerance : 1e-6 / batten_model_unit_metres(scaled);
-    writing w = {.step = {.text = BATTEN_TEXT, .notes = notes, .tolerance = tolerance},
-                 .model = scaled,
-                 .product = options->name};
-    status = write_all(&w, options);
-    if (status == BATTEN_OK)
-        batten_text_bytes(text, w.step.text.bytes, w.step.text.length);
-    text->failed |= w.step.text.failed;
-    batten_text_free(&w.step.text);
-    bat_release(w.surface_models.ids);
-    bat_release(w.curve_sets.ids);
-    bat_release(w.styled.ids);
+    bat_step_writing w = {.step = {.text = text,
+                                   .notes = notes,
+                                   .tolerance = tolerance,
+                                   .has_parameter_curves = !options->no_parameter_curves},
+                          .options = options,
+                          .is_bare = options->schema == BATTEN_STEP_AP203};
+    status = write_all(&w, scaled);
+    end(&w);
     batten_model_unref(scaled);
     return status;
 }

@@ -4,11 +4,12 @@
 
 static void check_string(const char *value, const char *expected)
 {
-    bat_step step = {.text = BATTEN_TEXT};
+    batten_text text = BATTEN_TEXT;
+    bat_step step = {.text = &text};
     bat_step_string(&step, value, "");
-    if (!step.text.failed)
-        CHECK_TEXT(step.text.bytes, expected);
-    batten_text_free(&step.text);
+    if (!text.failed)
+        CHECK_TEXT(text.bytes, expected);
+    batten_text_free(&text);
 }
 
 TEST(strings_are_escaped)
@@ -34,7 +35,8 @@ TEST(strings_are_escaped)
 
 TEST(lines_are_broken_between_tokens)
 {
-    bat_step step = {.text = BATTEN_TEXT};
+    batten_text text = BATTEN_TEXT;
+    bat_step step = {.text = &text};
     CHECK_INT(bat_step_open(&step, "LIST"), 1);
     for (int i = 0; i < 100; i++)
         bat_step_integer(&step, 1000 + i, ",");
@@ -42,14 +44,14 @@ TEST(lines_are_broken_between_tokens)
     bat_step_id(&step, 7, "");
     bat_step_close(&step);
     CHECK_INT(bat_step_add(&step, "NEXT", "%d", 3), 2);
-    if (!step.text.failed) {
+    if (!text.failed) {
         int column = 0;
-        for (const char *at = step.text.bytes; *at; at++) {
+        for (const char *at = text.bytes; *at; at++) {
             column = *at == '\n' ? 0 : column + 1;
             CHECK(column <= 120);
         }
-        CHECK_CONTAINS(step.text.bytes, ",0.1,#7);\n#2=NEXT(3);\n");
-        CHECK_CONTAINS(step.text.bytes, "#1=LIST(1000,1001,");
+        CHECK_CONTAINS(text.bytes, ",0.1,#7);\n#2=NEXT(3);\n");
+        CHECK_CONTAINS(text.bytes, "#1=LIST(1000,1001,");
     }
-    batten_text_free(&step.text);
+    batten_text_free(&text);
 }
