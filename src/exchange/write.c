@@ -47,7 +47,9 @@ static batten_status select_held(const bat_format_row *row, const batten_model *
     batten_model *held = NULL;
     batten_text kinds = BATTEN_TEXT;
     name_kinds(row->holds, &kinds);
-    batten_status status = batten_model_create(batten_model_unit_metres(model), &held);
+    batten_status status = kinds.failed
+                               ? BATTEN_OUT_OF_MEMORY
+                               : batten_model_create(batten_model_unit_metres(model), &held);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
         if (row->holds & (1u << object->kind))

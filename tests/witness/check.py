@@ -25,6 +25,15 @@ for name in os.environ["NAMES"].split():
         size = max(size, *(abs(c) for c in point))
         count += 1
     good = shape.isValid() and worst <= 1e-9 * size
+    expected = os.path.join(folder, name.rsplit(".", 1)[0] + ".expect")
+    if os.path.exists(expected):
+        solids, many, area, volume = map(float, open(expected).read().split())
+        found = len(shape.Solids), faces, shape.Area, shape.Volume
+        # Its measures of NURBS faces are rough.
+        good = good and found[:2] == (solids, many) and abs(found[2] - area) <= 5e-3 * area \
+            and (abs(found[3] - volume) <= 5e-3 * volume or not solids)
+        print("%-18s %d solids, area %.6g (%.6g), volume %.6g (%.6g)"
+              % (name, found[0], found[2], area, found[3], volume))
     failures += not good
     print("%-18s %d faces, %d edges, valid %s, off by %.2g of %g%s"
           % (name, faces, edges, shape.isValid(), worst, size, "" if good else "  FAILED"))

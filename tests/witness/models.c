@@ -6,6 +6,8 @@
  * For each shape there is a STEP and an IGES file in several units, and beside it a table:
  * index of the face or edge, u and v in 0..1, and x y z in millimetres.
  */
+#include "support/drilled_box.h"
+
 #include <batten/batten.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,7 +42,8 @@ static double at(batten_interval domain, double t)
     return t == 1 ? domain.b : domain.a + t * (domain.b - domain.a);
 }
 
-static void put_face(FILE *table, int index, const batten_surface *surface, double mm)
+static void put_face(FILE *table, int index, const batten_surface *surface,
+                     const batten_affine *place, double mm)
 {
     for (int i = 0; i <= FACE_SAMPLES; i++)
         for (int j = 0; j <= FACE_SAMPLES; j++) {
@@ -49,8 +52,10 @@ static void put_face(FILE *table, int index, const batten_surface *surface, doub
             CHECK(batten_surface_evaluate(
                 surface, at(batten_surface_domain(surface, BATTEN_U), u),
                 at(batten_surface_domain(surface, BATTEN_V), v), 0, p));
-            fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, p[0] * mm,
-                    p[1] * mm, p[2] * mm);
+            const batten_vec3 q =
+                batten_affine_apply(*place, (batten_vec3){p[0], p[1], p[2]});
+            fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, q.x * mm,
+                    q.y * mm, q.z * mm);
         }
 }
 
@@ -65,25 +70,64 @@ static void put_edge(FILE *table, int index, const batten_curve *curve, double m
     }
 }
 
-/* Write the model as both kinds of file, and the table of its points. */
-static void put_model(const char *name, const batten_model *model)
+/* The points of the objects, placed; the index goes on. */
+static void put_objects(FILE *table, int *index, const batten_model *model,
+                        const batten_affine *place)
 {
-    static const char *const endings[] = {"step", "igs"};
     const double mm = batten_model_unit_metres(model) * 1000;
-    FILE *table = open_table(name);
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
         if (object->surface)
-            put_face(table, i, object->surface, mm);
-        else
-            put_edge(table, i, object->curve, mm);
+            put_face(table, (*index)++, object->surface, place, mm);
+        if (object->curve)
+            put_edge(table, (*index)++, object->curve, mm);
+        if (object->definition) {
+            const batten_affine inner = batten_affine_compose(object->place, *place);
+            put_objects(table, index, object->definition, &inner);
+        }
+        const batten_body_parts *parts = object->body ? batten_body_view(object->body) : NULL;
+        for (int f = 0; parts && f < parts->face_count; f++)
+            put_face(table, (*index)++, parts->faces[f].surface, place, mm);
     }
+}
+
+static void put_table(const char *name, const batten_model *model)
+{
+    const batten_affine identity = batten_affine_identity();
+    FILE *table = open_table(name);
+    int index = 0;
+    put_objects(table, &index, model, &identity);
     fclose(table);
-    for (int k = 0; k < 2; k++) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/%s.%s", folder, name, endings[k]);
-        CHECK(batten_write_file(model, path, NULL, NULL));
+}
+
+static void put_file(const char *name, const char *ending, const batten_model *model,
+                     const batten_write_options *options)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s.%s", folder, name, ending);
+    CHECK(batten_write_file(model, path, options, NULL));
+}
+
+/* Write the model as both kinds of file, and the table of its points. */
+static void put_model(const char *name, const batten_model *model)
+{
+    put_table(name, model);
+    put_file(name, "step", model, NULL);
+    put_file(name, "igs", model, NULL);
+}
+
+/* What other programs must find: in FILE.expect. */
+static void expect(const char *name, int solids, int faces, double area, double volume)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s.expect", folder, name);
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        perror(path);
+        exit(1);
     }
+    fprintf(file, "%d %d %.17g %.17g\n", solids, faces, area, volume);
+    fclose(file);
 }
 
 static void add_surface(batten_model *model, const char *name, batten_surface *surface)
@@ -178,6 +222,109 @@ static void put_both(void)
     batten_model_unref(model);
 }
 
+/* ---- bodies ---- */
+
+static batten_model *block(void)
+{
+    batten_body *body = NULL;
+    batten_model *model = NULL;
+    CHECK(batten_model_create(0.001, &model));
+    CHECK(drilled_box(&body));
+    CHECK(batten_model_add(model, &(batten_object){.name = "block",
+                                                   .has_colour = true,
+                                                   .colour = {0.2, 0.3, 0.9},
+                                                   .layer = "solids",
+                                                   .kind = BATTEN_OBJECT_BODY,
+                                                   .body = body}));
+    batten_body_unref(body);
+    return model;
+}
+
+static const double pi = 3.14159265358979323846;
+
+static double block_area(void)
+{
+    return 2 * (6 * 4 + 6 * 2 + 4 * 2) + 2 * pi * 2 - 2 * pi;
+}
+
+static double block_volume(void)
+{
+    return 6 * 4 * 2 - 2 * pi;
+}
+
+static void put_block(void)
+{
+    static const struct {
+        const char *name;
+        batten_step_schema schema;
+        bool no_parameter_curves;
+    } forms[] = {{"block-214", BATTEN_STEP_AP214, false},
+                 {"block-203", BATTEN_STEP_AP203, false},
+                 {"block-242", BATTEN_STEP_AP242, false},
+                 {"block-without-curves", BATTEN_STEP_AP214, true}};
+    batten_model *model = block();
+    for (size_t k = 0; k < sizeof forms / sizeof forms[0]; k++) {
+        batten_write_options options = batten_write_defaults();
+        options.schema = forms[k].schema;
+        options.no_parameter_curves = forms[k].no_parameter_curves;
+        put_table(forms[k].name, model);
+        put_file(forms[k].name, "step", model, &options);
+        expect(forms[k].name, 1, 8, block_area(), block_volume());
+    }
+    batten_model_unref(model);
+}
+
+static void put_sheets(void)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    batten_model *model = NULL;
+    CHECK(batten_model_create(0.001, &model));
+    CHECK(batten_surface_sphere(&frame, 15, &surface));
+    CHECK(batten_body_of_surface("ball", surface, 1e-6, &body));
+    CHECK(batten_model_add(model, &(batten_object){.name = "ball",
+                                                   .is_hidden = true,
+                                                   .kind = BATTEN_OBJECT_BODY,
+                                                   .body = body}));
+    put_table("sphere", model);
+    put_file("sphere", "step", model, NULL);
+    expect("sphere", 0, 1, 4 * pi * 15 * 15, 4 * pi * 15 * 15 * 15 / 3);
+    batten_model_unref(model);
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+static void place(batten_model *model, const char *name, const batten_model *definition,
+                  batten_affine map)
+{
+    CHECK(batten_model_add(model, &(batten_object){.name = name,
+                                                   .kind = BATTEN_OBJECT_INSTANCE,
+                                                   .definition = definition,
+                                                   .place = map}));
+}
+
+/* Two pairs of the block, and the block alone. */
+static void put_assembly(void)
+{
+    batten_model *part = block(), *pair = NULL, *all = NULL;
+    CHECK(batten_model_create(0.001, &pair));
+    CHECK(batten_model_create(0.001, &all));
+    place(pair, "left", part, batten_affine_identity());
+    place(pair, "right", part,
+          batten_affine_rotation((batten_vec3){10, 1, 2}, (batten_vec3){1, 2, 3}, 0.7));
+    place(all, "first", pair, batten_affine_translation(100, 0, 0));
+    place(all, "second", pair,
+          batten_affine_rotation((batten_vec3){0, 50, 0}, (batten_vec3){0, 0, 1}, -2));
+    place(all, "alone", part, batten_affine_translation(0, 0, 70));
+    put_table("assembly", all);
+    put_file("assembly", "step", all, NULL);
+    expect("assembly", 5, 40, 5 * block_area(), 5 * block_volume());
+    batten_model_unref(all);
+    batten_model_unref(pair);
+    batten_model_unref(part);
+}
+
 int main(int count, char **arguments)
 {
     if (count != 2) {
@@ -192,5 +339,8 @@ int main(int count, char **arguments)
     put_curves("curves-mm", 0.001);
     put_curves("curves-m", 1);
     put_both();
+    put_block();
+    put_sheets();
+    put_assembly();
     return 0;
 }

@@ -10,7 +10,7 @@ program=$(command -v freecadcmd || command -v FreeCADCmd) || {
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 "$models" "$folder" || exit 1
-names=$(cd "$folder" && ls | grep -v csv | tr '\n' ' ')
+names=$(cd "$folder" && ls | grep -Ev 'csv|expect' | tr '\n' ' ')
 FOLDER=$folder NAMES=$names HOME=$folder "$program" "$here/check.py" > "$folder/log" 2>&1
-grep -E "faces|WITNESS|Error|Traceback" "$folder/log"
+grep -E "faces|solids|WITNESS|Error|Traceback" "$folder/log"
 grep -q "WITNESS .* 0 files failed" "$folder/log"

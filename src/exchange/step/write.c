@@ -1,6 +1,7 @@
 /* A model as a STEP file: a product for the model and for each that it places. */
 #include "exchange/formats.h"
 #include "exchange/prepare.h"
+#include "exchange/real.h"
 #include "exchange/step/writing.h"
 
 #include <string.h>
@@ -330,8 +331,9 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
     bat_step *step = &w->step;
     const bat_step_node *part = find_node(w, object->definition);
     const int use = bat_step_open(step, "NEXT_ASSEMBLY_USAGE_OCCURRENCE");
-    bat_step_token(step, "'");
-    bat_step_integer(step, ++w->occurrences, "',");
+    char number[BAT_INTEGER_SIZE];
+    bat_integer_write(++w->occurrences, number);
+    bat_step_string(step, number, ",");
     bat_step_string(step, object->name, ",'',");
     bat_step_id(step, node->definition, ",");
     bat_step_id(step, part->definition, ",$");
@@ -339,12 +341,14 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
     const int shape = bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", use);
     const int transformation = bat_step_add(step, "ITEM_DEFINED_TRANSFORMATION",
                                             "'','',#%d,#%d", part->origin, place);
-    const int relation = bat_step_add(
-        step, "",
-        "REPRESENTATION_RELATIONSHIP('','',#%d,#%d) "
-        "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%d) "
-        "SHAPE_REPRESENTATION_RELATIONSHIP()",
-        part->representation, node->representation, transformation);
+    const int relation = bat_step_open(step, "");
+    bat_step_token(step, "REPRESENTATION_RELATIONSHIP('','',");
+    bat_step_id(step, part->representation, ",");
+    bat_step_id(step, node->representation, ") ");
+    bat_step_token(step, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(");
+    bat_step_id(step, transformation, ") ");
+    bat_step_token(step, "SHAPE_REPRESENTATION_RELATIONSHIP()");
+    bat_step_close(step);
     bat_step_add(step, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", "#%d,#%d", relation, shape);
 }
 
@@ -358,8 +362,8 @@ static batten_status write_product(bat_step_writing *w, const char *name, bat_st
     contents c = {0};
     batten_text id = BATTEN_TEXT;
     batten_text_add(&id, "%s", w->options->name);
-    if (w->node_count)
-        batten_text_add(&id, ".%d", w->node_count);
+    if (!node->is_root)
+        batten_text_add(&id, ".%d", w->node_count + 1);
     batten_status status = id.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
     if (status == BATTEN_OK)
         status = bat_step_put_product(w, id.bytes, name, &node->definition);
@@ -382,14 +386,14 @@ static batten_status write_product(bat_step_writing *w, const char *name, bat_st
 /* Definitions come before what places them. Instances lie at most 32 deep, and so does the
  * recursion. */
 static batten_status write_model(bat_step_writing *w, const batten_model *model,
-                                 const char *name)
+                                 const char *name, bool is_root)
 {
-    bat_step_node node = {.model = model};
+    bat_step_node node = {.model = model, .is_root = is_root};
     batten_status status = prepare(w, model, &node.prepared);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(node.prepared); i++) {
         const batten_object *object = batten_model_object(node.prepared, i);
         if (object->kind == BATTEN_OBJECT_INSTANCE && !find_node(w, object->definition))
-            status = write_model(w, object->definition, object->name);
+            status = write_model(w, object->definition, object->name, false);
     }
     if (status == BATTEN_OK)
         status = write_product(w, name, &node);
@@ -430,7 +434,7 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
 {
     put_header(&w->step, w->options);
     bat_step_put_contexts(w, batten_model_unit_metres(model));
-    batten_status status = write_model(w, model, w->options->name);
+    batten_status status = write_model(w, model, w->options->name, true);
     if (status == BATTEN_OK)
         status = bat_step_put_marks(w);
     if (status == BATTEN_OK) {

@@ -35,6 +35,7 @@ typedef struct {
 typedef struct {
     const batten_model *model; /* as given */
     batten_model *prepared;
+    bool is_root;
     int definition;     /* PRODUCT_DEFINITION */
     int representation; /* that it is shown by */
     int origin;         /* AXIS2_PLACEMENT_3D in it */

@@ -1,0 +1,139 @@
+#include "exchange/step/reading.h"
+#include "support/bodies.h"
+
+static batten_model *marked_model(void)
+{
+    const double points[] = {1, 2, 3, 4, 5, 6};
+    const double black[] = {0, 0, 0};
+    test_random random = test_random_begin("marked_model");
+    batten_curve *curve = random_curve(&random);
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &model));
+    batten_object object = {.name = "keel",
+                            .layer = "lines",
+                            .group = "hull/port",
+                            .is_hidden = true,
+                            .kind = BATTEN_OBJECT_CURVE,
+                            .curve = curve};
+    CHECK_OK(batten_model_add(model, &object));
+    object.name = "stem";
+    object.layer = "it's";
+    object.group = "hull";
+    object.is_hidden = false;
+    object.has_colour = true;
+    CHECK_OK(batten_model_add(model, &object));
+    object.name = "chine";
+    object.layer = "lines";
+    object.group = "hull/port";
+    CHECK_OK(batten_model_add(model, &object));
+    batten_object data = {.name = "data",
+                          .has_colour = true,
+                          .group = "x",
+                          .kind = BATTEN_OBJECT_POINTS,
+                          .point_count = 2,
+                          .points = points};
+    memcpy(data.colour, black, sizeof black);
+    CHECK_OK(batten_model_add(model, &data));
+    batten_curve_unref(curve);
+    return model;
+}
+
+TEST(layers_groups_and_what_is_hidden_are_written)
+{
+    batten_model *model = marked_model();
+    const char *text = step_text(model, NULL);
+    step_check(text);
+    CHECK_INT(step_count(text, "PRESENTATION_LAYER_ASSIGNMENT"), 2);
+    CHECK_CONTAINS(text, "PRESENTATION_LAYER_ASSIGNMENT('it''s','',(#");
+    CHECK_CONTAINS(text, "PRESENTATION_LAYER_ASSIGNMENT('lines','',(#");
+    CHECK_INT(step_count(text, "INVISIBILITY"), 1);
+    CHECK_INT(step_count(text, "STYLED_ITEM"), 4);
+    CHECK_CONTAINS(text, "(NULL_STYLE(.NULL.))");
+    CHECK_INT(step_count(text, "CURVE_STYLE"), 1); /* two curves look alike */
+    CHECK_INT(step_count(text, "POINT_STYLE"), 1);
+    CHECK_INT(step_count(text, "GROUP"), 3);
+    CHECK_INT(step_count(text, "GROUP_RELATIONSHIP"), 1);
+    CHECK_INT(step_count(text, "APPLIED_GROUP_ASSIGNMENT"), 3);
+    CHECK_CONTAINS(text, "=GROUP('hull','');\n");
+    CHECK_CONTAINS(text, "=GROUP('port','');\n");
+    batten_model_unref(model);
+}
+
+TEST(groups_of_odd_names_end)
+{
+    static const char *const names[] = {"/", "//", "a//b", "a/", "/a", "a", "a-b", "a/b/c/d"};
+    const double points[] = {1, 2, 3};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    for (int i = 0; i < COUNT(names); i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "p",
+                                                          .group = names[i],
+                                                          .kind = BATTEN_OBJECT_POINTS,
+                                                          .point_count = 1,
+                                                          .points = points}));
+    const char *text = step_text(model, NULL);
+    step_check(text);
+    CHECK_INT(step_count(text, "APPLIED_GROUP_ASSIGNMENT"), COUNT(names));
+    batten_model_unref(model);
+}
+
+static char *text_in(const batten_model *model, batten_step_schema schema, batten_notes *notes)
+{
+    batten_write_options options = batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.format = BATTEN_FORMAT_STEP;
+    options.schema = schema;
+    options.date = "2026-11-21T10:25:30";
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    step_check(data);
+    return data;
+}
+
+TEST(AP203_has_who_and_when_and_no_colours)
+{
+    batten_model *model = marked_model();
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(5, &notes));
+    char *text = text_in(model, BATTEN_STEP_AP203, notes);
+    CHECK_CONTAINS(text, "FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));");
+    CHECK_CONTAINS(text, "=CALENDAR_DATE(2026,21,11);\n");
+    CHECK_CONTAINS(text, "=LOCAL_TIME(10,25,30.,#");
+    CHECK_INT(step_count(text, "CC_DESIGN_APPROVAL"), 1);
+    CHECK_INT(step_count(text, "CC_DESIGN_PERSON_AND_ORGANIZATION_ASSIGNMENT"), 4);
+    CHECK_INT(step_count(text, "STYLED_ITEM"), 0);
+    CHECK_INT(step_count(text, "INVISIBILITY"), 0);
+    CHECK_INT(step_count(text, "GROUP"), 0);
+    CHECK(batten_notes_dropped(notes) || has_note(notes, "AP203 has no colours"));
+    batten_notes_free(notes);
+    batten_release(text);
+    batten_model_unref(model);
+}
+
+TEST(meshes_go_with_AP242_only)
+{
+    const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const int corners[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const batten_mesh_parts parts = {
+        .vertex_count = 4, .points = points, .triangle_count = 4, .corners = corners};
+    batten_mesh *mesh = NULL;
+    batten_notes *notes = NULL;
+    batten_model *model = marked_model();
+    CHECK_OK(batten_notes_create(5, &notes));
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "tet", .kind = BATTEN_OBJECT_MESH, .mesh = mesh}));
+    char *text = text_in(model, BATTEN_STEP_AP242, notes);
+    CHECK_CONTAINS(text, "=COORDINATES_LIST('',4,((0.,0.,0.),(1.,0.,0.),(0.,1.,0.),");
+    CHECK_CONTAINS(text, "=TRIANGULATED_FACE('tet',#");
+    CHECK_CONTAINS(text, ",4,(),$,(),((1,3,2),(1,2,4),(1,4,3),(2,3,4)));\n");
+    CHECK_INT(step_count(text, "TESSELLATED_SHAPE_REPRESENTATION"), 1);
+    batten_release(text);
+    text = text_in(model, BATTEN_STEP_AP214, notes);
+    CHECK_INT(step_count(text, "TRIANGULATED_FACE"), 0);
+    CHECK(batten_notes_dropped(notes) || has_note(notes, "only AP242 has meshes"));
+    batten_release(text);
+    batten_notes_free(notes);
+    batten_mesh_unref(mesh);
+    batten_model_unref(model);
+}
