@@ -1,6 +1,6 @@
 /*
- * A box of 6 x 4 x 2 with a round hole of radius 1 along z in its middle, as a traced solid: six
- * plane faces and two half cylinders, which are turned against their surfaces. By public
+ * A box of 6 x 4 x 2 with a round hole of radius 1 along z in its middle, as a traced solid:
+ * six plane faces and two half cylinders, which are turned against their surfaces. By public
  * functions only, so that programs for witnesses can use it.
  */
 #ifndef TESTS_SUPPORT_DRILLED_BOX_H
@@ -12,15 +12,16 @@
 
 enum { DRILLED_EDGES = 18, DRILLED_FACES = 8, DRILLED_VERTICES = 12, DRILLED_USES = 36 };
 
-/* Corner k has the high x, y, z where bits 0, 1, 2 are set; then the ends of the half circles. */
+/* Corner k has the high x, y, z where bits 0, 1, 2 are set; then the ends of the half circles.
+ */
 static const double drilled_vertices[DRILLED_VERTICES][3] = {
     {0, 0, 0}, {6, 0, 0}, {0, 4, 0}, {6, 4, 0}, {0, 0, 2}, {6, 0, 2},
     {0, 4, 2}, {6, 4, 2}, {4, 2, 0}, {2, 2, 0}, {4, 2, 2}, {2, 2, 2}};
 
 /* Straight edges, then half circles: below from angle 0 and from pi, the same above. */
 static const int drilled_ends[DRILLED_EDGES][2] = {
-    {0, 1}, {2, 3}, {4, 5},  {6, 7},  {0, 2}, {1, 3}, {4, 6},   {5, 7},   {0, 4},
-    {1, 5}, {2, 6}, {3, 7},  {8, 10}, {9, 11}, {8, 9}, {9, 8}, {10, 11}, {11, 10}};
+    {0, 1}, {2, 3}, {4, 5}, {6, 7},  {0, 2},  {1, 3}, {4, 6}, {5, 7},   {0, 4},
+    {1, 5}, {2, 6}, {3, 7}, {8, 10}, {9, 11}, {8, 9}, {9, 8}, {10, 11}, {11, 10}};
 
 /* Each plane with its origin and directions; its loops of edges, counted from 1, negative when
  * they run backwards. */
@@ -44,10 +45,10 @@ static batten_status drilled_curve(int edge, batten_curve **out)
     const double *a = drilled_vertices[drilled_ends[edge][0]];
     const double *b = drilled_vertices[drilled_ends[edge][1]];
     if (edge < 14)
-        return batten_curve_create(3, 1, 2, (double[]){a[0], a[1], a[2], b[0], b[1], b[2]}, NULL,
-                                   line, out);
+        return batten_curve_create(3, 1, 2, (double[]){a[0], a[1], a[2], b[0], b[1], b[2]},
+                                   NULL, line, out);
     const double s = a[0] - 3, z = a[2]; /* the side that it begins on: 1 or -1 */
-    const double points[] = {3 + s, 2,     z,     3 + s, 2 + s, z, 3,     2 + s,
+    const double points[] = {3 + s, 2,     z,     3 + s, 2 + s, z, 3, 2 + s,
                              z,     3 - s, 2 + s, z,     3 - s, 2, z};
     return batten_curve_create(3, 2, 5, points, weights, arc, out);
 }
@@ -159,8 +160,7 @@ static batten_status drilled_box(batten_body **out)
         batten_curve *curve = NULL;
         status = drilled_curve(i, &curve);
         d.curves[d.curve_count++] = curve;
-        d.edges[i] =
-            (batten_body_edge){curve, {drilled_ends[i][0], drilled_ends[i][1]}};
+        d.edges[i] = (batten_body_edge){curve, {drilled_ends[i][0], drilled_ends[i][1]}};
     }
     for (int k = 0; status == BATTEN_OK && k < 6; k++)
         status = drilled_plane(&d, k);

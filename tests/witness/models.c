@@ -52,8 +52,7 @@ static void put_face(FILE *table, int index, const batten_surface *surface,
             CHECK(batten_surface_evaluate(
                 surface, at(batten_surface_domain(surface, BATTEN_U), u),
                 at(batten_surface_domain(surface, BATTEN_V), v), 0, p));
-            const batten_vec3 q =
-                batten_affine_apply(*place, (batten_vec3){p[0], p[1], p[2]});
+            const batten_vec3 q = batten_affine_apply(*place, (batten_vec3){p[0], p[1], p[2]});
             fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, q.x * mm,
                     q.y * mm, q.z * mm);
         }

@@ -1,5 +1,5 @@
-#include "exchange/step/step.h"
 #include "exchange/real.h"
+#include "exchange/step/step.h"
 
 #include <string.h>
 

@@ -45,8 +45,8 @@ static batten_status mark_faces(bat_step_writing *w, const batten_body_parts *pa
     batten_status status = BATTEN_OK;
     for (int f = 0; status == BATTEN_OK && f < parts->face_count; f++)
         if (faces[f] && parts->faces[f].has_colour)
-            status = bat_step_put_colour(w, BATTEN_OBJECT_BODY, parts->faces[f].colour,
-                                         faces[f]);
+            status =
+                bat_step_put_colour(w, BATTEN_OBJECT_BODY, parts->faces[f].colour, faces[f]);
     return status;
 }
 
@@ -59,8 +59,8 @@ static batten_status write_body(bat_step_writing *w, const batten_object *object
         return status;
     const batten_body_parts *parts = batten_body_view(body);
     int *faces = bat_array((size_t)parts->face_count, sizeof *faces);
-    status = faces ? bat_step_body(&w->step, object->name, body, faces, &id)
-                   : BATTEN_OUT_OF_MEMORY;
+    status =
+        faces ? bat_step_body(&w->step, object->name, body, faces, &id) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && id)
         status = bat_step_bag_add(parts->is_solid ? &c->solids : &c->sheets, id);
     if (status == BATTEN_OK && id)
@@ -90,8 +90,7 @@ static batten_status write_points(bat_step_writing *w, const batten_object *obje
     bat_step *step = &w->step;
     if (object->point_count == 0)
         return BATTEN_OK;
-    const int first =
-        bat_step_points(step, 3, object->points, (size_t)object->point_count);
+    const int first = bat_step_points(step, 3, object->points, (size_t)object->point_count);
     const int set = bat_step_open(step, "GEOMETRIC_CURVE_SET");
     bat_step_string(step, object->name, ",(");
     bat_step_range(step, first, object->point_count, ")");
@@ -284,8 +283,8 @@ static batten_status prepare(bat_step_writing *w, const batten_model *model, bat
     batten_model *rigid = NULL;
     batten_status status = with_rigid_places(w, model, &rigid);
     if (status == BATTEN_OK)
-        status = bat_format_prepare(bat_format_of(BATTEN_FORMAT_STEP), rigid, w->step.notes,
-                                    out);
+        status =
+            bat_format_prepare(bat_format_of(BATTEN_FORMAT_STEP), rigid, w->step.notes, out);
     batten_model_unref(rigid);
     return status;
 }
@@ -320,8 +319,7 @@ static batten_status put_place(bat_step_writing *w, const batten_object *object,
     if (object->has_colour || object->is_hidden || object->layer[0] || object->group[0])
         batten_notes_add(w->step.notes, "", 0, object->name,
                          "colour, layer, group and visibility of an instance are left out");
-    return bat_step_bag_add(&c->places,
-                            bat_step_placement(&w->step, object->place.t, z, x));
+    return bat_step_bag_add(&c->places, bat_step_placement(&w->step, object->place.t, z, x));
 }
 
 /* That the definition is placed in the node. */
@@ -339,8 +337,8 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
     bat_step_id(step, part->definition, ",$");
     bat_step_close(step);
     const int shape = bat_step_add(step, "PRODUCT_DEFINITION_SHAPE", "'','',#%d", use);
-    const int transformation = bat_step_add(step, "ITEM_DEFINED_TRANSFORMATION",
-                                            "'','',#%d,#%d", part->origin, place);
+    const int transformation =
+        bat_step_add(step, "ITEM_DEFINED_TRANSFORMATION", "'','',#%d,#%d", part->origin, place);
     const int relation = bat_step_open(step, "");
     bat_step_token(step, "REPRESENTATION_RELATIONSHIP('','',");
     bat_step_id(step, part->representation, ",");
@@ -422,8 +420,7 @@ static void put_header(bat_step *step, const batten_write_options *options)
     step->line = step->text->length;
     bat_step_token(step, "FILE_NAME(");
     bat_step_string(step, options->name, ",");
-    bat_step_string(step, options->date ? options->date : BAT_STEP_NEUTRAL_DATE,
-                    ",(''),(''),");
+    bat_step_string(step, options->date ? options->date : BAT_STEP_NEUTRAL_DATE, ",(''),(''),");
     batten_text_add(step->text, "'Batten %s','Batten','');\n", batten_version());
     batten_text_add(step->text, "FILE_SCHEMA(('%s'));\nENDSEC;\nDATA;\n",
                     schema_name(options->schema));

@@ -10,14 +10,14 @@
 typedef struct {
     bat_step *step;
     const batten_body_parts *parts;
-    int *memory;              /* holds the arrays below */
-    int *surfaces, *nets;     /* [face_count] ids of the surface and of its first point */
-    int *vertices, *edges;    /* ids of each; 0 while not written, and of poles */
-    int *owners;              /* [use_count] the face */
-    int *loops;               /* [loop_count] ids */
-    int (*uses)[2];           /* [edge_count] of the edge, plus 1; 0 for none; one that runs as
-                                 the edge does comes first */
-    batten_surface **shapes;  /* [face_count] */
+    int *memory;             /* holds the arrays below */
+    int *surfaces, *nets;    /* [face_count] ids of the surface and of its first point */
+    int *vertices, *edges;   /* ids of each; 0 while not written, and of poles */
+    int *owners;             /* [use_count] the face */
+    int *loops;              /* [loop_count] ids */
+    int (*uses)[2];          /* [edge_count] of the edge, plus 1; 0 for none; one that runs as
+                                the edge does comes first */
+    batten_surface **shapes; /* [face_count] */
 } writing;
 
 static batten_status begin(writing *w)
@@ -161,8 +161,7 @@ static batten_status put_with_parameters(writing *w, int e, int *id)
         const batten_status status = batten_curve_clamp(p->uses[use].parameters, &clamped);
         if (status != BATTEN_OK)
             return status;
-        curves[count++] =
-            put_parameter_curve(w->step, w->surfaces[w->owners[use]], clamped);
+        curves[count++] = put_parameter_curve(w->step, w->surfaces[w->owners[use]], clamped);
         batten_curve_unref(clamped);
     }
     if (count == 0)
@@ -181,8 +180,7 @@ static batten_status put_with_parameters(writing *w, int e, int *id)
 static int vertex_id(writing *w, int vertex)
 {
     if (!w->vertices[vertex]) {
-        const int point =
-            bat_step_point(w->step, 3, &w->parts->vertices[3 * (size_t)vertex]);
+        const int point = bat_step_point(w->step, 3, &w->parts->vertices[3 * (size_t)vertex]);
         w->vertices[vertex] = bat_step_add(w->step, "VERTEX_POINT", "'',#%d", point);
     }
     return w->vertices[vertex];
@@ -305,8 +303,7 @@ static int put_solid(bat_step *step, const char *name, const int *shells, int co
     const int first = step->count + 1;
     for (int i = 1; i < count; i++)
         bat_step_add(step, "ORIENTED_CLOSED_SHELL", "'',*,#%d,.T.", shells[i]);
-    const int id =
-        bat_step_open(step, count > 1 ? "BREP_WITH_VOIDS" : "MANIFOLD_SOLID_BREP");
+    const int id = bat_step_open(step, count > 1 ? "BREP_WITH_VOIDS" : "MANIFOLD_SOLID_BREP");
     bat_step_string(step, name, ",");
     bat_step_id(step, shells[0], count > 1 ? ",(" : "");
     if (count > 1)

@@ -13,7 +13,7 @@ static int put_coordinates(bat_step *step, const batten_mesh_parts *p)
             if (k == 0)
                 bat_step_token(step, "(");
             bat_step_real(step, p->points[3 * (size_t)i + (size_t)k],
-                          k < 2                    ? ","
+                          k < 2                     ? ","
                           : i + 1 < p->vertex_count ? "),"
                                                     : "))");
         }
@@ -34,7 +34,7 @@ int bat_step_put_mesh(bat_step *step, const char *name, const batten_mesh *mesh)
             if (k == 0)
                 bat_step_token(step, "(");
             bat_step_integer(step, p->corners[3 * (size_t)i + (size_t)k] + 1,
-                             k < 2                      ? ","
+                             k < 2                       ? ","
                              : i + 1 < p->triangle_count ? "),"
                                                          : "))");
         }

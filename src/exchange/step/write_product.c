@@ -89,10 +89,11 @@ void bat_step_put_contexts(bat_step_writing *w, double unit_metres)
     const batten_step_schema schema = w->options->schema;
     w->application =
         bat_step_add(step, "APPLICATION_CONTEXT", "'%s'", schemas[schema].application);
-    bat_step_add(step, "APPLICATION_PROTOCOL_DEFINITION", "'international standard','%s',%d,#%d",
-                 schemas[schema].protocol, schemas[schema].year, w->application);
-    w->product_context = bat_step_add(step, schemas[schema].product, "'',#%d,'mechanical'",
-                                      w->application);
+    bat_step_add(step, "APPLICATION_PROTOCOL_DEFINITION",
+                 "'international standard','%s',%d,#%d", schemas[schema].protocol,
+                 schemas[schema].year, w->application);
+    w->product_context =
+        bat_step_add(step, schemas[schema].product, "'',#%d,'mechanical'", w->application);
     w->definition_context = bat_step_add(step, schemas[schema].definition, "'%s',#%d,'design'",
                                          schemas[schema].definition_name, w->application);
     put_units(w, unit_metres);
@@ -167,8 +168,7 @@ static int put_date(bat_step_writing *w)
         date = BAT_STEP_NEUTRAL_DATE;
     const int day = bat_step_add(step, "CALENDAR_DATE", "%d,%d,%d", part_of_date(date, 0, 4),
                                  part_of_date(date, 8, 2), part_of_date(date, 5, 2));
-    const int zone =
-        bat_step_add(step, "COORDINATED_UNIVERSAL_TIME_OFFSET", "0,0,.AHEAD.");
+    const int zone = bat_step_add(step, "COORDINATED_UNIVERSAL_TIME_OFFSET", "0,0,.AHEAD.");
     const int time =
         bat_step_add(step, "LOCAL_TIME", "%d,%d,%d.,#%d", part_of_date(date, 11, 2),
                      part_of_date(date, 14, 2), part_of_date(date, 17, 2), zone);
@@ -222,8 +222,7 @@ void bat_step_put_management(bat_step_writing *w)
     const int where = bat_step_add(step, "ORGANIZATION", "'','',''");
     const int person = bat_step_add(step, "PERSON_AND_ORGANIZATION", "#%d,#%d", who, where);
     const int date = put_date(w);
-    const int level =
-        bat_step_add(step, "SECURITY_CLASSIFICATION_LEVEL", "'unclassified'");
+    const int level = bat_step_add(step, "SECURITY_CLASSIFICATION_LEVEL", "'unclassified'");
     const int classification =
         bat_step_add(step, "SECURITY_CLASSIFICATION", "'','',#%d", level);
     assign(step, "CC_DESIGN_SECURITY_CLASSIFICATION", (int[]){classification, 0},

@@ -22,8 +22,7 @@ static batten_status add_member(bat_step_members *list, const char *name, int it
 {
     if (list->count == list->capacity) {
         const int capacity = bat_max_int(16, 2 * list->capacity);
-        bat_step_member *members =
-            bat_resize(list->members, (size_t)capacity, sizeof *members);
+        bat_step_member *members = bat_resize(list->members, (size_t)capacity, sizeof *members);
         if (!members)
             return BATTEN_OUT_OF_MEMORY;
         list->members = members;
@@ -107,9 +106,8 @@ batten_status bat_step_put_colour(bat_step_writing *w, batten_object_kind kind,
                                   const double colour[3], int item)
 {
     int styled;
-    return note_bare(w)
-               ? BATTEN_OK
-               : put_styled(w, put_look(w, kind_of_look(kind), colour), item, &styled);
+    return note_bare(w) ? BATTEN_OK
+                        : put_styled(w, put_look(w, kind_of_look(kind), colour), item, &styled);
 }
 
 /* ---- marks ---- */
@@ -118,8 +116,8 @@ batten_status bat_step_mark(bat_step_writing *w, const batten_object *object, in
 {
     batten_status status = BATTEN_OK;
     int styled = 0;
-    const bool plain = !object->has_colour && !object->is_hidden && !object->layer[0] &&
-                       !object->group[0];
+    const bool plain =
+        !object->has_colour && !object->is_hidden && !object->layer[0] && !object->group[0];
     if (plain || note_bare(w))
         return BATTEN_OK;
     if (object->has_colour)
@@ -210,8 +208,8 @@ static batten_status enter_groups(bat_step *step, group_path *open, const char *
     batten_status status = BATTEN_OK;
     while (path[at] && open->depth < DEEPEST && status == BATTEN_OK) {
         const size_t from = at + (path[at] == '/');
-        const size_t length = open->depth + 1 < DEEPEST ? strcspn(path + from, "/")
-                                                        : strlen(path + from);
+        const size_t length =
+            open->depth + 1 < DEEPEST ? strcspn(path + from, "/") : strlen(path + from);
         batten_text name = BATTEN_TEXT;
         batten_text_bytes(&name, path + from, length);
         status = name.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;

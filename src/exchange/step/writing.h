@@ -46,7 +46,7 @@ typedef struct {
     const batten_write_options *options;
     bool is_bare; /* AP203: no colours, layers, groups, nor anything hidden */
     int application, product_context, definition_context;
-    int context;  /* units and accuracy */
+    int context; /* units and accuracy */
     bat_step_bag products, formations, definitions;
     bat_step_bag styled, hidden;
     bat_step_members layers, groups;

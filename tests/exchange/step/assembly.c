@@ -31,8 +31,8 @@ static batten_model *block(void)
 TEST(a_definition_is_one_product_however_often_it_is_placed)
 {
     batten_model *part = block(), *pair = new_model(), *all = new_model();
-    const batten_affine turn = batten_affine_rotation((batten_vec3){1, 2, 3},
-                                                      (batten_vec3){0, 0, 1}, 0.5);
+    const batten_affine turn =
+        batten_affine_rotation((batten_vec3){1, 2, 3}, (batten_vec3){0, 0, 1}, 0.5);
     place(pair, "first", part, batten_affine_identity());
     place(pair, "second", part, turn);
     place(all, "a", pair, batten_affine_translation(10, 0, 0));
