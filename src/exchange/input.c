@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -159,22 +160,38 @@ batten_status bat_input_array(bat_input *input, size_t count, size_t size, void 
     return BATTEN_OK;
 }
 
+/* Room for `count` more. */
+static batten_status reserve(bat_input *input, bat_list *list, size_t count)
+{
+    size_t capacity = list->capacity ? list->capacity : 16;
+    if (count <= list->capacity - list->count)
+        return BATTEN_OK;
+    while (capacity - list->count < count && capacity <= SIZE_MAX / 4)
+        capacity *= 2;
+    batten_status status = charge(input, capacity - list->capacity, list->size);
+    if (status != BATTEN_OK)
+        return status;
+    void *items = bat_resize(list->items, capacity, list->size);
+    if (!items)
+        return BATTEN_OUT_OF_MEMORY;
+    list->items = items;
+    list->capacity = capacity;
+    return BATTEN_OK;
+}
+
+batten_status bat_list_append(bat_input *input, bat_list *list, const void *items, size_t count)
+{
+    batten_status status = reserve(input, list, count);
+    if (status != BATTEN_OK || count == 0)
+        return status;
+    memcpy((char *)list->items + list->count * list->size, items, count * list->size);
+    list->count += count;
+    return BATTEN_OK;
+}
+
 batten_status bat_list_add(bat_input *input, bat_list *list, const void *item)
 {
-    if (list->count == list->capacity) {
-        const size_t capacity = list->capacity ? 2 * list->capacity : 16;
-        batten_status status = charge(input, capacity - list->capacity, list->size);
-        if (status != BATTEN_OK)
-            return status;
-        void *items = bat_resize(list->items, capacity, list->size);
-        if (!items)
-            return BATTEN_OUT_OF_MEMORY;
-        list->items = items;
-        list->capacity = capacity;
-    }
-    memcpy((char *)list->items + list->count * list->size, item, list->size);
-    list->count++;
-    return BATTEN_OK;
+    return bat_list_append(input, list, item, 1);
 }
 
 bool bat_is_blank(char c)
@@ -182,13 +199,27 @@ bool bat_is_blank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+/* The next end of a line from `begin` on, or `end`. */
+static const char *end_of_line(const char *begin, const char *end)
+{
+    enum { WINDOW = 256 }; /* both kinds of end are looked for in what is near */
+    while (begin < end) {
+        const size_t width = end - begin < WINDOW ? (size_t)(end - begin) : WINDOW;
+        const char *feed = memchr(begin, '\n', width);
+        const char *back = memchr(begin, '\r', feed ? (size_t)(feed - begin) : width);
+        if (back || feed)
+            return back ? back : feed;
+        begin += width;
+    }
+    return end;
+}
+
 bool bat_next_line(const bat_input *input, size_t *at, bat_span *line)
 {
     if (*at >= input->size)
         return false;
-    const char *begin = input->data + *at, *end = input->data + input->size, *p = begin;
-    while (p < end && *p != '\n' && *p != '\r')
-        p++;
+    const char *begin = input->data + *at, *end = input->data + input->size;
+    const char *p = end_of_line(begin, end);
     *line = (bat_span){begin, (size_t)(p - begin)};
     if (p < end)
         p += p[0] == '\r' && p + 1 < end && p[1] == '\n' ? 2 : 1;

@@ -45,6 +45,8 @@ typedef struct {
     void *items;
 } bat_list;
 batten_status bat_list_add(bat_input *input, bat_list *list, const void *item);
+batten_status bat_list_append(bat_input *input, bat_list *list, const void *items,
+                              size_t count);
 
 /* A stretch of text that is not followed by a zero byte. */
 typedef struct {

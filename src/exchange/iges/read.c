@@ -1,5 +1,8 @@
-#include "exchange/iges/entities.h"
 #include "exchange/iges/iges.h"
+#include "exchange/iges/attributes.h"
+#include "exchange/iges/bodies.h"
+#include "exchange/iges/objects.h"
+#include "exchange/iges/references.h"
 
 #include <string.h>
 
@@ -84,18 +87,28 @@ static double unit_of_name(bat_span name)
 }
 
 /* Places of the global parameters, the two delimiters not counted. */
-enum { SCALE = 10, UNIT_FLAG = 11, UNIT_NAME = 12 };
+enum {
+    SENDER = 0,
+    SYSTEM = 2,
+    VERSION = 3,
+    SCALE = 10,
+    UNIT_FLAG = 11,
+    UNIT_NAME = 12,
+    RESOLUTION = 16,
+    EXTENT = 17,
+    STANDARD = 20
+};
 
 static batten_status read_unit(bat_iges_reading *reading)
 {
-    const bat_iges_file *file = &reading->file;
+    const bat_iges_parameters *global = &reading->file.global;
     bat_input *input = reading->input;
-    const bat_iges_token *tokens = file->tokens.items;
-    const bool named = file->tokens.count > UNIT_NAME && tokens[UNIT_NAME].is_string;
-    const double by_name = named ? unit_of_name(tokens[UNIT_NAME].text) : 0;
-    const bool said = file->tokens.count > UNIT_FLAG && tokens[UNIT_FLAG].text.length > 0;
+    bool named = false, is_string = false;
+    const bat_span name = bat_iges_text(global, UNIT_NAME, &named);
+    const double by_name = named ? unit_of_name(name) : 0;
+    const bool said = bat_iges_text(global, UNIT_FLAG, &is_string).length > 0;
     int flag = 0;
-    if (bat_iges_integer(file, UNIT_FLAG, &flag) != BATTEN_OK)
+    if (bat_iges_integer(global, UNIT_FLAG, &flag) != BATTEN_OK)
         return bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "global section, unit: %.200s",
                               batten_message());
     double unit = said && flag != 3 ? bat_iges_unit_of_flag(flag) : by_name;
@@ -106,7 +119,7 @@ static batten_status read_unit(bat_iges_reading *reading)
     } else if (by_name > 0 && by_name != unit) {
         batten_notes_add(input->notes, input->file, 0, "",
                          "the unit has the flag %d and the name '%.*s'; the flag counts", flag,
-                         (int)tokens[UNIT_NAME].text.length, tokens[UNIT_NAME].text.bytes);
+                         (int)name.length, name.bytes);
     }
     reading->unit_metres = unit;
     return BATTEN_OK;
@@ -115,53 +128,77 @@ static batten_status read_unit(bat_iges_reading *reading)
 static void note_scale(const bat_iges_reading *reading)
 {
     double scale = 1;
-    const bat_iges_token *tokens = reading->file.tokens.items;
-    const bool said = reading->file.tokens.count > SCALE && tokens[SCALE].text.length > 0;
-    if (said && bat_iges_real(&reading->file, SCALE, &scale) == BATTEN_OK && scale != 1)
+    bool is_string = false;
+    const bat_iges_parameters *global = &reading->file.global;
+    const bool said = bat_iges_text(global, SCALE, &is_string).length > 0;
+    if (said && bat_iges_real(global, SCALE, &scale) == BATTEN_OK && scale != 1)
         batten_notes_add(reading->input->notes, reading->input->file, 0, "",
                          "the model is drawn at scale %g; its own numbers are kept", scale);
 }
 
-/* ---- the whole ---- */
-
-static void note_counts(const bat_iges_reading *reading)
+/* A number that may be left away or be nonsense. */
+static double positive(const bat_iges_parameters *global, size_t index)
 {
-    const bat_iges_count *counts = reading->left_out.items;
-    batten_notes *notes = reading->input->notes;
-    const char *file = reading->input->file;
-    for (size_t k = 0; k < reading->left_out.count; k++)
-        batten_notes_add(
-            notes, file, 0, bat_iges_type_name(counts[k].type),
-            "%d of type %d form %d are hidden or not of a kind that is read; left out",
-            counts[k].count, counts[k].type, counts[k].form);
-    if (reading->dependent_count)
-        batten_notes_add(notes, file, 0, "",
-                         "%d entities are parts of others and not read on their own",
-                         reading->dependent_count);
+    double value = 0;
+    return bat_iges_real(global, index, &value) == BATTEN_OK && value > 0 ? value : 0;
 }
 
-static batten_status read_entries(bat_iges_reading *reading)
+/* A string of the global section, as it may be shown. */
+static const char *shown(const bat_iges_parameters *global, size_t index, char *buffer)
+{
+    bool is_string = false;
+    bat_span text = bat_iges_text(global, index, &is_string);
+    if (!is_string || text.length == 0)
+        return "?";
+    if (text.length > 80)
+        text.length = 80;
+    return bat_shown(text.bytes, text.length, buffer);
+}
+
+static const char *standard_of(int number)
+{
+    static const char *const names[] = {"?",        "1.0", "ANSI Y14.26M-1981", "2.0",
+                                        "3.0",      "ASME/ANSI Y14.26M-1987",  "4.0",
+                                        "ASME Y14.26M-1989", "5.0", "5.1", "5.2", "5.3"};
+    return names[number >= 1 && number <= 11 ? number : 0];
+}
+
+/* Who wrote the file, in which version and unit. */
+static void remark_sender(const bat_iges_reading *reading)
+{
+    const bat_iges_parameters *global = &reading->file.global;
+    char sender[BAT_SHOWN_SIZE], system[BAT_SHOWN_SIZE], version[BAT_SHOWN_SIZE];
+    int standard = 0;
+    if (bat_iges_integer(global, STANDARD, &standard) != BATTEN_OK)
+        standard = 0;
+    batten_notes_remark(reading->input->notes, reading->input->file, 0, "",
+                        "IGES %s by '%s', %s, %s; the unit is %g m, the resolution %g",
+                        standard_of(standard), shown(global, SENDER, sender),
+                        shown(global, SYSTEM, system), shown(global, VERSION, version),
+                        reading->unit_metres, reading->resolution);
+}
+
+/* ---- the whole ---- */
+
+static batten_status read_entities(bat_iges_reading *reading)
 {
     bat_input *input = reading->input;
-    batten_status status = BATTEN_OK;
     const size_t count = reading->file.entries.count;
-    for (size_t k = 0; status == BATTEN_OK && k < count; k++) {
-        if (k % 64 == 0)
-            status = bat_input_step(input, k * input->size / count);
-        if (status == BATTEN_OK)
-            status = bat_iges_read_entry(reading, k);
-    }
+    batten_status status = bat_input_array(input, count, sizeof(bat_iges_shape),
+                                           &reading->shapes);
+    if (status == BATTEN_OK)
+        status = bat_iges_mark_parts(reading);
+    if (status == BATTEN_OK)
+        status = bat_iges_read_groups(reading);
+    if (status == BATTEN_OK)
+        status = bat_iges_add_roots(reading);
     if (status != BATTEN_OK)
         return status;
-    note_counts(reading);
-    if (batten_model_count(reading->model) > 0 ||
-        input->left_out + reading->dependent_count == 0)
+    bat_census_note(input, &reading->census);
+    if (batten_model_count(reading->model) > 0 || input->left_out == 0)
         return BATTEN_OK;
-    const bat_iges_count *first = reading->left_out.items;
-    return bat_input_fail(
-        input, BATTEN_UNSUPPORTED, 0, "none of its %d entities could be read%s%s",
-        input->left_out + reading->dependent_count, first ? "; there are: " : "",
-        first ? bat_iges_type_name(first->type) : "");
+    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
+                          "none of its %d entities could be read", input->left_out);
 }
 
 static batten_status read_all(bat_iges_reading *reading)
@@ -174,18 +211,45 @@ static batten_status read_all(bat_iges_reading *reading)
         status = read_unit(reading);
     if (status != BATTEN_OK)
         return status;
+    reading->resolution = positive(&reading->file.global, RESOLUTION);
+    reading->extent = positive(&reading->file.global, EXTENT);
+    remark_sender(reading);
     note_scale(reading);
     if (!reading->file.has_start)
         batten_notes_add(input->notes, input->file, 0, "", "the start section is missing");
     input->is_cut = !reading->file.has_end;
     status = batten_model_create(reading->unit_metres, &reading->model);
-    return status == BATTEN_OK ? read_entries(reading) : status;
+    return status == BATTEN_OK ? read_entities(reading) : status;
+}
+
+static void end(bat_iges_reading *reading)
+{
+    bat_iges_parameters **frames = reading->frames.items;
+    for (size_t k = 0; k < reading->frames.count; k++) {
+        bat_iges_parameters_end(frames[k]);
+        bat_release(frames[k]);
+    }
+    bat_release(reading->frames.items);
+    for (size_t k = 0; reading->shapes && k < reading->file.entries.count; k++) {
+        batten_curve_unref(reading->shapes[k].curve);
+        batten_surface_unref(reading->shapes[k].surface);
+        batten_model_unref(reading->shapes[k].definition);
+    }
+    bat_release(reading->shapes);
+    bat_iges_end_tables(reading);
+    bat_iges_end_groups(reading);
+    bat_census_end(&reading->census);
+    bat_iges_end(&reading->file);
+    batten_model_unref(reading->model);
 }
 
 batten_status bat_read_iges(bat_input *input, batten_model **out)
 {
-    bat_iges_reading reading = {.input = input, .left_out = {.size = sizeof(bat_iges_count)}};
+    bat_iges_reading reading = {.input = input, .frames = {.size = sizeof(void *)}};
     bool is_iges = false;
+    bat_iges_start_groups(&reading);
+    bat_iges_start_tables(&reading);
+    bat_census_begin(&reading.census);
     batten_status status = bat_iges_recognise(input, &is_iges);
     if (status == BATTEN_OK && !is_iges)
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 1,
@@ -194,8 +258,6 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
         status = read_all(&reading);
     if (status == BATTEN_OK)
         *out = batten_model_ref(reading.model);
-    batten_model_unref(reading.model);
-    bat_release(reading.left_out.items);
-    bat_iges_end(&reading.file);
+    end(&reading);
     return status;
 }

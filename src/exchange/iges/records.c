@@ -1,6 +1,5 @@
 #include "exchange/iges/records.h"
 
-#include <batten/number.h>
 #include <limits.h>
 #include <string.h>
 
@@ -30,22 +29,25 @@ static int sequence_number(bat_span record)
 /* Append the first `columns` characters of a record, blanks where it ends before. */
 static batten_status append(bat_input *input, bat_list *list, bat_span record, size_t columns)
 {
-    batten_status status = BATTEN_OK;
-    for (size_t i = 0; status == BATTEN_OK && i < columns; i++) {
-        const char c = i < record.length ? record.bytes[i] : ' ';
-        status = bat_list_add(input, list, &c);
-    }
+    static const char blanks[GLOBAL_COLUMNS + 1] =
+        "                                                                        ";
+    const size_t filled = record.length < columns ? record.length : columns;
+    batten_status status = bat_list_append(input, list, record.bytes, filled);
+    if (status == BATTEN_OK && filled < columns)
+        status = bat_list_append(input, list, blanks, columns - filled);
     return status;
 }
 
 static batten_status add_data(bat_iges_file *file, bat_span record, int line, bool is_damaged)
 {
-    const bat_iges_data data = {.number = is_damaged ? -1 : sequence_number(record),
+    const bool is_short = record.length < DATA_COLUMNS;
+    const bat_iges_data data = {.at = (size_t)(record.bytes - file->input->data),
+                                .number = is_damaged ? -1 : sequence_number(record),
                                 .line = line,
+                                .columns =
+                                    (unsigned char)(is_short ? record.length : DATA_COLUMNS),
                                 .is_damaged = is_damaged};
-    batten_status status = bat_list_add(file->input, &file->data, &data);
-    return status == BATTEN_OK ? append(file->input, &file->text, record, DATA_COLUMNS)
-                               : status;
+    return bat_list_add(file->input, &file->data, &data);
 }
 
 /* A record of the directory as it came. */
@@ -67,7 +69,9 @@ static batten_status add_directory(bat_iges_file *file, bat_span record, int lin
 static char section_of(bat_span record)
 {
     const char letter = record.length > LETTER ? record.bytes[LETTER] : '\0';
-    return letter && strchr("SGDPT", letter) ? letter : '\0';
+    const bool known = letter == 'P' || letter == 'D' || letter == 'S' || letter == 'G' ||
+                       letter == 'T';
+    return known ? letter : '\0';
 }
 
 /* `section` is that of the record before: where a record without a letter is taken to belong.
@@ -82,7 +86,7 @@ static batten_status add_record(bat_iges_file *file, bat_span record, int line, 
         batten_notes_add(file->input->notes, file->input->file, line, "",
                          "the record is damaged: %s",
                          tab ? "it has a tab" : "column 73 has no letter of a section");
-    if (letter && strchr("SGDPT", letter) < strchr("SGDPT", *section))
+    if (letter && letter != *section && strchr("SGDPT", letter) < strchr("SGDPT", *section))
         batten_notes_add(file->input->notes, file->input->file, line, "",
                          "section %c comes after section %c", letter, *section);
     if (letter)
@@ -90,7 +94,7 @@ static batten_status add_record(bat_iges_file *file, bat_span record, int line, 
     file->has_start |= letter == 'S';
     file->has_end |= letter == 'T';
     if (*section == 'G' && !damaged)
-        return append(file->input, &file->global, record, GLOBAL_COLUMNS);
+        return append(file->input, &file->global.text, record, GLOBAL_COLUMNS);
     if (*section == 'D')
         return add_directory(file, record, line, damaged);
     if (*section == 'P')
@@ -179,6 +183,13 @@ static bool read_field(bat_span record, int field, int *value)
     return true;
 }
 
+/* The same for a field that others can do without: 0 when it is no integer. */
+static int read_loosely(bat_span record, int field)
+{
+    int value = 0;
+    return read_field(record, field, &value) ? value : 0;
+}
+
 /* Two digits of the status, from column `at` of its field on; blanks are zeros. */
 static int status_digits(bat_span record, size_t at)
 {
@@ -194,12 +205,13 @@ static bat_iges_entry read_entry(bat_span first, bat_span second, int line)
 {
     bat_iges_entry entry = {.line = line};
     int again = 0;
-    bool good = read_field(first, 0, &entry.type) && read_field(first, 1, &entry.data) &&
-                read_field(first, 4, &entry.level) && read_field(first, 6, &entry.transform) &&
-                read_field(second, 0, &again) && read_field(second, 2, &entry.colour) &&
-                read_field(second, 4, &entry.form);
-    if (good && !read_field(second, 8, &entry.subscript))
-        entry.subscript = 0;
+    const bool good =
+        read_field(first, 0, &entry.type) && read_field(first, 1, &entry.data) &&
+        read_field(first, 6, &entry.transform) && read_field(second, 0, &again) &&
+        read_field(second, 4, &entry.form);
+    entry.level = read_loosely(first, 4);
+    entry.colour = read_loosely(second, 2);
+    entry.subscript = read_loosely(second, 8);
     entry.is_broken = !good || again != entry.type;
     entry.hidden = status_digits(first, 0);
     entry.subordinate = status_digits(first, 2);
@@ -254,14 +266,11 @@ static batten_status read_directory(bat_iges_file *file)
 batten_status bat_iges_begin(bat_input *input, bat_iges_file *file)
 {
     *file = (bat_iges_file){.input = input,
-                            .delimiter = ',',
-                            .terminator = ';',
-                            .global = {.size = 1},
+                            .delimiters = {',', ';'},
                             .directory = {.size = sizeof(directory_record)},
                             .entries = {.size = sizeof(bat_iges_entry)},
-                            .data = {.size = sizeof(bat_iges_data)},
-                            .text = {.size = 1},
-                            .tokens = {.size = sizeof(bat_iges_token)}};
+                            .data = {.size = sizeof(bat_iges_data)}};
+    bat_iges_parameters_begin(&file->global);
     batten_status status = read_records(file);
     if (status == BATTEN_OK) {
         number_data(file);
@@ -272,25 +281,17 @@ batten_status bat_iges_begin(bat_input *input, bat_iges_file *file)
 
 void bat_iges_end(bat_iges_file *file)
 {
-    bat_release(file->global.items);
+    bat_iges_parameters_end(&file->global);
     bat_release(file->directory.items);
     bat_release(file->entries.items);
     bat_release(file->data.items);
-    bat_release(file->text.items);
-    bat_release(file->tokens.items);
 }
 
-/* ---- tokens ---- */
+/* ---- the global section ---- */
 
-/* "nH" at the beginning of the text: the length of the string, and where it begins; else -1. */
-static long hollerith(bat_span text, size_t *begin)
+static bool may_delimit(char c)
 {
-    long length = 0;
-    size_t i = 0;
-    while (i < text.length && text.bytes[i] >= '0' && text.bytes[i] <= '9' && length < INT_MAX)
-        length = 10 * length + (text.bytes[i++] - '0');
-    *begin = i + 1;
-    return i > 0 && i < text.length && text.bytes[i] == 'H' ? length : -1;
+    return c > ' ' && c < 127 && !strchr("0123456789+-.DEH", c);
 }
 
 static size_t past_blanks(bat_span text, size_t at)
@@ -298,66 +299,6 @@ static size_t past_blanks(bat_span text, size_t at)
     while (at < text.length && text.bytes[at] == ' ')
         at++;
     return at;
-}
-
-/* Read one token from *at on, up to the delimiter or terminator, which is left at *at. */
-static batten_status read_token(const bat_iges_file *file, bat_span text, size_t *at,
-                                bat_iges_token *token)
-{
-    size_t begin = past_blanks(text, *at), skip = 0, end;
-    const bat_span rest = {text.bytes + begin, text.length - begin};
-    const long length = hollerith(rest, &skip);
-    token->is_string = length >= 0;
-    if (token->is_string) {
-        begin += skip;
-        if ((size_t)length > text.length - begin)
-            return bat_fail(BATTEN_BAD_FORMAT,
-                            "a string of %ld characters runs past the section", length);
-        if ((size_t)length > file->input->limits.string_bytes)
-            return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters; the limit is %zu",
-                            length, file->input->limits.string_bytes);
-        end = begin + (size_t)length;
-        *at = past_blanks(text, end);
-    } else {
-        for (end = begin; end < text.length; end++)
-            if (text.bytes[end] == file->delimiter || text.bytes[end] == file->terminator)
-                break;
-        *at = end;
-        while (end > begin && text.bytes[end - 1] == ' ')
-            end--;
-    }
-    token->text = (bat_span){text.bytes + begin, end - begin};
-    if (*at == text.length)
-        return bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
-    if (text.bytes[*at] != file->delimiter && text.bytes[*at] != file->terminator)
-        return bat_fail(BATTEN_BAD_FORMAT, "a string of %ld characters is followed by '%c'",
-                        length, text.bytes[*at]);
-    return BATTEN_OK;
-}
-
-/* All tokens of a text up to its terminator; *used says how far that is. */
-static batten_status tokenise(bat_iges_file *file, bat_span text, size_t *used)
-{
-    batten_status status = BATTEN_OK;
-    bool more = true;
-    size_t at = 0;
-    file->tokens.count = 0;
-    while (status == BATTEN_OK && more) {
-        bat_iges_token token;
-        status = read_token(file, text, &at, &token);
-        if (status == BATTEN_OK) {
-            more = text.bytes[at] == file->delimiter;
-            at++;
-            status = bat_list_add(file->input, &file->tokens, &token);
-        }
-    }
-    *used = at;
-    return status;
-}
-
-static bool may_delimit(char c)
-{
-    return c > ' ' && c < 127 && !strchr("0123456789+-.DEH", c);
 }
 
 /* The first two global parameters, "1Hc" or nothing each, say the delimiters. */
@@ -379,32 +320,37 @@ static batten_status read_delimiters(bat_iges_file *file, bat_span text, size_t 
         return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0,
                               "the global section names '%c' and '%c' as delimiters", found[0],
                               found[1]);
-    file->delimiter = found[0];
-    file->terminator = found[1];
+    file->delimiters = (bat_iges_delimiters){found[0], found[1]};
     return BATTEN_OK;
 }
 
 batten_status bat_iges_global(bat_iges_file *file)
 {
-    bat_span text = {file->global.items, file->global.count};
-    size_t at = 0, used = 0;
+    const bat_span text = {file->global.text.items, file->global.text.count};
+    size_t at = 0;
+    bool done = false;
     if (text.length == 0)
         return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0, "there is no global section");
     batten_status status = read_delimiters(file, text, &at);
     if (status != BATTEN_OK)
         return status;
-    text = (bat_span){text.bytes + at, text.length - at};
-    status = tokenise(file, text, &used);
+    status = bat_iges_tokenise(file->input, file->delimiters, &file->global, &at, &done);
+    if (status == BATTEN_OK && !done)
+        status = bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
     if (status != BATTEN_BAD_FORMAT)
         return status;
     return bat_input_fail(file->input, status, 0, "global section: %.200s", batten_message());
 }
+
+/* ---- the parameters of an entry ---- */
 
 /* The place of the data record of that number, or the count when there is none. */
 static size_t find_data(const bat_iges_file *file, int number)
 {
     const bat_iges_data *data = file->data.items;
     size_t low = 0, high = file->data.count;
+    if (number > 0 && (size_t)number <= high && data[number - 1].number == number)
+        high = (size_t)number; /* nearly always */
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
         if (data[middle].number < number)
@@ -431,77 +377,50 @@ static batten_status check_data(const bat_iges_file *file, size_t first, size_t 
     return BATTEN_OK;
 }
 
-/* A small file may do what it likes. */
-#define SHARED_FREELY ((size_t)1 << 20)
-
-batten_status bat_iges_tokens(bat_iges_file *file, const bat_iges_entry *entry)
+/* Append records from *next on, up to one in which the terminator stands: there they may end.
+ */
+static batten_status gather(const bat_iges_file *file, size_t *next, bat_list *text)
 {
-    const size_t place = find_data(file, entry->data), begin = DATA_COLUMNS * place;
-    if (place == file->data.count)
-        return bat_fail(BATTEN_BAD_FORMAT, "its parameters should be in record %d, of %zu",
-                        entry->data, file->data.count);
-    const bat_span text = {(const char *)file->text.items + begin, file->text.count - begin};
-    size_t used = 0;
-    batten_status status = tokenise(file, text, &used);
-    /* Entries may share their parameters, but this keeps the work linear in the file. */
-    file->tokenised += used;
-    if (status == BATTEN_OK && file->tokenised > SHARED_FREELY + 8 * file->text.count)
-        status = bat_input_fail(file->input, BATTEN_TOO_LARGE, 0,
-                                "the entries share their parameters more than 8 times over");
-    if (status == BATTEN_OK)
-        status = check_data(file, place, place + (used - 1) / DATA_COLUMNS);
+    const bat_iges_data *data = file->data.items;
+    batten_status status = BATTEN_OK;
+    for (bool found = false; status == BATTEN_OK && !found && *next < file->data.count;) {
+        const bat_iges_data *record = &data[(*next)++];
+        const bat_span columns = {file->input->data + record->at, record->columns};
+        found = memchr(columns.bytes, file->delimiters.terminator, columns.length) != NULL;
+        status = append(file->input, text, columns, DATA_COLUMNS);
+    }
     return status;
 }
 
-/* ---- numbers ---- */
+/* A small file may do what it likes. */
+#define SHARED_FREELY ((size_t)1 << 20)
 
-/* Longer than any number that says something: a double has at most 767 significant digits. */
-#define LONGEST_NUMBER 1100
-
-batten_status bat_iges_real(const bat_iges_file *file, size_t index, double *value)
+batten_status bat_iges_read_parameters(bat_iges_file *file, const bat_iges_entry *entry,
+                                       bat_iges_parameters *parameters)
 {
-    const bat_iges_token *tokens = file->tokens.items;
-    const bat_iges_token none = {{"", 0}, false};
-    const bat_iges_token *token = index < file->tokens.count ? &tokens[index] : &none;
-    const bat_span text = token->text;
-    char copy[LONGEST_NUMBER];
-    double number = 0;
-    if (text.length == 0 && !token->is_string) {
-        *value = 0;
-        return BATTEN_OK;
+    const size_t place = find_data(file, entry->data);
+    size_t next = place, at = 0;
+    bool done = false;
+    batten_status status = BATTEN_OK;
+    parameters->text.count = parameters->tokens.count = 0;
+    if (place == file->data.count)
+        return bat_fail(BATTEN_BAD_FORMAT, "its parameters should be in record %d, of %zu",
+                        entry->data, file->data.count);
+    while (status == BATTEN_OK && !done && next < file->data.count) {
+        status = gather(file, &next, &parameters->text);
+        if (status == BATTEN_OK)
+            status =
+                bat_iges_tokenise(file->input, file->delimiters, parameters, &at, &done);
     }
-    if (token->is_string || text.length > sizeof copy)
-        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is no number but %s", index,
-                        token->is_string ? "a string" : "a long text");
-    memcpy(copy, text.bytes, text.length);
-    for (size_t i = 0; i < text.length; i++)
-        if (copy[i] == 'D' || copy[i] == 'd')
-            copy[i] = 'E';
-    const batten_status status = batten_number_read(copy, text.length, &number, NULL);
-    if (status != BATTEN_OK)
-        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', %s", index,
-                        (int)(text.length < 40 ? text.length : 40), text.bytes,
-                        status == BATTEN_OVERFLOW ? "is too large for a number"
-                                                  : "is not a number");
-    *value = number;
-    return BATTEN_OK;
-}
-
-batten_status bat_iges_integer(const bat_iges_file *file, size_t index, int *value)
-{
-    double number = 0;
-    batten_status status = bat_iges_real(file, index, &number);
-    if (status != BATTEN_OK)
-        return status;
-    const bat_iges_token *tokens = file->tokens.items;
-    const bat_span text = index < file->tokens.count ? tokens[index].text : (bat_span){"", 0};
-    for (size_t i = 0; i < text.length; i++)
-        if (!strchr("+-0123456789", text.bytes[i]))
-            return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', is not a whole number",
-                            index, (int)(text.length < 40 ? text.length : 40), text.bytes);
-    if (!(number >= -INT_MAX && number <= INT_MAX))
-        return bat_fail(BATTEN_BAD_FORMAT,
-                        "parameter %zu is %g, too large for a count or pointer", index, number);
-    *value = (int)number;
-    return BATTEN_OK;
+    if (status == BATTEN_OK && !done)
+        status = bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
+    /* Entries may share their parameters, but this keeps the work linear in the file. */
+    file->tokenised += parameters->text.count;
+    if (status == BATTEN_OK &&
+        file->tokenised > SHARED_FREELY + 16 * DATA_COLUMNS * file->data.count)
+        status = bat_input_fail(file->input, BATTEN_TOO_LARGE, 0,
+                                "the entries share their parameters more than 16 times over");
+    if (status == BATTEN_OK)
+        status = check_data(file, place, place + (at - 1) / DATA_COLUMNS);
+    return status;
 }

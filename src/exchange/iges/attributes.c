@@ -1,0 +1,238 @@
+#include "exchange/iges/attributes.h"
+#include "exchange/iges/references.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* ---- names ---- */
+
+static batten_status copy_text(bat_input *input, bat_span text, char **out)
+{
+    char *copied = NULL;
+    batten_status status = bat_input_array(input, text.length + 1, 1, &copied);
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(copied, text.bytes, text.length);
+    *out = copied;
+    return BATTEN_OK;
+}
+
+/* The name of a property 406 form 15, copied; *name stays NULL when `id` is something else. */
+static batten_status read_name_property(bat_iges_reading *reading, int id, char **name)
+{
+    const bat_iges_entry *entry = NULL;
+    bat_iges_item item;
+    bool is_string = false;
+    if (bat_iges_find_type(reading, id, 406, &entry) != BATTEN_OK || entry->form != 15)
+        return BATTEN_OK;
+    batten_status status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK) {
+        const bat_span text = bat_iges_text(item.parameters, 2, &is_string);
+        if (is_string && text.length > 0)
+            status = copy_text(reading->input, text, name);
+    }
+    bat_iges_close(&item);
+    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
+}
+
+/* After the item's own parameters stand a count and as many associativities, then a count and
+ * properties. */
+static batten_status read_properties(bat_iges_item *item, char **name)
+{
+    const bat_iges_parameters *parameters = item->parameters;
+    const size_t have = bat_iges_count_of(parameters);
+    int count = 0, id = 0;
+    size_t at = item->own;
+    if (at >= have || bat_iges_integer(parameters, at, &count) != BATTEN_OK || count < 0)
+        return BATTEN_OK;
+    at += 1 + (size_t)count;
+    if (at >= have || bat_iges_integer(parameters, at, &count) != BATTEN_OK || count < 1 ||
+        (size_t)count > have - at - 1)
+        return BATTEN_OK;
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < count && !*name; k++)
+        if (bat_iges_integer(parameters, at + 1 + (size_t)k, &id) == BATTEN_OK)
+            status = read_name_property(item->reading, id, name);
+    return status;
+}
+
+/* The name of an entry that has no property for it: its label, or its kind and number. */
+static void default_name(const bat_iges_item *item, char *name, size_t size)
+{
+    static const char *const words[] = {[BAT_IGES_AUXILIARY] = "group",
+                                        [BAT_IGES_PART] = "face",
+                                        [BAT_IGES_POINTS] = "points",
+                                        [BAT_IGES_CURVE] = "curve",
+                                        [BAT_IGES_SURFACE] = "surface",
+                                        [BAT_IGES_BODY] = "body",
+                                        [BAT_IGES_INSTANCE] = "instance",
+                                        [BAT_IGES_UNKNOWN] = "entity"};
+    const bat_iges_entry *entry = item->entry;
+    if (entry->label[0] && entry->subscript)
+        snprintf(name, size, "%s %d", entry->label, entry->subscript);
+    else if (entry->label[0])
+        snprintf(name, size, "%s", entry->label);
+    else
+        snprintf(name, size, "%s D%d", words[item->row->kind], entry->id);
+}
+
+batten_status bat_iges_name(bat_iges_item *item, char **name)
+{
+    char plain[32], *found = NULL;
+    batten_status status = read_properties(item, &found);
+    if (status == BATTEN_OK && !found) {
+        default_name(item, plain, sizeof plain);
+        status =
+            copy_text(item->reading->input, (bat_span){plain, strlen(plain)}, &found);
+    }
+    if (status == BATTEN_OK)
+        *name = found;
+    return status;
+}
+
+/* ---- colours and levels ---- */
+
+bool bat_iges_colour(bat_iges_reading *reading, int colour, double rgb[3])
+{
+    static const double named[9][3] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                       {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    const bat_iges_entry *entry = NULL;
+    bat_iges_item item;
+    double read[3];
+    if (colour > 0 && colour <= 8) {
+        memcpy(rgb, named[colour], sizeof named[colour]);
+        return true;
+    }
+    if (colour >= 0 || bat_iges_find_type(reading, -colour, 314, &entry) != BATTEN_OK)
+        return false;
+    bool good = bat_iges_open(reading, entry, &item) == BATTEN_OK &&
+                bat_iges_reals(item.parameters, 1, 3, read) == BATTEN_OK;
+    bat_iges_close(&item);
+    for (int k = 0; good && k < 3; k++)
+        good = read[k] >= 0 && read[k] <= 100;
+    for (int k = 0; good && k < 3; k++)
+        rgb[k] = read[k] / 100;
+    return good;
+}
+
+void bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
+                    char layer[BAT_IGES_LAYER])
+{
+    const bat_iges_entry *levels = NULL;
+    bat_iges_item item;
+    int level = entry->level;
+    layer[0] = '\0';
+    /* Minus the id of a property with several levels: the first of them. */
+    if (level < 0) {
+        const int id = -level;
+        level = 0;
+        if (bat_iges_find_type(reading, id, 406, &levels) != BATTEN_OK || levels->form != 1)
+            return;
+        if (bat_iges_open(reading, levels, &item) != BATTEN_OK ||
+            bat_iges_integer(item.parameters, 2, &level) != BATTEN_OK)
+            level = 0;
+        bat_iges_close(&item);
+    }
+    if (level > 0)
+        snprintf(layer, BAT_IGES_LAYER, "%d", level);
+}
+
+/* ---- groups ---- */
+
+typedef struct {
+    size_t place; /* of its entry */
+    char *name;
+} group;
+
+void bat_iges_start_groups(bat_iges_reading *reading)
+{
+    reading->groups = (bat_list){.size = sizeof(group)};
+}
+
+static bool is_group(const bat_iges_entry *entry)
+{
+    return entry->type == 402 && !entry->is_broken &&
+           (entry->form == 1 || entry->form == 7 || entry->form == 14 || entry->form == 15);
+}
+
+/* Give its members their group; the first that claims one has it. */
+static batten_status read_group(bat_iges_reading *reading, const bat_iges_entry *entry)
+{
+    bat_iges_item item;
+    group made = {.place = bat_iges_place_of(reading, entry)};
+    int count = 0;
+    batten_status status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = bat_iges_read_count(&item, 1, 2, 1, &count);
+    if (status == BATTEN_OK) {
+        item.own = 2 + (size_t)count;
+        status = bat_iges_name(&item, &made.name);
+    }
+    if (status == BATTEN_OK)
+        status = bat_list_add(reading->input, &reading->groups, &made);
+    if (status != BATTEN_OK)
+        bat_release(made.name);
+    for (int k = 0; status == BATTEN_OK && k < count; k++) {
+        const bat_iges_entry *member = NULL;
+        int id = 0;
+        if (bat_iges_integer(item.parameters, 2 + (size_t)k, &id) == BATTEN_OK &&
+            bat_iges_find(reading, id, &member) == BATTEN_OK && member != entry &&
+            bat_iges_shape_of(reading, member)->group == 0)
+            bat_iges_shape_of(reading, member)->group = (int)reading->groups.count;
+    }
+    if (status == BATTEN_BAD_FORMAT)
+        bat_iges_note(reading, entry, "%.300s; it groups nothing", batten_message());
+    bat_iges_close(&item);
+    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
+}
+
+batten_status bat_iges_read_groups(bat_iges_reading *reading)
+{
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < reading->file.entries.count; k++)
+        if (is_group(bat_iges_entry_at(reading, k)))
+            status = read_group(reading, bat_iges_entry_at(reading, k));
+    return status;
+}
+
+void bat_iges_end_groups(bat_iges_reading *reading)
+{
+    group *groups = reading->groups.items;
+    for (size_t k = 0; k < reading->groups.count; k++)
+        bat_release(groups[k].name);
+    bat_release(reading->groups.items);
+}
+
+batten_status bat_iges_group(bat_iges_reading *reading, const bat_iges_entry *entry, char **out)
+{
+    const group *groups = reading->groups.items;
+    const int first = bat_iges_shape_of(reading, entry)->group;
+    size_t length = 0;
+    int depth = 0;
+    for (int g = first; g != 0; g = reading->shapes[groups[g - 1].place].group) {
+        length += strlen(groups[g - 1].name) + 1;
+        if (++depth > reading->input->limits.nesting ||
+            length > reading->input->limits.string_bytes) {
+            bat_iges_note(reading, entry,
+                          "its groups are in one another in a ring, or more than %d deep; "
+                          "taken as in none",
+                          reading->input->limits.nesting);
+            return copy_text(reading->input, (bat_span){"", 0}, out);
+        }
+    }
+    char *path = NULL;
+    batten_status status = bat_input_array(reading->input, length + 1, 1, &path);
+    if (status != BATTEN_OK)
+        return status;
+    /* From the innermost at the end to the outermost at the beginning. */
+    size_t at = length ? length - 1 : 0;
+    for (int g = first; g != 0; g = reading->shapes[groups[g - 1].place].group) {
+        const size_t name = strlen(groups[g - 1].name);
+        at -= name;
+        memcpy(path + at, groups[g - 1].name, name);
+        if (at > 0)
+            path[--at] = '/';
+    }
+    *out = path;
+    return BATTEN_OK;
+}

@@ -1,0 +1,147 @@
+#include "exchange/iges/objects.h"
+#include "exchange/iges/attributes.h"
+#include "exchange/iges/references.h"
+
+#include <string.h>
+
+static batten_status leave_out(bat_iges_reading *reading, const bat_iges_entry *entry,
+                               const char *why)
+{
+    bat_iges_note(reading, entry, "%.300s; left out", why);
+    reading->input->left_out++;
+    return bat_census_leave(reading->input, &reading->census,
+                            bat_iges_row_of(entry->type)->name);
+}
+
+static batten_object_kind kind_of(const bat_iges_item *item)
+{
+    return item->curve        ? BATTEN_OBJECT_CURVE
+           : item->surface    ? BATTEN_OBJECT_SURFACE
+           : item->body       ? BATTEN_OBJECT_BODY
+           : item->definition ? BATTEN_OBJECT_INSTANCE
+                              : BATTEN_OBJECT_POINTS;
+}
+
+static batten_status add_object(bat_iges_item *item, batten_model *model)
+{
+    const bat_iges_entry *entry = item->entry;
+    char *name = NULL, *group = NULL, layer[BAT_IGES_LAYER];
+    batten_status status = bat_iges_name(item, &name);
+    if (status == BATTEN_OK)
+        status = bat_iges_group(item->reading, entry, &group);
+    if (status == BATTEN_OK) {
+        bat_iges_layer(item->reading, entry, layer);
+        batten_object object = {.name = name,
+                                .layer = layer,
+                                .group = group,
+                                .is_hidden = entry->hidden != 0,
+                                .kind = kind_of(item),
+                                .curve = item->curve,
+                                .surface = item->surface,
+                                .body = item->body,
+                                .definition = item->definition,
+                                .place = item->place,
+                                .point_count = item->point_count,
+                                .points = item->points};
+        object.has_colour = bat_iges_colour(item->reading, entry->colour, object.colour);
+        status = batten_model_add(model, &object);
+    }
+    bat_release(group);
+    bat_release(name);
+    return status;
+}
+
+batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entry,
+                           batten_model *model)
+{
+    bat_iges_item item;
+    bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
+    if (shape->state == BAT_IGES_BUSY) {
+        bat_fail(BATTEN_BAD_FORMAT, "it is a part of itself");
+        return leave_out(reading, entry, batten_message());
+    }
+    const bat_iges_state before = shape->state;
+    shape->state = BAT_IGES_BUSY;
+    batten_status status = bat_iges_decode(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = add_object(&item, model);
+    const char *name = item.row->name;
+    bat_iges_close(&item);
+    shape->state = before == BAT_IGES_READ     ? before
+                   : status == BATTEN_OK ? BAT_IGES_READ
+                                         : BAT_IGES_BAD;
+    if (status == BATTEN_OK)
+        return bat_census_read(reading->input, &reading->census, name);
+    return bat_iges_is_fault_of_data(status) ? leave_out(reading, entry, batten_message())
+                                             : status;
+}
+
+/* ---- roots ---- */
+
+/* Entities that nothing refers to, though they call themselves parts, and the reverse. */
+typedef struct {
+    int orphans;
+} oddities;
+
+/* Geometry that stands for itself; what a drawing or a definition needs is none. */
+static batten_status add_root(bat_iges_reading *reading, size_t place, oddities *odd)
+{
+    const bat_iges_entry *entry = bat_iges_entry_at(reading, place);
+    const bat_iges_row *row = bat_iges_row_of(entry->type);
+    if (entry->is_broken)
+        return leave_out(reading, entry, "its entry in the directory is damaged");
+    if (row->kind == BAT_IGES_AUXILIARY || row->kind == BAT_IGES_PART ||
+        reading->shapes[place].is_part || entry->use == 5)
+        return BATTEN_OK;
+    if (entry->use != 0 || row->kind == BAT_IGES_UNKNOWN) {
+        reading->input->left_out++;
+        return bat_census_leave(reading->input, &reading->census, row->name);
+    }
+    odd->orphans += entry->subordinate == 1 || entry->subordinate == 3;
+    return bat_iges_add(reading, entry, reading->model);
+}
+
+/* What is a part of something but was never reached: a ring of parts, say. */
+static batten_status look_for_rings(bat_iges_reading *reading)
+{
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < reading->file.entries.count; k++) {
+        const bat_iges_entry *entry = bat_iges_entry_at(reading, k);
+        bat_iges_item item;
+        if (entry->is_broken || reading->shapes[k].state != BAT_IGES_NEW ||
+            !reading->shapes[k].is_part || !bat_iges_row_of(entry->type)->references ||
+            !bat_iges_row_of(entry->type)->read)
+            continue;
+        reading->shapes[k].state = BAT_IGES_BUSY;
+        status = bat_iges_decode(reading, entry, &item);
+        bat_iges_close(&item);
+        reading->shapes[k].state = BAT_IGES_BAD;
+        if (bat_iges_is_fault_of_data(status) && status == BATTEN_BAD_FORMAT)
+            status = leave_out(reading, entry, batten_message());
+        else if (bat_iges_is_fault_of_data(status))
+            status = BATTEN_OK;
+    }
+    return status;
+}
+
+batten_status bat_iges_add_roots(bat_iges_reading *reading)
+{
+    bat_input *input = reading->input;
+    const size_t count = reading->file.entries.count;
+    oddities odd = {0};
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < count; k++) {
+        if (k % 64 == 0)
+            status = bat_input_step(input, k * input->size / count);
+        if (status == BATTEN_OK)
+            status = add_root(reading, k, &odd);
+    }
+    if (status == BATTEN_OK)
+        status = look_for_rings(reading);
+    if (odd.orphans)
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "%d entities call themselves parts of others, but nothing refers to "
+                         "them; they are read on their own",
+                         odd.orphans);
+    return status;
+}

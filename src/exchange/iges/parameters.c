@@ -1,0 +1,234 @@
+#include "exchange/iges/parameters.h"
+
+#include <batten/number.h>
+#include <limits.h>
+#include <string.h>
+
+/* Longer than any number that says something: a double has at most 767 significant digits. */
+#define LONGEST_NUMBER 1100
+
+void bat_iges_parameters_begin(bat_iges_parameters *parameters)
+{
+    *parameters =
+        (bat_iges_parameters){.text = {.size = 1}, .tokens = {.size = sizeof(bat_iges_token)}};
+}
+
+void bat_iges_parameters_end(bat_iges_parameters *parameters)
+{
+    bat_release(parameters->text.items);
+    bat_release(parameters->tokens.items);
+    bat_iges_parameters_begin(parameters);
+}
+
+/* ---- tokens ---- */
+
+static bool ends(bat_iges_delimiters delimiters, char c)
+{
+    return c == delimiters.delimiter || c == delimiters.terminator;
+}
+
+static size_t past_blanks(bat_span text, size_t at)
+{
+    while (at < text.length && text.bytes[at] == ' ')
+        at++;
+    return at;
+}
+
+/* "nH" at the beginning: the length of the string, and where it begins; else -1. */
+static long hollerith(bat_span text, size_t at, size_t *begin)
+{
+    long length = 0;
+    size_t i = at;
+    while (i < text.length && text.bytes[i] >= '0' && text.bytes[i] <= '9' && length < INT_MAX)
+        length = 10 * length + (text.bytes[i++] - '0');
+    *begin = i + 1;
+    return i > at && i < text.length && text.bytes[i] == 'H' ? length : -1;
+}
+
+/* A string from `at` on, of `length` characters from `begin` on. */
+static batten_status read_string(const bat_input *input, bat_iges_delimiters delimiters,
+                                 bat_span text, size_t begin, size_t length, size_t *end,
+                                 bat_iges_token *token)
+{
+    if (length > input->limits.string_bytes)
+        return bat_fail(BATTEN_BAD_FORMAT, "a string of %zu characters; the limit is %zu",
+                        length, input->limits.string_bytes);
+    *end = length > text.length - begin ? text.length : past_blanks(text, begin + length);
+    *token = (bat_iges_token){
+        .begin = (uint32_t)begin, .length = (uint32_t)length, .kind = BAT_IGES_STRING};
+    if (*end < text.length && !ends(delimiters, text.bytes[*end]))
+        return bat_fail(BATTEN_BAD_FORMAT, "a string of %zu characters is followed by '%c'",
+                        length, text.bytes[*end]);
+    return BATTEN_OK;
+}
+
+/* A number that is not written as we write it: with a D, or none at all. */
+static bat_iges_token odd_token(bat_span text, size_t begin, size_t end)
+{
+    char copy[LONGEST_NUMBER];
+    bat_iges_token token = {.begin = (uint32_t)begin, .kind = BAT_IGES_OTHER};
+    while (end > begin && text.bytes[end - 1] == ' ')
+        end--;
+    token.length = (uint32_t)(end - begin);
+    if (end == begin)
+        token.kind = BAT_IGES_EMPTY;
+    if (end == begin || end - begin > sizeof copy)
+        return token;
+    for (size_t i = begin; i < end; i++)
+        copy[i - begin] =
+            text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
+    if (batten_number_read(copy, end - begin, &token.value, NULL) == BATTEN_OK)
+        token.kind = BAT_IGES_NUMBER;
+    return token;
+}
+
+/* The token at `begin`; *end is where its delimiter is, or the end of the text. */
+static batten_status read_token(const bat_input *input, bat_iges_delimiters delimiters,
+                                bat_span text, size_t begin, size_t *end, bat_iges_token *token)
+{
+    size_t used = 0, skip = 0;
+    const char first = text.bytes[begin];
+    const bool is_number = (first >= '0' && first <= '9') || first == '-' || first == '.' || first == '+';
+    if (is_number && batten_number_read(text.bytes + begin, text.length - begin, &token->value,
+                                        &used) == BATTEN_OK) {
+        *end = past_blanks(text, begin + used);
+        if (*end < text.length && ends(delimiters, text.bytes[*end])) {
+            token->begin = (uint32_t)begin;
+            token->length = (uint32_t)used;
+            token->kind = BAT_IGES_NUMBER;
+            return BATTEN_OK;
+        }
+    }
+    const long length = hollerith(text, begin, &skip);
+    if (length >= 0)
+        return read_string(input, delimiters, text, skip, (size_t)length, end, token);
+    for (*end = begin; *end < text.length; ++*end)
+        if (ends(delimiters, text.bytes[*end]))
+            break;
+    if (*end < text.length)
+        *token = odd_token(text, begin, *end);
+    return BATTEN_OK;
+}
+
+static batten_status add_token(bat_input *input, bat_list *tokens, const bat_iges_token *token)
+{
+    if (tokens->count == tokens->capacity)
+        return bat_list_add(input, tokens, token);
+    ((bat_iges_token *)tokens->items)[tokens->count++] = *token;
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters,
+                                bat_iges_parameters *parameters, size_t *at, bool *done)
+{
+    const bat_span text = {parameters->text.items, parameters->text.count};
+    batten_status status = BATTEN_OK;
+    if (text.length > UINT32_MAX)
+        return bat_fail(BATTEN_BAD_FORMAT, "its parameters have more than %u characters",
+                        UINT32_MAX);
+    *done = false;
+    while (status == BATTEN_OK && !*done) {
+        bat_iges_token token = {.kind = BAT_IGES_EMPTY};
+        const size_t begin = past_blanks(text, *at);
+        size_t end = begin;
+        if (begin == text.length)
+            return BATTEN_OK;
+        if (!ends(delimiters, text.bytes[begin]))
+            status = read_token(input, delimiters, text, begin, &end, &token);
+        if (status != BATTEN_OK || end == text.length)
+            return status;
+        *done = text.bytes[end] == delimiters.terminator;
+        *at = end + 1;
+        status = add_token(input, &parameters->tokens, &token);
+    }
+    return status;
+}
+
+/* ---- values ---- */
+
+size_t bat_iges_count_of(const bat_iges_parameters *parameters)
+{
+    return parameters->tokens.count;
+}
+
+static const bat_iges_token *token_at(const bat_iges_parameters *parameters, size_t index)
+{
+    static const bat_iges_token none = {.kind = BAT_IGES_EMPTY};
+    const bat_iges_token *tokens = parameters->tokens.items;
+    return index < parameters->tokens.count ? &tokens[index] : &none;
+}
+
+static bat_span text_of(const bat_iges_parameters *parameters, const bat_iges_token *token)
+{
+    if (token->length == 0)
+        return (bat_span){"", 0};
+    return (bat_span){(const char *)parameters->text.items + token->begin, token->length};
+}
+
+bat_span bat_iges_text(const bat_iges_parameters *parameters, size_t index, bool *is_string)
+{
+    const bat_iges_token *token = token_at(parameters, index);
+    *is_string = token->kind == BAT_IGES_STRING;
+    return text_of(parameters, token);
+}
+
+/* Say why a parameter is no number. */
+static batten_status refuse(const bat_iges_parameters *parameters, size_t index)
+{
+    const bat_iges_token *token = token_at(parameters, index);
+    const bat_span text = text_of(parameters, token);
+    char copy[64];
+    const size_t length = text.length < sizeof copy ? text.length : sizeof copy;
+    if (token->kind == BAT_IGES_STRING || text.length > LONGEST_NUMBER)
+        return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu is no number but %s", index,
+                        token->kind == BAT_IGES_STRING ? "a string" : "a long text");
+    for (size_t i = 0; i < length; i++)
+        copy[i] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
+    double value;
+    const bool is_large = text.length <= sizeof copy &&
+                          batten_number_read(copy, length, &value, NULL) == BATTEN_OVERFLOW;
+    return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', %s", index,
+                    (int)(text.length < 40 ? text.length : 40), text.bytes,
+                    is_large ? "is too large for a number" : "is not a number");
+}
+
+batten_status bat_iges_real(const bat_iges_parameters *parameters, size_t index, double *value)
+{
+    const bat_iges_token *token = token_at(parameters, index);
+    if (token->kind == BAT_IGES_NUMBER)
+        *value = token->value;
+    else if (token->kind == BAT_IGES_EMPTY)
+        *value = 0;
+    else
+        return refuse(parameters, index);
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_reals(const bat_iges_parameters *parameters, size_t first, size_t count,
+                             double *values)
+{
+    for (size_t i = 0; i < count; i++) {
+        batten_status status = bat_iges_real(parameters, first + i, &values[i]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_integer(const bat_iges_parameters *parameters, size_t index, int *value)
+{
+    double number = 0;
+    batten_status status = bat_iges_real(parameters, index, &number);
+    if (status != BATTEN_OK)
+        return status;
+    const bat_span text = text_of(parameters, token_at(parameters, index));
+    for (size_t i = 0; i < text.length; i++)
+        if (!strchr("+-0123456789", text.bytes[i]))
+            return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, '%.*s', is not a whole number",
+                            index, (int)(text.length < 40 ? text.length : 40), text.bytes);
+    if (!(number >= -INT_MAX && number <= INT_MAX))
+        return bat_fail(BATTEN_BAD_FORMAT,
+                        "parameter %zu is %g, too large for a count or pointer", index, number);
+    *value = (int)number;
+    return BATTEN_OK;
+}
