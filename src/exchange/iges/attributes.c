@@ -59,14 +59,11 @@ static batten_status read_properties(bat_iges_item *item, char **name)
 /* The name of an entry that has no property for it: its label, or its kind and number. */
 static void default_name(const bat_iges_item *item, char *name, size_t size)
 {
-    static const char *const words[] = {[BAT_IGES_AUXILIARY] = "group",
-                                        [BAT_IGES_PART] = "face",
-                                        [BAT_IGES_POINTS] = "points",
-                                        [BAT_IGES_CURVE] = "curve",
-                                        [BAT_IGES_SURFACE] = "surface",
-                                        [BAT_IGES_BODY] = "body",
-                                        [BAT_IGES_INSTANCE] = "instance",
-                                        [BAT_IGES_UNKNOWN] = "entity"};
+    static const char *const words[] = {
+        [BAT_IGES_AUXILIARY] = "group",   [BAT_IGES_PART] = "face",
+        [BAT_IGES_POINTS] = "points",     [BAT_IGES_CURVE] = "curve",
+        [BAT_IGES_SURFACE] = "surface",   [BAT_IGES_BODY] = "body",
+        [BAT_IGES_INSTANCE] = "instance", [BAT_IGES_UNKNOWN] = "entity"};
     const bat_iges_entry *entry = item->entry;
     if (entry->label[0] && entry->subscript)
         snprintf(name, size, "%s %d", entry->label, entry->subscript);
@@ -82,8 +79,7 @@ batten_status bat_iges_name(bat_iges_item *item, char **name)
     batten_status status = read_properties(item, &found);
     if (status == BATTEN_OK && !found) {
         default_name(item, plain, sizeof plain);
-        status =
-            copy_text(item->reading->input, (bat_span){plain, strlen(plain)}, &found);
+        status = copy_text(item->reading->input, (bat_span){plain, strlen(plain)}, &found);
     }
     if (status == BATTEN_OK)
         *name = found;
@@ -92,49 +88,70 @@ batten_status bat_iges_name(bat_iges_item *item, char **name)
 
 /* ---- colours and levels ---- */
 
-bool bat_iges_colour(bat_iges_reading *reading, int colour, double rgb[3])
+/* What a status is when bad data count as none. */
+static batten_status forgiving(batten_status status)
 {
-    static const double named[9][3] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
-                                       {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
+}
+
+static batten_status read_percents(bat_iges_reading *reading, int id, bool *has, double rgb[3])
+{
     const bat_iges_entry *entry = NULL;
     bat_iges_item item;
-    double read[3];
-    if (colour > 0 && colour <= 8) {
-        memcpy(rgb, named[colour], sizeof named[colour]);
-        return true;
-    }
-    if (colour >= 0 || bat_iges_find_type(reading, -colour, 314, &entry) != BATTEN_OK)
-        return false;
-    bool good = bat_iges_open(reading, entry, &item) == BATTEN_OK &&
-                bat_iges_reals(item.parameters, 1, 3, read) == BATTEN_OK;
+    double read[3] = {0};
+    if (bat_iges_find_type(reading, id, 314, &entry) != BATTEN_OK)
+        return BATTEN_OK;
+    batten_status status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = bat_iges_reals(item.parameters, 1, 3, read);
     bat_iges_close(&item);
+    bool good = status == BATTEN_OK;
     for (int k = 0; good && k < 3; k++)
         good = read[k] >= 0 && read[k] <= 100;
     for (int k = 0; good && k < 3; k++)
         rgb[k] = read[k] / 100;
-    return good;
+    *has = good;
+    return forgiving(status);
 }
 
-void bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
-                    char layer[BAT_IGES_LAYER])
+batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, double rgb[3])
 {
-    const bat_iges_entry *levels = NULL;
+    static const double named[9][3] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                       {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    *has = colour > 0 && colour <= 8;
+    if (*has)
+        memcpy(rgb, named[colour], sizeof named[colour]);
+    return colour < 0 ? read_percents(reading, -colour, has, rgb) : BATTEN_OK;
+}
+
+/* The first of the levels that a property 406 form 1 lists. */
+static batten_status first_level(bat_iges_reading *reading, int id, int *level)
+{
+    const bat_iges_entry *entry = NULL;
     bat_iges_item item;
+    if (bat_iges_find_type(reading, id, 406, &entry) != BATTEN_OK || entry->form != 1)
+        return BATTEN_OK;
+    batten_status status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = bat_iges_integer(item.parameters, 2, level);
+    bat_iges_close(&item);
+    return forgiving(status);
+}
+
+batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
+                             char layer[BAT_IGES_LAYER])
+{
     int level = entry->level;
+    batten_status status = BATTEN_OK;
     layer[0] = '\0';
-    /* Minus the id of a property with several levels: the first of them. */
     if (level < 0) {
         const int id = -level;
         level = 0;
-        if (bat_iges_find_type(reading, id, 406, &levels) != BATTEN_OK || levels->form != 1)
-            return;
-        if (bat_iges_open(reading, levels, &item) != BATTEN_OK ||
-            bat_iges_integer(item.parameters, 2, &level) != BATTEN_OK)
-            level = 0;
-        bat_iges_close(&item);
+        status = first_level(reading, id, &level);
     }
     if (level > 0)
         snprintf(layer, BAT_IGES_LAYER, "%d", level);
+    return status;
 }
 
 /* ---- groups ---- */

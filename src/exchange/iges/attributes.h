@@ -6,12 +6,12 @@
 /* The name of an item from its properties, its label, or its number: yours to release. */
 batten_status bat_iges_name(bat_iges_item *item, char **name);
 /* 0 is none; 1..8 are named; minus the id of a 314 gives percents. A bad one is none. */
-bool bat_iges_colour(bat_iges_reading *reading, int colour, double rgb[3]);
+batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, double rgb[3]);
 
 enum { BAT_IGES_LAYER = 16 };
-/* "" for level 0. */
-void bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
-                    char layer[BAT_IGES_LAYER]);
+/* "" for level 0; of minus the id of a property with several levels the first of them. */
+batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
+                             char layer[BAT_IGES_LAYER]);
 
 void bat_iges_start_groups(bat_iges_reading *reading);
 /* Find out which entries belong to which groups. */

@@ -44,8 +44,7 @@ static batten_status move_curves(bat_iges_item *item, bat_iges_curves *curves, s
     batten_curve **at = curves->at.items;
     if (item->entry->transform == 0 || item->entry->use == 5)
         return BATTEN_OK;
-    batten_status status =
-        bat_iges_transform(item->reading, item->entry->transform, &map);
+    batten_status status = bat_iges_transform(item->reading, item->entry->transform, &map);
     for (size_t k = first; status == BATTEN_OK && k < curves->at.count; k++) {
         batten_curve *moved = NULL;
         status = batten_curve_transform(at[k], &map, &moved);

@@ -46,8 +46,7 @@ static batten_status central(const equation *q, canonical *out)
     out->a = sqrt(r / l1);
     out->b = sqrt(determinant > 0 ? r / l2 : -r / l2);
     /* The branch on which the start is. */
-    if (determinant < 0 &&
-        (q->s[0] - x) * cos(angle) + (q->s[1] - y) * sin(angle) < 0)
+    if (determinant < 0 && (q->s[0] - x) * cos(angle) + (q->s[1] - y) * sin(angle) < 0)
         out->angle += BAT_PI;
     return BATTEN_OK;
 }
@@ -85,9 +84,8 @@ static batten_status make_canonical(const equation *q, canonical *out)
     const double largest = bat_max(fabs(q->a), bat_max(fabs(q->b), fabs(q->c)));
     if (!(largest > 0 && isfinite(largest)))
         return bat_fail(BATTEN_SINGULAR_HERE, "an equation without a quadratic term");
-    batten_status status = fabs(determinant) <= 1e-12 * scale || scale == 0
-                               ? parabola(q, out)
-                               : central(q, out);
+    batten_status status =
+        fabs(determinant) <= 1e-12 * scale || scale == 0 ? parabola(q, out) : central(q, out);
     if (status == BATTEN_OK && !(out->a > 0 && isfinite(out->a) && isfinite(out->b) &&
                                  (out->kind == BAT_PARABOLA || out->b > 0) &&
                                  isfinite(out->origin[0]) && isfinite(out->origin[1])))
@@ -103,7 +101,7 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
     static const bat_conic_kind kinds[] = {BAT_ELLIPSE, BAT_ELLIPSE, BAT_HYPERBOLA,
                                            BAT_PARABOLA};
     double v[11];
-    canonical form;
+    canonical form = {.kind = BAT_ELLIPSE};
     batten_status status = bat_iges_need(item, 12);
     if (status == BATTEN_OK)
         status = bat_iges_reals(item->parameters, 1, 11, v);
@@ -127,8 +125,8 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
                              form.b};
     const double start[3] = {q.s[0], q.s[1], q.z}, end[3] = {q.t[0], q.t[1], q.z};
     /* An ellipse runs counter-clockwise; of the others the two points say the direction. */
-    const bool forward = form.kind == BAT_ELLIPSE || bat_conic_parameter(&conic, start) <
-                                                         bat_conic_parameter(&conic, end);
+    const bool forward = form.kind == BAT_ELLIPSE ||
+                         bat_conic_parameter(&conic, start) < bat_conic_parameter(&conic, end);
     const double size = bat_max(form.a, hypot(q.s[0] - q.t[0], q.s[1] - q.t[1]));
     return bat_conic_part(&conic, start, end, forward, bat_iges_tolerance(item->reading, size),
                           &item->curve);

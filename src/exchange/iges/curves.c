@@ -102,14 +102,13 @@ batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
     status = bat_iges_real_array(item, 7, knots + 4 * count, &numbers);
     if (status == BATTEN_OK) {
         const double *weights = numbers + knots;
-        const bool rational =
-            bat_iges_weights_matter(item, head[4] != 0, count, weights);
+        const bool rational = bat_iges_weights_matter(item, head[4] != 0, count, weights);
         status = batten_curve_create(3, degree, (int)count, weights + count,
                                      rational ? weights : NULL, numbers, &item->curve);
     }
     if (status == BATTEN_OK)
-        status = restrict_curve(
-            bat_iges_interval(item, end, batten_curve_domain(item->curve)), &item->curve);
+        status = restrict_curve(bat_iges_interval(item, end, batten_curve_domain(item->curve)),
+                                &item->curve);
     item->own = end + 5;
     bat_release(numbers);
     return status;
@@ -200,6 +199,9 @@ batten_status bat_iges_read_copious(bat_iges_item *item)
 {
     int kind = 0, count = 0;
     double common = 0, *points = NULL;
+    const int form = item->entry->form;
+    if (form > 3 && form != 63 && (form < 11 || form > 13))
+        return bat_fail(BATTEN_UNSUPPORTED, "its form %d is not read", form);
     batten_status status = bat_iges_integer(item->parameters, 1, &kind);
     if (status == BATTEN_OK && (kind < 1 || kind > 3))
         status = bat_fail(BATTEN_BAD_FORMAT, "its points are of kind %d, not 1, 2 or 3", kind);
@@ -220,9 +222,8 @@ batten_status bat_iges_read_copious(bat_iges_item *item)
                                 &points[3 * i]);
     }
     item->own = first + width * (size_t)count;
-    if (status == BATTEN_OK && item->entry->form > 3) {
-        if (item->entry->form == 63 &&
-            memcmp(points, points + 3 * (count - 1), 3 * sizeof *points) != 0)
+    if (status == BATTEN_OK && form > 3) {
+        if (form == 63 && memcmp(points, points + 3 * (count - 1), 3 * sizeof *points) != 0)
             memcpy(points + 3 * count++, points, 3 * sizeof *points);
         status = make_polyline(item, count, points);
     } else if (status == BATTEN_OK) {

@@ -3,15 +3,15 @@
 #define BAT_IGES_CURVES_H
 #include "exchange/iges/reading.h"
 
-batten_status bat_iges_read_arc(bat_iges_item *item);           /* 100 */
-batten_status bat_iges_read_composite(bat_iges_item *item);     /* 102 */
-batten_status bat_iges_read_conic(bat_iges_item *item);         /* 104 */
-batten_status bat_iges_read_copious(bat_iges_item *item);       /* 106, curves and points */
-batten_status bat_iges_read_line(bat_iges_item *item);          /* 110 */
-batten_status bat_iges_read_spline_curve(bat_iges_item *item);  /* 112 */
-batten_status bat_iges_read_point(bat_iges_item *item);         /* 116 */
-batten_status bat_iges_read_nurbs_curve(bat_iges_item *item);   /* 126 */
-batten_status bat_iges_read_offset_curve(bat_iges_item *item);  /* 130 */
+batten_status bat_iges_read_arc(bat_iges_item *item);          /* 100 */
+batten_status bat_iges_read_composite(bat_iges_item *item);    /* 102 */
+batten_status bat_iges_read_conic(bat_iges_item *item);        /* 104 */
+batten_status bat_iges_read_copious(bat_iges_item *item);      /* 106, curves and points */
+batten_status bat_iges_read_line(bat_iges_item *item);         /* 110 */
+batten_status bat_iges_read_spline_curve(bat_iges_item *item); /* 112 */
+batten_status bat_iges_read_point(bat_iges_item *item);        /* 116 */
+batten_status bat_iges_read_nurbs_curve(bat_iges_item *item);  /* 126 */
+batten_status bat_iges_read_offset_curve(bat_iges_item *item); /* 130 */
 
 /* Some curves, each counted once more. */
 typedef struct {

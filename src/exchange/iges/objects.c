@@ -26,24 +26,30 @@ static batten_status add_object(bat_iges_item *item, batten_model *model)
 {
     const bat_iges_entry *entry = item->entry;
     char *name = NULL, *group = NULL, layer[BAT_IGES_LAYER];
+    bool has_colour = false;
+    double rgb[3] = {0};
     batten_status status = bat_iges_name(item, &name);
     if (status == BATTEN_OK)
         status = bat_iges_group(item->reading, entry, &group);
+    if (status == BATTEN_OK)
+        status = bat_iges_layer(item->reading, entry, layer);
+    if (status == BATTEN_OK)
+        status = bat_iges_colour(item->reading, entry->colour, &has_colour, rgb);
     if (status == BATTEN_OK) {
-        bat_iges_layer(item->reading, entry, layer);
-        batten_object object = {.name = name,
-                                .layer = layer,
-                                .group = group,
-                                .is_hidden = entry->hidden != 0,
-                                .kind = kind_of(item),
-                                .curve = item->curve,
-                                .surface = item->surface,
-                                .body = item->body,
-                                .definition = item->definition,
-                                .place = item->place,
-                                .point_count = item->point_count,
-                                .points = item->points};
-        object.has_colour = bat_iges_colour(item->reading, entry->colour, object.colour);
+        const batten_object object = {.name = name,
+                                      .layer = layer,
+                                      .has_colour = has_colour,
+                                      .colour = {rgb[0], rgb[1], rgb[2]},
+                                      .group = group,
+                                      .is_hidden = entry->hidden != 0,
+                                      .kind = kind_of(item),
+                                      .curve = item->curve,
+                                      .surface = item->surface,
+                                      .body = item->body,
+                                      .definition = item->definition,
+                                      .place = item->place,
+                                      .point_count = item->point_count,
+                                      .points = item->points};
         status = batten_model_add(model, &object);
     }
     bat_release(group);
@@ -67,9 +73,9 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
         status = add_object(&item, model);
     const char *name = item.row->name;
     bat_iges_close(&item);
-    shape->state = before == BAT_IGES_READ     ? before
-                   : status == BATTEN_OK ? BAT_IGES_READ
-                                         : BAT_IGES_BAD;
+    shape->state = before == BAT_IGES_READ ? before
+                   : status == BATTEN_OK   ? BAT_IGES_READ
+                                           : BAT_IGES_BAD;
     if (status == BATTEN_OK)
         return bat_census_read(reading->input, &reading->census, name);
     return bat_iges_is_fault_of_data(status) ? leave_out(reading, entry, batten_message())

@@ -75,8 +75,7 @@ static bat_iges_token odd_token(bat_span text, size_t begin, size_t end)
     if (end == begin || end - begin > sizeof copy)
         return token;
     for (size_t i = begin; i < end; i++)
-        copy[i - begin] =
-            text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
+        copy[i - begin] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
     if (batten_number_read(copy, end - begin, &token.value, NULL) == BATTEN_OK)
         token.kind = BAT_IGES_NUMBER;
     return token;
@@ -88,7 +87,8 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
 {
     size_t used = 0, skip = 0;
     const char first = text.bytes[begin];
-    const bool is_number = (first >= '0' && first <= '9') || first == '-' || first == '.' || first == '+';
+    const bool is_number =
+        (first >= '0' && first <= '9') || first == '-' || first == '.' || first == '+';
     if (is_number && batten_number_read(text.bytes + begin, text.length - begin, &token->value,
                                         &used) == BATTEN_OK) {
         *end = past_blanks(text, begin + used);

@@ -1,6 +1,5 @@
-#include "exchange/iges/iges.h"
 #include "exchange/iges/attributes.h"
-#include "exchange/iges/bodies.h"
+#include "exchange/iges/iges.h"
 #include "exchange/iges/objects.h"
 #include "exchange/iges/references.h"
 
@@ -157,9 +156,18 @@ static const char *shown(const bat_iges_parameters *global, size_t index, char *
 
 static const char *standard_of(int number)
 {
-    static const char *const names[] = {"?",        "1.0", "ANSI Y14.26M-1981", "2.0",
-                                        "3.0",      "ASME/ANSI Y14.26M-1987",  "4.0",
-                                        "ASME Y14.26M-1989", "5.0", "5.1", "5.2", "5.3"};
+    static const char *const names[] = {"?",
+                                        "1.0",
+                                        "ANSI Y14.26M-1981",
+                                        "2.0",
+                                        "3.0",
+                                        "ASME/ANSI Y14.26M-1987",
+                                        "4.0",
+                                        "ASME Y14.26M-1989",
+                                        "5.0",
+                                        "5.1",
+                                        "5.2",
+                                        "5.3"};
     return names[number >= 1 && number <= 11 ? number : 0];
 }
 
@@ -184,8 +192,8 @@ static batten_status read_entities(bat_iges_reading *reading)
 {
     bat_input *input = reading->input;
     const size_t count = reading->file.entries.count;
-    batten_status status = bat_input_array(input, count, sizeof(bat_iges_shape),
-                                           &reading->shapes);
+    batten_status status =
+        bat_input_array(input, count, sizeof(bat_iges_shape), &reading->shapes);
     if (status == BATTEN_OK)
         status = bat_iges_mark_parts(reading);
     if (status == BATTEN_OK)
@@ -197,8 +205,8 @@ static batten_status read_entities(bat_iges_reading *reading)
     bat_census_note(input, &reading->census);
     if (batten_model_count(reading->model) > 0 || input->left_out == 0)
         return BATTEN_OK;
-    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                          "none of its %d entities could be read", input->left_out);
+    return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "none of its %d entities could be read",
+                          input->left_out);
 }
 
 static batten_status read_all(bat_iges_reading *reading)
@@ -236,7 +244,7 @@ static void end(bat_iges_reading *reading)
         batten_model_unref(reading->shapes[k].definition);
     }
     bat_release(reading->shapes);
-    bat_iges_end_tables(reading);
+
     bat_iges_end_groups(reading);
     bat_census_end(&reading->census);
     bat_iges_end(&reading->file);
@@ -248,7 +256,7 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
     bat_iges_reading reading = {.input = input, .frames = {.size = sizeof(void *)}};
     bool is_iges = false;
     bat_iges_start_groups(&reading);
-    bat_iges_start_tables(&reading);
+
     bat_census_begin(&reading.census);
     batten_status status = bat_iges_recognise(input, &is_iges);
     if (status == BATTEN_OK && !is_iges)

@@ -15,9 +15,8 @@ bool bat_iges_is_fault_of_data(batten_status status)
 double bat_iges_tolerance(const bat_iges_reading *reading, double size)
 {
     /* The largest coordinate that the file names is believed when it may be true. */
-    const double extent = reading->extent >= size && reading->extent <= 1e4 * size
-                              ? reading->extent
-                              : size;
+    const double extent =
+        reading->extent >= size && reading->extent <= 1e4 * size ? reading->extent : size;
     const double tolerance =
         bat_min(bat_max(reading->resolution, 1e-9 * extent), 1e-3 * extent);
     return tolerance > 0 && isfinite(tolerance) ? tolerance : 1e-9;
@@ -187,8 +186,7 @@ static batten_status move(bat_iges_item *item)
     batten_body *body = NULL;
     if (item->entry->transform == 0 || item->entry->use == 5)
         return BATTEN_OK;
-    batten_status status =
-        bat_iges_transform(item->reading, item->entry->transform, &map);
+    batten_status status = bat_iges_transform(item->reading, item->entry->transform, &map);
     if (status != BATTEN_OK)
         return status;
     if (item->curve)

@@ -42,12 +42,12 @@ typedef enum { BAT_IGES_NEW, BAT_IGES_BUSY, BAT_IGES_READ, BAT_IGES_BAD } bat_ig
 /* What became of an entry. */
 typedef struct {
     bat_iges_state state;
-    bool is_part;              /* another geometric entity refers to it */
-    int group;                 /* its place among the groups, from 1; 0: in none */
-    int table;                 /* of a list of vertices or edges, from 1; 0: not yet read */
-    batten_curve *curve;       /* kept: of parts */
-    batten_surface *surface;   /* kept: of parts */
-    batten_model *definition;  /* kept: of a 308 */
+    bool is_part;             /* another geometric entity refers to it */
+    int group;                /* its place among the groups, from 1; 0: in none */
+    int table;                /* of a list of vertices or edges, from 1; 0: not yet read */
+    batten_curve *curve;      /* kept: of parts */
+    batten_surface *surface;  /* kept: of parts */
+    batten_model *definition; /* kept: of a 308 */
 } bat_iges_shape;
 
 typedef struct {

@@ -69,8 +69,8 @@ static batten_status add_directory(bat_iges_file *file, bat_span record, int lin
 static char section_of(bat_span record)
 {
     const char letter = record.length > LETTER ? record.bytes[LETTER] : '\0';
-    const bool known = letter == 'P' || letter == 'D' || letter == 'S' || letter == 'G' ||
-                       letter == 'T';
+    const bool known =
+        letter == 'P' || letter == 'D' || letter == 'S' || letter == 'G' || letter == 'T';
     return known ? letter : '\0';
 }
 
@@ -205,10 +205,9 @@ static bat_iges_entry read_entry(bat_span first, bat_span second, int line)
 {
     bat_iges_entry entry = {.line = line};
     int again = 0;
-    const bool good =
-        read_field(first, 0, &entry.type) && read_field(first, 1, &entry.data) &&
-        read_field(first, 6, &entry.transform) && read_field(second, 0, &again) &&
-        read_field(second, 4, &entry.form);
+    const bool good = read_field(first, 0, &entry.type) && read_field(first, 1, &entry.data) &&
+                      read_field(first, 6, &entry.transform) && read_field(second, 0, &again) &&
+                      read_field(second, 4, &entry.form);
     entry.level = read_loosely(first, 4);
     entry.colour = read_loosely(second, 2);
     entry.subscript = read_loosely(second, 8);
@@ -409,8 +408,7 @@ batten_status bat_iges_read_parameters(bat_iges_file *file, const bat_iges_entry
     while (status == BATTEN_OK && !done && next < file->data.count) {
         status = gather(file, &next, &parameters->text);
         if (status == BATTEN_OK)
-            status =
-                bat_iges_tokenise(file->input, file->delimiters, parameters, &at, &done);
+            status = bat_iges_tokenise(file->input, file->delimiters, parameters, &at, &done);
     }
     if (status == BATTEN_OK && !done)
         status = bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");

@@ -79,14 +79,13 @@ static batten_status make_surface(bat_iges_item *item, const net *n, const doubl
     double *turned_weights = NULL, *turned_points = NULL;
     batten_status status =
         turned(input, n->count_u, n->count_v, 3, weights + count, &turned_points);
-    if (status == BATTEN_OK &&
-        bat_iges_weights_matter(item, n->head[6] != 0, count, weights))
+    if (status == BATTEN_OK && bat_iges_weights_matter(item, n->head[6] != 0, count, weights))
         status = turned(input, n->count_u, n->count_v, 1, weights, &turned_weights);
     if (status == BATTEN_OK) {
         const batten_axis u = {n->head[2], (int)n->count_u, numbers, false};
         const batten_axis v = {n->head[3], (int)n->count_v, numbers + n->knots_u, false};
-        status = batten_surface_create(3, &u, &v, turned_points, turned_weights,
-                                       &item->surface);
+        status =
+            batten_surface_create(3, &u, &v, turned_points, turned_weights, &item->surface);
     }
     bat_release(turned_weights);
     bat_release(turned_points);
@@ -107,9 +106,9 @@ batten_status bat_iges_read_nurbs_surface(bat_iges_item *item)
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         const batten_direction direction = k ? BATTEN_V : BATTEN_U;
         const batten_interval domain = batten_surface_domain(item->surface, direction);
-        status = restrict_surface(
-            direction, bat_iges_interval(item, 10 + count + 2 * (size_t)k, domain),
-            &item->surface);
+        status = restrict_surface(direction,
+                                  bat_iges_interval(item, 10 + count + 2 * (size_t)k, domain),
+                                  &item->surface);
     }
     item->own = 10 + count + 4;
     bat_release(numbers);
@@ -152,9 +151,9 @@ batten_status bat_iges_read_spline_surface(bat_iges_item *item)
             size = bat_max(size, fabs(made[48 * k + c] - made[c]));
     }
     if (status == BATTEN_OK)
-        status = batten_surface_from_power(3, 3, m, breaks_u, 3, n, breaks_v, made,
-                                           bat_iges_tolerance(item->reading, size),
-                                           &item->surface);
+        status =
+            batten_surface_from_power(3, 3, m, breaks_u, 3, n, breaks_v, made,
+                                      bat_iges_tolerance(item->reading, size), &item->surface);
     item->own = first + 48 * (mu + 1) * (mv + 1);
     bat_release(made);
     bat_release(breaks_v);
@@ -181,8 +180,8 @@ static batten_status rail(bat_iges_item *item, int id, bool even, bool reversed,
     else
         made = batten_curve_ref(curve);
     if (status == BATTEN_OK && report.error > 0)
-        bat_iges_remark(item->reading, item->entry,
-                        "ruled by arc length, curve D%d within %g", id, report.error);
+        bat_iges_remark(item->reading, item->entry, "ruled by arc length, curve D%d within %g",
+                        id, report.error);
     if (status == BATTEN_OK && reversed) {
         status = batten_curve_reverse(made, &turned_around);
         batten_curve_unref(made);
@@ -287,10 +286,10 @@ batten_status bat_iges_read_tabulated(bat_iges_item *item)
         status = end_points(directrix, ends);
     item->own = 5;
     return status == BATTEN_OK
-               ? batten_surface_extruded(directrix,
-                                         (batten_vec3){to[0] - ends[0][0], to[1] - ends[0][1],
-                                                       to[2] - ends[0][2]},
-                                         &item->surface)
+               ? batten_surface_extruded(
+                     directrix,
+                     (batten_vec3){to[0] - ends[0][0], to[1] - ends[0][1], to[2] - ends[0][2]},
+                     &item->surface)
                : status;
 }
 
@@ -325,8 +324,8 @@ batten_status bat_iges_read_offset_surface(bat_iges_item *item)
                         v[1], v[2]);
     options.tolerance =
         bat_iges_tolerance(item->reading, bat_iges_size_of_box(batten_surface_box(base)));
-    status = batten_surface_offset(base, side > 0 ? v[3] : -v[3], &options, &report,
-                                   &item->surface);
+    status =
+        batten_surface_offset(base, side > 0 ? v[3] : -v[3], &options, &report, &item->surface);
     if (status == BATTEN_OK && !report.exact)
         bat_iges_remark(item->reading, item->entry, "offset by %g within %g", v[3],
                         report.error);

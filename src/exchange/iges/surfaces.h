@@ -4,14 +4,12 @@
 #include "body/elementary.h"
 #include "exchange/iges/reading.h"
 
-batten_status bat_iges_read_plane(bat_iges_item *item);          /* 108, bounded */
 batten_status bat_iges_read_spline_surface(bat_iges_item *item); /* 114 */
 batten_status bat_iges_read_ruled(bat_iges_item *item);          /* 118 */
 batten_status bat_iges_read_revolution(bat_iges_item *item);     /* 120 */
 batten_status bat_iges_read_tabulated(bat_iges_item *item);      /* 122 */
 batten_status bat_iges_read_nurbs_surface(bat_iges_item *item);  /* 128 */
 batten_status bat_iges_read_offset_surface(bat_iges_item *item); /* 140 */
-batten_status bat_iges_read_unbounded(bat_iges_item *item);      /* 190 - 198: refused alone */
 
 /* Is the surface of an entry without bounds of its own: a plane 108, 190 - 198? */
 bool bat_iges_is_elementary(int type);

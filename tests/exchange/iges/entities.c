@@ -126,8 +126,11 @@ TEST(Q5_forms_that_are_not_known_are_left_out)
     } cases[] = {{110, 1}, {110, 2}, {126, 6}, {128, 10}, {126, -1}};
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
-        iges_add(&file, cases[i].type, cases[i].form, 0, 0, "00000000", IGES_LINE);
-        iges_check_left_out(&file, "1 of type 1");
+        iges_add(&file, cases[i].type, cases[i].form, 0, 0, "00000000",
+                 cases[i].type == 110   ? IGES_LINE
+                 : cases[i].type == 126 ? IGES_CURVE
+                                        : IGES_SURFACE);
+        iges_check_left_out(&file, "is not read; left out");
     }
 }
 
@@ -222,36 +225,44 @@ TEST(a_matrix_that_is_nearly_a_rotation_is_made_one_with_a_note)
     batten_model_unref(model);
 }
 
-TEST(parts_of_others_and_hidden_entities_are_not_read)
+TEST(what_is_hidden_says_so_and_definitions_are_not_read)
 {
-    const struct {
-        const char *status, *words;
-    } cases[] = {{"01000000", "1 of type 110 form 0 are hidden"},
-                 {"00000200", "1 of type 110"}};
-    for (int i = 0; i < COUNT(cases); i++) {
-        iges_text file = iges_begin();
-        iges_add(&file, 110, 0, 0, 0, cases[i].status, IGES_LINE);
-        iges_check_left_out(&file, cases[i].words);
-    }
+    iges_text file = iges_begin();
+    iges_add(&file, 110, 0, 0, 0, "01000000", IGES_LINE);
+    iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+    batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+    CHECK_INT(batten_model_count(model), 2);
+    CHECK(batten_model_object(model, 0)->is_hidden);
+    CHECK(!batten_model_object(model, 1)->is_hidden);
+    batten_model_unref(model);
+    iges_text other = iges_begin();
+    iges_add(&other, 110, 0, 0, 0, "00000200", IGES_LINE);
+    iges_check_left_out(&other, "1 read, 1 left out");
+}
+
+TEST(references_say_what_is_a_part_and_flags_that_disagree_are_noted)
+{
     iges_text file = iges_begin();
     iges_add(&file, 110, 0, 0, 0, "00010000", IGES_LINE);
     iges_add(&file, 110, 0, 0, 0, "00000500", IGES_LINE);
-    iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
-    iges_add(&file, 402, 7, 0, 0, "00000000", "402,1,5;");
-    batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
-                                      "2 entities are parts of others");
-    CHECK_INT(batten_model_count(model), 1);
+    iges_add(&file, 110, 0, 0, 0, "00000000", "110,0.,0.,0.,1.,0.,0.;");
+    iges_add(&file, 102, 0, 0, 0, "00000000", "102,1,5;");
+    batten_model *model =
+        read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
+                    "1 entities call themselves parts of others, but nothing refers to them");
+    CHECK_INT(batten_model_count(model), 2);
+    CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], 1.0);
+    CHECK_BITS(batten_curve_points(batten_model_object(model, 1)->curve)[0], 0.0);
     batten_model_unref(model);
 }
 
 TEST(P4_entities_of_other_types_are_counted_by_name)
 {
     iges_text file = iges_begin();
-    iges_add(&file, 144, 0, 0, 0, "00000000", "144,1,0,0,3;");
-    iges_check_left_out(&file, "1 of type 144 form 0");
-    check_refused(iges_one(186, "186,1;"), BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED,
-                  "none of its 1 entities could be read; there are: 186 solid");
-    check_refused(iges_one(777, "777,1;"), BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED, "entity");
+    iges_add(&file, 150, 0, 0, 0, "00000000", "150,1.,2.,3.;");
+    iges_check_left_out(&file, "0 read, 1 left out");
+    check_refused(iges_one(777, "777,1;"), BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED,
+                  "none of its 1 entities could be read");
     iges_text empty = iges_begin();
     batten_model *model = read_noting(iges_end(&empty, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
     CHECK_INT(batten_model_count(model), 0);

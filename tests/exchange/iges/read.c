@@ -127,25 +127,6 @@ TEST(the_sphere_of_another_program_is_round)
     batten_model_unref(model);
 }
 
-TEST(what_has_no_shape_that_is_read_is_refused_with_a_reason)
-{
-    const char *const files[] = {"iges/euclid_bearing.iges", "iges/occt_45_faces.iges",
-                                 "iges/femap_nozzle.igs",    "wings_blades/D150_wing.igs",
-                                 "iges/pipe.iges",           "iges/inventor_cube_msbo.igs"};
-    for (int i = 0; i < COUNT(files); i++) {
-        batten_model *model = NULL;
-        CHECK_STATUS(batten_read_file(test_data(files[i]), NULL, NULL, NULL, &model),
-                     BATTEN_UNSUPPORTED);
-        CHECK_MESSAGE("could be read");
-    }
-    batten_model *model = NULL;
-    CHECK_STATUS(batten_read_file(test_data("iges/gd_wing128.igs"), NULL, NULL, NULL, &model),
-                 BATTEN_PARTLY_READ);
-    CHECK_MESSAGE("4 of 9 entities are left out");
-    CHECK_INT(batten_model_count(model), 5);
-    batten_model_unref(model);
-}
-
 TEST(F2_mutated_files_are_read_or_refused_and_nothing_worse)
 {
     iges_text file = iges_begin();

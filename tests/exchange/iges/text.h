@@ -79,7 +79,7 @@ static inline void iges_check_left_out(iges_text *file, const char *words)
     CHECK_MESSAGE("1 of 2 entities are left out");
     CHECK_INT(batten_model_count(model), 1);
     if (batten_notes_dropped(notes) == 0 && !has_note(notes, words))
-        CHECK_TEXT(batten_notes_count(notes) ? batten_notes_at(notes, 0)->text : "no note",
+        CHECK_TEXT(batten_notes_count(notes) > 1 ? batten_notes_at(notes, 1)->text : "no note",
                    words);
     batten_notes_free(notes);
     batten_model_unref(model);
