@@ -183,7 +183,18 @@ typedef struct batten_body_faults {
     int close_knots; /**< curves and surfaces with knots nearer than 1e-6 of the domain */
     int open_shells; /**< said to be closed, but with free edges */
 } batten_body_faults;
-/** @param notes each fault with the face or edge and the number; may be NULL */
+/**
+ * Look at every edge, face and shell; nothing is changed.
+ *
+ * Edges of traced bodies are compared with their curves on the faces, others with the nearest
+ * places of the surface, at up to 64 places of each. Loops are looked at in (u, v), of faces
+ * all whose uses have parameters: crossings are found by halving, and places where loops meet
+ * in a vertex; loops that touch between vertices without crossing may be left out.
+ * @param tolerance model units, > 0
+ * @param notes each fault with the face or edge and the number; may be NULL
+ * @return BATTEN_OK, however bad the body is; BAD_ARGUMENT (tolerance), CANCELLED ...
+ * Cost: n log n for n edges; of bodies that are not traced the search for nearest places.
+ */
 BATTEN_API batten_status batten_body_check(const batten_body *body, double tolerance,
                                            const batten_job *job, batten_notes *notes,
                                            batten_body_faults *out);

@@ -1,0 +1,326 @@
+#include "body/builder.h"
+#include "support/bodies.h"
+#include "support/test.h"
+
+#include <batten/notes.h>
+#include <batten/standard.h>
+
+static batten_body_faults faults_of(const batten_body *body, double tolerance)
+{
+    batten_body_faults f = {.gaps = -1};
+    CHECK_OK(batten_body_check(body, tolerance, NULL, NULL, &f));
+    return f;
+}
+
+static batten_body *unit_box(void)
+{
+    return test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 1, 1});
+}
+
+TEST(a_good_box_has_no_faults)
+{
+    batten_body *box = unit_box();
+    const batten_body_faults f = faults_of(box, 1e-6);
+    CHECK_INT(f.shared_edges, 12);
+    CHECK_INT(f.free_edges + f.wrong_edges + f.crowded_edges + f.tiny_edges + f.gaps + f.loose +
+                  f.crossing_loops + f.poles + f.seams + f.close_knots + f.open_shells,
+              0);
+    CHECK_BITS(f.largest_gap, 0);
+    CHECK_NEAR(f.largest_miss, 0, 1e-15);
+    batten_body_unref(box);
+}
+
+TEST(a_whole_sphere_has_a_seam_and_two_poles)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    CHECK_OK(batten_surface_sphere(&world, 2, &surface));
+    CHECK_OK(batten_body_of_surface("ball", surface, 1e-9, &body));
+    const batten_body_faults f = faults_of(body, 1e-6);
+    CHECK_INT(f.seams, 1);
+    CHECK_INT(f.poles, 2);
+    CHECK_INT(f.shared_edges, 1);
+    CHECK_INT(f.free_edges, 0);
+    CHECK_INT(f.crossing_loops, 0);
+    CHECK_INT(f.gaps + f.loose, 0);
+    batten_body_unref(body);
+    batten_surface_unref(surface);
+}
+
+/* The box with some of its parts changed; arrays are the test's own. */
+typedef struct {
+    batten_body *box;
+    batten_body_parts parts;
+    double vertices[8 * 3];
+    batten_body_edge edges[12];
+    batten_body_use uses[24];
+    batten_body_loop loops[6];
+    batten_body_face faces[6];
+    batten_body_shell shells[1];
+} changed;
+
+static changed *begin_change(void)
+{
+    changed *c = test_array(1, sizeof *c);
+    c->box = unit_box();
+    const batten_body_parts *p = batten_body_view(c->box);
+    memcpy(c->vertices, p->vertices, sizeof c->vertices);
+    memcpy(c->edges, p->edges, sizeof c->edges);
+    memcpy(c->uses, p->uses, sizeof c->uses);
+    memcpy(c->loops, p->loops, sizeof c->loops);
+    memcpy(c->faces, p->faces, sizeof c->faces);
+    memcpy(c->shells, p->shells, sizeof c->shells);
+    c->parts = *p;
+    c->parts.vertices = c->vertices;
+    c->parts.edges = c->edges;
+    c->parts.uses = c->uses;
+    c->parts.loops = c->loops;
+    c->parts.faces = c->faces;
+    c->parts.shells = c->shells;
+    return c;
+}
+
+static batten_body_faults end_change(changed *c, double tolerance, batten_notes *notes)
+{
+    batten_body *body = NULL;
+    batten_body_faults f = {.gaps = -1};
+    CHECK_OK(batten_body_create(&c->parts, &body));
+    CHECK_OK(batten_body_check(body, tolerance, NULL, notes, &f));
+    batten_body_unref(body);
+    batten_body_unref(c->box);
+    return f;
+}
+
+static batten_notes *new_notes(void)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    return notes;
+}
+
+TEST(a_missing_face_leaves_free_edges_and_an_open_shell)
+{
+    changed *c = begin_change();
+    batten_notes *notes = new_notes();
+    c->parts.face_count = c->parts.loop_count = 5;
+    c->parts.use_count = 20;
+    c->shells[0].count = 5;
+    const batten_body_faults f = end_change(c, 1e-6, notes);
+    CHECK_INT(f.free_edges, 4);
+    CHECK_INT(f.shared_edges, 8);
+    CHECK_INT(f.open_shells, 1);
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "shell 0");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "4 of its edges");
+    }
+    batten_notes_free(notes);
+}
+
+/* The loop of a face run the other way. */
+TEST(a_turned_face_has_wrong_edges)
+{
+    changed *c = begin_change();
+    for (int i = 0; i < 4; i++) {
+        c->uses[i] = batten_body_view(c->box)->uses[3 - i];
+        c->uses[i].reversed = !c->uses[i].reversed;
+    }
+    const batten_body_faults f = end_change(c, 1e-6, NULL);
+    CHECK_INT(f.wrong_edges, 4);
+    CHECK_INT(f.shared_edges, 8);
+    CHECK_INT(f.open_shells, 0);
+}
+
+/* The same face twice: its edges have three uses. */
+TEST(edges_of_three_faces_are_crowded)
+{
+    changed *c = begin_change();
+    batten_body_use uses[28];
+    batten_body_loop loops[7];
+    batten_body_face faces[7];
+    memcpy(uses, c->uses, sizeof c->uses);
+    memcpy(uses + 24, c->uses, 4 * sizeof *uses);
+    memcpy(loops, c->loops, sizeof c->loops);
+    loops[6] = (batten_body_loop){24, 4};
+    memcpy(faces, c->faces, sizeof c->faces);
+    faces[6] = faces[0];
+    faces[6].first = 6;
+    c->parts.uses = uses;
+    c->parts.loops = loops;
+    c->parts.faces = faces;
+    c->parts.use_count = 28;
+    c->parts.loop_count = c->parts.face_count = 7;
+    c->shells[0].count = 7;
+    const batten_body_faults f = end_change(c, 1e-6, NULL);
+    CHECK_INT(f.crowded_edges, 4);
+    CHECK_INT(f.shared_edges, 8);
+}
+
+TEST(a_moved_vertex_leaves_gaps_with_their_size)
+{
+    changed *c = begin_change();
+    batten_notes *notes = new_notes();
+    c->vertices[2] -= 0.01;
+    const batten_body_faults f = end_change(c, 1e-3, notes);
+    CHECK_INT(f.gaps, 3);
+    CHECK_NEAR(f.largest_gap, 0.01, 1e-15);
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(batten_notes_count(notes) >= 3);
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "0.01");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "edge");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "face 0 \"left\"");
+    }
+    batten_notes_free(notes);
+    c = begin_change();
+    c->vertices[2] -= 0.01;
+    CHECK_INT(end_change(c, 0.1, NULL).gaps, 0);
+}
+
+TEST(an_edge_that_leaves_its_faces_is_loose)
+{
+    changed *c = begin_change();
+    batten_notes *notes = new_notes();
+    batten_curve *bent = NULL;
+    const double *a = c->vertices + 3 * (size_t)c->edges[0].vertices[0],
+                 *b = c->vertices + 3 * (size_t)c->edges[0].vertices[1];
+    double middle[3];
+    for (int k = 0; k < 3; k++)
+        middle[k] = (a[k] + b[k]) / 2 - 0.02 * (a[k] == b[k]);
+    CHECK_OK(batten_curve_conic(3, a, middle, b, 1, &bent));
+    c->edges[0].curve = bent;
+    const batten_body_faults f = end_change(c, 1e-3, notes);
+    batten_curve_unref(bent);
+    CHECK_INT(f.loose, 2);
+    CHECK_NEAR(f.largest_miss, sqrt(2) * 0.01, 1e-3 + 0.0042); /* from the rim of the surface */
+    CHECK(f.largest_miss >= 0.01 - 1e-12);
+    if (batten_notes_dropped(notes) == 0)
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "edge 0 misses its surface by");
+    batten_notes_free(notes);
+}
+
+TEST(edges_below_the_tolerance_are_tiny)
+{
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 1, 1e-4});
+    CHECK_INT(faults_of(box, 1e-3).tiny_edges, 4);
+    CHECK_INT(faults_of(box, 1e-5).tiny_edges, 0);
+    batten_body_unref(box);
+}
+
+TEST(knots_that_nearly_coincide_are_told)
+{
+    changed *c = begin_change();
+    batten_curve *refined = NULL;
+    static const double more[] = {0.5, 0.5 + 1e-8};
+    CHECK_OK(batten_curve_refine(c->edges[3].curve, 2, more, &refined));
+    c->edges[3].curve = refined;
+    CHECK_INT(end_change(c, 1e-6, NULL).close_knots, 1);
+    batten_curve_unref(refined);
+}
+
+/* ---- loops ---- */
+
+/* A square of side 4, of a plane in its own parameters, u = x and v = y, with more loops of polygons. */
+static batten_body *sheet(int count, const double (*corners)[2], const int *sizes, int loops)
+{
+    static const double square[4][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    static const double knots[4] = {0, 0, 6, 6};
+    static const double net[12] = {0, 0, 0, 0, 6, 0, 6, 0, 0, 6, 6, 0};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface *surface = NULL;
+    bat_builder b;
+    bat_builder_begin(&b, 1e-6);
+    CHECK_OK(bat_builder_shell(&b, false));
+    CHECK_OK(batten_surface_create(3, &axis, &axis, net, NULL, &surface));
+    const batten_body_face face = {.name = "sheet", .surface = surface};
+    CHECK_OK(bat_builder_face(&b, &face));
+    batten_surface_unref(surface);
+    int first = 0, v[16], e = 0;
+    for (int l = -1; l < loops; l++) {
+        const double(*at)[2] = l < 0 ? square : corners + first;
+        const int n = l < 0 ? 4 : sizes[l];
+        CHECK_OK(bat_builder_loop(&b));
+        for (int i = 0; i < n; i++) /* vertices in the same place are one */
+            for (v[i] = -1; v[i] < 0;) {
+                for (int k = 0; k < b.parts.vertex_count; k++)
+                    if (b.parts.vertices[3 * k] == at[i][0] &&
+                        b.parts.vertices[3 * k + 1] == at[i][1])
+                        v[i] = k;
+                if (v[i] < 0)
+                    CHECK_OK(bat_builder_vertex(&b, (double[]){at[i][0], at[i][1], 0}, &v[i]));
+            }
+        for (int i = 0; i < n; i++) {
+            const int k = (i + 1) % n;
+            batten_curve *line = NULL, *flat = NULL;
+            CHECK_OK(batten_curve_line(2, at[i], at[k], &flat));
+            CHECK_OK(batten_curve_to_dimension(flat, 3, &line));
+            CHECK_OK(bat_builder_edge(&b, line, v[i], v[k], &e));
+            CHECK_OK(bat_builder_use(&b, e, false, flat));
+            batten_curve_unref(line);
+            batten_curve_unref(flat);
+        }
+        first += l < 0 ? 0 : n;
+    }
+    CHECK_INT(first, count);
+    batten_body *body = NULL;
+    b.parts.is_traced = true;
+    CHECK_OK(batten_body_create(&b.parts, &body));
+    bat_builder_end(&b);
+    return body;
+}
+
+static int crossing_in(int count, const double (*corners)[2], const int *sizes, int loops)
+{
+    batten_body *body = sheet(count, corners, sizes, loops);
+    const batten_body_faults f = faults_of(body, 1e-6);
+    CHECK_INT(f.loose + f.gaps, 0);
+    batten_body_unref(body);
+    return f.crossing_loops;
+}
+
+TEST(loops_that_cross_or_touch_are_found)
+{
+    static const double inside[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
+    static const double bow_tie[][2] = {{1, 1}, {2, 2}, {2, 1}, {1, 2}};
+    static const double two[][2] = {{1, 1},     {1, 2},   {2, 2}, {2, 1},
+                                    {1.5, 1.5}, {1.5, 3}, {3, 3}, {3, 1.5}};
+    static const double at_corner[][2] = {{0, 0}, {1, 2}, {2, 1}};
+    static const double at_each_other[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 2}, {2, 3}, {3, 2}};
+    static const double apart[][2] = {{1, 1}, {1, 2}, {2, 2}, {2.5, 2}, {2.5, 3}, {3, 2}};
+    static const int four[] = {4, 4}, three[] = {3, 3};
+    CHECK_INT(crossing_in(0, NULL, NULL, 0), 0);
+    CHECK_INT(crossing_in(4, inside, four, 1), 0);
+    CHECK_INT(crossing_in(4, over_rim, four, 1), 2);
+    CHECK_INT(crossing_in(4, bow_tie, four, 1), 1);
+    CHECK_INT(crossing_in(8, two, four, 2), 2);
+    CHECK_INT(crossing_in(3, at_corner, three, 1), 2);
+    CHECK_INT(crossing_in(6, at_each_other, three, 2), 2);
+    CHECK_INT(crossing_in(6, apart, three, 2), 0);
+}
+
+TEST(a_crossing_is_named_with_its_place)
+{
+    static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
+    static const int four[] = {4};
+    batten_body *body = sheet(4, over_rim, four, 1);
+    batten_notes *notes = new_notes();
+    batten_body_faults f;
+    CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(batten_notes_count(notes) >= 2);
+        CHECK_TEXT(batten_notes_at(notes, 0)->entity, "face 0 \"sheet\"");
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
+                       "edges 1 and 7 of its loops 0 and 1 cross at (u, v) = (4, 1)");
+    }
+    batten_notes_free(notes);
+    batten_body_unref(body);
+}
+
+TEST(a_tolerance_of_nothing_is_refused)
+{
+    batten_body *box = unit_box();
+    batten_body_faults f;
+    CHECK_STATUS(batten_body_check(box, 0, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_body_check(box, NAN, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
+    batten_body_unref(box);
+}
