@@ -48,7 +48,8 @@ typedef enum {
     BAT_SPHERE,     /* radius a */
     BAT_TORUS,      /* major a, minor b; b > a is allowed when it is bounded off its crossing */
     BAT_EXTRUSION,  /* curve + v z; z of the frame may have any length */
-    BAT_REVOLUTION, /* curve about the z-axis of the frame */
+    BAT_REVOLUTION, /* curve about the z-axis of the frame, u around; where it crosses the axis
+                       it is cut, and the part taken to which the points belong */
     BAT_OFFSET_SURFACE /* of `surface`, by the distance a along its normal */
 } bat_elementary_kind;
 

@@ -33,5 +33,8 @@ batten_status bat_stand_cone(const bat_stand *stand, batten_surface **out);
 batten_status bat_stand_sphere(const bat_stand *stand, batten_surface **out);
 batten_status bat_stand_torus(const bat_stand *stand, batten_surface **out);
 batten_status bat_stand_revolution(const bat_stand *stand, batten_surface **out);
+/* Of a profile that crosses the axis the part to which the points belong, or the first
+ * (elementary_cut.c). BAD_ARGUMENT when it crosses nowhere. */
+batten_status bat_stand_cut(const bat_stand *stand, batten_curve **out);
 
 #endif

@@ -178,13 +178,23 @@ batten_status bat_stand_torus(const bat_stand *stand, batten_surface **out)
 
 batten_status bat_stand_revolution(const bat_stand *stand, batten_surface **out)
 {
-    const batten_curve *curve = stand->of->curve;
-    const batten_interval v = batten_curve_domain(curve);
+    batten_curve *profile = batten_curve_ref(stand->of->curve);
     batten_surface *made = NULL;
-    batten_status status =
-        batten_surface_revolved(curve, stand->frame.origin, stand->frame.z, 2 * BAT_PI, &made);
-    if (status == BATTEN_OK)
+    batten_status status = batten_surface_revolved(profile, stand->frame.origin, stand->frame.z,
+                                                   2 * BAT_PI, &made);
+    if (status == BATTEN_BAD_ARGUMENT) { /* it crosses the axis */
+        batten_curve_unref(profile);
+        profile = NULL;
+        status = bat_stand_cut(stand, &profile);
+        if (status == BATTEN_OK)
+            status = batten_surface_revolved(profile, stand->frame.origin, stand->frame.z,
+                                             2 * BAT_PI, &made);
+    }
+    if (status == BATTEN_OK) {
+        const batten_interval v = batten_curve_domain(profile);
         status = with_domain(made, v.a, v.b, out);
+    }
     batten_surface_unref(made);
+    batten_curve_unref(profile);
     return status;
 }

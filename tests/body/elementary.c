@@ -280,6 +280,49 @@ TEST(a_revolution_goes_around_along_u)
     batten_curve_unref(curve);
 }
 
+/* The whole circle of a ball about an axis in its plane, begun anywhere; and a circle whose
+ * centre is not on the axis: then the points say which part is meant. */
+TEST(a_profile_over_the_axis_is_cut_there)
+{
+    static const double starts[] = {0, 0.7, 1.5707963267948966, 3};
+    for (int i = 0; i < COUNT(starts); i++) {
+        bat_conic circle = {BAT_ELLIPSE, tilted(), 3, 3};
+        circle.frame.z = bat_vec3_scale(tilted_y(), -1);
+        batten_curve *curve = NULL;
+        CHECK_OK(bat_conic_between(&circle, starts[i], starts[i] + 2 * BAT_PI, &curve));
+        const bat_elementary e = {.kind = BAT_REVOLUTION, .frame = tilted(), .curve = curve};
+        double points[3], area, error;
+        put(0, 3 * cos(0.4), 3 * sin(0.4), points);
+        batten_surface *surface = reach(&e, 1, points);
+        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &area, &error));
+        CHECK_NEAR(area, 4 * BAT_PI * 9, 1e-7);
+        CHECK_BITS(rim_radius(surface, false), 0);
+        CHECK_BITS(rim_radius(surface, true), 0);
+        batten_surface_unref(surface);
+        batten_curve_unref(curve);
+    }
+}
+
+TEST(the_points_say_which_side_of_the_axis_a_profile_is)
+{
+    bat_conic circle = {BAT_ELLIPSE, tilted(), 2, 2};
+    circle.frame.z = bat_vec3_scale(tilted_y(), -1);
+    circle.frame.origin = bat_vec3_along(circle.frame.origin, 1, circle.frame.x);
+    for (int lemon = 0; lemon < 2; lemon++) {
+        batten_curve *curve = NULL;
+        CHECK_OK(bat_conic_between(&circle, 0, 2 * BAT_PI, &curve));
+        const bat_elementary e = {.kind = BAT_REVOLUTION, .frame = tilted(), .curve = curve};
+        const double turn = acos(lemon ? 0.5 : -0.5);
+        double points[3], area, error;
+        put(0, lemon ? 1 : 3, 0, points);
+        batten_surface *surface = reach(&e, 1, points);
+        CHECK_OK(batten_surface_area(surface, 1e-9, NULL, &area, &error));
+        CHECK_NEAR(area, 8 * BAT_PI * ((lemon ? -1 : 1) * turn + 2 * sin(turn)), 1e-6);
+        batten_surface_unref(surface);
+        batten_curve_unref(curve);
+    }
+}
+
 TEST(the_offset_of_a_sphere_is_a_sphere)
 {
     const bat_elementary ball = {.kind = BAT_SPHERE, .frame = tilted(), .a = 3};
