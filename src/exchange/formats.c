@@ -71,6 +71,8 @@ static const bat_format_row formats[] = {
      .name = "dxf",
      .title = "DXF",
      .endings = {".dxf"},
+     .recognise = bat_dxf_recognise,
+     .read = bat_read_dxf,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE),
      .write = bat_write_dxf},
 

@@ -25,6 +25,11 @@ typedef struct {
 batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *out);
 void bat_path_release(bat_path *path);
 
+/* A path as a curve in space: lines as degree 1 when there are no arcs, else rational arcs of a
+ * quarter at most, degree 2; the domain is measured by chords. COINCIDENT when two neighbours
+ * are one point. */
+batten_status bat_path_curve(const bat_path *path, batten_curve **out);
+
 /* How far the arc from vertex `from` to the point (x, y) is beside its chord. */
 double bat_path_sagitta(const bat_vertex *from, double x, double y);
 /* The arc from vertex `from` to the point (x, y): its centre and radius; the bulge is not 0. */

@@ -23,8 +23,6 @@ static const struct {
     {"glTF", "a glTF model"},
     {"AC10", "a DWG drawing"},
     {"AutoCAD Binary DXF", "a binary DXF drawing"},
-    {"  0\nSECTION", "a DXF drawing"},
-    {"  0\r\nSECTION", "a DXF drawing"},
     {"DBRep_DrawableShape", "an OCCT B-rep"},
     {"<?xml", "an XML document"},
     {"<svg", "an SVG drawing"},

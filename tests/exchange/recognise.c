@@ -31,7 +31,6 @@ TEST(F7_known_formats_that_are_not_read_are_named)
         {"%PDF-1.4", "a PDF document"},
         {"\x1f\x8b\x08", "compressed with gzip"},
         {"{\"a\": 1}", "a JSON document"},
-        {"  0\nSECTION\n", "a DXF drawing"},
         {"batten: 1\nunits: m\n", "a design of Batten"},
         {"\n<?xml version=\"1.0\"?>", "an XML document"},
     };

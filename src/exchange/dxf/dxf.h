@@ -1,12 +1,22 @@
-/* Writing DXF, release 2000 (AC1015). */
+/* Reading DXF of any release as text, and writing release 2000 (AC1015). */
 #ifndef BAT_DXF_H
 #define BAT_DXF_H
-#include "base/base.h"
+#include "exchange/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 
 batten_status bat_write_dxf(const batten_model *model, const batten_write_options *options,
                             batten_notes *notes, batten_text *text);
+
+batten_status bat_dxf_recognise(const bat_input *input, bool *is_dxf);
+batten_status bat_read_dxf(bat_input *input, batten_model **out);
+
+/* The axes that the format gives to a plane with this unit normal; the origin is the world's.
+ */
+batten_frame bat_dxf_axes(batten_vec3 normal);
+/* How many metres the unit of a number of $INSUNITS is, 0 for none; and the reverse. */
+double bat_dxf_unit_of(int code);
+int bat_dxf_code_of(double metres);
 
 /* ---- groups (src/exchange/dxf/groups.c) ---- */
 

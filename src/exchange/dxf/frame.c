@@ -12,23 +12,9 @@ enum {
     FIRST_FREE = 16
 };
 
-/* $INSUNITS of a unit; 0 for none. */
-static int insertion_units(double metres)
-{
-    static const struct {
-        double metres;
-        int code;
-    } units[] = {{0.0254, 1}, {0.3048, 2}, {1609.344, 3}, {0.001, 4},   {0.01, 5},
-                 {1, 6},      {1000, 7},   {2.54e-8, 8},  {2.54e-5, 9}, {1e-6, 13}};
-    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
-        if (fabs(metres - units[k].metres) <= 1e-9 * units[k].metres)
-            return units[k].code;
-    return 0;
-}
-
 static void put_header(bat_dxf *dxf, double unit_metres, int handles)
 {
-    const int units = insertion_units(unit_metres);
+    const int units = bat_dxf_code_of(unit_metres);
     bat_dxf_text(dxf, 0, "SECTION");
     bat_dxf_text(dxf, 2, "HEADER");
     bat_dxf_text(dxf, 9, "$ACADVER");

@@ -93,25 +93,11 @@ static void begin_entity(writing *w, int index, const char *kind, const char *su
     w->entities++;
 }
 
-/* The axes that DXF gives to a plane with this normal, and its height above the origin. */
-typedef struct {
-    batten_vec3 x, y, z;
-} object_axes;
-
-static object_axes axes_of(batten_vec3 z)
-{
-    /* "Near the world's z" is the format's own rule, and its number. */
-    const bool near_z = fabs(z.x) < 1.0 / 64 && fabs(z.y) < 1.0 / 64;
-    const batten_vec3 helper = near_z ? (batten_vec3){0, 1, 0} : (batten_vec3){0, 0, 1};
-    const batten_vec3 x = bat_vec3_cross(helper, z);
-    const batten_vec3 unit = bat_vec3_scale(x, 1 / bat_vec3_norm(x));
-    return (object_axes){unit, bat_vec3_cross(z, unit), z};
-}
-
 static void put_path(writing *w, int index, const bat_path *path)
 {
     const batten_frame *f = &path->frame;
-    const object_axes axes = axes_of(f->z);
+    const batten_frame axes = bat_dxf_axes(f->z);
+    const batten_vec3 ay = bat_vec3_cross(axes.z, axes.x);
     const batten_vec3 fy = bat_vec3_cross(f->z, f->x);
     begin_entity(w, index, "LWPOLYLINE", "AcDbPolyline");
     bat_dxf_integer(&w->dxf, 90, path->count);
@@ -121,7 +107,7 @@ static void put_path(writing *w, int index, const bat_path *path)
         const bat_vertex *v = &path->vertices[i];
         const batten_vec3 p = bat_vec3_along(bat_vec3_along(f->origin, v->x, f->x), v->y, fy);
         bat_dxf_real(&w->dxf, 10, bat_vec3_dot(p, axes.x));
-        bat_dxf_real(&w->dxf, 20, bat_vec3_dot(p, axes.y));
+        bat_dxf_real(&w->dxf, 20, bat_vec3_dot(p, ay));
         if (v->bulge != 0)
             bat_dxf_real(&w->dxf, 42, v->bulge);
     }

@@ -1,0 +1,37 @@
+/* What reading and writing share: units, and the axes of planes. */
+#include "exchange/dxf/dxf.h"
+#include "numeric/vector.h"
+
+static const struct {
+    double metres;
+    int code;
+} units[] = {{0.0254, 1}, {0.3048, 2},  {1609.344, 3}, {0.001, 4},   {0.01, 5},   {1, 6},
+             {1000, 7},   {2.54e-8, 8}, {2.54e-5, 9},  {0.9144, 10}, {1e-10, 11}, {1e-9, 12},
+             {1e-6, 13},  {0.1, 14},    {10, 15},      {100, 16},    {1e9, 17}};
+#define UNITS (sizeof units / sizeof units[0])
+
+double bat_dxf_unit_of(int code)
+{
+    for (size_t k = 0; k < UNITS; k++)
+        if (units[k].code == code)
+            return units[k].metres;
+    return 0;
+}
+
+int bat_dxf_code_of(double metres)
+{
+    for (size_t k = 0; k < UNITS; k++)
+        if (fabs(metres - units[k].metres) <= 1e-9 * units[k].metres)
+            return units[k].code;
+    return 0;
+}
+
+batten_frame bat_dxf_axes(batten_vec3 normal)
+{
+    /* "Near the world's z" is the format's own rule, and its number. */
+    const bool near_z = fabs(normal.x) < 1.0 / 64 && fabs(normal.y) < 1.0 / 64;
+    const batten_vec3 x =
+        bat_vec3_cross(near_z ? (batten_vec3){0, 1, 0} : (batten_vec3){0, 0, 1}, normal);
+    return (batten_frame){
+        .origin = {0, 0, 0}, .x = bat_vec3_scale(x, 1 / bat_vec3_norm(x)), .z = normal};
+}

@@ -1,0 +1,358 @@
+#include "exchange/dxf/entities.h"
+#include "body/elementary.h"
+#include "exchange/dxf/dxf.h"
+#include "exchange/path.h"
+#include "numeric/vector.h"
+
+#include <batten/interpolate.h>
+
+static const batten_vec3 zero = {0, 0, 0};
+
+batten_status bat_dxf_plane(const bat_dxf_pairs *pairs, batten_frame *frame)
+{
+    batten_vec3 z;
+    batten_status status = bat_dxf_get_point(pairs, 210, (batten_vec3){0, 0, 1}, &z);
+    const double length = bat_vec3_norm(z);
+    if (status == BATTEN_OK && !(length > 0 && isfinite(length)))
+        status = bat_fail(BATTEN_BAD_FORMAT, "the normal of its plane is 0");
+    if (status != BATTEN_OK)
+        return status;
+    *frame = bat_dxf_axes(bat_vec3_scale(z, 1 / length));
+    return BATTEN_OK;
+}
+
+/* A point in the axes of a plane, in the world. */
+static batten_vec3 in_world(const batten_frame *frame, batten_vec3 p)
+{
+    const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
+    return bat_vec3_along(bat_vec3_along(bat_vec3_along(frame->origin, p.x, frame->x), p.y, y),
+                          p.z, frame->z);
+}
+
+static batten_status read_line(const bat_dxf_pairs *pairs, batten_curve **out)
+{
+    batten_vec3 a, b;
+    batten_status status = bat_dxf_get_point(pairs, 10, zero, &a);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 11, zero, &b);
+    if (status != BATTEN_OK)
+        return status;
+    return batten_curve_line(3, (double[]){a.x, a.y, a.z}, (double[]){b.x, b.y, b.z}, out);
+}
+
+/* Angles in degrees; an arc goes counter-clockwise from the first to the second. */
+static batten_status read_arc(const bat_dxf_pairs *pairs, bool is_full, batten_curve **out)
+{
+    bat_conic circle = {.kind = BAT_ELLIPSE};
+    batten_vec3 centre;
+    double angle[2] = {0, 360};
+    batten_status status = bat_dxf_plane(pairs, &circle.frame);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 10, zero, &centre);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(pairs, 40, 0, &circle.a);
+    for (int k = 0; status == BATTEN_OK && k < 2 && !is_full; k++)
+        status = bat_dxf_get_real(pairs, 50 + k, angle[k], &angle[k]);
+    if (status != BATTEN_OK)
+        return status;
+    if (!(circle.a > 0))
+        return bat_fail(BATTEN_BAD_FORMAT, "its radius is %g", circle.a);
+    circle.b = circle.a;
+    circle.frame.origin = in_world(&circle.frame, centre);
+    double sweep = fmod(angle[1] - angle[0], 360);
+    if (sweep <= 0)
+        sweep += 360;
+    const double start = fmod(angle[0], 360) * BAT_PI / 180;
+    return bat_conic_between(&circle, start, start + sweep * BAT_PI / 180, out);
+}
+
+/* The centre and the long half axis are in the world. */
+static batten_status read_ellipse(const bat_dxf_pairs *pairs, batten_curve **out)
+{
+    bat_conic ellipse = {.kind = BAT_ELLIPSE};
+    batten_vec3 axis;
+    double ratio = 1, from = 0, to = 2 * BAT_PI;
+    batten_status status = bat_dxf_plane(pairs, &ellipse.frame);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 10, zero, &ellipse.frame.origin);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 11, zero, &axis);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(pairs, 40, 1, &ratio);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(pairs, 41, 0, &from);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(pairs, 42, 2 * BAT_PI, &to);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 flat =
+        bat_vec3_along(axis, -bat_vec3_dot(axis, ellipse.frame.z), ellipse.frame.z);
+    ellipse.a = bat_vec3_norm(flat);
+    ellipse.b = ratio * ellipse.a;
+    if (!(ellipse.a > 0 && ellipse.b > 0))
+        return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", ellipse.a, ellipse.b);
+    ellipse.frame.x = bat_vec3_scale(flat, 1 / ellipse.a);
+    double sweep = fmod(to - from, 2 * BAT_PI);
+    if (sweep <= 1e-12)
+        sweep += 2 * BAT_PI;
+    return bat_conic_between(&ellipse, from, from + sweep, out);
+}
+
+/* ---- splines ---- */
+
+/* Rows of x y z from three lists; a missing z is 0. */
+static batten_status read_points(const bat_dxf_pairs *pairs, int code, size_t count,
+                                 double **points)
+{
+    double *made = NULL;
+    batten_status status = bat_input_array(pairs->input, count, 3 * sizeof *made, &made);
+    for (int k = 0; status == BATTEN_OK && k < 3; k++) {
+        double *column = NULL;
+        if (k == 2 && bat_dxf_count(pairs, code + 20) == 0)
+            break;
+        status = bat_dxf_get_reals(pairs, code + 10 * k, count, &column);
+        for (size_t i = 0; status == BATTEN_OK && i < count; i++)
+            made[3 * i + (size_t)k] = column[i];
+        bat_release(column);
+    }
+    if (status == BATTEN_OK)
+        *points = made;
+    else
+        bat_release(made);
+    return status;
+}
+
+/* A spline that has only the points through which it goes. */
+static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_curve **out)
+{
+    const size_t count = bat_dxf_count(pairs, 11);
+    batten_interpolate_options options = batten_interpolate_defaults();
+    double *points = NULL;
+    if (count < 2)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu points to go through", count);
+    batten_status status = read_points(pairs, 11, count, &points);
+    options.degree = degree;
+    if (status == BATTEN_OK)
+        status = batten_curve_interpolate(3, (int)count, points, &options, NULL, out);
+    if (status == BATTEN_OK)
+        batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
+                         "it says only %zu points; a curve was put through them", count);
+    bat_release(points);
+    return status;
+}
+
+static batten_status read_spline(const bat_dxf_pairs *pairs, batten_curve **out)
+{
+    const size_t count = bat_dxf_count(pairs, 10), weighted = bat_dxf_count(pairs, 41);
+    int degree = 3;
+    double *knots = NULL, *weights = NULL, *points = NULL;
+    batten_status status = bat_dxf_get_integer(pairs, 71, 3, &degree);
+    if (status != BATTEN_OK)
+        return status;
+    if (degree < 1 || degree > BATTEN_MAX_DEGREE)
+        return bat_fail(BATTEN_BAD_DEGREE, "its degree is %d, not in 1..%d", degree,
+                        BATTEN_MAX_DEGREE);
+    if (count == 0)
+        return interpolate(pairs, degree, out);
+    status = bat_input_limit(pairs->input, pairs->line, count, pairs->input->limits.points,
+                             "points");
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_reals(pairs, 40, count + (size_t)degree + 1, &knots);
+    if (status == BATTEN_OK && weighted)
+        status = bat_dxf_get_reals(pairs, 41, count, &weights);
+    if (status == BATTEN_OK)
+        status = read_points(pairs, 10, count, &points);
+    if (status == BATTEN_OK)
+        status = batten_curve_create(3, degree, (int)count, points, weights, knots, out);
+    bat_release(knots);
+    bat_release(weights);
+    bat_release(points);
+    return status;
+}
+
+/* ---- polylines ---- */
+
+/* Neighbours that are one point become one vertex: programmes write them often. */
+static batten_status make_path(const bat_input *input, int line, const batten_frame *frame,
+                               bool closed, size_t count, const double *vertices,
+                               batten_curve **out)
+{
+    bat_path path = {
+        .closed = closed, .frame = *frame, .vertices = bat_array(count, sizeof *path.vertices)};
+    if (!path.vertices)
+        return BATTEN_OUT_OF_MEMORY;
+    int dropped = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *v = &vertices[4 * i];
+        const bat_vertex made = {v[0], v[1], v[3]};
+        bat_vertex *last = path.count ? &path.vertices[path.count - 1] : NULL;
+        if (last && last->x == made.x && last->y == made.y) {
+            last->bulge = made.bulge;
+            dropped++;
+        } else {
+            path.vertices[path.count++] = made;
+        }
+    }
+    while (closed && path.count > 1 && path.vertices[0].x == path.vertices[path.count - 1].x &&
+           path.vertices[0].y == path.vertices[path.count - 1].y) {
+        path.count--;
+        dropped++;
+    }
+    if (dropped)
+        batten_notes_add(input->notes, input->file, line, "polyline",
+                         "%d points that repeat their neighbour are dropped", dropped);
+    const batten_status status = bat_path_curve(&path, out);
+    bat_path_release(&path);
+    return status;
+}
+
+/* x, y and the bulge of each vertex follow one another. */
+static batten_status read_vertices(const bat_dxf_pairs *pairs, bat_list *vertices)
+{
+    const bat_dxf_group *groups = pairs->groups.items;
+    batten_status status = BATTEN_OK;
+    for (size_t i = 0; status == BATTEN_OK && i < pairs->groups.count; i++) {
+        const int code = groups[i].code;
+        const double none[4] = {0, 0, 0, 0};
+        if (code == 10)
+            status = bat_list_add(pairs->input, vertices, none);
+        double *last =
+            vertices->count ? (double *)vertices->items + 4 * (vertices->count - 1) : NULL;
+        if (status == BATTEN_OK && last && (code == 10 || code == 20 || code == 42))
+            status = bat_dxf_number(&groups[i], &last[code == 10 ? 0 : code == 20 ? 1 : 3]);
+    }
+    return status;
+}
+
+static batten_status read_light_polyline(const bat_dxf_pairs *pairs, batten_curve **out)
+{
+    int flags = 0;
+    double height = 0;
+    batten_frame frame;
+    bat_list vertices = {.size = 4 * sizeof(double)};
+    batten_status status = bat_dxf_plane(pairs, &frame);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_integer(pairs, 70, 0, &flags);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(pairs, 38, 0, &height);
+    if (status == BATTEN_OK)
+        status = read_vertices(pairs, &vertices);
+    frame.origin = bat_vec3_scale(frame.z, height);
+    if (status == BATTEN_OK)
+        status = make_path(pairs->input, pairs->line, &frame, flags & 1, vertices.count,
+                           vertices.items, out);
+    bat_release(vertices.items);
+    return status;
+}
+
+batten_status bat_dxf_polyline_begin(const bat_dxf_pairs *pairs, bat_dxf_polyline *polyline)
+{
+    int flags = 0;
+    batten_vec3 elevation;
+    polyline->vertices.count = 0;
+    batten_status status = bat_dxf_plane(pairs, &polyline->frame);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_integer(pairs, 70, 0, &flags);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 10, zero, &elevation);
+    if (status != BATTEN_OK)
+        return status;
+    polyline->is_open = true;
+    polyline->line = pairs->line;
+    polyline->closed = flags & 1;
+    polyline->is_plane = !(flags & 8);
+    polyline->is_mesh = flags & (16 | 64);
+    polyline->frame.origin = bat_vec3_scale(polyline->frame.z, elevation.z);
+    return BATTEN_OK;
+}
+
+/* Vertices that only frame a spline, flag 16, are no part of the curve. */
+batten_status bat_dxf_polyline_vertex(const bat_dxf_pairs *pairs, bat_dxf_polyline *polyline)
+{
+    int flags = 0;
+    batten_vec3 p;
+    double vertex[4] = {0, 0, 0, 0};
+    batten_status status = bat_dxf_get_integer(pairs, 70, 0, &flags);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(pairs, 10, zero, &p);
+    if (status == BATTEN_OK && polyline->is_plane)
+        status = bat_dxf_get_real(pairs, 42, 0, &vertex[3]);
+    if (status != BATTEN_OK || (flags & 16))
+        return status;
+    vertex[0] = p.x;
+    vertex[1] = p.y;
+    vertex[2] = p.z;
+    return bat_list_add(pairs->input, &polyline->vertices, vertex);
+}
+
+/* A polyline in space, closed by its first point once more. */
+static batten_status make_space(const bat_dxf_polyline *polyline, batten_curve **out)
+{
+    const double *v = polyline->vertices.items;
+    const size_t count = polyline->vertices.count;
+    double *points = bat_array3(count + 1, 3, sizeof *points);
+    int used = 0;
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < count + (polyline->closed ? 1 : 0); i++) {
+        const double *p = &v[4 * (i % count)], *last = &points[3 * (used - (used > 0))];
+        if (used > 0 && bat_distance(3, p, last) == 0)
+            continue;
+        for (int k = 0; k < 3; k++)
+            points[3 * used + k] = p[k];
+        used++;
+    }
+    const batten_status status = batten_curve_polyline(3, used, points, out);
+    bat_release(points);
+    return status;
+}
+
+batten_status bat_dxf_polyline_curve(const bat_dxf_pairs *pairs,
+                                     const bat_dxf_polyline *polyline, batten_curve **out)
+{
+    if (polyline->is_mesh)
+        return bat_fail(BATTEN_UNSUPPORTED, "it is a mesh, which is not read");
+    if (polyline->vertices.count < 2)
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu points", polyline->vertices.count);
+    if (polyline->is_plane)
+        return make_path(pairs->input, polyline->line, &polyline->frame, polyline->closed,
+                         polyline->vertices.count, polyline->vertices.items, out);
+    return make_space(polyline, out);
+}
+
+/* ---- */
+
+batten_status bat_dxf_read_curve(const bat_dxf_pairs *pairs, bool *is_curve, batten_curve **out)
+{
+    *is_curve = true;
+    if (bat_dxf_is(pairs, "LINE"))
+        return read_line(pairs, out);
+    if (bat_dxf_is(pairs, "ARC") || bat_dxf_is(pairs, "CIRCLE"))
+        return read_arc(pairs, bat_dxf_is(pairs, "CIRCLE"), out);
+    if (bat_dxf_is(pairs, "ELLIPSE"))
+        return read_ellipse(pairs, out);
+    if (bat_dxf_is(pairs, "SPLINE"))
+        return read_spline(pairs, out);
+    if (bat_dxf_is(pairs, "LWPOLYLINE"))
+        return read_light_polyline(pairs, out);
+    *is_curve = false;
+    return BATTEN_OK;
+}
+
+batten_status bat_dxf_read_face(const bat_dxf_pairs *pairs, double corners[4][3], int *count)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < 4; i++) {
+        batten_vec3 p, third = zero;
+        if (i == 3)
+            third = (batten_vec3){corners[2][0], corners[2][1], corners[2][2]};
+        status = bat_dxf_get_point(pairs, 10 + i, third, &p);
+        if (status == BATTEN_OK) {
+            corners[i][0] = p.x;
+            corners[i][1] = p.y;
+            corners[i][2] = p.z;
+        }
+    }
+    *count = status == BATTEN_OK && bat_distance(3, corners[2], corners[3]) == 0 ? 3 : 4;
+    return status;
+}

@@ -1,0 +1,570 @@
+#include "exchange/dxf/colours.h"
+#include "exchange/dxf/dxf.h"
+#include "exchange/dxf/entities.h"
+#include "exchange/formats.h"
+#include "numeric/vector.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAME = 256, DEEPEST = 32, MOST_INSTANCES = 1000000 };
+
+typedef struct {
+    char name[NAME];
+    bool is_hidden, has_colour;
+    double colour[3];
+} layer;
+
+/* A block stands in the text until an INSERT asks for it. */
+typedef struct {
+    char name[NAME];
+    batten_vec3 base;
+    size_t at;
+    int line;
+    bool is_at_work; /* to find blocks that hold themselves */
+    batten_model *model;
+} block;
+
+typedef struct {
+    bat_input *input;
+    bat_census census;
+    bat_list layers, blocks; /* by name, once they are all there */
+    double unit_metres;
+    size_t entities_at; /* 0: there is no such section */
+    int entities_line;
+    int number, instances;
+} reading;
+
+/* What a model that is being filled needs: the model of the file, or that of a block. */
+typedef struct {
+    reading *r;
+    bat_dxf_pairs pairs;
+    batten_model *model;
+    bat_dxf_polyline polyline;
+    bat_list faces; /* of double[9]: triangles of 3DFACEs that follow one another */
+    batten_object face_look;
+    char face_layer[NAME], face_name[64];
+    int depth;
+} filling;
+
+batten_status bat_dxf_recognise(const bat_input *input, bool *is_dxf)
+{
+    size_t at = bat_begins(input, 0, "\xef\xbb\xbf") ? 3 : 0;
+    bat_span line;
+    int code = 1;
+    *is_dxf = false;
+    /* Comments, code 999, may stand first; then "0", "SECTION". */
+    for (int i = 0; i < 1000 && bat_next_line(input, &at, &line); i++) {
+        while (line.length > 0 && bat_is_blank(line.bytes[0])) {
+            line.bytes++;
+            line.length--;
+        }
+        if (i % 2 == 0) {
+            if (!(line.length == 1 && line.bytes[0] == '0') &&
+                !(line.length == 3 && memcmp(line.bytes, "999", 3) == 0))
+                return BATTEN_OK;
+            code = line.length == 1 ? 0 : 999;
+        } else if (code == 0) {
+            *is_dxf = line.length >= 7 && memcmp(line.bytes, "SECTION", 7) == 0;
+            return BATTEN_OK;
+        }
+    }
+    return BATTEN_OK;
+}
+
+/* ---- the first time through: header, layers, where blocks and entities stand ---- */
+
+static batten_status read_header(reading *r, const bat_dxf_pairs *pairs)
+{
+    const bat_dxf_group *groups = pairs->groups.items;
+    for (size_t i = 0; i + 1 < pairs->groups.count; i++) {
+        double code = 0;
+        if (groups[i].code != 9 || groups[i].value.length != 9 ||
+            memcmp(groups[i].value.bytes, "$INSUNITS", 9) != 0)
+            continue;
+        if (bat_dxf_number(&groups[i + 1], &code) == BATTEN_OK)
+            r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
+    }
+    if (r->unit_metres == 0)
+        batten_notes_add(r->input->notes, r->input->file, 0, "",
+                         "the file does not say its unit");
+    return BATTEN_OK;
+}
+
+/* Bad numbers of a layer are as if they were not there. */
+static batten_status read_layer(reading *r, const bat_dxf_pairs *pairs)
+{
+    layer made = {.is_hidden = false};
+    int colour = 7, flags = 0, full = -1;
+    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    (void)bat_dxf_get_integer(pairs, 62, 7, &colour);
+    (void)bat_dxf_get_integer(pairs, 70, 0, &flags);
+    (void)bat_dxf_get_integer(pairs, 420, -1, &full);
+    made.is_hidden = colour < 0 || (flags & 1);
+    made.has_colour = bat_dxf_colour(abs(bat_max_int(colour, -255)), made.colour);
+    if (full >= 0) {
+        bat_dxf_true_colour(full, made.colour);
+        made.has_colour = true;
+    }
+    return bat_list_add(r->input, &r->layers, &made);
+}
+
+static batten_status read_block(reading *r, const bat_dxf_pairs *pairs)
+{
+    block made = {.at = pairs->next_at, .line = pairs->next_line};
+    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    batten_status status = bat_dxf_get_point(pairs, 10, (batten_vec3){0, 0, 0}, &made.base);
+    if (status == BATTEN_BAD_FORMAT) {
+        batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
+                         "%s; its base is taken as 0", batten_message());
+        made.base = (batten_vec3){0, 0, 0};
+        status = BATTEN_OK;
+    }
+    return status == BATTEN_OK ? bat_list_add(r->input, &r->blocks, &made) : status;
+}
+
+static batten_status survey_entity(reading *r, const bat_dxf_pairs *pairs)
+{
+    char name[32] = "";
+    if (bat_dxf_is(pairs, "LAYER"))
+        return read_layer(r, pairs);
+    if (bat_dxf_is(pairs, "BLOCK"))
+        return read_block(r, pairs);
+    if (!bat_dxf_is(pairs, "SECTION"))
+        return BATTEN_OK;
+    bat_dxf_get_text(pairs, 2, sizeof name, name);
+    if (strcmp(name, "HEADER") == 0)
+        return read_header(r, pairs);
+    if (strcmp(name, "ENTITIES") == 0 && pairs->has_next) {
+        r->entities_at = pairs->next_at;
+        r->entities_line = pairs->next_line;
+    }
+    return BATTEN_OK;
+}
+
+static int compare_blocks(const void *a, const void *b)
+{
+    const block *one = a, *other = b;
+    const int order = strcmp(one->name, other->name);
+    return order ? order : (one->at > other->at) - (one->at < other->at);
+}
+
+static int compare_layers(const void *a, const void *b)
+{
+    const layer *one = a, *other = b;
+    return strcmp(one->name, other->name);
+}
+
+static batten_status survey(reading *r)
+{
+    bat_dxf_pairs pairs;
+    bool more = true, ended = false;
+    bat_dxf_pairs_begin(&pairs, r->input, 0, 0);
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && more && !ended) {
+        status = bat_dxf_next(&pairs, &more);
+        if (status == BATTEN_OK && more)
+            status = bat_input_step(r->input, pairs.at / 2);
+        if (status == BATTEN_OK && more)
+            status = survey_entity(r, &pairs);
+        ended = status == BATTEN_OK && more && bat_dxf_is(&pairs, "EOF");
+    }
+    r->input->is_cut = !ended;
+    bat_dxf_pairs_end(&pairs);
+    if (r->layers.count)
+        qsort(r->layers.items, r->layers.count, sizeof(layer), compare_layers);
+    if (r->blocks.count)
+        qsort(r->blocks.items, r->blocks.count, sizeof(block), compare_blocks);
+    return status;
+}
+
+/* ---- entities ---- */
+
+static const layer *find_layer(const reading *r, const char *name)
+{
+    const layer *layers = r->layers.items;
+    size_t low = 0, high = r->layers.count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (strcmp(layers[middle].name, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < r->layers.count && strcmp(layers[low].name, name) == 0 ? &layers[low] : NULL;
+}
+
+static block *find_block(const reading *r, const char *name)
+{
+    block *blocks = r->blocks.items;
+    size_t low = 0, high = r->blocks.count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (strcmp(blocks[middle].name, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < r->blocks.count && strcmp(blocks[low].name, name) == 0 ? &blocks[low] : NULL;
+}
+
+/* Layer, colour, and whether it is shown; bad numbers are as if they were not there. */
+static void read_look(const filling *f, char layer_name[NAME], batten_object *object)
+{
+    int colour = 256, full = -1, hidden = 0;
+    bat_dxf_get_text(&f->pairs, 8, NAME, layer_name);
+    const layer *on = find_layer(f->r, layer_name);
+    (void)bat_dxf_get_integer(&f->pairs, 62, 256, &colour);
+    (void)bat_dxf_get_integer(&f->pairs, 420, -1, &full);
+    (void)bat_dxf_get_integer(&f->pairs, 60, 0, &hidden);
+    object->layer = layer_name;
+    object->is_hidden = hidden == 1 || (on && on->is_hidden);
+    object->has_colour = bat_dxf_colour(colour, object->colour);
+    if (full >= 0) {
+        bat_dxf_true_colour(full, object->colour);
+        object->has_colour = true;
+    }
+    if (!object->has_colour && colour == 256 && on && on->has_colour) {
+        memcpy(object->colour, on->colour, sizeof on->colour);
+        object->has_colour = true;
+    }
+}
+
+/* Failures that end the reading; others leave out one entity. */
+static bool ends_all(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
+           status == BATTEN_CANCELLED;
+}
+
+static batten_status leave_out(filling *f, const char *kind, int line)
+{
+    f->r->input->left_out++;
+    batten_notes_add(f->r->input->notes, f->r->input->file, line, kind, "%s; left out",
+                     batten_message());
+    return bat_census_leave(f->r->input, &f->r->census, kind);
+}
+
+static batten_status add_curve(filling *f, const char *kind, batten_curve *curve)
+{
+    char layer_name[NAME], name[64];
+    batten_object object = {.kind = BATTEN_OBJECT_CURVE, .curve = curve, .name = name};
+    snprintf(name, sizeof name, "%s %d", kind, ++f->r->number);
+    read_look(f, layer_name, &object);
+    return batten_model_add(f->model, &object);
+}
+
+static batten_status add_point(filling *f)
+{
+    char layer_name[NAME], name[64];
+    batten_vec3 p;
+    batten_status status = bat_dxf_get_point(&f->pairs, 10, (batten_vec3){0, 0, 0}, &p);
+    const double point[3] = {p.x, p.y, p.z};
+    batten_object object = {
+        .kind = BATTEN_OBJECT_POINTS, .name = name, .point_count = 1, .points = point};
+    snprintf(name, sizeof name, "POINT %d", f->r->number + 1);
+    if (status != BATTEN_OK)
+        return status;
+    f->r->number++;
+    read_look(f, layer_name, &object);
+    return batten_model_add(f->model, &object);
+}
+
+/* ---- faces ---- */
+
+/* The triangles so far as one mesh; corners at the same point are one vertex. */
+static batten_status flush_faces(filling *f)
+{
+    const size_t corners = f->faces.count * 3;
+    batten_mesh *loose = NULL, *mesh = NULL;
+    if (corners == 0)
+        return BATTEN_OK;
+    int *order = bat_array(corners, sizeof *order);
+    if (!order)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < corners; i++)
+        order[i] = (int)i;
+    const batten_mesh_parts parts = {.vertex_count = (int)corners,
+                                     .points = f->faces.items,
+                                     .triangle_count = (int)f->faces.count,
+                                     .corners = order};
+    batten_status status = batten_mesh_create(&parts, &loose);
+    if (status == BATTEN_OK)
+        status = batten_mesh_weld(loose, &mesh);
+    f->face_look.mesh = mesh;
+    if (status == BATTEN_OK)
+        status = batten_model_add(f->model, &f->face_look);
+    batten_mesh_unref(loose);
+    batten_mesh_unref(mesh);
+    bat_release(order);
+    f->faces.count = 0;
+    return status;
+}
+
+/* Faces on one layer that follow one another are one mesh. */
+static batten_status add_face(filling *f)
+{
+    char layer_name[NAME];
+    double corners[4][3];
+    int count = 0;
+    batten_object look = {.kind = BATTEN_OBJECT_MESH};
+    batten_status status = bat_dxf_read_face(&f->pairs, corners, &count);
+    if (status != BATTEN_OK)
+        return status;
+    read_look(f, layer_name, &look);
+    if (f->faces.count > 0 && strcmp(f->face_layer, layer_name) != 0)
+        status = flush_faces(f);
+    if (status == BATTEN_OK && f->faces.count == 0) {
+        snprintf(f->face_name, sizeof f->face_name, "3DFACE %d", ++f->r->number);
+        memcpy(f->face_layer, layer_name, sizeof layer_name);
+        f->face_look = look;
+        f->face_look.name = f->face_name;
+        f->face_look.layer = f->face_layer;
+    }
+    for (int i = 1; status == BATTEN_OK && i + 1 < count; i++) {
+        double triangle[9];
+        memcpy(triangle, corners[0], sizeof corners[0]);
+        memcpy(triangle + 3, corners[i], sizeof corners[0]);
+        memcpy(triangle + 6, corners[i + 1], sizeof corners[0]);
+        status = bat_list_add(f->r->input, &f->faces, triangle);
+    }
+    if (status == BATTEN_OK && f->faces.count > INT_MAX / 4)
+        status = bat_fail(BATTEN_TOO_LARGE, "more than %d faces", INT_MAX / 4);
+    return status;
+}
+
+/* ---- blocks ---- */
+
+static batten_status fill(filling *f, const char *end);
+
+/* The model of a block, made the first time it is asked for. Blocks within blocks are followed
+ * DEEPEST deep and no further. */
+static batten_status build_block(reading *r, block *b, int depth)
+{
+    filling f = {.r = r, .depth = depth, .faces = {.size = 9 * sizeof(double)}};
+    if (b->model)
+        return BATTEN_OK;
+    if (b->is_at_work || depth >= DEEPEST)
+        return bat_fail(BATTEN_BAD_FORMAT,
+                        "block '%.60s' holds itself, or lies more than %d deep", b->name,
+                        DEEPEST);
+    b->is_at_work = true;
+    f.polyline.vertices.size = 4 * sizeof(double);
+    bat_dxf_pairs_begin(&f.pairs, r->input, b->at, b->line);
+    batten_status status = batten_model_create(r->unit_metres, &f.model);
+    if (status == BATTEN_OK)
+        status = fill(&f, "ENDBLK");
+    if (status == BATTEN_OK)
+        b->model = batten_model_ref(f.model);
+    b->is_at_work = false;
+    batten_model_unref(f.model);
+    bat_release(f.polyline.vertices.items);
+    bat_release(f.faces.items);
+    bat_dxf_pairs_end(&f.pairs);
+    return status;
+}
+
+/* Where an INSERT puts what is at the base of its block: scaled, turned about z, moved, all in
+ * the axes of its plane. */
+static batten_status read_place(const filling *f, const block *b, batten_affine *place)
+{
+    batten_frame frame;
+    batten_vec3 at, scale;
+    double angle = 0;
+    batten_status status = bat_dxf_plane(&f->pairs, &frame);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_point(&f->pairs, 10, (batten_vec3){0, 0, 0}, &at);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(&f->pairs, 41, 1, &scale.x);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(&f->pairs, 42, 1, &scale.y);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(&f->pairs, 43, 1, &scale.z);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_real(&f->pairs, 50, 0, &angle);
+    if (status == BATTEN_OK && scale.x * scale.y * scale.z == 0)
+        status = bat_fail(BATTEN_BAD_FORMAT, "it is scaled by 0");
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 y = bat_vec3_cross(frame.z, frame.x);
+    const batten_affine axes = {
+        {{frame.x.x, y.x, frame.z.x}, {frame.x.y, y.y, frame.z.y}, {frame.x.z, y.z, frame.z.z}},
+        {0, 0, 0}};
+    batten_affine map = batten_affine_translation(-b->base.x, -b->base.y, -b->base.z);
+    map = batten_affine_compose(map, batten_affine_scaling(scale.x, scale.y, scale.z));
+    map = batten_affine_compose(map, batten_affine_rotation((batten_vec3){0, 0, 0},
+                                                            (batten_vec3){0, 0, 1},
+                                                            angle * BAT_PI / 180));
+    map = batten_affine_compose(map, batten_affine_translation(at.x, at.y, at.z));
+    *place = batten_affine_compose(map, axes);
+    return BATTEN_OK;
+}
+
+static batten_status add_insert(filling *f)
+{
+    char layer_name[NAME], name[NAME];
+    int columns = 1, rows = 1;
+    bat_dxf_get_text(&f->pairs, 2, sizeof name, name);
+    block *b = find_block(f->r, name);
+    batten_object object = {.kind = BATTEN_OBJECT_INSTANCE, .name = name};
+    if (!b)
+        return bat_fail(BATTEN_NOT_FOUND, "there is no block '%.60s'", name);
+    batten_status status = read_place(f, b, &object.place);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_integer(&f->pairs, 70, 1, &columns);
+    if (status == BATTEN_OK)
+        status = bat_dxf_get_integer(&f->pairs, 71, 1, &rows);
+    if (status == BATTEN_OK && (columns > 1 || rows > 1))
+        status = bat_fail(BATTEN_UNSUPPORTED, "it is an array of %d x %d, which is not read",
+                          columns, rows);
+    if (status == BATTEN_OK && ++f->r->instances > MOST_INSTANCES)
+        status = bat_fail(BATTEN_TOO_LARGE, "more than %d instances", MOST_INSTANCES);
+    if (status == BATTEN_OK)
+        status = build_block(f->r, b, f->depth + 1);
+    if (status != BATTEN_OK)
+        return status;
+    read_look(f, layer_name, &object);
+    object.definition = b->model;
+    return batten_model_add(f->model, &object);
+}
+
+/* ---- one entity after another ---- */
+
+static batten_status end_polyline(filling *f)
+{
+    batten_curve *curve = NULL;
+    f->polyline.is_open = false;
+    batten_status status = bat_dxf_polyline_curve(&f->pairs, &f->polyline, &curve);
+    if (status == BATTEN_OK)
+        status = add_curve(f, "POLYLINE", curve);
+    batten_curve_unref(curve);
+    if (status == BATTEN_OK)
+        return bat_census_read(f->r->input, &f->r->census, "POLYLINE");
+    return ends_all(status) ? status : leave_out(f, "POLYLINE", f->polyline.line);
+}
+
+/* An entity that is no part of a polyline. */
+static batten_status add_single(filling *f, bool *is_known)
+{
+    bool is_curve = false;
+    int paper = 0;
+    char kind[32];
+    batten_curve *curve = NULL;
+    *is_known = true;
+    if (bat_dxf_get_integer(&f->pairs, 67, 0, &paper) == BATTEN_OK && paper == 1)
+        return bat_fail(BATTEN_UNSUPPORTED, "it is on paper, not in the model");
+    if (bat_dxf_is(&f->pairs, "POINT"))
+        return add_point(f);
+    if (bat_dxf_is(&f->pairs, "3DFACE"))
+        return add_face(f);
+    if (bat_dxf_is(&f->pairs, "INSERT"))
+        return add_insert(f);
+    batten_status status = bat_dxf_read_curve(&f->pairs, &is_curve, &curve);
+    *is_known = is_curve;
+    if (status == BATTEN_OK && is_curve)
+        status = add_curve(f, bat_dxf_kind(&f->pairs, kind), curve);
+    batten_curve_unref(curve);
+    return status;
+}
+
+static batten_status add_entity(filling *f)
+{
+    char kind[32];
+    bool is_known = true;
+    bat_input *input = f->r->input;
+    if (f->polyline.is_open && bat_dxf_is(&f->pairs, "VERTEX")) {
+        batten_status status = bat_dxf_polyline_vertex(&f->pairs, &f->polyline);
+        if (status == BATTEN_BAD_FORMAT) {
+            f->polyline.is_open = false;
+            return leave_out(f, "POLYLINE", f->polyline.line);
+        }
+        return status;
+    }
+    batten_status status = f->polyline.is_open ? end_polyline(f) : BATTEN_OK;
+    if (status != BATTEN_OK || bat_dxf_is(&f->pairs, "SEQEND") ||
+        bat_dxf_is(&f->pairs, "VERTEX") || bat_dxf_is(&f->pairs, "ATTRIB"))
+        return status;
+    const int line = bat_dxf_find(&f->pairs, 0)->line;
+    if (!bat_dxf_is(&f->pairs, "3DFACE"))
+        status = flush_faces(f);
+    if (status != BATTEN_OK)
+        return status;
+    bat_dxf_kind(&f->pairs, kind);
+    if (bat_dxf_is(&f->pairs, "POLYLINE"))
+        status = bat_dxf_polyline_begin(&f->pairs, &f->polyline);
+    else
+        status = add_single(f, &is_known);
+    if (ends_all(status))
+        return status;
+    if (status != BATTEN_OK)
+        return leave_out(f, kind, line);
+    if (!is_known) {
+        input->left_out++;
+        return bat_census_leave(input, &f->r->census, kind);
+    }
+    return f->polyline.is_open ? BATTEN_OK : bat_census_read(input, &f->r->census, kind);
+}
+
+/* All entities up to one of the kind `end`. */
+static batten_status fill(filling *f, const char *end)
+{
+    bool more = true;
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK) {
+        status = bat_dxf_next(&f->pairs, &more);
+        if (status != BATTEN_OK || !more || bat_dxf_is(&f->pairs, end) ||
+            bat_dxf_is(&f->pairs, "ENDSEC") || bat_dxf_is(&f->pairs, "EOF"))
+            break;
+        status = bat_input_step(f->r->input, f->r->input->size / 2 + f->pairs.at / 2);
+        if (status == BATTEN_OK)
+            status = add_entity(f);
+    }
+    if (status == BATTEN_OK && f->polyline.is_open)
+        status = end_polyline(f);
+    return status == BATTEN_OK ? flush_faces(f) : status;
+}
+
+static batten_status read_entities(reading *r, batten_model **out)
+{
+    filling f = {.r = r, .faces = {.size = 9 * sizeof(double)}};
+    f.polyline.vertices.size = 4 * sizeof(double);
+    bat_dxf_pairs_begin(&f.pairs, r->input, r->entities_at, r->entities_line);
+    batten_status status = batten_model_create(r->unit_metres, &f.model);
+    if (status == BATTEN_OK && r->entities_at > 0)
+        status = fill(&f, "ENDSEC");
+    if (status == BATTEN_OK)
+        *out = batten_model_ref(f.model);
+    batten_model_unref(f.model);
+    bat_release(f.polyline.vertices.items);
+    bat_release(f.faces.items);
+    bat_dxf_pairs_end(&f.pairs);
+    return status;
+}
+
+batten_status bat_read_dxf(bat_input *input, batten_model **out)
+{
+    reading r = {
+        .input = input, .layers = {.size = sizeof(layer)}, .blocks = {.size = sizeof(block)}};
+    batten_model *model = NULL;
+    bat_census_begin(&r.census);
+    batten_status status = survey(&r);
+    if (status == BATTEN_OK)
+        status = read_entities(&r, &model);
+    if (status == BATTEN_OK && batten_model_count(model) == 0 && input->left_out > 0)
+        status = bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
+                                "none of its %d entities could be read", input->left_out);
+    if (status == BATTEN_OK) {
+        bat_census_note(input, &r.census);
+        *out = batten_model_ref(model);
+    }
+    batten_model_unref(model);
+    block *blocks = r.blocks.items;
+    for (size_t i = 0; i < r.blocks.count; i++)
+        batten_model_unref(blocks[i].model);
+    bat_release(r.layers.items);
+    bat_release(r.blocks.items);
+    bat_census_end(&r.census);
+    return status;
+}

@@ -1,0 +1,360 @@
+#include "exchange/reading.h"
+
+#include <batten/standard.h>
+
+/* Groups are written with blanks between code and value, entities by lines; this makes the
+ * lines of the format of them: "0 LINE|8 keel|10 1|20 2|11 3|21 4". */
+static char *lines(const char *text)
+{
+    const size_t size = strlen(text);
+    char *made = test_array(size + 2, 1);
+    bool code = true;
+    for (size_t i = 0; i < size; i++) {
+        made[i] = text[i];
+        if (text[i] == '|' || (code && text[i] == ' '))
+            made[i] = '\n';
+        code = text[i] == '|' || (code && text[i] != ' ');
+    }
+    made[size] = '\n';
+    return made;
+}
+
+/* A whole file around entities. */
+static char *file_of(const char *tables, const char *blocks, const char *entities)
+{
+    const size_t size = strlen(tables) + strlen(blocks) + strlen(entities) + 400;
+    char *text = test_array(size, 1);
+    snprintf(text, size,
+             "0 SECTION|2 HEADER|9 $ACADVER|1 AC1015|9 $INSUNITS|70 4|0 ENDSEC|"
+             "0 SECTION|2 TABLES|0 TABLE|2 LAYER|%s0 ENDTAB|0 ENDSEC|"
+             "0 SECTION|2 BLOCKS|%s0 ENDSEC|0 SECTION|2 ENTITIES|%s0 ENDSEC|0 EOF",
+             tables, blocks, entities);
+    return lines(text);
+}
+
+static batten_model *read_entities(const char *entities)
+{
+    batten_model *model = NULL;
+    CHECK_OK(read_text(file_of("", "", entities), BATTEN_FORMAT_AUTO, NULL, &model));
+    return model;
+}
+
+/* The point of curve `index` at the share s of its domain. */
+static void point_of(const batten_model *model, int index, double s, double p[3])
+{
+    const batten_curve *curve = batten_model_object(model, index)->curve;
+    CHECK(curve != NULL);
+    const batten_interval domain = batten_curve_domain(curve);
+    p[2] = 0;
+    CHECK_OK(batten_curve_evaluate(curve, domain.a + s * (domain.b - domain.a), 0, p));
+}
+
+static void check_point(const batten_model *model, int index, double s, double x, double y,
+                        double z)
+{
+    double p[3];
+    point_of(model, index, s, p);
+    CHECK_NEAR(p[0], x, 1e-12);
+    CHECK_NEAR(p[1], y, 1e-12);
+    CHECK_NEAR(p[2], z, 1e-12);
+}
+
+TEST(lines_arcs_and_circles_of_dxf_files_are_read)
+{
+    batten_model *model = read_entities("0 LINE|8 keel|10 1|20 2|30 3|11 3|21 4|31 5|"
+                                        "0 ARC|8 0|10 1|20 0|40 2|50 350|51 80|"
+                                        "0 CIRCLE|8 0|10 0|20 0|30 7|40 3|"
+                                        "0 POINT|8 0|10 4|20 5|30 6|");
+    CHECK_INT(batten_model_count(model), 4);
+    CHECK_BITS(batten_model_unit_metres(model), 0.001);
+    CHECK_TEXT(batten_model_object(model, 0)->layer, "keel");
+    check_point(model, 0, 0.5, 2, 3, 4);
+    const double degree = acos(0) / 90;
+    check_point(model, 1, 0, 1 + 2 * cos(10 * degree), -2 * sin(10 * degree), 0);
+    check_point(model, 1, 0.5, 1 + 2 * cos(35 * degree), 2 * sin(35 * degree), 0);
+    check_point(model, 1, 1, 1 + 2 * cos(80 * degree), 2 * sin(80 * degree), 0);
+    check_point(model, 2, 0, 3, 0, 7);
+    check_point(model, 2, 1, 3, 0, 7);
+    CHECK_BITS(batten_model_object(model, 3)->points[2], 6);
+    batten_model_unref(model);
+}
+
+TEST(a_plane_has_the_axes_that_the_format_gives_it)
+{
+    /* Normal -z: the axes are -x and y. Normal x: they are y and z. */
+    batten_model *model = read_entities("0 CIRCLE|8 0|10 1|20 2|30 3|40 1|210 0|220 0|230 -1|"
+                                        "0 CIRCLE|8 0|10 1|20 2|30 3|40 1|210 1|220 0|230 0|");
+    check_point(model, 0, 0, -2, 2, -3);
+    check_point(model, 1, 0, 3, 2, 2);
+    batten_model_unref(model);
+}
+
+TEST(ellipses_of_dxf_files_are_read)
+{
+    const double half = acos(0);
+    char text[256];
+    snprintf(text, sizeof text,
+             "0 ELLIPSE|8 0|10 1|20 1|30 0|11 0|21 4|31 0|40 0.5|41 0|42 %.17g|", half);
+    batten_model *model = read_entities(text);
+    check_point(model, 0, 0, 1, 5, 0);
+    check_point(model, 0, 1, -1, 1, 0);
+    batten_model_unref(model);
+}
+
+TEST(polylines_with_bulges_become_lines_and_arcs)
+{
+    /* A stadium: two lines and two half circles. */
+    batten_model *model =
+        read_entities("0 LWPOLYLINE|8 0|90 4|70 1|38 2|10 0|20 0|10 4|20 0|42 1|"
+                      "10 4|20 2|10 0|20 2|42 1|");
+    const batten_curve *curve = batten_model_object(model, 0)->curve;
+    CHECK(batten_curve_is_closed(curve, 1e-14));
+    CHECK_INT(batten_curve_degree(curve), 2);
+    double top[3];
+    bool seen = false;
+    for (int i = 0; i <= 400; i++) {
+        point_of(model, 0, i / 400.0, top);
+        const double out = top[0] > 4   ? hypot(top[0] - 4, top[1] - 1) - 1
+                           : top[0] < 0 ? hypot(top[0], top[1] - 1) - 1
+                                        : fmin(fabs(top[1]), fabs(top[1] - 2));
+        CHECK_NEAR(out, 0, 1e-14);
+        CHECK_NEAR(top[2], 2, 0);
+        seen |= top[0] > 4.99;
+    }
+    CHECK(seen);
+    batten_model_unref(model);
+
+    model = read_entities("0 LWPOLYLINE|8 0|90 3|70 0|10 0|20 0|10 4|20 0|10 4|20 2|");
+    CHECK_INT(batten_curve_degree(batten_model_object(model, 0)->curve), 1);
+    CHECK_INT(batten_curve_point_count(batten_model_object(model, 0)->curve), 3);
+    batten_model_unref(model);
+}
+
+TEST(old_polylines_are_read_with_their_vertices)
+{
+    batten_model *model = read_entities(
+        "0 POLYLINE|8 deck|66 1|10 0|20 0|30 3|70 0|"
+        "0 VERTEX|8 deck|10 0|20 0|30 0|42 1|0 VERTEX|8 deck|10 2|20 0|30 0|0 SEQEND|8 0|"
+        "0 POLYLINE|8 0|66 1|10 0|20 0|30 0|70 9|"
+        "0 VERTEX|8 0|10 0|20 0|30 1|70 32|0 VERTEX|8 0|10 1|20 0|30 2|70 32|"
+        "0 VERTEX|8 0|10 1|20 1|30 3|70 32|0 SEQEND|8 0|");
+    CHECK_INT(batten_model_count(model), 2);
+    check_point(model, 0, 0.5, 1, -1, 3);
+    const batten_curve *closed = batten_model_object(model, 1)->curve;
+    CHECK_INT(batten_curve_point_count(closed), 4);
+    CHECK(batten_curve_is_closed(closed, 0));
+    batten_model_unref(model);
+}
+
+TEST(splines_of_dxf_files_are_read)
+{
+    batten_model *model = read_entities(
+        "0 SPLINE|8 0|70 4|71 2|72 6|73 3|40 0|40 0|40 0|40 1|40 1|40 1|41 1|41 0.5|41 1|"
+        "10 0|20 0|30 0|10 1|20 2|30 0|10 2|20 0|30 0|"
+        "0 SPLINE|8 0|70 8|71 3|72 0|73 0|74 3|11 0|21 0|31 0|11 1|21 1|31 0|11 2|21 0|31 0|");
+    const batten_curve *rational = batten_model_object(model, 0)->curve;
+    CHECK_BITS(batten_curve_weights(rational)[1], 0.5);
+    check_point(model, 0, 0.5, 1, 2.0 / 3, 0);
+    check_point(model, 1, 0, 0, 0, 0);
+    check_point(model, 1, 0.5, 1, 1, 0);
+    batten_model_unref(model);
+}
+
+TEST(layers_say_colour_and_whether_they_are_shown)
+{
+    batten_model *model = NULL;
+    CHECK_OK(read_text(file_of("0 LAYER|2 keel|70 0|62 5|0 LAYER|2 off|70 0|62 -1|"
+                               "0 LAYER|2 full|70 1|62 7|420 16744448|",
+                               "",
+                               "0 LINE|8 keel|10 0|20 0|11 1|21 1|"
+                               "0 LINE|8 off|62 3|10 0|20 0|11 1|21 1|"
+                               "0 LINE|8 full|10 0|20 0|11 1|21 1|"
+                               "0 LINE|8 keel|60 1|62 12|10 0|20 0|11 1|21 1|"),
+                       BATTEN_FORMAT_AUTO, NULL, &model));
+    const batten_object *o = batten_model_object(model, 0);
+    CHECK(o->has_colour && o->colour[2] == 1 && o->colour[0] == 0 && !o->is_hidden);
+    o = batten_model_object(model, 1);
+    CHECK(o->is_hidden && o->colour[1] == 1);
+    o = batten_model_object(model, 2);
+    CHECK(o->is_hidden);
+    CHECK_BITS(o->colour[0], 1);
+    CHECK_NEAR(o->colour[1], 128 / 255.0, 1e-15);
+    CHECK(batten_model_object(model, 3)->is_hidden);
+    CHECK_NEAR(batten_model_object(model, 3)->colour[0], 0.65, 1e-15);
+    batten_model_unref(model);
+}
+
+TEST(blocks_are_placed_as_instances)
+{
+    batten_model *model = NULL, *flat = NULL;
+    CHECK_OK(read_text(
+        file_of(
+            "",
+            "0 BLOCK|8 0|2 outer|70 0|10 0|20 0|30 0|0 INSERT|8 0|2 bolt|10 1|20 0|30 0|"
+            "0 ENDBLK|8 0|"
+            "0 BLOCK|8 0|2 bolt|70 0|10 5|20 0|30 0|0 POINT|8 0|10 6|20 0|30 0|0 ENDBLK|8 0|",
+            "0 INSERT|8 parts|2 outer|10 10|20 0|30 0|50 90|41 2|42 2|43 2|"
+            "0 INSERT|8 0|2 bolt|10 0|20 0|30 0|"),
+        BATTEN_FORMAT_AUTO, NULL, &model));
+    CHECK_INT(batten_model_count(model), 2);
+    CHECK_TEXT(batten_model_object(model, 0)->name, "outer");
+    CHECK(batten_model_object(batten_model_object(model, 0)->definition, 0)->definition ==
+          batten_model_object(model, 1)->definition);
+    CHECK_OK(batten_model_flat(model, &flat));
+    CHECK_NEAR(batten_model_object(flat, 0)->points[0], 10, 1e-14);
+    CHECK_NEAR(batten_model_object(flat, 0)->points[1], 4, 1e-14);
+    CHECK_NEAR(batten_model_object(flat, 1)->points[0], 1, 0);
+    batten_model_unref(flat);
+    batten_model_unref(model);
+}
+
+TEST(P1_a_block_that_holds_itself_is_left_out)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_STATUS(
+        read_text(file_of("",
+                          "0 BLOCK|8 0|2 a|10 0|20 0|0 INSERT|8 0|2 b|10 0|20 0|0 ENDBLK|8 0|"
+                          "0 BLOCK|8 0|2 b|10 0|20 0|0 INSERT|8 0|2 a|10 0|20 0|0 ENDBLK|8 0|",
+                          "0 INSERT|8 0|2 a|10 0|20 0|0 INSERT|8 0|2 none|10 0|20 0|"),
+                  BATTEN_FORMAT_AUTO, notes, &model),
+        BATTEN_PARTLY_READ);
+    if (!batten_notes_dropped(notes)) {
+        CHECK(has_note(notes, "block 'a' holds itself"));
+        CHECK(has_note(notes, "there is no block 'none'"));
+    }
+    batten_model_unref(model);
+    batten_notes_free(notes);
+}
+
+TEST(faces_on_one_layer_become_one_mesh)
+{
+    batten_model *model = read_entities(
+        "0 3DFACE|8 hull|10 0|20 0|30 0|11 1|21 0|31 0|12 1|22 1|32 0|13 0|23 1|33 0|"
+        "0 3DFACE|8 hull|10 1|20 0|30 0|11 2|21 0|31 0|12 1|22 1|32 0|13 1|23 1|33 0|"
+        "0 3DFACE|8 deck|10 0|20 0|30 1|11 1|21 0|31 1|12 1|22 1|32 1|13 1|23 1|33 1|");
+    CHECK_INT(batten_model_count(model), 2);
+    const batten_mesh_parts *mesh = batten_mesh_view(batten_model_object(model, 0)->mesh);
+    CHECK_INT(mesh->triangle_count, 3);
+    CHECK_INT(mesh->vertex_count, 5);
+    CHECK_TEXT(batten_model_object(model, 1)->layer, "deck");
+    batten_model_unref(model);
+}
+
+TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
+{
+    static const struct {
+        const char *entity, *words;
+    } cases[] = {
+        {"0 LINE|8 0|10 x|20 0|11 1|21 1|", "group 10 is 'x', not a number"},
+        {"0 LINE|8 0|10 1e999|20 0|11 1|21 1|", "too large for a number"},
+        {"0 LINE|8 0|10 nan|20 0|11 1|21 1|", "not a number"},
+        {"0 CIRCLE|8 0|10 0|20 0|40 -1|", "its radius is -1"},
+        {"0 CIRCLE|8 0|10 0|20 0|40 1|230 0|", "the normal of its plane is 0"},
+        {"0 ELLIPSE|8 0|10 0|20 0|11 0|21 0|40 1|", "its half axes are 0 and 0"},
+        {"0 SPLINE|8 0|70 0|71 3|40 0|40 1|10 0|20 0|10 1|20 1|",
+         "group 40 stands 2 times, need 6"},
+        {"0 SPLINE|8 0|70 0|71 99|10 0|20 0|", "its degree is 99"},
+        {"0 SPLINE|8 0|70 0|71 1|40 0|40 0|40 1|40 1|10 0|20 0|10 1|",
+         "group 20 stands 1 times"},
+        {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 points"},
+        {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|", "it is a mesh"},
+        {"0 INSERT|8 0|2 nothing|", "there is no block 'nothing'"},
+        {"0 LINE|8 0|67 1|10 0|20 0|11 1|21 1|", "it is on paper"},
+        {"0 TEXT|8 0|1 hello|", "0 read, 1 left out"},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        char text[512];
+        batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        snprintf(text, sizeof text, "%s0 POINT|8 0|10 4|20 5|30 6|", cases[i].entity);
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_STATUS(read_text(file_of("", "", text), BATTEN_FORMAT_DXF, notes, &model),
+                     BATTEN_PARTLY_READ);
+        CHECK_INT(batten_model_count(model), 1);
+        if (!batten_notes_dropped(notes))
+            CHECK(has_note(notes, cases[i].words));
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
+}
+
+TEST(Q1_lines_that_are_no_codes_are_refused_by_number)
+{
+    check_refused("0\nSECTION\n2\nENTITIES\nzero\nLINE\n", BATTEN_FORMAT_DXF, BATTEN_BAD_FORMAT,
+                  "t:5: 'zero' is not the code of a group");
+    check_refused(lines("0 SECTION|2 ENTITIES|0 TEXT|1 a|0 ENDSEC|0 EOF"), BATTEN_FORMAT_AUTO,
+                  BATTEN_UNSUPPORTED, "none of its 1 entities could be read");
+}
+
+TEST(F3_line_ends_of_every_kind_say_the_same)
+{
+    const char *text = file_of("", "", "0 LINE|8 0|10 0|20 0|11 1|21 1|");
+    const size_t size = strlen(text);
+    char *windows = test_array(2 * size + 1, 1), *mac = test_array(size + 1, 1);
+    size_t at = 0;
+    for (size_t i = 0; i < size; i++) {
+        if (text[i] == '\n')
+            windows[at++] = '\r';
+        windows[at++] = text[i];
+        mac[i] = text[i] == '\n' ? '\r' : text[i];
+    }
+    const char *const texts[] = {windows, mac};
+    for (int i = 0; i < 2; i++) {
+        batten_model *model = NULL;
+        CHECK_OK(read_text(texts[i], BATTEN_FORMAT_AUTO, NULL, &model));
+        CHECK_INT(batten_model_count(model), 1);
+        batten_model_unref(model);
+    }
+}
+
+TEST(F2_a_dxf_file_cut_anywhere_is_never_whole)
+{
+    const char *text = file_of("0 LAYER|2 a|70 0|62 1|", "0 BLOCK|2 b|10 0|20 0|0 ENDBLK|8 0|",
+                               "0 LINE|8 0|10 0|20 0|11 1|21 1|0 INSERT|2 b|8 0|");
+    const size_t size = strlen(text);
+    for (size_t length = 12; length < size - 4; length++) {
+        batten_model *model = NULL;
+        CHECK(read_bytes(text, length, BATTEN_FORMAT_DXF, NULL, &model) != BATTEN_OK);
+        batten_model_unref(model);
+    }
+}
+
+TEST(what_is_written_as_dxf_reads_back)
+{
+    const double points[] = {0, 0, 1, 1, 2, 1.5, 3, -1, 2, 4, 0, 0.25};
+    const double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
+    const batten_frame frame = batten_frame_across(0, 2);
+    batten_curve *spline = NULL, *arc = NULL;
+    batten_model *model = NULL, *back = NULL;
+    char *first = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_curve_create(3, 2, 4, points, NULL, knots, &spline));
+    CHECK_OK(batten_curve_arc_in(&frame, 3, 0.5, 4, &arc));
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){
+                   .name = "s", .layer = "L", .kind = BATTEN_OBJECT_CURVE, .curve = spline}));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "a", .kind = BATTEN_OBJECT_CURVE, .curve = arc}));
+    CHECK_OK(write_bytes(model, BATTEN_FORMAT_DXF, &first, &size));
+    CHECK_OK(read_bytes(first, size, BATTEN_FORMAT_AUTO, NULL, &back));
+    CHECK_INT(batten_model_count(back), 2);
+    CHECK_BITS(batten_model_unit_metres(back), 1);
+    CHECK_TEXT(batten_model_object(back, 0)->layer, "L");
+    const batten_curve *read = batten_model_object(back, 0)->curve;
+    for (int i = 0; i < 12; i++)
+        CHECK_BITS(batten_curve_points(read)[i], points[i]);
+    for (int i = 0; i <= 20; i++) { /* the arc, cut at other places */
+        double p[3];
+        point_of(back, 1, i / 20.0, p);
+        CHECK_NEAR(p[0], 2, 1e-14);
+        CHECK_NEAR(hypot(p[1], p[2]), 3, 1e-13);
+    }
+    batten_release(first);
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_curve_unref(spline);
+    batten_curve_unref(arc);
+}
