@@ -2,6 +2,7 @@
 #include "body/elementary_parts.h"
 #include "spline/curve.h"
 #include "spline/surface.h"
+#include <batten/inspect.h>
 #include <batten/skin.h>
 #include <batten/surface_offset.h>
 
@@ -83,11 +84,44 @@ static batten_status extrusion(const bat_stand *stand, batten_surface **out)
 
 /* ---- offsets ---- */
 
-static batten_status offset(const bat_elementary *elementary, double tolerance,
-                            batten_surface **out, double *error)
+/* The part of a surface that is below the points: it may be offset where the whole cannot. */
+static batten_status part_below(const batten_surface *surface, int count, const double *points,
+                                batten_surface **out)
+{
+    double *uv = bat_array3((size_t)count, 2, sizeof *uv);
+    batten_deviation deviation;
+    batten_surface *part = batten_surface_ref(surface);
+    batten_status status =
+        uv ? batten_surface_project(surface, count, points, NULL, NULL, uv, NULL, &deviation)
+           : BATTEN_OUT_OF_MEMORY;
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
+        const batten_direction direction = k == 0 ? BATTEN_U : BATTEN_V;
+        const batten_interval domain = batten_surface_domain(surface, direction);
+        batten_interval over = {domain.b, domain.a};
+        for (int i = 0; i < count; i++) {
+            over.a = bat_min(over.a, uv[2 * (size_t)i + (size_t)k]);
+            over.b = bat_max(over.b, uv[2 * (size_t)i + (size_t)k]);
+        }
+        const double more = bat_max(MARGIN * (over.b - over.a), 1e-3 * (domain.b - domain.a));
+        batten_surface *cut = NULL;
+        status = batten_surface_subrange(part, direction, bat_max(domain.a, over.a - more),
+                                         bat_min(domain.b, over.b + more), &cut);
+        status = bat_surface_replace(status, &part, &cut);
+    }
+    bat_release(uv);
+    if (status == BATTEN_OK)
+        *out = part;
+    else
+        batten_surface_unref(part);
+    return status;
+}
+
+static batten_status offset(const bat_elementary *elementary, int count, const double *points,
+                            double tolerance, batten_surface **out, double *error)
 {
     batten_surface_offset_options options = batten_surface_offset_defaults();
     batten_surface_offset_report report;
+    batten_surface *part = NULL;
     if (!(tolerance > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of the offset is %g", tolerance);
     if (elementary->a == 0) {
@@ -95,8 +129,14 @@ static batten_status offset(const bat_elementary *elementary, double tolerance,
         return BATTEN_OK;
     }
     options.tolerance = tolerance;
-    const batten_status status =
+    batten_status status =
         batten_surface_offset(elementary->surface, elementary->a, &options, &report, out);
+    if ((status == BATTEN_SINGULAR_HERE || status == BATTEN_NOT_COMPATIBLE) && count > 0) {
+        status = part_below(elementary->surface, count, points, &part);
+        if (status == BATTEN_OK)
+            status = batten_surface_offset(part, elementary->a, &options, &report, out);
+        batten_surface_unref(part);
+    }
     if (status == BATTEN_OK)
         *error = report.error;
     return status;
@@ -161,7 +201,7 @@ batten_status bat_elementary_surface(const bat_elementary *elementary, int count
         return status;
     double reached = 0;
     if (elementary->kind == BAT_OFFSET_SURFACE) {
-        status = offset(elementary, tolerance, out, &reached);
+        status = offset(elementary, count, points, tolerance, out, &reached);
     } else {
         bat_stand stand = {.of = elementary,
                            .count = count,

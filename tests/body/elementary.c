@@ -341,6 +341,34 @@ TEST(the_offset_of_a_sphere_is_a_sphere)
     batten_surface_unref(surface);
 }
 
+/* A trough z = x^2 for x in [-2, 2], whose radius at the bottom is 1/2: its offset by 1 turns
+ * over there, but not above x in [1, 1.5]. */
+TEST(an_offset_is_made_of_what_is_below_its_points)
+{
+    static const double knots[2][6] = {{-2, -2, -2, 2, 2, 2}, {0, 0, 1, 1}};
+    static const double net[] = {-2, 0, 4, -2, 1, 4, 0, 0, -4, 0, 1, -4, 2, 0, 4, 2, 1, 4};
+    const batten_axis u = {2, 3, knots[0], false}, v = {1, 2, knots[1], false};
+    batten_surface *surface = NULL, *offset = NULL;
+    double points[12], error = -1;
+    for (int i = 0; i < 4; i++) {
+        const double x = i & 1 ? 1.5 : 1, s = hypot(1, 2 * x);
+        points[3 * i] = x - 2 * x / s;
+        points[3 * i + 1] = i & 2 ? 1 : 0;
+        points[3 * i + 2] = x * x + 1 / s;
+    }
+    CHECK_OK(batten_surface_create(3, &u, &v, net, NULL, &surface));
+    const bat_elementary e = {.kind = BAT_OFFSET_SURFACE, .a = 1, .surface = surface};
+    CHECK_STATUS(bat_elementary_surface(&e, 0, NULL, 1e-6, &offset, &error),
+                 BATTEN_SINGULAR_HERE);
+    CHECK_OK(bat_elementary_surface(&e, 4, points, 1e-6, &offset, &error));
+    CHECK(error > 0 && error <= 1e-6);
+    batten_deviation deviation;
+    CHECK_OK(batten_surface_deviation(offset, 4, points, NULL, NULL, NULL, &deviation));
+    CHECK(deviation.max <= 2e-6);
+    batten_surface_unref(offset);
+    batten_surface_unref(surface);
+}
+
 TEST(what_cannot_be_bounded_or_made_is_refused)
 {
     bat_elementary e = {.kind = BAT_CYLINDER, .frame = tilted(), .a = 2};
