@@ -1,45 +1,9 @@
+#include "body/traced.h"
 #include "support/test.h"
 #include <batten/body.h>
 #include <batten/standard.h>
 
 static const batten_frame WORLD = {.x = {1, 0, 0}, .z = {0, 0, 1}};
-
-/* The largest distance of the edges of all uses from their surfaces, and how far uses that
- * follow one another are apart in (u, v); both at 50 places of each use. */
-static void check_traced(const batten_body *body, double tolerance)
-{
-    const batten_body_parts *p = batten_body_view(body);
-    CHECK(p->is_traced);
-    for (int f = 0; f < p->face_count; f++)
-        for (int l = 0; l < p->faces[f].count; l++) {
-            const batten_body_loop *loop = &p->loops[p->faces[f].first + l];
-            for (int k = 0; k < loop->count; k++) {
-                const batten_body_use *use = &p->uses[loop->first + k];
-                const batten_body_use *next = &p->uses[loop->first + (k + 1) % loop->count];
-                const batten_body_edge *edge = &p->edges[use->edge];
-                const batten_interval on = batten_curve_domain(use->parameters);
-                const batten_interval then = batten_curve_domain(next->parameters);
-                double end[2], begin[2];
-                for (int i = 0; i <= 50; i++) {
-                    const double t = i < 50 ? on.a + (on.b - on.a) * i / 50 : on.b;
-                    double uv[2], s[3], c[3];
-                    CHECK_OK(batten_curve_evaluate(use->parameters, t, 0, uv));
-                    CHECK_OK(batten_surface_evaluate(p->faces[f].surface, uv[0], uv[1], 0, s));
-                    if (edge->curve)
-                        CHECK_OK(batten_curve_evaluate(edge->curve, t, 0, c));
-                    else
-                        memcpy(c, p->vertices + 3 * edge->vertices[0], sizeof c);
-                    CHECK_NEAR(hypot(hypot(s[0] - c[0], s[1] - c[1]), s[2] - c[2]), 0,
-                               tolerance);
-                }
-                CHECK_OK(batten_curve_evaluate(use->parameters, use->reversed ? on.a : on.b, 0,
-                                               end));
-                CHECK_OK(batten_curve_evaluate(next->parameters,
-                                               next->reversed ? then.b : then.a, 0, begin));
-                CHECK_NEAR(hypot(end[0] - begin[0], end[1] - begin[1]), 0, 1e-12);
-            }
-        }
-}
 
 static void check_counts(const batten_body *body, int vertices, int edges, int poles)
 {
