@@ -4,6 +4,7 @@
 #include "exchange/g2/g2.h"
 #include "exchange/gcode/gcode.h"
 #include "exchange/iges/iges.h"
+#include "exchange/obj/obj.h"
 #include "exchange/ply/ply.h"
 #include "exchange/step/step.h"
 #include "exchange/stl/stl.h"
@@ -98,7 +99,14 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
      .write = bat_write_g2},
 
-    {.format = BATTEN_FORMAT_OBJ, .name = "obj", .title = "OBJ", .endings = {".obj"}},
+    {.format = BATTEN_FORMAT_OBJ,
+     .name = "obj",
+     .title = "OBJ",
+     .endings = {".obj"},
+     .recognise = bat_obj_recognise,
+     .read = bat_read_obj,
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(MESH),
+     .write = bat_write_obj},
 
     {.format = BATTEN_FORMAT_STL,
      .name = "stl",

@@ -14,14 +14,17 @@ static bool is_end_of_line(char c)
     return c == '\n' || c == '\r';
 }
 
-/* Step over the end of a line: LF, CRLF or CR. */
-static void next_line(bat_scan *words)
+/* The end of a line is LF, CRLF or CR. */
+bool bat_next_scan_line(bat_scan *words)
 {
+    if (words->at >= words->end)
+        return false;
     const bool is_return = *words->at++ == '\r';
     if (is_return && words->at < words->end && *words->at == '\n')
         words->at++;
     if (words->line < INT_MAX)
         words->line++;
+    return true;
 }
 
 bool bat_next_in_line(bat_scan *words, bat_span *word)
@@ -39,11 +42,9 @@ bool bat_next_in_line(bat_scan *words, bat_span *word)
 
 bool bat_next_word(bat_scan *words, bat_span *word)
 {
-    while (!bat_next_in_line(words, word)) {
-        if (words->at >= words->end)
+    while (!bat_next_in_line(words, word))
+        if (!bat_next_scan_line(words))
             return false;
-        next_line(words);
-    }
     return true;
 }
 

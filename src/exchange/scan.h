@@ -13,6 +13,8 @@ bat_scan bat_scan_begin(const char *text, size_t length);
 bool bat_next_word(bat_scan *words, bat_span *word);
 /* The next word of the line; false at its end, where `words` stays. */
 bool bat_next_in_line(bat_scan *words, bat_span *word);
+/* Go from the end of a line to the next; false when there is none. */
+bool bat_next_scan_line(bat_scan *words);
 /* What is left of the line, without blanks around it; `words` then stands at its end. */
 bat_span bat_rest_of_line(bat_scan *words);
 

@@ -98,3 +98,26 @@ TEST(published_ply_files_have_their_counts)
     };
     check_all(COUNT(rows), rows);
 }
+
+/* A published file counts vertices that several objects share once. */
+TEST(published_obj_files_have_their_counts)
+{
+    static const published rows[] = {
+        {"trimesh_fandisk.obj", 2877, 5750, 6.2977, 0.679353, true},
+        {"viewer_cube with white spaces.obj", 8, 12, 6, 1, true},
+        {"viewer_cube_rgb.obj", 8, 12, 6, 1, true},
+        {"viewer_cube_with_edges.obj", 8, 12, 6, 1, true},
+        {"viewer_cube_with_materials.obj", 8, 12, 6, 1, true},
+        {"viewer_cube_with_materials_comments.obj", 8, 12, 6, 1, true},
+        {"viewer_empty_meshes.obj", 6, 2, 1, 0, false},
+        {"viewer_hundred_cubes.obj", 800, 1200, 600, 100, true},
+        {"viewer_icosahedron.obj", 12, 20, 9.57454, 2.53615, true},
+        {"viewer_lines.obj", 0, 0, 0, 0, false},
+        {"viewer_lines_colors.obj", 0, 0, 0, 0, false},
+        {"viewer_lines_in_meshes.obj", 0, 0, 0, 0, false},
+        {"viewer_lines_in_meshes_2.obj", 0, 0, 0, 0, false},
+        {"viewer_lines_triangles_colors.obj", 12, 6, 3, 0, false},
+        {"viewer_lines_with_vt.obj", 0, 0, 0, 0, false},
+    };
+    check_all(COUNT(rows), rows);
+}

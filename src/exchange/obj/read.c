@@ -1,0 +1,326 @@
+#include "exchange/formats.h"
+#include "exchange/obj/obj.h"
+
+#include <limits.h>
+
+/* ---- words of statements ---- */
+
+static bool at_end_of_line(const bat_scan *scan)
+{
+    return scan->at >= scan->end || *scan->at == '\n' || *scan->at == '\r';
+}
+
+bool bat_obj_next(bat_obj *obj, bat_span *word)
+{
+    for (;;) {
+        if (obj->continues)
+            bat_next_scan_line(&obj->scan);
+        obj->continues = false;
+        if (!bat_next_in_line(&obj->scan, word))
+            return false;
+        if (word->bytes[0] == '#') {
+            bat_rest_of_line(&obj->scan);
+            return false;
+        }
+        if (word->bytes[word->length - 1] != '\\' || !at_end_of_line(&obj->scan))
+            return true;
+        obj->continues = true;
+        if (--word->length > 0)
+            return true;
+    }
+}
+
+bool bat_obj_number(bat_obj *obj, double *value)
+{
+    bat_span word;
+    return bat_obj_next(obj, &word) && bat_word_number(word, value);
+}
+
+/* ---- recognition ---- */
+
+static bool is_one_of(bat_span word, const char *const *words)
+{
+    for (; *words; words++)
+        if (bat_word_is(word, *words))
+            return true;
+    return false;
+}
+
+/* Some write the materials into the file itself. */
+static bool is_of_material(bat_span word)
+{
+    static const char *const words[] = {"newmtl", "Ka", "Kd", "Ks",    "Ke", "Ns",
+                                        "Ni",     "d",  "Tr", "illum", "Tf", NULL};
+    return is_one_of(word, words);
+}
+
+batten_status bat_obj_recognise(const bat_input *input, bool *is_such)
+{
+    static const char *const before[] = {"mtllib", "o", "g", "usemtl", "s", "cstype", NULL};
+    static const char *const proof[] = {"v", "vn", "vt", "vp", NULL};
+    bat_span word;
+    const size_t at = bat_past_white(input);
+    bat_scan scan = bat_scan_begin(input->data + at, input->size - at);
+    *is_such = false;
+    while (bat_next_word(&scan, &word)) {
+        double number;
+        if (is_one_of(word, proof)) {
+            *is_such = bat_next_in_line(&scan, &word) && bat_word_number(word, &number) &&
+                       bat_next_in_line(&scan, &word) && bat_word_number(word, &number);
+            return BATTEN_OK;
+        }
+        if (word.bytes[0] != '#' && !is_one_of(word, before) && !is_of_material(word))
+            return BATTEN_OK;
+        bat_rest_of_line(&scan);
+    }
+    return BATTEN_OK;
+}
+
+/* ---- vertices ---- */
+
+static batten_status read_vertex(bat_obj *obj)
+{
+    bat_input *input = obj->input;
+    double numbers[7];
+    int count = 0;
+    bat_span word;
+    bool good = true;
+    while (bat_obj_next(obj, &word)) {
+        good = good && count < 7 && bat_word_number(word, &numbers[count]);
+        count++;
+    }
+    bat_obj_vertex vertex = {.weight = 1};
+    good = good && (count == 3 || count == 4 || count == 6 || count == 7);
+    for (int k = 0; k < 3; k++)
+        vertex.point[k] = good ? numbers[k] : (double)NAN;
+    if (good && count == 4)
+        vertex.weight = numbers[3];
+    vertex.has_colour = good && count >= 6;
+    for (int k = 0; vertex.has_colour && k < 3; k++) {
+        vertex.colour[k] = numbers[3 + k];
+        vertex.has_colour = numbers[3 + k] >= 0 && numbers[3 + k] <= 1;
+    }
+    if (!good) {
+        input->left_out++;
+        batten_notes_add(input->notes, input->file, obj->scan.line, "",
+                         "vertex %zu is left out: it is not of 3, 4 or 6 numbers",
+                         obj->vertices.count + 1);
+    }
+    const size_t limit = input->limits.points;
+    batten_status status =
+        bat_input_limit(input, obj->scan.line, obj->vertices.count + 1,
+                        limit < INT_MAX / 3 ? limit : (size_t)INT_MAX / 3, "vertices");
+    return status == BATTEN_OK ? bat_list_add(input, &obj->vertices, &vertex) : status;
+}
+
+static batten_status read_normal(bat_obj *obj)
+{
+    double normal[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
+        if (!bat_obj_number(obj, &normal[k]))
+            normal[0] = (double)NAN;
+    return bat_list_add(obj->input, &obj->normals, normal);
+}
+
+/* ---- elements ---- */
+
+/* An index counts from 1, or back from the last one so far. */
+static bool read_index(bat_span word, size_t count, int64_t *index)
+{
+    int64_t number = 0;
+    if (!bat_word_integer(word, -INT_MAX, INT_MAX, &number) || number == 0)
+        return false;
+    *index = number > 0 ? number - 1 : (int64_t)count + number;
+    return *index >= 0;
+}
+
+/* "7", "7/2", "7//3", "7/2/3". */
+static bool read_corner(const bat_obj *obj, bat_span word, bat_obj_corner *corner)
+{
+    bat_span parts[3] = {{word.bytes, 0}, {NULL, 0}, {NULL, 0}};
+    int part = 0;
+    for (size_t i = 0; i < word.length; i++) {
+        if (word.bytes[i] != '/')
+            parts[part].length++;
+        else if (++part < 3)
+            parts[part].bytes = word.bytes + i + 1;
+        else
+            return false;
+    }
+    *corner = (bat_obj_corner){INT64_MIN, INT64_MIN};
+    return read_index(parts[0], obj->vertices.count, &corner->vertex) &&
+           (parts[2].length == 0 || read_index(parts[2], obj->normals.count, &corner->normal));
+}
+
+batten_status bat_obj_corners(bat_obj *obj, bat_list *corners, int *bad)
+{
+    bat_span word;
+    batten_status status = BATTEN_OK;
+    *bad = 0;
+    while (status == BATTEN_OK && bat_obj_next(obj, &word)) {
+        bat_obj_corner corner;
+        *bad += !read_corner(obj, word, &corner);
+        status = bat_list_add(obj->input, corners, &corner);
+    }
+    return status;
+}
+
+batten_status bat_obj_add(bat_obj *obj, const bat_obj_element *element)
+{
+    bat_input *input = obj->input;
+    batten_status status = bat_input_limit(input, element->line, obj->elements.count + 1,
+                                           input->limits.entities, "elements");
+    if (status == BATTEN_OK && obj->is_new_part) {
+        const bat_obj_part part = {obj->object, obj->group, obj->elements.count};
+        obj->is_new_part = false;
+        status = bat_list_add(input, &obj->parts, &part);
+    }
+    return status == BATTEN_OK ? bat_list_add(input, &obj->elements, element) : status;
+}
+
+static batten_status read_element(bat_obj *obj, bat_obj_kind kind, size_t least)
+{
+    static const char *const names[] = {"face", "line", "row of points"};
+    bat_obj_element element = {
+        .kind = kind, .first = obj->corners.count, .line = obj->scan.line};
+    int bad = 0;
+    batten_status status = bat_obj_corners(obj, &obj->corners, &bad);
+    element.count = obj->corners.count - element.first;
+    if (status != BATTEN_OK)
+        return status;
+    if (!bad && element.count >= least)
+        return bat_obj_add(obj, &element);
+    batten_notes_add(obj->input->notes, obj->input->file, element.line, "",
+                     "the %s is left out: %d of its %zu corners are no indices", names[kind],
+                     bad, element.count);
+    obj->input->left_out++;
+    obj->corners.count = element.first;
+    return BATTEN_OK;
+}
+
+/* Up to a word that begins a comment. */
+static bat_span read_name(bat_obj *obj)
+{
+    bat_span name = bat_rest_of_line(&obj->scan);
+    for (size_t i = 0; i < name.length; i++)
+        if (name.bytes[i] == '#' && (i == 0 || bat_is_blank(name.bytes[i - 1])))
+            name.length = i;
+    while (name.length && bat_is_blank(name.bytes[name.length - 1]))
+        name.length--;
+    return name;
+}
+
+static void begin_part(bat_obj *obj, bool is_object)
+{
+    const bat_span name = read_name(obj);
+    if (is_object)
+        obj->object = name;
+    obj->group = is_object ? (bat_span){name.bytes, 0} : name;
+    obj->is_new_part = true;
+}
+
+/* ---- statements ---- */
+
+static batten_status read_statement(bat_obj *obj, bat_span word)
+{
+    static const char *const passed[] = {
+        "vp",  "mtllib", "usemtl", "s",          "mg",    "bevel", "c_interp",  "d_interp",
+        "lod", "maplib", "usemap", "shadow_obj", "ctech", "stech", "trace_obj", NULL};
+    bool is_such = false;
+    if (bat_word_is(word, "v"))
+        return read_vertex(obj);
+    if (bat_word_is(word, "vn"))
+        return read_normal(obj);
+    if (bat_word_is(word, "f") || bat_word_is(word, "fo"))
+        return read_element(obj, BAT_OBJ_FACE, 3);
+    if (bat_word_is(word, "l"))
+        return read_element(obj, BAT_OBJ_LINE, 2);
+    if (bat_word_is(word, "p"))
+        return read_element(obj, BAT_OBJ_POINT, 1);
+    obj->textures += bat_word_is(word, "vt");
+    obj->materials += bat_word_is(word, "usemtl");
+    if (bat_word_is(word, "o") || bat_word_is(word, "g"))
+        begin_part(obj, bat_word_is(word, "o"));
+    else if (!bat_word_is(word, "vt") && !is_one_of(word, passed) && !is_of_material(word)) {
+        batten_status status = bat_obj_free_statement(obj, word, &is_such);
+        if (status != BATTEN_OK || is_such)
+            return status;
+        char shown[BAT_SHOWN_SIZE];
+        batten_notes_add(obj->input->notes, obj->input->file, obj->scan.line, "",
+                         "the statement '%.40s' is not known",
+                         bat_shown(word.bytes, word.length, shown));
+        obj->input->left_out++;
+    }
+    return BATTEN_OK;
+}
+
+static batten_status read_statements(bat_obj *obj)
+{
+    bat_span word;
+    batten_status status = BATTEN_OK;
+    size_t steps = 0;
+    do {
+        if (bat_obj_next(obj, &word))
+            status = read_statement(obj, word);
+        while (status == BATTEN_OK && bat_obj_next(obj, &word))
+            continue;
+        obj->continues = false;
+        if (status == BATTEN_OK && ++steps % 10000 == 0)
+            status = bat_input_step(obj->input, (size_t)(obj->scan.at - obj->input->data));
+    } while (status == BATTEN_OK && bat_next_scan_line(&obj->scan));
+    bat_obj_free_close(obj);
+    return status;
+}
+
+static void release(bat_obj *obj)
+{
+    const bat_obj_shape *shapes = obj->shapes.items;
+    for (size_t i = 0; i < obj->shapes.count; i++) {
+        batten_curve_unref(shapes[i].curve);
+        batten_surface_unref(shapes[i].surface);
+    }
+    bat_release(obj->vertices.items);
+    bat_release(obj->normals.items);
+    bat_release(obj->corners.items);
+    bat_release(obj->elements.items);
+    bat_release(obj->parts.items);
+    bat_release(obj->shapes.items);
+    bat_release(obj->free.corners.items);
+    for (int k = 0; k < 2; k++) {
+        bat_release(obj->free.matrix[k].items);
+        bat_release(obj->free.knots[k].items);
+    }
+}
+
+batten_status bat_read_obj(bat_input *input, batten_model **out)
+{
+    const bat_list numbers = {.size = sizeof(double)};
+    bat_obj obj = {.input = input,
+                   .scan = bat_scan_begin(input->data, input->size),
+                   .vertices = {.size = sizeof(bat_obj_vertex)},
+                   .normals = {.size = 3 * sizeof(double)},
+                   .corners = {.size = sizeof(bat_obj_corner)},
+                   .elements = {.size = sizeof(bat_obj_element)},
+                   .parts = {.size = sizeof(bat_obj_part)},
+                   .shapes = {.size = sizeof(bat_obj_shape)},
+                   .is_new_part = true,
+                   .free = {.matrix = {numbers, numbers},
+                            .knots = {numbers, numbers},
+                            .corners = {.size = sizeof(bat_obj_corner)}}};
+    batten_model *model = NULL;
+    batten_status status = read_statements(&obj);
+    if (status == BATTEN_OK)
+        status = batten_model_create(0, &model);
+    if (status == BATTEN_OK)
+        status = bat_obj_finish(&obj, model);
+    if (status == BATTEN_OK && batten_model_count(model) == 0)
+        status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "%s",
+                                input->size ? "there is no vertex, face or curve"
+                                            : "the file is empty");
+    release(&obj);
+    if (status == BATTEN_OK)
+        *out = model;
+    else
+        batten_model_unref(model);
+    return status;
+}

@@ -1,0 +1,292 @@
+#include "exchange/facets.h"
+#include "exchange/obj/obj.h"
+#include "exchange/prepare.h"
+
+#include <string.h>
+
+typedef struct {
+    batten_notes *notes;
+    batten_text *text;
+    long long vertices, normals; /* written so far */
+    int in_line;                 /* numbers since the line began */
+    double tolerance;
+} writing;
+
+static void put(writing *w, const char *words)
+{
+    batten_text_bytes(w->text, words, strlen(words));
+}
+
+static void put_number(writing *w, double value)
+{
+    put(w, " ");
+    batten_text_number(w->text, value);
+}
+
+/* Long statements go on after a backslash. */
+static void put_item(writing *w, double value)
+{
+    if (++w->in_line > 12) {
+        put(w, " \\\n");
+        w->in_line = 1;
+    }
+    put_number(w, value);
+}
+
+static void end_statement(writing *w)
+{
+    put(w, "\n");
+    w->in_line = 0;
+}
+
+static void put_point(writing *w, const double *point, const double *weight,
+                      const double *colour)
+{
+    put(w, "v");
+    for (int k = 0; k < 3; k++)
+        put_number(w, point[k]);
+    if (weight)
+        put_number(w, *weight);
+    for (int k = 0; colour && k < 3; k++)
+        put_number(w, colour[k]);
+    put(w, "\n");
+    w->vertices++;
+}
+
+/* ---- names ---- */
+
+static void put_name(writing *w, const char *statement, const char *name, const char *otherwise)
+{
+    const char *begin = name, *end = name + strlen(name);
+    while (begin < end && (unsigned char)*begin <= ' ')
+        begin++;
+    while (end > begin && (unsigned char)end[-1] <= ' ')
+        end--;
+    put(w, statement);
+    put(w, " ");
+    if (begin == end)
+        put(w, otherwise);
+    for (char before = ' '; begin < end; begin++) {
+        /* A word that begins with # would begin a comment. */
+        const char c = (unsigned char)*begin < ' '      ? ' '
+                       : *begin == '#' && before == ' ' ? '_'
+                                                        : *begin;
+        batten_text_bytes(w->text, &c, 1);
+        before = c;
+    }
+    put(w, "\n");
+}
+
+static void put_names(writing *w, const batten_object *object, const char *otherwise)
+{
+    if (object->group[0])
+        put_name(w, "o", object->group, otherwise);
+    put_name(w, object->group[0] ? "g" : "o", object->name, otherwise);
+}
+
+/* ---- meshes ---- */
+
+/* The normals of corners, equal ones at a vertex once: index[corner] from 1 on. */
+static batten_status put_normals(writing *w, const batten_mesh_parts *p, long long **index)
+{
+    const size_t corners = 3 * (size_t)p->triangle_count;
+    size_t *last = bat_array((size_t)p->vertex_count, sizeof *last); /* corner + 1 */
+    long long *made = bat_array(corners, sizeof *made);
+    if (!last || !made) {
+        bat_release(last);
+        bat_release(made);
+        return BATTEN_OUT_OF_MEMORY;
+    }
+    for (size_t i = 0; i < corners; i++) {
+        const size_t v = (size_t)p->corners[i], before = last[v];
+        const double *n = p->normals + 3 * i;
+        last[v] = i + 1;
+        if (before && memcmp(n, p->normals + 3 * (before - 1), 3 * sizeof *n) == 0) {
+            made[i] = made[before - 1];
+            continue;
+        }
+        put(w, "vn");
+        for (int k = 0; k < 3; k++)
+            put_number(w, n[k]);
+        put(w, "\n");
+        made[i] = ++w->normals;
+    }
+    bat_release(last);
+    *index = made;
+    return BATTEN_OK;
+}
+
+static void put_index(writing *w, long long index)
+{
+    batten_text_number(w->text, (double)index);
+}
+
+static batten_status put_mesh(writing *w, const batten_object *object)
+{
+    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    const long long first = w->vertices + 1;
+    long long *normals = NULL;
+    put_names(w, object, "mesh");
+    for (size_t i = 0; i < (size_t)p->vertex_count; i++)
+        put_point(w, p->points + 3 * i, NULL,
+                  p->colours           ? p->colours + 3 * i
+                  : object->has_colour ? object->colour
+                                       : NULL);
+    if (p->normals) {
+        batten_status status = put_normals(w, p, &normals);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    for (size_t i = 0; i < 3 * (size_t)p->triangle_count; i++) {
+        put(w, i % 3 == 0 ? "f " : " ");
+        put_index(w, first + p->corners[i]);
+        if (normals) {
+            put(w, "//");
+            put_index(w, normals[i]);
+        }
+        if (i % 3 == 2)
+            put(w, "\n");
+    }
+    bat_release(normals);
+    if (p->attribute_count)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "%d values of each vertex are left out: OBJ files do not hold them",
+                         p->attribute_count);
+    return BATTEN_OK;
+}
+
+/* ---- points and curves ---- */
+
+static void put_points(writing *w, const batten_object *object)
+{
+    const long long first = w->vertices + 1;
+    put_names(w, object, "points");
+    for (size_t i = 0; i < (size_t)object->point_count; i++)
+        put_point(w, object->points + 3 * i, NULL, NULL);
+    for (int i = 0; i < object->point_count; i++) {
+        if (i % 12 == 0)
+            put(w, i ? "\np" : "p");
+        put_number(w, (double)(first + i));
+    }
+    put(w, object->point_count ? "\n" : "");
+}
+
+/* The knots that the statement "l" means. */
+static bool is_line(const batten_curve *curve)
+{
+    const double *knots = batten_curve_knots(curve);
+    const int n = batten_curve_point_count(curve);
+    if (batten_curve_degree(curve) != 1 || batten_curve_weights(curve))
+        return false;
+    for (int i = 0; i < n; i++)
+        if (knots[i + 1] != i)
+            return false;
+    return knots[0] == 0 && knots[n + 1] == n - 1;
+}
+
+static void put_parameters(writing *w, const char *statement, int count, const double *knots)
+{
+    put(w, statement);
+    for (int i = 0; i < count; i++)
+        put_item(w, knots[i]);
+    end_statement(w);
+}
+
+static void put_curve(writing *w, const batten_object *object, const batten_curve *curve)
+{
+    const int p = batten_curve_degree(curve), n = batten_curve_point_count(curve);
+    const double *weights = batten_curve_weights(curve);
+    const batten_interval domain = batten_curve_domain(curve);
+    const long long first = w->vertices + 1;
+    put_names(w, object, is_line(curve) ? "line" : "curve");
+    for (int i = 0; i < n; i++)
+        put_point(w, batten_curve_points(curve) + 3 * i, weights ? weights + i : NULL, NULL);
+    if (!is_line(curve)) {
+        put(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
+        put_item(w, p);
+        end_statement(w);
+        put(w, "curv");
+        put_item(w, domain.a);
+        put_item(w, domain.b);
+    } else
+        put(w, "l");
+    for (int i = 0; i < n; i++)
+        put_item(w, (double)(first + i));
+    end_statement(w);
+    if (is_line(curve))
+        return;
+    put_parameters(w, "parm u", n + p + 1, batten_curve_knots(curve));
+    put(w, "end\n");
+}
+
+/* ---- surfaces ---- */
+
+static void put_surface(writing *w, const batten_object *object, const batten_surface *surface)
+{
+    static const char *const parameters[] = {"parm u", "parm v"};
+    const double *weights = batten_surface_weights(surface);
+    const long long first = w->vertices + 1;
+    int n[2];
+    for (int k = 0; k < 2; k++)
+        n[k] = batten_surface_point_count(surface, k ? BATTEN_V : BATTEN_U);
+    put_names(w, object, "surface");
+    for (size_t i = 0; i < (size_t)n[0] * (size_t)n[1]; i++)
+        put_point(w, batten_surface_points(surface) + 3 * i, weights ? weights + i : NULL,
+                  NULL);
+    put(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
+    for (int k = 0; k < 2; k++)
+        put_item(w, batten_surface_degree(surface, k ? BATTEN_V : BATTEN_U));
+    end_statement(w);
+    put(w, "surf");
+    for (int k = 0; k < 2; k++) {
+        const batten_interval d = batten_surface_domain(surface, k ? BATTEN_V : BATTEN_U);
+        put_item(w, d.a);
+        put_item(w, d.b);
+    }
+    for (int j = 0; j < n[1]; j++)
+        for (int i = 0; i < n[0]; i++)
+            put_item(w, (double)(first + (long long)i * n[1] + j));
+    end_statement(w);
+    for (int k = 0; k < 2; k++) {
+        const batten_direction direction = k ? BATTEN_V : BATTEN_U;
+        put_parameters(w, parameters[k], batten_surface_knot_count(surface, direction),
+                       batten_surface_knots(surface, direction));
+    }
+    put(w, "end\n");
+}
+
+static batten_status put_object(writing *w, const batten_object *object)
+{
+    batten_curve *curve = NULL;
+    batten_surface *surface = NULL;
+    batten_status status = BATTEN_OK;
+    if (object->kind == BATTEN_OBJECT_MESH)
+        return put_mesh(w, object);
+    if (object->kind == BATTEN_OBJECT_POINTS)
+        put_points(w, object);
+    else if (object->kind == BATTEN_OBJECT_CURVE) {
+        status = bat_prepare_curve(object, &curve);
+        if (status == BATTEN_OK)
+            put_curve(w, object, curve);
+    } else {
+        status = bat_prepare_surface(object, w->tolerance, w->notes, &surface);
+        if (status == BATTEN_OK)
+            put_surface(w, object, surface);
+    }
+    batten_curve_unref(curve);
+    batten_surface_unref(surface);
+    return status;
+}
+
+batten_status bat_write_obj(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text)
+{
+    const double unit = batten_model_unit_metres(model);
+    writing w = {.notes = notes, .text = text};
+    batten_status status = BATTEN_OK;
+    w.tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / (unit > 0 ? unit : 1);
+    bat_remark_unit(model, "OBJ", notes);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+        status = put_object(&w, batten_model_object(model, i));
+    return status;
+}
