@@ -160,7 +160,8 @@ typedef struct batten_body_measures {
  * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
  * can
  * @return BATTEN_OK; BAD_ARGUMENT (precision); TOLERANCE_NOT_MET when the precision is not
- * reached after about 4 million evaluations for a face: the measures are set then; OVERFLOW
+ * reached after about 4 million evaluations for a face, or faces could not be traced, which
+ * then are not measured: the measures are set then; OVERFLOW
  * Cost: about 250 evaluations for each span of the loops and each knot line across.
  */
 BATTEN_API batten_status batten_body_measure(const batten_body *body, double precision,
@@ -187,9 +188,10 @@ typedef struct batten_body_faults {
  * Look at every edge, face and shell; nothing is changed.
  *
  * Edges of traced bodies are compared with their curves on the faces, others with the nearest
- * places of the surface, at up to 64 places of each. Loops are looked at in (u, v), of faces
- * all whose uses have parameters: crossings are found by halving, and places where loops meet
- * in a vertex; loops that touch between vertices without crossing may be left out.
+ * places of the surface, at up to 64 places of each. Loops are looked at in (u, v), of bodies
+ * that are not traced after tracing: faces that cannot be traced have a note. Crossings are
+ * found by halving, and places where loops meet in a vertex; loops that touch between vertices
+ * without crossing may be left out.
  * @param tolerance model units, > 0
  * @param notes each fault with the face or edge and the number; may be NULL
  * @return BATTEN_OK, however bad the body is; BAD_ARGUMENT (tolerance), CANCELLED ...

@@ -16,11 +16,12 @@ typedef struct {
 
 const char *bat_check_face_name(const bat_check *check, int face, char name[BAT_CHECK_NAME])
 {
-    const char *given = check->parts->faces[face].name;
+    const char *given = check->parts->faces[face].name,
+               *of = check->is_renumbered ? " of the traced body" : "";
     if (given[0])
-        snprintf(name, BAT_CHECK_NAME, "face %d \"%.64s\"", face, given);
+        snprintf(name, BAT_CHECK_NAME, "face %d%s \"%.56s\"", face, of, given);
     else
-        snprintf(name, BAT_CHECK_NAME, "face %d", face);
+        snprintf(name, BAT_CHECK_NAME, "face %d%s", face, of);
     return name;
 }
 
@@ -177,15 +178,6 @@ static void check_shell(bat_check *check, int shell, edge_uses *uses)
 
 /* ---- faces ---- */
 
-static bool has_parameters(const batten_body_parts *p, int face)
-{
-    for (int l = p->faces[face].first; l < p->faces[face].first + p->faces[face].count; l++)
-        for (int i = 0; i < p->loops[l].count; i++)
-            if (!p->uses[p->loops[l].first + i].parameters)
-                return false;
-    return true;
-}
-
 static batten_status check_face(bat_check *check, int face)
 {
     bool close = false;
@@ -199,11 +191,33 @@ static batten_status check_face(bat_check *check, int face)
         batten_notes_add(check->notes, "", 0, bat_check_face_name(check, face, name),
                          "its surface has knots very near each other: %g of the domain", gap);
     }
-    if (status == BATTEN_OK && has_parameters(check->parts, face))
-        status = bat_check_loops(check, face);
     if (status == BATTEN_OK)
         status = bat_work_step(&check->work, 1, (double)face / check->parts->face_count,
                                "checking faces");
+    return status;
+}
+
+/* Loops are looked at where they have curves in the parameters, which tracing gives them. */
+static batten_status check_loops(bat_check *check, const batten_body *body)
+{
+    batten_body *traced = NULL;
+    bat_check loops = *check;
+    batten_status status = BATTEN_OK;
+    if (!check->parts->is_traced) {
+        status = batten_body_trace(body, check->tolerance, check->work.job, check->notes, NULL,
+                                   &traced);
+        if (status != BATTEN_OK)
+            return status;
+        loops.parts = batten_body_view(traced);
+        loops.is_renumbered = loops.parts->face_count != check->parts->face_count;
+    }
+    const int count = loops.parts->face_count;
+    for (int f = 0; f < count && status == BATTEN_OK; f++) {
+        status = bat_check_loops(&loops, f);
+        if (status == BATTEN_OK)
+            status = bat_work_step(&loops.work, 1, (double)f / count, "checking loops");
+    }
+    batten_body_unref(traced);
     return status;
 }
 
@@ -217,7 +231,7 @@ batten_status batten_body_check(const batten_body *body, double tolerance,
                         tolerance);
     const batten_body_parts *parts = batten_body_view(body);
     batten_body_faults faults = {.gaps = 0};
-    bat_check check = {parts, tolerance, {.job = job}, notes, &faults};
+    bat_check check = {parts, tolerance, {.job = job}, notes, &faults, false};
     edge_uses *uses = bat_array((size_t)parts->edge_count + 1, sizeof *uses);
     if (!uses)
         return BATTEN_OUT_OF_MEMORY;
@@ -231,6 +245,8 @@ batten_status batten_body_check(const batten_body *body, double tolerance,
         check_shell(&check, s, uses);
     for (int f = 0; f < parts->face_count && status == BATTEN_OK; f++)
         status = check_face(&check, f);
+    if (status == BATTEN_OK)
+        status = check_loops(&check, body);
     bat_release(uses);
     if (status == BATTEN_OK)
         *out = faults;

@@ -10,6 +10,7 @@ typedef struct {
     bat_work work;
     batten_notes *notes;
     batten_body_faults *faults;
+    bool is_renumbered; /* the parts are of a traced body whose faces have other numbers */
 } bat_check;
 
 /* "face 12 "bottom"": where a note of it stands. */

@@ -190,22 +190,25 @@ batten_status batten_body_measure(const batten_body *body, double precision,
     assert(body && out);
     const batten_body_parts *given = batten_body_view(body);
     batten_body_measures made = {.area = 0};
+    batten_trace_report report = {.failed = 0};
+    batten_body *traced = NULL;
     batten_status status = BATTEN_OK;
     if (!(precision > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the precision is %g; it must be positive",
                         precision);
     if (needs_tracing(given))
-        return bat_fail(
-            BATTEN_NOT_COMPATIBLE,
-            "the body has no curves in the parameters of its faces: trace it first");
-    batten_body *traced = batten_body_ref(body);
+        status = batten_body_trace(body, given->tolerance, job, NULL, &report, &traced);
+    else
+        traced = batten_body_ref(body);
+    if (status != BATTEN_OK)
+        return status;
     total t = {.parts = batten_body_view(traced)};
     set_rules(traced, &t.rules);
     status = add_lengths(given, precision, &made.edge_length);
     if (status == BATTEN_OK)
         status = integrate(&t, precision, job, &made);
     if (status == BATTEN_OK)
-        status = finish(&t, 0, precision, &made);
+        status = finish(&t, report.failed, precision, &made);
     if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET)
         *out = made;
     batten_body_unref(traced);

@@ -128,6 +128,74 @@ TEST(measures_hold_at_any_size)
     }
 }
 
+TEST(a_box_is_traced_and_measured)
+{
+    const batten_body_measures m =
+        measured(test_box((batten_vec3){1, 2, 3}, (batten_vec3){2, 4, 6}), 1e-12);
+    CHECK(m.is_closed);
+    CHECK_NEAR(m.area, 22, 1e-12);
+    CHECK_NEAR(m.volume, 6, 1e-12);
+    CHECK_NEAR(m.centroid[0], 1.5, 1e-12);
+    CHECK_NEAR(m.centroid[1], 3, 1e-12);
+    CHECK_NEAR(m.centroid[2], 4.5, 1e-12);
+    CHECK_NEAR(m.edge_length, 24, 1e-12);
+}
+
+/* A ball of radius 1 within a ball of radius 2, as faces without loops. */
+TEST(a_void_is_not_of_the_volume)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *outer = NULL, *inner = NULL;
+    bat_builder b;
+    bat_builder_begin(&b, 1e-6);
+    CHECK_OK(batten_surface_sphere(&world, 2, &outer));
+    CHECK_OK(batten_surface_sphere(&world, 1, &inner));
+    CHECK_OK(bat_builder_shell(&b, true));
+    const batten_body_face faces[2] = {{.name = "", .surface = outer},
+                                       {.name = "", .surface = inner, .reversed = true}};
+    CHECK_OK(bat_builder_face(&b, &faces[0]));
+    CHECK_OK(bat_builder_shell(&b, true));
+    CHECK_OK(bat_builder_face(&b, &faces[1]));
+    batten_surface_unref(outer);
+    batten_surface_unref(inner);
+    const batten_body_measures m = measured(finish(&b, true), 1e-9);
+    CHECK(m.is_closed);
+    CHECK_NEAR(m.area / (20 * BAT_PI), 1, 1e-10);
+    CHECK_NEAR(m.volume / (4 * BAT_PI / 3 * 7), 1, 1e-10);
+}
+
+/* A ball cut by a plane across its poles: x >= 1/2 of radius 1, by its edge alone. */
+TEST(a_cut_ball_is_traced_and_measured)
+{
+    const double h = 0.5, r = sqrt(1 - h * h);
+    const batten_frame world = batten_frame_world(), across = {{h, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+    batten_surface *ball = NULL, *lid = NULL;
+    batten_curve *circle = NULL;
+    bat_builder b;
+    bat_builder_begin(&b, 1e-9);
+    CHECK_OK(batten_surface_sphere(&world, 1, &ball));
+    CHECK_OK(batten_curve_arc_in(&across, r, 0, 2 * BAT_PI, &circle));
+    CHECK_OK(batten_surface_bilinear((batten_vec3){h, -2, -2}, (batten_vec3){h, -2, 2},
+                                     (batten_vec3){h, 2, -2}, (batten_vec3){h, 2, 2}, &lid));
+    const int v = add_vertex(&b, h, r, 0), e = add_edge(&b, circle, v, v);
+    CHECK_OK(bat_builder_shell(&b, true));
+    add_face(&b, ball, false);
+    CHECK_OK(bat_builder_use(&b, e, false, NULL));
+    add_face(&b, lid, false);
+    CHECK_OK(bat_builder_use(&b, e, true, NULL));
+    batten_body *body = NULL;
+    b.parts.is_solid = true;
+    CHECK_OK(batten_body_create(&b.parts, &body));
+    bat_builder_end(&b);
+    batten_body_measures m = {.area = -1};
+    CHECK_OK(batten_body_measure(body, 1e-8, NULL, &m));
+    CHECK(m.is_closed);
+    CHECK_NEAR(m.area, 2 * BAT_PI * (1 - h) + BAT_PI * r * r, 1e-8);
+    CHECK_NEAR(m.volume, BAT_PI * (1 - h) * (1 - h) * (2 + h) / 3, 1e-8);
+    CHECK_NEAR(m.edge_length, 2 * BAT_PI * r, 1e-7);
+    batten_body_unref(body);
+}
+
 /* ---- trimmed faces ---- */
 
 static batten_surface *square(double half, double z, bool down)
