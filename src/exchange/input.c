@@ -160,6 +160,13 @@ batten_status bat_input_array(bat_input *input, size_t count, size_t size, void 
     return BATTEN_OK;
 }
 
+void bat_input_release(bat_input *input, size_t count, size_t size, void *memory)
+{
+    if (memory)
+        input->memory -= count * size;
+    bat_release(memory);
+}
+
 /* Room for `count` more. */
 static batten_status reserve(bat_input *input, bat_list *list, size_t count)
 {

@@ -39,6 +39,9 @@ batten_status bat_input_limit(const bat_input *input, int line, size_t count, si
 /* Zeroed memory that counts towards the limit; on failure *memory is untouched. */
 batten_status bat_input_array(bat_input *input, size_t count, size_t size, void *memory);
 
+/* Give such memory back, so that it counts no more; NULL is welcome. */
+void bat_input_release(bat_input *input, size_t count, size_t size, void *memory);
+
 /* A list that grows; begin with {.size = sizeof(item)} and release `items`. */
 typedef struct {
     size_t size, count, capacity;

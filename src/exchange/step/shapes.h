@@ -34,6 +34,7 @@ batten_status bat_step_as_conic(const bat_step_file *file, const bat_step_instan
 typedef struct {
     batten_curve *curve;
     batten_surface *surface;
+    bool is_reversed; /* the normal of the file is against that of the elementary surface */
 } bat_step_basis;
 batten_status bat_step_as_elementary(const bat_step_file *file,
                                      const bat_step_instance *instance,

@@ -84,8 +84,7 @@ static batten_status sort(bat_step_file *file)
     }
     file->instances.items = from;
     file->instances.capacity = count;
-    bat_release(to);
-    file->input->memory -= count * sizeof *to;
+    bat_input_release(file->input, count, sizeof *to, to);
     return BATTEN_OK;
 }
 

@@ -13,7 +13,7 @@
 
 static bool is_overrun(const bat_step_file *file)
 {
-    return file->input->again / TIMES_OVER > file->input->size + 65536;
+    return file->input->again / TIMES_OVER > file->input->size + 8192;
 }
 
 /* ---- walking ---- */
@@ -295,6 +295,7 @@ batten_status bat_step_item_reference(const bat_step_file *file, const bat_step_
     const bat_input *input = file->input;
     uint64_t id = 0;
     size_t end = *at + 1;
+    file->input->again += 16; /* also where nothing is walked over */
     if (byte_at(file, *at) != '#')
         return bat_step_fail_kind(file, record, *at, "a reference");
     for (; end < input->size && bat_step_in(input->data[end], BAT_STEP_DIGIT); end++)
