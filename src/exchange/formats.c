@@ -81,6 +81,8 @@ static const bat_format_row formats[] = {
      .name = "svg",
      .title = "SVG",
      .endings = {".svg"},
+     .recognise = bat_svg_recognise,
+     .read = bat_read_svg,
      .holds = BAT_HOLDS(CURVE),
      .write = bat_write_svg},
 
