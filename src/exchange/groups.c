@@ -25,23 +25,42 @@ void bat_members_end(bat_members *list)
 }
 
 /* '/' comes before all other characters. */
-static int compare(const void *a, const void *b)
+static int compare_paths(const char *s, const char *t)
 {
-    const bat_member *p = a, *q = b;
-    const char *s = p->path, *t = q->path;
     while (*s && *s == *t) {
         s++;
         t++;
     }
     const int c = *s == '/' ? 1 : 2 * (unsigned char)*s;
     const int d = *t == '/' ? 1 : 2 * (unsigned char)*t;
-    return c != d ? (c > d) - (c < d) : (p->item > q->item) - (p->item < q->item);
+    return (c > d) - (c < d);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const bat_member *p = a, *q = b;
+    const int order = compare_paths(p->path, q->path);
+    return order ? order : (p->item > q->item) - (p->item < q->item);
 }
 
 void bat_members_sort(bat_members *list)
 {
     if (list->count > 0)
         qsort(list->members, (size_t)list->count, sizeof *list->members, compare);
+}
+
+const bat_member *bat_members_find(const bat_members *list, const char *path)
+{
+    int low = 0, high = list->count - 1;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (compare_paths(list->members[middle].path, path) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    assert(low < list->count && strcmp(list->members[low].path, path) == 0);
+    return &list->members[low];
 }
 
 int bat_members_same(const bat_members *list, int first)

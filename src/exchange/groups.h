@@ -1,4 +1,5 @@
-/* Objects in groups within groups, "outer/inner", as files have them: one group after another. */
+/* Objects in groups within groups, "outer/inner", as files have them: one group after another.
+ */
 #ifndef BAT_GROUPS_H
 #define BAT_GROUPS_H
 #include "base/base.h"
@@ -19,13 +20,15 @@ batten_status bat_members_add(bat_members *list, const char *path, int item);
 void bat_members_end(bat_members *list);
 /* By path, so that a group stands before those within it; then by item. */
 void bat_members_sort(bat_members *list);
+/* The first of that path, in what is sorted; it must be there. */
+const bat_member *bat_members_find(const bat_members *list, const char *path);
 /* How many from `first` on have its path. */
 int bat_members_same(const bat_members *list, int first);
 
 enum { BAT_GROUPS_DEEPEST = 64 }; /* deeper, the rest of a path is one name */
 
-/* A group is entered, gets its own items if it has any, then others may be entered and left, and
- * is left. The outermost has depth 0. */
+/* A group is entered, gets its own items if it has any, then others may be entered and left,
+ * and is left. The outermost has depth 0. */
 typedef struct {
     void *context;
     batten_status (*enter)(void *context, int depth, const char *name);
