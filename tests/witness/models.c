@@ -285,10 +285,8 @@ static void put_sheets(void)
     CHECK(batten_model_create(0.001, &model));
     CHECK(batten_surface_sphere(&frame, 15, &surface));
     CHECK(batten_body_of_surface("ball", surface, 1e-6, &body));
-    CHECK(batten_model_add(model, &(batten_object){.name = "ball",
-                                                   .is_hidden = true,
-                                                   .kind = BATTEN_OBJECT_BODY,
-                                                   .body = body}));
+    CHECK(batten_model_add(
+        model, &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_BODY, .body = body}));
     put_table("sphere", model);
     put_file("sphere", "step", model, NULL);
     put_file("sphere", "igs", model, NULL);

@@ -74,7 +74,7 @@ static batten_status put_layers(bat_iges_writing *w, const batten_model *model)
         const bat_member *layer = &list->members[kept++];
         bat_iges_begin_entity(w, 406);
         bat_iges_put_integer(&w->data, 2, ',');
-        bat_iges_put_integer(&w->data, 0, ',');
+        bat_iges_put_integer(&w->data, layer->item, ',');
         bat_iges_put_string(&w->data, layer->path, ';');
         bat_iges_end_entity(
             w, &(bat_iges_look){.type = 406, .form = 3, .level = layer->item, .use = 3});

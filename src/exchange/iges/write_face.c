@@ -51,7 +51,8 @@ static int put_composite(bat_iges_writing *w, const int *members, int count,
     return id;
 }
 
-/* The members of a loop in the parameters and in space; poles have one of the former only. */
+/* The members of a loop in the parameters and in space. Poles have none: a curve in space that
+ * is a point makes others stumble, and so do members without a partner. */
 static batten_status put_members(bat_iges_writing *w, const batten_body_parts *p,
                                  const batten_body_loop *loop, bool backwards, int *members[2],
                                  int counts[2])
@@ -62,21 +63,15 @@ static batten_status put_members(bat_iges_writing *w, const batten_body_parts *p
             &p->uses[loop->first + (backwards ? loop->count - 1 - i : i)];
         const batten_curve *curve = p->edges[use->edge].curve;
         const bool reversed = use->reversed != backwards;
+        if (!curve)
+            continue;
         if (use->parameters)
             status =
                 put_member(w, use->parameters, reversed, &parameters, &members[0][counts[0]++]);
-        if (status == BATTEN_OK && curve)
+        if (status == BATTEN_OK)
             status = put_member(w, curve, reversed, &part, &members[1][counts[1]++]);
     }
     return status;
-}
-
-static bool has_parameters(const batten_body_parts *p, const batten_body_loop *loop)
-{
-    for (int i = 0; i < loop->count; i++)
-        if (!p->uses[loop->first + i].parameters)
-            return false;
-    return true;
 }
 
 static batten_status put_loop(bat_iges_writing *w, const batten_body_parts *p,
@@ -88,9 +83,10 @@ static batten_status put_loop(bat_iges_writing *w, const batten_body_parts *p,
     if (!memory)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = put_members(w, p, loop, backwards, members, counts);
-    if (status == BATTEN_OK) {
-        const bool flat = has_parameters(p, loop);
-        const int b = flat ? put_composite(w, members[0], counts[0], &parameters) : 0;
+    *id = 0;
+    if (status == BATTEN_OK && counts[1] > 0) {
+        const int b =
+            counts[0] == counts[1] ? put_composite(w, members[0], counts[0], &parameters) : 0;
         const int c = put_composite(w, members[1], counts[1], &part);
         const int preferred = b && c ? 3 : b ? 1 : 2;
         const int values[] = {0, surface, b, c, preferred};
@@ -110,18 +106,23 @@ static batten_status put_trimmed(bat_iges_writing *w, const batten_body_parts *p
                                  const batten_body_face *face, int surface, int name,
                                  const bat_iges_look *look, int *id)
 {
-    int *loops = bat_array((size_t)face->count, sizeof *loops);
+    int *loops = bat_array((size_t)face->count, sizeof *loops), count = 0;
     batten_status status = loops ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int l = 0; status == BATTEN_OK && l < face->count; l++)
-        status = put_loop(w, p, &p->loops[face->first + l], face->reversed, surface, &loops[l]);
+    for (int l = 0; status == BATTEN_OK && l < face->count; l++) {
+        status =
+            put_loop(w, p, &p->loops[face->first + l], face->reversed, surface, &loops[count]);
+        count += status == BATTEN_OK && loops[count];
+    }
     if (status == BATTEN_OK) {
         bat_iges_look trimmed = *look;
         trimmed.type = 144;
         *id = bat_iges_begin_entity(w, 144);
         bat_iges_put_integer(&w->data, surface, ',');
-        bat_iges_put_integer(&w->data, 1, ',');
-        bat_iges_put_integer(&w->data, face->count - 1, ',');
-        for (int l = 0; l < face->count; l++)
+        bat_iges_put_integer(&w->data, count > 0, ',');
+        bat_iges_put_integer(&w->data, count > 0 ? count - 1 : 0, ',');
+        if (count == 0)
+            bat_iges_put_integer(&w->data, 0, ',');
+        for (int l = 0; l < count; l++)
             bat_iges_put_integer(&w->data, loops[l], ',');
         bat_iges_put_properties(w, name);
         bat_iges_end_entity(w, &trimmed);

@@ -215,8 +215,8 @@ TEST(layers_with_names_get_levels_beyond_those_with_numbers)
     CHECK_OK(write_bytes(model, BATTEN_FORMAT_IGES, &data, &size));
     check_records(data, size);
     const char *at = data;
-    static const char *const texts[] = {"406,2,0,1H0;", "406,2,0,3H007;", "406,2,0,4Hhull;",
-                                        "406,2,0,3Hrig;"};
+    static const char *const texts[] = {"406,2,41,1H0;", "406,2,42,3H007;", "406,2,43,4Hhull;",
+                                        "406,2,44,3Hrig;"};
     for (int i = 0; i < COUNT(texts); i++) {
         at = strstr(at, texts[i]);
         CHECK(at != NULL);
