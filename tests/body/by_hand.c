@@ -1,0 +1,147 @@
+#include "body/by_hand.h"
+#include "body/traced.h"
+#include "support/test.h"
+#include <batten/standard.h>
+#include <stdlib.h>
+
+const batten_frame hand_world = {.x = {1, 0, 0}, .z = {0, 0, 1}};
+
+hand hand_begin(void)
+{
+    hand m;
+    bat_builder_begin(&m.builder, 1e-6);
+    CHECK_OK(bat_builder_shell(&m.builder, false));
+    return m;
+}
+
+static int vertex_at(hand *m, const double p[3])
+{
+    const batten_body_parts *parts = &m->builder.parts;
+    int index = 0;
+    for (int i = 0; i < parts->vertex_count; i++) {
+        const double *q = parts->vertices + 3 * i;
+        if (hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]) < 1e-9)
+            return i;
+    }
+    CHECK_OK(bat_builder_vertex(&m->builder, p, &index));
+    return index;
+}
+
+/* Takes the curve over. */
+int hand_edge(hand *m, batten_curve *curve)
+{
+    const batten_interval on = batten_curve_domain(curve);
+    double a[3], b[3];
+    int index = 0;
+    CHECK_OK(batten_curve_evaluate(curve, on.a, 0, a));
+    CHECK_OK(batten_curve_evaluate(curve, on.b, 0, b));
+    const int start = vertex_at(m, a), end = vertex_at(m, b);
+    CHECK_OK(bat_builder_edge(&m->builder, curve, start, end, &index));
+    batten_curve_unref(curve);
+    return index;
+}
+
+int hand_line(hand *m, double x0, double y0, double z0, double x1, double y1, double z1)
+{
+    batten_curve *curve = NULL;
+    CHECK_OK(batten_curve_line(3, (double[]){x0, y0, z0}, (double[]){x1, y1, z1}, &curve));
+    return hand_edge(m, curve);
+}
+
+/* About the z-axis at this height, angles in degrees. */
+int hand_arc(hand *m, double radius, double z, double start, double angle)
+{
+    batten_frame frame = hand_world;
+    batten_curve *curve = NULL;
+    frame.origin.z = z;
+    CHECK_OK(batten_curve_arc_in(&frame, radius, start * acos(-1) / 180, angle * acos(-1) / 180,
+                                 &curve));
+    return hand_edge(m, curve);
+}
+
+/* Takes the surface over. */
+void hand_face(hand *m, batten_surface *surface, bool reversed)
+{
+    CHECK_OK(bat_builder_face(&m->builder,
+                              &(batten_body_face){.surface = surface, .reversed = reversed}));
+    batten_surface_unref(surface);
+}
+
+/* Edges from 1; a minus runs against the edge. */
+void hand_loop(hand *m, int count, const int *edges)
+{
+    CHECK_OK(bat_builder_loop(&m->builder));
+    for (int i = 0; i < count; i++)
+        CHECK_OK(bat_builder_use(&m->builder, abs(edges[i]) - 1, edges[i] < 0, NULL));
+}
+
+batten_surface *hand_cylinder(double radius, double height)
+{
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_cylinder(&hand_world, radius, height, &surface));
+    return surface;
+}
+
+/* Trace it, look at what holds for all, and that it is the same the second time. */
+batten_body *hand_trace(hand *m, double tolerance, batten_trace_report *report)
+{
+    batten_body *body = NULL, *traced = NULL, *again = NULL;
+    CHECK_OK(batten_body_create(&m->builder.parts, &body));
+    bat_builder_end(&m->builder);
+    CHECK_OK(batten_body_trace(body, tolerance, NULL, NULL, report, &traced));
+    check_traced(traced, tolerance);
+    CHECK(report->miss <= tolerance);
+    CHECK_OK(batten_body_trace(traced, tolerance, NULL, NULL, NULL, &again));
+    check_traced(again, tolerance);
+    CHECK_INT(batten_body_view(again)->edge_count, batten_body_view(traced)->edge_count);
+    CHECK_INT(batten_body_view(again)->use_count, batten_body_view(traced)->use_count);
+    batten_body_unref(again);
+    batten_body_unref(body);
+    return traced;
+}
+
+/* How many edges have exactly two uses, one each way. */
+int hand_shared(const batten_body *body)
+{
+    const batten_body_parts *p = batten_body_view(body);
+    int count = 0;
+    for (int e = 0; e < p->edge_count; e++) {
+        int uses[2] = {0, 0};
+        for (int i = 0; i < p->use_count; i++)
+            if (p->uses[i].edge == e)
+                uses[p->uses[i].reversed]++;
+        count += uses[0] == 1 && uses[1] == 1;
+    }
+    return count;
+}
+
+double hand_area(const batten_body *body)
+{
+    batten_body_measures measures;
+    CHECK_OK(batten_body_measure(body, 1e-8, NULL, &measures));
+    return measures.area;
+}
+
+double hand_volume(const batten_body *body)
+{
+    batten_body_measures measures;
+    CHECK_OK(batten_body_measure(body, 1e-8, NULL, &measures));
+    CHECK(measures.is_closed);
+    return measures.volume;
+}
+
+void hand_plate(hand *m, double x0, double y0, double x1, double y1, double z)
+{
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_bilinear((batten_vec3){x0, y0, z}, (batten_vec3){x1, y0, z},
+                                     (batten_vec3){x0, y1, z}, (batten_vec3){x1, y1, z},
+                                     &surface));
+    hand_face(m, surface, false);
+}
+
+batten_surface *hand_torus(void)
+{
+    batten_surface *surface = NULL;
+    CHECK_OK(batten_surface_torus(&hand_world, 3, 1, &surface));
+    return surface;
+}

@@ -1,0 +1,34 @@
+/* Bodies by hand: edges by their curves, vertices found by place. */
+#ifndef TESTS_BODY_BY_HAND_H
+#define TESTS_BODY_BY_HAND_H
+#include "body/builder.h"
+#include <batten/standard.h>
+
+typedef struct {
+    bat_builder builder;
+} hand;
+
+extern const batten_frame hand_world;
+
+hand hand_begin(void);
+/* Takes the curve over. */
+int hand_edge(hand *m, batten_curve *curve);
+int hand_line(hand *m, double x0, double y0, double z0, double x1, double y1, double z1);
+/* About the z-axis at this height, angles in degrees. */
+int hand_arc(hand *m, double radius, double z, double start, double angle);
+/* Takes the surface over. */
+void hand_face(hand *m, batten_surface *surface, bool reversed);
+void hand_loop(hand *m, int count, const int *edges);
+batten_surface *hand_cylinder(double radius, double height);
+/* Traced; with what holds for all looked at, and that tracing it again changes nothing. */
+batten_body *hand_trace(hand *m, double tolerance, batten_trace_report *report);
+/* How many edges have exactly two uses, one each way. */
+int hand_shared(const batten_body *body);
+void hand_plate(hand *m, double x0, double y0, double x1, double y1, double z);
+batten_surface *hand_torus(void);
+double hand_area(const batten_body *body);
+double hand_volume(const batten_body *body);
+/* Edges from 1; a minus runs against the edge. */
+#define HAND_LOOP(m, ...) hand_loop(m, COUNT(((int[]){__VA_ARGS__})), (int[]){__VA_ARGS__})
+
+#endif
