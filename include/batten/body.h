@@ -110,7 +110,7 @@ BATTEN_API batten_status batten_body_transform(const batten_body *body,
 BATTEN_API batten_status batten_body_of_surface(const char *name, const batten_surface *surface,
                                                 double tolerance, batten_body **out);
 
-/* ---- parameter curves (src/body/trace.c) ---- */
+/* ---- parameter curves (src/body/trace.h) ---- */
 
 typedef struct batten_trace_report {
     int kept;    /**< parameter curves that were good */
@@ -130,8 +130,26 @@ typedef struct batten_trace_report {
  * without loops get the border of their surface. Shared edges stay shared: an edge that is
  * divided by a seam is divided in all its uses.
  *
+ * Parameter curves lie in the domain of their surface, control points included, and follow one
+ * another to the bit. So that they can, a face may get another surface than it had, of the same
+ * points and parameters: a plane is made larger; a surface that closes is cut and joined again
+ * where its loops cross the cut as seldom as possible. A face that crosses the cut wherever it
+ * is (a strip that winds around and around) becomes several faces.
+ *
+ * Given parameter curves are kept, mapped to the domain of the edge, when they are good there
+ * at four places of each span and 16 at least. Others are exact where the edge lies in a plane,
+ * straight where that is good enough, else cubics through feet of the edge on the surface, with
+ * a tenth of the tolerance for their own error. Loops that run the wrong way are turned, or the
+ * side of the face is where its neighbours say so, with a note.
+ *
  * @param tolerance model units, > 0
  * @param notes     each face that fails, and why; may be NULL
+ * @param report    may be NULL
+ * @return BAD_ARGUMENT (tolerance), OUT_OF_MEMORY, CANCELLED or INCOMPLETE; a face that cannot
+ * be traced is no failure
+ *
+ * Cost: for each edge that is kept or straight one evaluation of it and of the surface for each
+ * sample; for each piece that is followed about eight of the surface.
  */
 BATTEN_API batten_status batten_body_trace(const batten_body *body, double tolerance,
                                            const batten_job *job, batten_notes *notes,

@@ -117,10 +117,12 @@ int bat_chart_pole(const bat_chart *chart, const double q[3])
 /* The step of Gauss and Newton for the gradient g, along the free directions: E, F, G. */
 static void solve(const double h[3], const double g[2], const bool free[2], double step[2])
 {
-    const double det = h[0] * h[2] - h[1] * h[1];
-    if (free[0] && free[1] && det > 64 * DBL_EPSILON * h[0] * h[2]) {
-        step[0] = (h[1] * g[1] - h[2] * g[0]) / det;
-        step[1] = (h[1] * g[0] - h[0] * g[1]) / det;
+    /* With tangents of length one, so that squares of squares stay within the numbers. */
+    const double su = sqrt(h[0]), sv = sqrt(h[2]);
+    const double c = su > 0 && sv > 0 ? h[1] / su / sv : 1, det = 1 - c * c;
+    if (free[0] && free[1] && det > 64 * DBL_EPSILON) {
+        step[0] = (c * g[1] / sv - g[0] / su) / det / su;
+        step[1] = (c * g[0] / su - g[1] / sv) / det / sv;
         return;
     }
     for (int k = 0; k < 2; k++)

@@ -9,44 +9,17 @@
  * Where there is no next crossing, the seam ends at the border of the surface, at a pole or a
  * rim, which is used from side to side. The same with v: there s = -u takes the place of v.
  */
-#include "body/border.h"
+#include "body/relink.h"
 #include "body/parameters.h"
-#include "body/trace.h"
 #include "numeric/vector.h"
-#include "spline/curve.h"
 
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-
-/* From one chain of uses to another, from cell to cell. */
-typedef struct {
-    int use, next; /* the last before, the first after */
-    bool rises;    /* towards greater u (v) */
-    double s;      /* where along the cut: v (-u), in one period */
-    int vertex;
-} crossing;
-
-typedef struct {
-    bat_trace *trace;
-    bat_trace_face *face;
-    int k;        /* the direction that is cut */
-    int *cells;   /* of each use */
-    int *loop_of; /* of each use */
-    int *leaves;  /* of each use: the crossing after it, or -1 */
-    bool *done;
-    int crossing_count;
-    crossing *crossings; /* by s */
-    int *next;           /* of each crossing that rises: the next higher; -1 for the border */
-    bat_trace_loops made;
-    double at[2]; /* how far what is added is moved, in the other direction */
-} relink;
 
 /* ---- cells ---- */
 
 /* The cell of a use: by the sample that is farthest from the lines; when all are on one, the
  * face on its left decides. */
-static batten_status cell_of(const relink *r, const bat_trace_use *use, int *cell)
+static batten_status cell_of(const bat_relink *r, const bat_trace_use *use, int *cell)
 {
     enum { STEPS = 16 };
     const bat_chart *chart = &r->face->chart;
@@ -75,7 +48,7 @@ static batten_status cell_of(const relink *r, const bat_trace_use *use, int *cel
     return BATTEN_OK;
 }
 
-static batten_status find_cells(relink *r)
+static batten_status find_cells(bat_relink *r)
 {
     const bat_trace_loops *loops = &r->face->loops;
     const size_t n = (size_t)loops->use_count;
@@ -98,7 +71,7 @@ static batten_status find_cells(relink *r)
     return status;
 }
 
-static int after(const relink *r, int use)
+static int after(const bat_relink *r, int use)
 {
     const batten_body_loop *loop = &r->face->loops.loops[r->loop_of[use]];
     return use + 1 < loop->first + loop->count ? use + 1 : loop->first;
@@ -106,13 +79,13 @@ static int after(const relink *r, int use)
 
 static int by_height(const void *a, const void *b)
 {
-    const crossing *x = a, *y = b;
+    const bat_crossing *x = a, *y = b;
     if (x->s != y->s)
         return x->s < y->s ? -1 : 1;
     return x->use - y->use;
 }
 
-static batten_status find_crossings(relink *r)
+static batten_status find_crossings(bat_relink *r)
 {
     const bat_trace_loops *loops = &r->face->loops;
     const bat_chart *chart = &r->face->chart;
@@ -138,15 +111,15 @@ static batten_status find_crossings(relink *r)
                 k == 0 ? r->face->seam[1] : -r->face->seam[0] - chart->period[0];
             s -= chart->period[other] * floor((s - from) / chart->period[other]);
         }
-        r->crossings[r->crossing_count++] =
-            (crossing){i, next, step > 0, s, bat_trace_vertex(r->trace, &loops->uses[i], true)};
+        r->crossings[r->crossing_count++] = (bat_crossing){
+            i, next, step > 0, s, bat_trace_vertex(r->trace, &loops->uses[i], true)};
     }
     qsort(r->crossings, (size_t)r->crossing_count, sizeof *r->crossings, by_height);
     return BATTEN_OK;
 }
 
 /* Which crossing is the upper end of the seam from each that rises. */
-static batten_status match(relink *r)
+static batten_status match(bat_relink *r)
 {
     const int n = r->crossing_count;
     const bool cyclic = r->face->chart.closed[1 - r->k];
@@ -171,13 +144,13 @@ static batten_status match(relink *r)
 /* ---- adding ---- */
 
 /* The position along the cut of what was added last. */
-static void last_end(const relink *r, double uv[2])
+static void last_end(const bat_relink *r, double uv[2])
 {
     bat_trace_end_of(&r->made.uses[r->made.use_count - 1], true, uv);
 }
 
 /* One use, moved to cell 0 and to where the loop is; its ends on the cut are put on it. */
-static batten_status add_moved(relink *r, int index, bool enters, bool leaves)
+static batten_status add_moved(bat_relink *r, int index, bool enters, bool leaves)
 {
     const bat_trace_use *use = &r->face->loops.uses[index];
     const bat_chart *chart = &r->face->chart;
@@ -211,7 +184,7 @@ static batten_status add_moved(relink *r, int index, bool enters, bool leaves)
 }
 
 /* Set how far the next use is moved in the other direction, so that it begins at s. */
-static void place_at(relink *r, const double uv[2], int next)
+static void place_at(bat_relink *r, const double uv[2], int next)
 {
     const bat_chart *chart = &r->face->chart;
     const int other = 1 - r->k;
@@ -224,7 +197,7 @@ static void place_at(relink *r, const double uv[2], int next)
 }
 
 /* The uses from `first` until the loop crosses the cut: *last. */
-static batten_status add_chain(relink *r, int first, int *last)
+static batten_status add_chain(bat_relink *r, int first, int *last)
 {
     batten_status status = BATTEN_OK;
     int use = first;
@@ -247,205 +220,9 @@ static batten_status add_chain(relink *r, int first, int *last)
     return status;
 }
 
-/* ---- seams ---- */
-
-/* The isocurve at the cut from parameter a to b > a of the other direction, where that closes
- * also over the end of its domain. */
-static batten_status seam_curve(const relink *r, double a, double b, batten_curve **out)
-{
-    const bat_chart *chart = &r->face->chart;
-    const int other = 1 - r->k;
-    const batten_interval domain = chart->domain[other];
-    const double turns = chart->closed[other]
-                             ? floor((a + chart->near[other] - domain.a) / chart->period[other])
-                             : 0;
-    const double low = bat_max(domain.a, a - turns * chart->period[other]),
-                 high = b - turns * chart->period[other];
-    batten_curve *line = NULL, *first = NULL, *second = NULL;
-    batten_status status = batten_surface_isocurve(chart->surface, r->k ? BATTEN_V : BATTEN_U,
-                                                   r->face->seam[r->k], &line);
-    if (status == BATTEN_OK)
-        status = batten_curve_subrange(line, low, bat_min(high, domain.b), &first);
-    if (status == BATTEN_OK && chart->closed[other] && high > domain.b + chart->near[other]) {
-        batten_curve *joined = NULL;
-        status = batten_curve_subrange(line, domain.a, high - chart->period[other], &second);
-        if (status == BATTEN_OK)
-            status = batten_curve_join(first, second, 2 * chart->tolerance, &joined);
-        status = bat_curve_replace(status, &first, &joined);
-    }
-    batten_curve_unref(line);
-    batten_curve_unref(second);
-    if (status == BATTEN_OK)
-        *out = first;
-    else
-        batten_curve_unref(first);
-    return status;
-}
-
-/* A use of a seam edge, on one side of the cell; it runs with its parameter, from a to b, in
- * the covering plane. */
-static batten_status use_seam(relink *r, int edge, double a, double b, bool high, bool reversed)
-{
-    const int k = r->k;
-    const batten_curve *curve = r->trace->builder.parts.edges[edge].curve;
-    double from[2], to[2];
-    batten_curve *line = NULL;
-    from[k] = to[k] = r->face->seam[k] + (high ? r->face->chart.period[k] : 0);
-    from[1 - k] = a;
-    to[1 - k] = b;
-    const batten_status status = bat_border_line(from, to, batten_curve_domain(curve), &line);
-    return status == BATTEN_OK ? bat_trace_add_use(&r->made, edge, reversed, false, line)
-                               : status;
-}
-
-/* The edge of a seam, from the rising crossing on; its places are of the covering plane. */
-typedef struct {
-    bool made;
-    int edge, rim; /* rim: the edge of the border at its end, or -1 */
-    double start, end;
-} seam;
-
-static batten_status add_seam(relink *r, int start_vertex, int end_vertex, seam *made)
-{
-    const bool forward = made->start < made->end;
-    batten_curve *curve = NULL;
-    batten_status status =
-        seam_curve(r, bat_min(made->start, made->end), bat_max(made->start, made->end), &curve);
-    if (status == BATTEN_OK)
-        status =
-            bat_builder_edge(&r->trace->builder, curve, forward ? start_vertex : end_vertex,
-                             forward ? end_vertex : start_vertex, &made->edge);
-    batten_curve_unref(curve);
-    made->made = status == BATTEN_OK;
-    r->trace->report.seams += made->made;
-    return status;
-}
-
-/* The border at the end of a seam: from side to side of the cell. */
-static batten_status border_edge(relink *r, bool upper, int *vertex, int *edge)
-{
-    const int k = r->k;
-    const bat_chart *chart = &r->face->chart;
-    const int side = k == 0 ? (upper ? 2 : 0) : (upper ? 3 : 1);
-    const batten_direction fixed = k == 0 ? BATTEN_V : BATTEN_U;
-    const batten_interval across = chart->domain[1 - k];
-    double uv[2], point[3];
-    batten_curve *rim = NULL;
-    uv[k] = r->face->seam[k];
-    uv[1 - k] = side == 1 || side == 2 ? across.b : across.a;
-    batten_status status = bat_chart_evaluate(chart, uv, 0, point);
-    if (status == BATTEN_OK)
-        status = bat_builder_vertex(&r->trace->builder, point, vertex);
-    if (status == BATTEN_OK && !chart->pole[side])
-        status = batten_surface_isocurve(chart->surface, fixed, uv[1 - k], &rim);
-    if (status == BATTEN_OK)
-        status = bat_builder_edge(&r->trace->builder, rim, *vertex, *vertex, edge);
-    r->trace->report.poles += status == BATTEN_OK && chart->pole[side];
-    if (status == BATTEN_OK && !chart->pole[side])
-        bat_trace_note(r->trace, r->face,
-                       "one loop goes around it; the border of its surface is the other");
-    batten_curve_unref(rim);
-    return status;
-}
-
-static double border_place(const relink *r, bool upper)
-{
-    const batten_interval domain = r->face->chart.domain[1 - r->k];
-    return upper == (r->k == 0) ? domain.b : domain.a;
-}
-
-/* Seams are made when they are first used. */
-static batten_status make_seam(relink *r, int at, bool rises, double place, seam *made)
-{
-    const crossing *c = &r->crossings[at];
-    const int next = r->next[at];
-    const bat_chart *chart = &r->face->chart;
-    const int other = 1 - r->k;
-    int vertex = 0;
-    *made = (seam){.rim = -1, .start = place};
-    if (next < 0) {
-        const batten_status status = border_edge(r, rises, &vertex, &made->rim);
-        if (status != BATTEN_OK)
-            return status;
-        made->end = border_place(r, rises);
-    } else {
-        const crossing *d = &r->crossings[next];
-        vertex = d->vertex;
-        double length = d->s - c->s;
-        if (chart->closed[other] && (rises ? length <= 0 : length >= 0))
-            length += (rises ? 1 : -1) * chart->period[other];
-        made->end = place + (r->k == 0 ? length : -length);
-    }
-    return add_seam(r, c->vertex, vertex, made);
-}
-
-/* Along the seam, from the crossing on or back to it. */
-static batten_status walk_seam(relink *r, const seam *s, double shift, bool high, bool back)
-{
-    const bool forward = (s->end > s->start) != back;
-    return use_seam(r, s->edge, bat_min(s->start, s->end) + shift,
-                    bat_max(s->start, s->end) + shift, high, !forward);
-}
-
-/* From one side of the cell to the other along the border. */
-static batten_status walk_rim(relink *r, const seam *s, bool from_high)
-{
-    const int k = r->k;
-    const batten_curve *curve = r->trace->builder.parts.edges[s->rim].curve;
-    const double low = r->face->seam[k], top = low + r->face->chart.period[k];
-    double from[2], to[2];
-    batten_curve *line = NULL;
-    from[1 - k] = to[1 - k] = s->end;
-    from[k] = curve || !from_high ? low : top;
-    to[k] = curve || !from_high ? top : low;
-    const batten_interval on = curve ? batten_curve_domain(curve) : (batten_interval){0, 1};
-    const batten_status status = bat_border_line(from, to, on, &line);
-    return status == BATTEN_OK
-               ? bat_trace_add_use(&r->made, s->rim, curve && from_high, !curve, line)
-               : status;
-}
-
 /* ---- loops ---- */
 
-/* From the crossing that was reached along the cut to the next chain: *use. */
-static batten_status follow_cut(relink *r, int at, seam *seams, int *use)
-{
-    const crossing *c = &r->crossings[at];
-    const int other = 1 - r->k, next = r->next[at];
-    double uv[2];
-    last_end(r, uv);
-    /* A seam belongs to the crossing below it, or to its only one. */
-    const bool owns = c->rises || next < 0;
-    const int owner = owns ? at : next;
-    batten_status status = BATTEN_OK;
-    if (!seams[owner].made) {
-        double place = uv[other];
-        if (!owns) {
-            const double length = r->crossings[owner].s - c->s;
-            const double period =
-                r->face->chart.closed[other] && length >= 0 ? r->face->chart.period[other] : 0;
-            place += (r->k == 0 ? 1 : -1) * (length - period);
-        }
-        status = make_seam(r, owner, r->crossings[owner].rises, place, &seams[owner]);
-    }
-    if (status != BATTEN_OK)
-        return status;
-    const seam *s = &seams[owner];
-    const double here = owns ? s->start : s->end;
-    const double period = r->face->chart.period[other];
-    const double shift =
-        r->face->chart.closed[other] ? period * nearbyint((uv[other] - here) / period) : 0;
-    status = walk_seam(r, s, shift, c->rises, !owns);
-    if (status == BATTEN_OK && next < 0) {
-        status = walk_rim(r, s, c->rises);
-        if (status == BATTEN_OK)
-            status = walk_seam(r, s, shift, !c->rises, true);
-    }
-    *use = r->crossings[next < 0 ? at : next].next;
-    return status;
-}
-
-static batten_status add_crossing_loop(relink *r, int first, seam *seams)
+static batten_status add_crossing_loop(bat_relink *r, int first, bat_seam *seams)
 {
     batten_status status = bat_trace_add_loop(&r->made);
     int use = first;
@@ -454,7 +231,7 @@ static batten_status add_crossing_loop(relink *r, int first, seam *seams)
         int last = use;
         status = add_chain(r, use, &last);
         if (status == BATTEN_OK)
-            status = follow_cut(r, r->leaves[last], seams, &use);
+            status = bat_relink_follow(r, r->leaves[last], seams, &use);
     }
     if (status == BATTEN_OK && use != first)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
@@ -463,7 +240,7 @@ static batten_status add_crossing_loop(relink *r, int first, seam *seams)
 }
 
 /* A loop that stays in its cell. */
-static batten_status add_whole_loop(relink *r, int loop)
+static batten_status add_whole_loop(bat_relink *r, int loop)
 {
     const batten_body_loop range = r->face->loops.loops[loop];
     batten_status status = bat_trace_add_loop(&r->made);
@@ -475,10 +252,10 @@ static batten_status add_whole_loop(relink *r, int loop)
     return status;
 }
 
-static batten_status add_loops(relink *r)
+static batten_status add_loops(bat_relink *r)
 {
     const bat_trace_loops *loops = &r->face->loops;
-    seam *seams = bat_array((size_t)r->crossing_count, sizeof *seams);
+    bat_seam *seams = bat_array((size_t)r->crossing_count, sizeof *seams);
     batten_status status = seams ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < r->crossing_count; i++)
         if (!r->done[r->crossings[i].next])
@@ -490,7 +267,7 @@ static batten_status add_loops(relink *r)
     return status;
 }
 
-static void relink_end(relink *r)
+static void relink_end(bat_relink *r)
 {
     bat_release(r->cells);
     bat_release(r->loop_of);
@@ -503,7 +280,7 @@ static void relink_end(relink *r)
 
 static batten_status relink_direction(bat_trace *trace, bat_trace_face *face, int k)
 {
-    relink r = {.trace = trace, .face = face, .k = k};
+    bat_relink r = {.trace = trace, .face = face, .k = k};
     batten_status status = find_cells(&r);
     if (status == BATTEN_OK)
         status = find_crossings(&r);

@@ -8,7 +8,7 @@
  *   seam.c         where to cut a surface that closes, and where edges cross the cut
  *   divide.c       edges divided in all their uses
  *   cut.c          the surface begun at the cut
- *   relink.c       loops closed along the cut, with seams as edges
+ *   relink.c       loops closed along the cut; relink_seam.c: with seams as edges
  *   trace_close.c  loops closed to the bit, planes made large enough, a last look
  *   sides.c        which loops are outer ones; loops that run the wrong way
  *
