@@ -21,7 +21,18 @@ static batten_status write_gcode(const batten_model *model, const batten_write_o
 
 static batten_status recognise_step(const bat_input *input, bool *is_such)
 {
-    *is_such = bat_begins(input, bat_past_white(input), "ISO-10303-21;");
+    size_t at = bat_past_white(input);
+    /* Some put a comment before it. */
+    while (bat_begins(input, at, "/*")) {
+        at += 2;
+        while (at < input->size && !bat_begins(input, at, "*/"))
+            at++;
+        at += 2;
+        while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
+                                    input->data[at] == '\r'))
+            at++;
+    }
+    *is_such = at < input->size && bat_begins(input, at, "ISO-10303-21;");
     return BATTEN_OK;
 }
 
@@ -56,8 +67,7 @@ static const bat_format_row formats[] = {
      .endings = {".igs", ".iges"},
      .recognise = bat_iges_recognise,
      .read = bat_read_iges,
-     .holds =
-         BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
+     .holds = BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,
@@ -65,6 +75,7 @@ static const bat_format_row formats[] = {
      .title = "STEP",
      .endings = {".stp", ".step"},
      .recognise = recognise_step,
+     .read = bat_read_step,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .write = bat_write_step},
@@ -82,8 +93,6 @@ static const bat_format_row formats[] = {
      .name = "svg",
      .title = "SVG",
      .endings = {".svg"},
-     .recognise = bat_svg_recognise,
-     .read = bat_read_svg,
      .holds = BAT_HOLDS(CURVE),
      .write = bat_write_svg},
 

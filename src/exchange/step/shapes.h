@@ -57,28 +57,4 @@ batten_status bat_step_read_pcurve(const bat_step_file *file, const bat_step_ins
                                    const bat_step_instance *surface,
                                    const bat_step_scale *scale, batten_curve **out);
 
-/* What edges and vertices were made of which instance: so that they are shared. */
-typedef struct {
-    bat_step_file *file;
-    bat_builder builder;
-    bat_step_scale scale;
-    bat_census *census;
-    bat_list edges, vertices; /* (id, index) pairs, by a hash; private to topology.c */
-} bat_step_topology;
-void bat_step_topology_begin(bat_step_file *file, const bat_step_scale *scale,
-                             bat_census *census, bat_step_topology *topology);
-/* Faces, shells into the builder; those that cannot be read are noted and left out. `style`
- * gives a face its colour and name; see product.c. */
-typedef void bat_step_style(const void *context, const bat_step_instance *item,
-                            batten_body_face *face);
-batten_status bat_step_read_shell(bat_step_topology *topology,
-                                  const bat_step_instance *instance, bool reversed,
-                                  bat_step_style *style, const void *context);
-/* A face outside shells, in a shell of its own. */
-batten_status bat_step_read_face(bat_step_topology *topology, const bat_step_instance *instance,
-                                 bat_step_style *style, const void *context);
-/* The body of all that was read since begin; NULL in *out when nothing was. */
-batten_status bat_step_topology_end(bat_step_topology *topology, bool is_solid,
-                                    batten_body **out);
-
 #endif

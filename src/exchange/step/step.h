@@ -1,10 +1,14 @@
-/* Writing STEP, ISO 10303-21, with the schemas of AP203, AP214 and AP242. */
+/*
+ * STEP, ISO 10303-21: reading it, which begins in read.c, and writing it with the schemas of
+ * AP203, AP214 and AP242, which is what follows.
+ */
 #ifndef BAT_STEP_H
 #define BAT_STEP_H
-#include "base/base.h"
+#include "exchange/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 
+batten_status bat_read_step(bat_input *input, batten_model **out);
 batten_status bat_write_step(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text);
 
