@@ -86,7 +86,15 @@ typedef struct batten_mesh_report {
  * gap; poles are one vertex; normals are those of the surface, turned outside.
  * @param notes, report may be NULL
  * @return BATTEN_OK, also when faces were left out (report->failed); TOO_LARGE beyond `most`;
- * TOLERANCE_NOT_MET never silently: report->chord says what was reached
+ * TOLERANCE_NOT_MET never silently: report->chord says what was reached; BAD_ARGUMENT for
+ * options out of range, and a chord in the roundoff of the size; CANCELLED, INCOMPLETE
+ *
+ * What is beyond `most` is refused before the work, by an estimate from second derivatives at
+ * samples. A face whose border crosses itself in (u, v) gets finer samples along the edges that
+ * cross, and is left out when that does not help. The distance reached is that of samples, four
+ * in each triangle, from its plane. Cost: O(n log n) for n triangles; 200,000 of a bicubic
+ * surface in half a second.
+ * Source: [FMM86] for the bound, [Bowyer81] and [Sloan93] for the triangles.
  */
 BATTEN_API batten_status batten_mesh_of_body(const batten_body *body,
                                              const batten_mesh_options *options,

@@ -64,6 +64,12 @@ void bat_pairs_end(bat_pairs *pairs)
     *pairs = (bat_pairs){0};
 }
 
+void bat_pairs_clear(bat_pairs *pairs)
+{
+    pairs->count = 0;
+    memset(pairs->table, 0, (pairs->mask + 1) * sizeof *pairs->table);
+}
+
 int bat_pairs_find(const bat_pairs *pairs, int a, int b)
 {
     return pairs->table[seek(pairs, a, b)] - 1;

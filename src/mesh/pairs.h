@@ -13,6 +13,8 @@ typedef struct {
 /* For about `expected` pairs; it grows. On failure there is nothing to release. */
 batten_status bat_pairs_begin(bat_pairs *pairs, size_t expected);
 void bat_pairs_end(bat_pairs *pairs);
+/* Without pairs, keeping the room. */
+void bat_pairs_clear(bat_pairs *pairs);
 /* The index of (a, b), or -1. */
 int bat_pairs_find(const bat_pairs *pairs, int a, int b);
 /* The same, put in when it is not there: then *index is the last one, pairs->count - 1. */

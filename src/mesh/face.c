@@ -1,0 +1,396 @@
+#include "mesh/face.h"
+
+#include <string.h>
+
+/* ---- vertices ---- */
+
+static batten_status grow_vertices(bat_face_mesh *f)
+{
+    if (f->sides.vertex_count <= f->room)
+        return BATTEN_OK;
+    const int room = f->sides.vertex_room;
+    bat_face_vertex *vertices = bat_resize(f->vertices, (size_t)room, sizeof *vertices);
+    if (!vertices)
+        return BATTEN_OUT_OF_MEMORY;
+    f->vertices = vertices;
+    f->room = room;
+    return BATTEN_OK;
+}
+
+/* Is a place on a line between cells across which the surface may have a crease? */
+static bool is_on_break(const bat_lattice_axis *axis, double x)
+{
+    for (int i = 1; i + 1 < axis->count; i++)
+        if (fabs(x - axis->x[i]) <= 1e-9)
+            return true;
+    return false;
+}
+
+static bat_face_vertex vertex_at(const bat_face_mesh *f, const double at[2])
+{
+    bat_face_vertex made = {.vertex = -1};
+    for (int k = 0; k < 2; k++) {
+        const bat_lattice_axis *axis = &f->lattice->axis[k];
+        made.uv[k] = bat_lattice_from_plane(axis, at[k]);
+        made.on_crease = made.on_crease || is_on_break(axis, at[k]);
+    }
+    return made;
+}
+
+batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double widest,
+                              double nearest, bool *added)
+{
+    int vertex = -1;
+    batten_status status = bat_sides_insert(&f->sides, at, widest, nearest, &vertex);
+    if (status == BATTEN_OK && vertex >= 0) {
+        status = grow_vertices(f);
+        if (status == BATTEN_OK) {
+            f->vertices[vertex] = vertex_at(f, at);
+            f->count = vertex + 1;
+        }
+    }
+    if (added)
+        *added = vertex >= 0;
+    const double most = 2.0 * f->m->most + 2.0 * f->count + 1000;
+    if (status == BATTEN_OK && f->sides.count > most)
+        return bat_fail(BATTEN_TOO_LARGE, "face %d needs more than %d triangles", f->face,
+                        f->m->most);
+    return status;
+}
+
+batten_status bat_face_evaluate(bat_face_mesh *f, int first)
+{
+    enum { EACH = 128 };
+    double uv[EACH][2];
+    double *d = bat_array3(EACH, 9, sizeof *d);
+    if (!d)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = first; status == BATTEN_OK && i < f->count; i += EACH) {
+        const int count = bat_min_int(EACH, f->count - i);
+        for (int k = 0; k < count; k++) {
+            memcpy(uv[k], f->vertices[i + k].uv, sizeof uv[k]);
+            bat_sheet_wrap(f->sheet, uv[k]);
+        }
+        status =
+            batten_surface_evaluate_many(f->sheet->surface, (size_t)count, uv[0], 1, NULL, d);
+        for (int k = 0; status == BATTEN_OK && k < count; k++) {
+            bat_face_vertex *v = &f->vertices[i + k];
+            v->regular = bat_sheet_normal(d + 9 * k, v->normal);
+            if (v->vertex < 0)
+                memcpy(v->point, d + 9 * k, sizeof v->point);
+        }
+    }
+    bat_release(d);
+    return status;
+}
+
+/* ---- corners as triangles see them ---- */
+
+bool bat_face_vanishes(const bat_face_mesh *f, const bat_side_triangle *t)
+{
+    for (int k = 0; k < 3; k++) {
+        const bat_face_vertex *a = &f->vertices[t->corner[(k + 1) % 3]];
+        const bat_face_vertex *b = &f->vertices[t->corner[(k + 2) % 3]];
+        if ((t->fixed >> k & 1) && a->pole && b->pole && a->vertex == b->vertex)
+            return true;
+    }
+    return false;
+}
+
+void bat_face_place(const bat_face_mesh *f, const bat_side_triangle *t, int k, double at[2])
+{
+    const int pole = f->vertices[t->corner[k]].pole;
+    memcpy(at, f->sides.at[t->corner[k]], 2 * sizeof *at);
+    if (pole) {
+        const double *a = f->sides.at[t->corner[(k + 1) % 3]];
+        const double *b = f->sides.at[t->corner[(k + 2) % 3]];
+        at[pole - 1] = (a[pole - 1] + b[pole - 1]) / 2;
+    }
+}
+
+/* The normal on the side of a crease where the triangle is. */
+static batten_status one_sided(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+                               double normal[3], bool *found)
+{
+    double d[9], uv[2];
+    batten_side side[2];
+    memcpy(uv, f->vertices[t->corner[k]].uv, sizeof uv);
+    bat_sheet_wrap(f->sheet, uv);
+    for (int i = 0; i < 2; i++) {
+        const batten_interval domain = f->sheet->domain[i];
+        const double here = f->sides.at[t->corner[k]][i];
+        const bool left =
+            f->sides.at[t->corner[(k + 1) % 3]][i] + f->sides.at[t->corner[(k + 2) % 3]][i] <
+            2 * here;
+        side[i] = left ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
+        if (f->sheet->closed[i] && uv[i] == (left ? domain.a : domain.b))
+            uv[i] = left ? domain.b : domain.a;
+    }
+    const batten_status status =
+        batten_surface_evaluate_side(f->sheet->surface, uv[0], uv[1], side[0], side[1], 1, d);
+    *found = status == BATTEN_OK && bat_sheet_normal(d, normal);
+    return status;
+}
+
+/* The limit where Su x Sv vanishes. */
+static batten_status limit_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+                                  double normal[3], bool *found)
+{
+    double at[2], uv[2];
+    batten_vec3 n;
+    bat_face_place(f, t, k, at);
+    for (int i = 0; i < 2; i++)
+        uv[i] = bat_lattice_from_plane(&f->lattice->axis[i], at[i]);
+    bat_sheet_wrap(f->sheet, uv);
+    const batten_status status =
+        batten_surface_normal(f->sheet->surface, uv[0], uv[1], &n, NULL);
+    *found = status == BATTEN_OK;
+    normal[0] = *found ? n.x : 0;
+    normal[1] = *found ? n.y : 0;
+    normal[2] = *found ? n.z : 0;
+    return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
+}
+
+batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+                              double normal[3], bool *found)
+{
+    const bat_face_vertex *v = &f->vertices[t->corner[k]];
+    if (v->on_crease)
+        return one_sided(f, t, k, normal, found);
+    if (!v->regular || v->pole)
+        return limit_normal(f, t, k, normal, found);
+    memcpy(normal, v->normal, 3 * sizeof *normal);
+    *found = true;
+    return BATTEN_OK;
+}
+
+/* ---- edges that other triangles have already ---- */
+
+enum { MOST_DOUBLES = 512 };
+
+/* Of an edge across the face from border to border: is it, with its direction, an edge of
+ * another face or of this one, or the same vertex twice? Then it must be divided. */
+static batten_status is_double(const bat_face_mesh *f, bat_pairs *own,
+                               const bat_side_triangle *t, int k, bool *found)
+{
+    const int a = f->vertices[t->corner[(k + 1) % 3]].vertex;
+    const int b = f->vertices[t->corner[(k + 2) % 3]].vertex;
+    *found = false;
+    if ((t->fixed >> k & 1) || a < 0 || b < 0)
+        return BATTEN_OK;
+    const int known = own->count;
+    int index = -1;
+    batten_status status = BATTEN_OK;
+    if (a != b && bat_pairs_find(&f->m->taken, a, b) < 0)
+        status = bat_pairs_add(own, a, b, &index);
+    *found = index != known;
+    return status;
+}
+
+/* The middles of such edges, MOST_DOUBLES at most; `own` gets the edges that are none. */
+static batten_status find_doubles(const bat_face_mesh *f, bat_pairs *own, double (*middles)[2],
+                                  int *count)
+{
+    batten_status status = BATTEN_OK;
+    *count = 0;
+    bat_pairs_clear(own);
+    for (int i = 0; status == BATTEN_OK && i < f->sides.count; i++) {
+        const bat_side_triangle *t = &f->sides.triangles[i];
+        if (!t->inside || bat_face_vanishes(f, t))
+            continue;
+        for (int k = 0; status == BATTEN_OK && k < 3 && *count < MOST_DOUBLES; k++) {
+            const double *a = f->sides.at[t->corner[(k + 1) % 3]];
+            const double *b = f->sides.at[t->corner[(k + 2) % 3]];
+            bool found = false;
+            status = is_double(f, own, t, k, &found);
+            if (!found)
+                continue;
+            middles[*count][0] = (a[0] + b[0]) / 2;
+            middles[(*count)++][1] = (a[1] + b[1]) / 2;
+        }
+    }
+    return status;
+}
+
+/* `own`: the edges from border to border, as they are in the end. */
+static batten_status divide_doubles(bat_face_mesh *f, bat_pairs *own)
+{
+    double(*middles)[2] = bat_array(MOST_DOUBLES, sizeof *middles);
+    if (!middles)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    bool going_on = true;
+    while (status == BATTEN_OK && going_on) {
+        const int first = f->count;
+        int count = 0;
+        going_on = false;
+        status = find_doubles(f, own, middles, &count);
+        for (int i = 0; status == BATTEN_OK && i < count; i++) {
+            bool added = false;
+            status = bat_face_insert(f, middles[i], -1, 0, &added);
+            going_on = going_on || added;
+        }
+        if (status == BATTEN_OK)
+            status = bat_face_evaluate(f, first);
+    }
+    bat_release(middles);
+    return status;
+}
+
+/* ---- the face ---- */
+
+static batten_status take_rim(bat_face_mesh *f, const bat_rim *rim)
+{
+    const batten_status status = grow_vertices(f);
+    if (status != BATTEN_OK)
+        return status;
+    f->count = f->sides.vertex_count;
+    for (int i = 0; i < rim->count; i++) {
+        const bat_rim_corner *c = &rim->corners[i];
+        bat_face_vertex *v = &f->vertices[rim->vertex_of[i]];
+        *v = vertex_at(f, rim->at[i]);
+        memcpy(v->uv, c->uv, sizeof v->uv);
+        memcpy(v->point, f->m->points[c->vertex], sizeof v->point);
+        v->vertex = c->vertex;
+        v->pole = c->pole;
+    }
+    return bat_face_evaluate(f, 0);
+}
+
+static batten_status insert_seeds(bat_face_mesh *f)
+{
+    const int first = f->count;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < f->lattice->seed_count; i++) {
+        const double at[2] = {f->lattice->seeds[i].x, f->lattice->seeds[i].y};
+        status = bat_face_insert(f, at, -0.5, 0.25, NULL);
+        if (status == BATTEN_OK && i % 1024 == 0)
+            status = bat_work_step(&f->m->work, 1024, (double)f->face / f->m->parts->face_count,
+                                   "triangles of faces");
+    }
+    return status == BATTEN_OK ? bat_face_evaluate(f, first) : status;
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Where a corner has no normal, the mean of the others'; without any, that of the triangle. */
+static void complete_normals(const bat_face_mesh *f, const bat_side_triangle *t,
+                             double normals[3][3], const bool found[3])
+{
+    double mean[3] = {0, 0, 0}, a[3], b[3];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            mean[k] += found[i] ? normals[i][k] : 0;
+    if (!(dot(mean, mean) > 1e-12)) {
+        for (int k = 0; k < 3; k++) {
+            a[k] = f->vertices[t->corner[1]].point[k] - f->vertices[t->corner[0]].point[k];
+            b[k] = f->vertices[t->corner[2]].point[k] - f->vertices[t->corner[0]].point[k];
+        }
+        const double size = bat_max(sqrt(dot(a, a)), sqrt(dot(b, b)));
+        for (int k = 0; k < 3; k++)
+            mean[k] = size > 0 ? a[(k + 1) % 3] / size * (b[(k + 2) % 3] / size) -
+                                     a[(k + 2) % 3] / size * (b[(k + 1) % 3] / size)
+                               : 0;
+    }
+    const double length = sqrt(dot(mean, mean));
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3 && !found[i]; k++)
+            normals[i][k] = length > 0 ? mean[k] / length : k == 2;
+}
+
+static batten_status emit_triangle(bat_face_mesh *f, const bat_side_triangle *t)
+{
+    const bool reversed = f->m->parts->faces[f->face].reversed;
+    double normals[3][3], turned[9];
+    bool found[3];
+    int corners[3];
+    batten_status status = BATTEN_OK;
+    for (int k = 0; status == BATTEN_OK && k < 3; k++) {
+        bat_face_vertex *v = &f->vertices[t->corner[k]];
+        if (v->vertex < 0)
+            status = bat_meshing_point(f->m, v->point, &v->vertex);
+        if (status == BATTEN_OK)
+            status = bat_face_normal(f, t, k, normals[k], &found[k]);
+    }
+    if (status != BATTEN_OK)
+        return status;
+    complete_normals(f, t, normals, found);
+    for (int k = 0; k < 3; k++) {
+        const int from = reversed ? (3 - k) % 3 : k;
+        corners[k] = f->vertices[t->corner[from]].vertex;
+        for (int i = 0; i < 3; i++)
+            turned[3 * k + i] = reversed ? -normals[from][i] : normals[from][i];
+    }
+    f->m->report.chord = bat_max(f->m->report.chord, t->miss);
+    f->m->report.angle = bat_max(f->m->report.angle, t->turn);
+    return bat_meshing_triangle(f->m, corners, turned, f->face);
+}
+
+static batten_status emit(bat_face_mesh *f, const bat_pairs *own)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < own->count; i++) {
+        int index;
+        status = bat_pairs_add(&f->m->taken, own->pairs[i][0], own->pairs[i][1], &index);
+    }
+    for (int i = 0; status == BATTEN_OK && i < f->sides.count; i++) {
+        const bat_side_triangle *t = &f->sides.triangles[i];
+        if (t->inside && !bat_face_vanishes(f, t))
+            status = emit_triangle(f, t);
+    }
+    return status;
+}
+
+/* The triangles of the border are there: points inside, then out into the mesh. */
+static batten_status fill(bat_face_mesh *f, const bat_rim *rim)
+{
+    bat_pairs own;
+    batten_status status = bat_pairs_begin(&own, 64);
+    if (status != BATTEN_OK)
+        return status;
+    status = take_rim(f, rim);
+    if (status == BATTEN_OK)
+        status = insert_seeds(f);
+    if (status == BATTEN_OK)
+        status = bat_face_refine(f);
+    if (status == BATTEN_OK)
+        status = divide_doubles(f, &own);
+    if (status == BATTEN_OK)
+        status = bat_face_refine(f);
+    if (status == BATTEN_OK)
+        status = emit(f, &own);
+    bat_pairs_end(&own);
+    return status;
+}
+
+batten_status bat_mesh_face(bat_meshing *m, int face, bat_pairs *splits, bool *simple)
+{
+    bat_rim rim;
+    bat_lattice lattice = {0};
+    batten_interval box[2];
+    bat_face_mesh f = {.m = m, .face = face, .sheet = &m->sheets[face], .lattice = &lattice};
+    batten_status status = bat_rim_begin(&rim, m, face, NULL);
+    if (status != BATTEN_OK)
+        return status;
+    bat_rim_box(&rim, box);
+    status = bat_lattice_begin(&lattice, m, f.sheet, box);
+    if (status == BATTEN_OK)
+        status = bat_lattice_seeds(&lattice, m);
+    if (status == BATTEN_OK && rim.has_poles) {
+        bat_rim_end(&rim);
+        status = bat_rim_begin(&rim, m, face, &lattice);
+    }
+    if (status == BATTEN_OK)
+        status = bat_rim_triangles(&rim, &lattice, &f.sides, splits, simple);
+    if (status == BATTEN_OK && *simple)
+        status = fill(&f, &rim);
+    bat_sides_end(&f.sides);
+    bat_release(f.vertices);
+    bat_lattice_end(&lattice);
+    bat_rim_end(&rim);
+    return status;
+}

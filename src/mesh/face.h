@@ -1,0 +1,45 @@
+/* Triangles of one face. */
+#ifndef BAT_MESH_FACE_H
+#define BAT_MESH_FACE_H
+#include "mesh/rim.h"
+
+typedef struct {
+    double uv[2];
+    double point[3];
+    double normal[3];
+    bool regular;   /* there is a normal */
+    int vertex;     /* of the mesh; -1: none yet */
+    int pole;       /* as of bat_rim_corner */
+    bool on_crease; /* the normal depends on the triangle */
+} bat_face_vertex;
+
+typedef struct {
+    bat_meshing *m;
+    int face;
+    const bat_sheet *sheet;
+    const bat_lattice *lattice;
+    bat_sides sides;
+    int count, room; /* of vertices: those of the triangles in the plane */
+    bat_face_vertex *vertices;
+} bat_face_mesh;
+
+/* Put a point in, when it is not too near to others; *added may be NULL. */
+batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double widest,
+                              double nearest, bool *added);
+/* Points, normals of vertices from `first` on. */
+batten_status bat_face_evaluate(bat_face_mesh *f, int first);
+/* Does the triangle vanish at a pole? */
+bool bat_face_vanishes(const bat_face_mesh *f, const bat_side_triangle *t);
+/* The place of corner k in the plane; of one on a pole, opposite the middle of the others. */
+void bat_face_place(const bat_face_mesh *f, const bat_side_triangle *t, int k, double at[2]);
+/* The unit normal, Su x Sv, at corner k as the triangle sees it; false where there is none. */
+batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+                              double normal[3], bool *found);
+
+/* Points where triangles are too far from the surface, or turn too much (refine.c). */
+batten_status bat_face_refine(bat_face_mesh *f);
+
+/* The whole: false in *simple when the border crosses itself. */
+batten_status bat_mesh_face(bat_meshing *m, int face, bat_pairs *splits, bool *simple);
+
+#endif

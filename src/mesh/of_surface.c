@@ -1,0 +1,46 @@
+/* Triangles of a whole surface: as of a body of one face. */
+#include "body/border.h"
+
+#include <batten/mesh.h>
+#include <float.h>
+
+/* The size of a surface, for what counts as the same point on its border. */
+static double size_of(const batten_surface *surface)
+{
+    const batten_box box = batten_surface_box(surface);
+    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+}
+
+static batten_status whole(const batten_surface *surface, batten_body **out)
+{
+    bat_builder builder;
+    bat_border_count count = {0};
+    const double tolerance = bat_max(1e-9 * size_of(surface), DBL_MIN);
+    bat_builder_begin(&builder, tolerance);
+    batten_status status = bat_builder_shell(&builder, false);
+    if (status == BATTEN_OK)
+        status = bat_builder_face(&builder, &(batten_body_face){.surface = surface});
+    if (status == BATTEN_OK)
+        status = bat_border_loop(&builder, surface, false, tolerance, &count);
+    builder.parts.is_traced = true;
+    if (status == BATTEN_OK)
+        return bat_builder_finish(&builder, false, out);
+    bat_builder_end(&builder);
+    return status;
+}
+
+batten_status batten_mesh_of_surface(const batten_surface *surface,
+                                     const batten_mesh_options *options, const batten_job *job,
+                                     batten_mesh_report *report, batten_mesh **out)
+{
+    batten_body *body = NULL;
+    assert(surface && out);
+    if (batten_surface_dimension(surface) != 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimensions, not 3",
+                        batten_surface_dimension(surface));
+    batten_status status = whole(surface, &body);
+    if (status == BATTEN_OK)
+        status = batten_mesh_of_body(body, options, job, NULL, report, out);
+    batten_body_unref(body);
+    return status;
+}
