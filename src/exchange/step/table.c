@@ -18,8 +18,8 @@ batten_status bat_step_table_lines(bat_step_file *file)
         const size_t end = at + BLOCK < input->size ? at + BLOCK : input->size;
         status = bat_list_add(file->input, &file->lines, &count);
         uint32_t here = 0;
-        for (size_t i = at; i < end; i++)
-            here += data[i] == '\n';
+        for (const char *c = data + at; (c = memchr(c, '\n', (size_t)(data + end - c))); c++)
+            here++;
         if (here == 0 && memchr(data + at, '\r', end - at)) /* the lines of an old Macintosh */
             for (size_t i = at; i < end; i++)
                 here += data[i] == '\r' && (i + 1 == input->size || data[i + 1] != '\n');
