@@ -2,7 +2,7 @@
 # Every row of the bad-input catalogue has a test whose name begins with its id.
 # Usage: catalogue.sh SOURCE
 cd "$1/tests" || exit 2
-rows="N1 N2 N3 N4 N5 N6 N7 K1 K2 K3 K4 K5 K6 K7 K8 K9 K10 G1 G2 G3 G4 G5 G7 G9 G10 S1 S5
+rows="N1 N2 N3 N4 N5 N6 N7 K1 K2 K3 K4 K5 K6 K7 K8 K9 K10 G1 G2 G3 G4 G5 G7 G8 G9 G10 S1 S5
       F1 F2 F3 F4 F5 F6 F7 F8 W1 W8 W9 U1"
 missing=""
 for row in $rows; do

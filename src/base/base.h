@@ -65,6 +65,10 @@ int bat_format(char *buffer, size_t size, const char *format, va_list arguments)
  * no byte after a zero. */
 size_t bat_utf8_length(const char *text);
 
+/* Put bytes before a text that grows. */
+struct batten_text;
+void bat_text_insert(struct batten_text *text, const char *bytes, size_t length);
+
 /* Bytes as they may stand in a message: what is no printable ASCII as \xNN, cut where they do
  * not fit. */
 #define BAT_SHOWN_SIZE 512

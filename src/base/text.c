@@ -52,6 +52,17 @@ void batten_text_bytes(batten_text *text, const char *bytes, size_t length)
     text->bytes[text->length] = 0;
 }
 
+void bat_text_insert(batten_text *text, const char *bytes, size_t length)
+{
+    if (length == 0 || !make_room(text, length))
+        return;
+    if (text->length > 0)
+        memmove(text->bytes + length, text->bytes, text->length);
+    memcpy(text->bytes, bytes, length);
+    text->length += length;
+    text->bytes[text->length] = 0;
+}
+
 void batten_text_add(batten_text *text, const char *format, ...)
 {
     va_list arguments, again;

@@ -8,10 +8,9 @@
 
 /* A use of the face as its loop runs. */
 typedef struct {
-    int loop, use, next; /* which loop of the face; which use of the body; what follows here */
+    int loop, use, next; /* which loop of the face; which use of the body; what follows */
     batten_curve *curve; /* (u, v), from where it begins */
-    int vertex;          /* where it begins */
-    double start[2];
+    double start[2];     /* where it begins */
 } passage;
 
 typedef struct {
@@ -39,7 +38,6 @@ static batten_status pass(const batten_body_parts *p, int use, passage *out)
 {
     const batten_body_use *of = &p->uses[use];
     out->use = use;
-    out->vertex = p->edges[of->edge].vertices[of->reversed];
     if (of->reversed)
         return batten_curve_reverse(of->parameters, &out->curve);
     out->curve = batten_curve_ref(of->parameters);
@@ -161,29 +159,61 @@ static batten_status find_crossings(bat_check *check, int face, passages *all)
     return status;
 }
 
-static int by_vertex(const void *a, const void *b)
+/* A beginning of a use, in the cell of a grid. */
+typedef struct {
+    long long cell[2];
+    int index;
+} in_cell;
+
+static int by_cell(const void *a, const void *b)
 {
-    const passage *x = *(const passage *const *)a, *y = *(const passage *const *)b;
-    if (x->vertex != y->vertex)
-        return x->vertex < y->vertex ? -1 : 1;
-    return x < y ? -1 : x > y;
+    const in_cell *x = a, *y = b;
+    for (int k = 0; k < 2; k++)
+        if (x->cell[k] != y->cell[k])
+            return x->cell[k] < y->cell[k] ? -1 : 1;
+    return (x->index > y->index) - (x->index < y->index);
 }
 
-/* Loops that come twice to the same vertex in the same place of the parameters touch; at a seam
- * or a pole the places differ. */
+/* Grid 0 .. 3 is shifted by half a cell in u, in v, in both: of places that are nearer to each
+ * other than half a cell one of them has both in a cell. */
+static in_cell cell_of(const passages *all, int index, int grid)
+{
+    const double *start = all->at[index].start, side = 2 * NEAR;
+    return (in_cell){{(long long)floor(start[0] / side + 0.5 * (grid & 1)),
+                      (long long)floor(start[1] / side + 0.5 * (grid >> 1))},
+                     index};
+}
+
+static bool share_earlier_cell(const passages *all, int a, int b, int grid)
+{
+    for (int g = 0; g < grid; g++) {
+        const in_cell x = cell_of(all, a, g), y = cell_of(all, b, g);
+        if (x.cell[0] == y.cell[0] && x.cell[1] == y.cell[1])
+            return true;
+    }
+    return false;
+}
+
+/* Loops that come twice to the same place touch there; at a seam or a pole the places of a
+ * vertex differ. */
 static batten_status find_touches(bat_check *check, int face, passages *all)
 {
-    const passage **sorted = bat_array((size_t)all->count + 1, sizeof *sorted);
+    in_cell *sorted = bat_array((size_t)all->count + 1, sizeof *sorted);
     if (!sorted)
         return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < all->count; i++)
-        sorted[i] = &all->at[i];
-    qsort(sorted, (size_t)all->count, sizeof *sorted, by_vertex);
-    for (int i = 1; i < all->count; i++)
-        if (sorted[i]->vertex == sorted[i - 1]->vertex &&
-            bat_distance(2, sorted[i]->start, sorted[i - 1]->start) <= NEAR)
-            report(check, face, all, (int)(sorted[i - 1] - all->at), (int)(sorted[i] - all->at),
-                   sorted[i]->start, "touch");
+    for (int grid = 0; grid < 4; grid++) {
+        for (int i = 0; i < all->count; i++)
+            sorted[i] = cell_of(all, i, grid);
+        qsort(sorted, (size_t)all->count, sizeof *sorted, by_cell);
+        for (int i = 1; i < all->count; i++) {
+            const int a = sorted[i - 1].index, b = sorted[i].index;
+            if (sorted[i].cell[0] == sorted[i - 1].cell[0] &&
+                sorted[i].cell[1] == sorted[i - 1].cell[1] &&
+                bat_distance(2, all->at[a].start, all->at[b].start) <= NEAR &&
+                !share_earlier_cell(all, a, b, grid))
+                report(check, face, all, a, b, all->at[b].start, "touch");
+        }
+    }
     bat_release(sorted);
     return BATTEN_OK;
 }

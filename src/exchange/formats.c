@@ -67,7 +67,8 @@ static const bat_format_row formats[] = {
      .endings = {".igs", ".iges"},
      .recognise = bat_iges_recognise,
      .read = bat_read_iges,
-     .holds = BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .holds =
+         BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,
@@ -93,6 +94,8 @@ static const bat_format_row formats[] = {
      .name = "svg",
      .title = "SVG",
      .endings = {".svg"},
+     .recognise = bat_svg_recognise,
+     .read = bat_read_svg,
      .holds = BAT_HOLDS(CURVE),
      .write = bat_write_svg},
 

@@ -25,7 +25,6 @@ static const struct {
     {"AutoCAD Binary DXF", "a binary DXF drawing"},
     {"DBRep_DrawableShape", "an OCCT B-rep"},
     {"<?xml", "an XML document"},
-    {"<svg", "an SVG drawing"},
     {"batten:", "a design of Batten, to be built rather than read"},
     {"{", "a JSON document"},
 };

@@ -206,7 +206,7 @@ TEST(edges_below_the_tolerance_are_tiny)
     batten_body_unref(box);
 }
 
-TEST(knots_that_nearly_coincide_are_told)
+TEST(K6_knots_that_nearly_coincide_are_told)
 {
     changed *c = begin_change();
     batten_curve *refined = NULL;
@@ -219,7 +219,8 @@ TEST(knots_that_nearly_coincide_are_told)
 
 /* ---- loops ---- */
 
-/* A square of side 4, of a plane in its own parameters, u = x and v = y, with more loops of polygons. */
+/* A square of side 4, of a plane in its own parameters, u = x and v = y, with more loops of
+ * polygons. */
 static batten_body *sheet(int count, const double (*corners)[2], const int *sizes, int loops)
 {
     static const double square[4][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -277,7 +278,7 @@ static int crossing_in(int count, const double (*corners)[2], const int *sizes, 
     return f.crossing_loops;
 }
 
-TEST(loops_that_cross_or_touch_are_found)
+TEST(G8_loops_that_cross_or_touch_are_found)
 {
     static const double inside[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
     static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
@@ -288,6 +289,9 @@ TEST(loops_that_cross_or_touch_are_found)
     static const double at_each_other[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 2}, {2, 3}, {3, 2}};
     static const double apart[][2] = {{1, 1}, {1, 2}, {2, 2}, {2.5, 2}, {2.5, 3}, {3, 2}};
     static const int four[] = {4, 4}, three[] = {3, 3};
+    static const double twice[][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1},
+                                      {1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    CHECK_INT(crossing_in(8, twice, four, 2), 2);
     CHECK_INT(crossing_in(0, NULL, NULL, 0), 0);
     CHECK_INT(crossing_in(4, inside, four, 1), 0);
     CHECK_INT(crossing_in(4, over_rim, four, 1), 2);
@@ -298,7 +302,7 @@ TEST(loops_that_cross_or_touch_are_found)
     CHECK_INT(crossing_in(6, apart, three, 2), 0);
 }
 
-TEST(a_crossing_is_named_with_its_place)
+TEST(G8_a_crossing_is_named_with_its_place)
 {
     static const double over_rim[][2] = {{3, 1}, {3, 2}, {5, 2}, {5, 1}};
     static const int four[] = {4};
@@ -316,7 +320,7 @@ TEST(a_crossing_is_named_with_its_place)
     batten_body_unref(body);
 }
 
-TEST(a_tolerance_of_nothing_is_refused)
+TEST(N6_a_tolerance_of_nothing_is_refused)
 {
     batten_body *box = unit_box();
     batten_body_faults f;

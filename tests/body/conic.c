@@ -124,7 +124,7 @@ TEST(parameters_are_those_of_the_feet)
     }
 }
 
-TEST(parameters_are_found_at_any_size)
+TEST(N2_parameters_are_found_at_any_size)
 {
     static const double sizes[] = {1e-80, 1, 1e80};
     for (int i = 0; i < COUNT(sizes); i++)
@@ -211,7 +211,7 @@ TEST(open_conics_run_from_the_first_point_to_the_second)
     }
 }
 
-TEST(bad_conics_are_refused_with_their_numbers)
+TEST(N1_bad_conics_are_refused_with_their_numbers)
 {
     bat_conic conic = conic_of(BAT_ELLIPSE, 0, 1);
     batten_curve *curve = NULL;

@@ -89,7 +89,7 @@ static void check_on_circle(const batten_curve *part)
     }
 }
 
-TEST(a_part_of_a_closed_curve_goes_over_the_seam)
+TEST(G6_a_part_of_a_closed_curve_goes_over_the_seam)
 {
     batten_curve *curve = circle(), *part = NULL;
     double p[3] = {0, 2, 0}, q[3] = {0, -2, 0}, middle[3], miss;

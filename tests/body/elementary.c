@@ -153,7 +153,7 @@ static double rim_radius(const batten_surface *surface, bool high)
     return bat_distance(3, p, q) / 2;
 }
 
-TEST(a_cone_reaches_its_apex_only_when_its_points_do)
+TEST(G5_a_cone_reaches_its_apex_only_when_its_points_do)
 {
     const double half = atan(0.5);
     static const struct {
@@ -209,7 +209,7 @@ TEST(spheres_and_tori_are_whole)
 }
 
 /* An apple outside, a lemon inside; areas by Pappus: 2 pi b (half angle * 2 a + 2 b sin). */
-TEST(a_tube_over_the_axis_is_cut_there)
+TEST(G5_a_tube_over_the_axis_is_cut_there)
 {
     const double a = 1, b = 2, turn = acos(-a / b);
     const bat_elementary e = {.kind = BAT_TORUS, .frame = tilted(), .a = a, .b = b};
@@ -369,7 +369,7 @@ TEST(an_offset_is_made_of_what_is_below_its_points)
     batten_surface_unref(surface);
 }
 
-TEST(what_cannot_be_bounded_or_made_is_refused)
+TEST(N1_what_cannot_be_bounded_or_made_is_refused)
 {
     bat_elementary e = {.kind = BAT_CYLINDER, .frame = tilted(), .a = 2};
     batten_surface *surface = NULL;

@@ -114,7 +114,7 @@ TEST(an_open_cylinder_has_no_volume)
     CHECK_NEAR(m.edge_length, 8 * BAT_PI + 7, 1e-7);
 }
 
-TEST(measures_hold_at_any_size)
+TEST(N2_measures_hold_at_any_size)
 {
     static const double sizes[] = {1e-80, 1e-3, 1e80};
     for (int i = 0; i < COUNT(sizes); i++) {
@@ -473,7 +473,7 @@ TEST(what_a_loop_holds_and_what_is_left_are_the_whole)
     }
 }
 
-TEST(the_work_for_a_face_is_bounded)
+TEST(S5_the_work_for_a_face_is_bounded)
 {
     batten_surface *surface = NULL;
     const batten_frame world = batten_frame_world();
@@ -489,7 +489,7 @@ TEST(the_work_for_a_face_is_bounded)
     batten_body_unref(body);
 }
 
-TEST(what_cannot_be_measured_is_refused)
+TEST(N6_what_cannot_be_measured_is_refused)
 {
     batten_surface *surface = NULL;
     batten_body_measures m = {.area = -1};

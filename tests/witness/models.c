@@ -270,6 +270,9 @@ static void put_block(void)
         put_file(forms[k].name, "step", model, &options);
         expect(forms[k].name, 1, 8, block_area(), block_volume());
     }
+    put_table("block-faces", model);
+    put_file("block-faces", "igs", model, NULL);
+    expect("block-faces", 0, 8, block_area(), 0);
     batten_model_unref(model);
 }
 
@@ -282,12 +285,11 @@ static void put_sheets(void)
     CHECK(batten_model_create(0.001, &model));
     CHECK(batten_surface_sphere(&frame, 15, &surface));
     CHECK(batten_body_of_surface("ball", surface, 1e-6, &body));
-    CHECK(batten_model_add(model, &(batten_object){.name = "ball",
-                                                   .is_hidden = true,
-                                                   .kind = BATTEN_OBJECT_BODY,
-                                                   .body = body}));
+    CHECK(batten_model_add(
+        model, &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_BODY, .body = body}));
     put_table("sphere", model);
     put_file("sphere", "step", model, NULL);
+    put_file("sphere", "igs", model, NULL);
     expect("sphere", 0, 1, 4 * pi * 15 * 15, 4 * pi * 15 * 15 * 15 / 3);
     batten_model_unref(model);
     batten_body_unref(body);
@@ -315,10 +317,13 @@ static void put_assembly(void)
     place(all, "first", pair, batten_affine_translation(100, 0, 0));
     place(all, "second", pair,
           batten_affine_rotation((batten_vec3){0, 50, 0}, (batten_vec3){0, 0, 1}, -2));
-    place(all, "alone", part, batten_affine_translation(0, 0, 70));
+    place(all, "third", part, batten_affine_translation(0, 0, 70));
     put_table("assembly", all);
     put_file("assembly", "step", all, NULL);
     expect("assembly", 5, 40, 5 * block_area(), 5 * block_volume());
+    put_table("copies", all);
+    put_file("copies", "igs", all, NULL);
+    expect("copies", 0, 40, 5 * block_area(), 0);
     batten_model_unref(all);
     batten_model_unref(pair);
     batten_model_unref(part);

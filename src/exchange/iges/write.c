@@ -1,119 +1,12 @@
-#include "exchange/iges/iges.h"
+/* A model as an IGES file. */
+#include "exchange/iges/writing.h"
 #include "exchange/prepare.h"
-#include "exchange/real.h"
 
 #include <batten/units.h>
-#include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The sections as they grow; the directory and the parameters have records of 80 columns. */
-typedef struct {
-    batten_notes *notes;
-    batten_text global, directory, data;
-    char line[96]; /* the record of the G or P section that is being filled */
-    size_t used;
-    int global_count, directory_count, data_count;
-    double colours[64][3]; /* those written last, in percent, and the ids of their entities */
-    int colour_ids[64];
-    int colour_count;
-    double largest; /* coordinate written so far */
-} writing;
-
-#define GLOBAL_COLUMNS 72
-#define DATA_COLUMNS 64
-
-/* ---- records ---- */
-
-/* End the record being filled: for a parameter record `id` is its entity, 0 for a global one.
- */
-static void end_record(writing *w, int id)
-{
-    if (id)
-        batten_text_add(&w->data, "%-64.*s%8dP%7d\n", (int)w->used, w->line, id,
-                        ++w->data_count);
-    else
-        batten_text_add(&w->global, "%-72.*sG%7d\n", (int)w->used, w->line, ++w->global_count);
-    w->used = 0;
-}
-
-static void put_bytes(writing *w, int id, const char *bytes, size_t length)
-{
-    const size_t columns = id ? DATA_COLUMNS : GLOBAL_COLUMNS;
-    for (size_t i = 0; i < length; i++) {
-        if (w->used == columns)
-            end_record(w, id);
-        w->line[w->used++] = bytes[i];
-    }
-}
-
-/* Put a token that must stand in one record. */
-static void put_whole(writing *w, int id, const char *token)
-{
-    const size_t length = strlen(token), columns = id ? DATA_COLUMNS : GLOBAL_COLUMNS;
-    if (w->used + length > columns)
-        end_record(w, id);
-    put_bytes(w, id, token, length);
-}
-
-static void put_integer(writing *w, int id, long value, char after)
-{
-    char token[32];
-    snprintf(token, sizeof token, "%ld%c", value, after);
-    put_whole(w, id, token);
-}
-
-static void put_real(writing *w, int id, double value, char after)
-{
-    char token[BAT_REAL_SIZE + 1];
-    bat_real_write(value, token);
-    const size_t length = strlen(token);
-    token[length] = after;
-    token[length + 1] = '\0';
-    put_whole(w, id, token);
-}
-
-/* nH and the characters; line ends, which no record can hold, become blanks. */
-static void put_string(writing *w, int id, const char *text, char after)
-{
-    char head[32];
-    const size_t length = strlen(text);
-    if (length > 0) {
-        snprintf(head, sizeof head, "%zuH", length);
-        put_whole(w, id, head);
-    }
-    for (size_t i = 0; i < length; i++) {
-        const char c = text[i] == '\n' || text[i] == '\r' || text[i] == '\t' ? ' ' : text[i];
-        put_bytes(w, id, &c, 1);
-    }
-    put_bytes(w, id, &after, 1);
-}
-
-/* ---- the directory ---- */
-
-typedef struct {
-    int type, form, level, colour;
-    const char *status; /* 8 digits */
-} entry;
-
-static int next_id(const writing *w)
-{
-    return w->directory_count + 1;
-}
-
-/* Write the entry whose parameters begin at record `first` of the P section and end now. */
-static void put_entry(writing *w, const entry *e, int first)
-{
-    const int id = next_id(w);
-    if (w->used)
-        end_record(w, id);
-    batten_text_add(&w->directory, "%8d%8d%8d%8d%8d%8d%8d%8d%sD%7d\n", e->type, first, 0, 0,
-                    e->level, 0, 0, 0, e->status, id);
-    batten_text_add(&w->directory, "%8d%8d%8d%8d%8d%8s%8s%8s%8dD%7d\n", e->type, 0, e->colour,
-                    w->data_count - first + 1, e->form, "", "", "", 0, id + 1);
-    w->directory_count += 2;
-}
+/* ---- colours, names, levels ---- */
 
 /* A colour in percent with 6 decimals, so that reading and writing again gives the same text.
  */
@@ -123,20 +16,16 @@ static double percent(double part)
 }
 
 /* The colour field: minus the id of an entity 314, which is written unless it just was. */
-static int put_colour(writing *w, const batten_object *object)
+static int put_colour(bat_iges_writing *w, const double colour[3])
 {
-    if (!object->has_colour)
-        return 0;
-    const double rgb[3] = {percent(object->colour[0]), percent(object->colour[1]),
-                           percent(object->colour[2])};
+    const double rgb[3] = {percent(colour[0]), percent(colour[1]), percent(colour[2])};
     for (int k = 0; k < w->colour_count && k < 64; k++)
         if (memcmp(w->colours[k], rgb, sizeof rgb) == 0)
             return -w->colour_ids[k];
-    const int id = next_id(w), first = w->data_count + 1;
-    put_integer(w, id, 314, ',');
+    const int id = bat_iges_begin_entity(w, 314);
     for (int k = 0; k < 3; k++)
-        put_real(w, id, rgb[k], k < 2 ? ',' : ';');
-    put_entry(w, &(entry){.type = 314, .status = "00000200"}, first);
+        bat_iges_put_real(&w->data, rgb[k], k < 2 ? ',' : ';');
+    bat_iges_end_entity(w, &(bat_iges_look){.type = 314, .use = 2});
     memcpy(w->colours[w->colour_count % 64], rgb, sizeof rgb);
     w->colour_ids[w->colour_count % 64] = id;
     w->colour_count++;
@@ -144,218 +33,279 @@ static int put_colour(writing *w, const batten_object *object)
 }
 
 /* The id of a property with the name; 0 for an empty one. */
-static int put_name(writing *w, const char *name)
+static int put_name(bat_iges_writing *w, const char *name)
 {
     if (!name[0])
         return 0;
-    const int id = next_id(w), first = w->data_count + 1;
-    put_integer(w, id, 406, ',');
-    put_integer(w, id, 1, ',');
-    put_string(w, id, name, ';');
-    put_entry(w, &(entry){.type = 406, .form = 15, .status = "00010300"}, first);
+    const int id = bat_iges_begin_entity(w, 406);
+    bat_iges_put_integer(&w->data, 1, ',');
+    bat_iges_put_string(&w->data, name, ';');
+    bat_iges_end_entity(w,
+                        &(bat_iges_look){.type = 406, .form = 15, .is_part = true, .use = 3});
     return id;
 }
 
-/* The end of an entity's parameters: no associativity, and its name. */
-static void put_properties(writing *w, int id, int name)
-{
-    put_integer(w, id, 0, ',');
-    put_integer(w, id, name ? 1 : 0, name ? ',' : ';');
-    if (name)
-        put_integer(w, id, name, ';');
-}
+enum { HIGHEST_LEVEL = 9999999 };
 
-/* A layer is a level when it is a number, as IGES knows no other. */
-static int level_of(writing *w, const batten_object *object)
+/* A layer that is a number is that level; 0 when it is none. */
+static int level_of_number(const char *layer)
 {
-    char *end = NULL;
-    const char *layer = object->layer;
-    if (!layer[0])
-        return 0;
     const bool number = strspn(layer, "0123456789") == strlen(layer) && strlen(layer) <= 7;
-    const long level = number ? strtol(layer, &end, 10) : 0;
-    if (level <= 0)
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "layer '%.60s' is no level from 1 to 9999999; left out", layer);
-    return (int)level;
+    return number && layer[0] != '0' ? (int)strtol(layer, NULL, 10) : 0;
 }
 
-/* ---- shapes ---- */
-
-/* Do all points [count][3] have the same z? */
-static bool is_level(const double *points, size_t count)
+/* Number the layers that have other names, beyond those that are numbers, and say which is
+ * which: 406 form 3, whose level it is. */
+static batten_status put_layers(bat_iges_writing *w, const batten_model *model)
 {
-    for (size_t i = 1; i < count; i++)
-        if (points[3 * i + 2] != points[2])
-            return false;
-    return true;
+    bat_members *list = &w->layers;
+    int highest = 0, kept = 0;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        const char *layer = batten_model_object(model, i)->layer;
+        highest = bat_max_int(highest, level_of_number(layer));
+        if (layer[0] && !level_of_number(layer))
+            status = bat_members_add(list, layer, 0);
+    }
+    bat_members_sort(list);
+    for (int i = 0; status == BATTEN_OK && i < list->count; i += bat_members_same(list, i)) {
+        list->members[kept] = list->members[i];
+        list->members[kept].item = bat_min_int(++highest, HIGHEST_LEVEL);
+        const bat_member *layer = &list->members[kept++];
+        bat_iges_begin_entity(w, 406);
+        bat_iges_put_integer(&w->data, 2, ',');
+        bat_iges_put_integer(&w->data, layer->item, ',');
+        bat_iges_put_string(&w->data, layer->path, ';');
+        bat_iges_end_entity(
+            w, &(bat_iges_look){.type = 406, .form = 3, .level = layer->item, .use = 3});
+    }
+    list->count = kept;
+    return status;
 }
 
-static void put_coordinate(writing *w, int id, double value)
+static int level_of(bat_iges_writing *w, const char *layer)
 {
-    w->largest = bat_max(w->largest, fabs(value));
-    put_real(w, id, value, ',');
-}
-
-/* Missing weights are written as ones, and the entity calls itself polynomial. */
-static void put_weights(writing *w, int id, const double *weights, size_t i)
-{
-    put_real(w, id, weights ? weights[i] : 1, ',');
-}
-
-static bool is_segment(const batten_curve *curve)
-{
-    const double *knots = batten_curve_knots(curve);
-    return batten_curve_degree(curve) == 1 && batten_curve_point_count(curve) == 2 &&
-           !batten_curve_is_rational(curve) && knots[0] == 0 && knots[1] == 0 &&
-           knots[2] == 1 && knots[3] == 1;
-}
-
-static void put_segment(writing *w, int id, const batten_curve *curve)
-{
-    const double *points = batten_curve_points(curve);
-    put_integer(w, id, 110, ',');
-    for (int k = 0; k < 6; k++)
-        put_coordinate(w, id, points[k]);
-}
-
-static void put_spline(writing *w, int id, const batten_curve *curve)
-{
-    const double *points = batten_curve_points(curve), *weights = batten_curve_weights(curve);
-    const double *knots = batten_curve_knots(curve);
-    const int n = batten_curve_point_count(curve), p = batten_curve_degree(curve);
-    const batten_interval domain = batten_curve_domain(curve);
-    const bool level = is_level(points, (size_t)n);
-    put_integer(w, id, 126, ',');
-    put_integer(w, id, n - 1, ',');
-    put_integer(w, id, p, ',');
-    put_integer(w, id, level, ',');
-    put_integer(w, id, memcmp(points, &points[3 * ((size_t)n - 1)], 3 * sizeof *points) == 0,
-                ',');
-    put_integer(w, id, weights == NULL, ',');
-    put_integer(w, id, 0, ',');
-    for (int i = 0; i < n + p + 1; i++)
-        put_real(w, id, knots[i], ',');
-    for (int i = 0; i < n; i++)
-        put_weights(w, id, weights, (size_t)i);
-    for (int i = 0; i < 3 * n; i++)
-        put_coordinate(w, id, points[i]);
-    put_real(w, id, domain.a, ',');
-    put_real(w, id, domain.b, ',');
-    put_real(w, id, 0, ',');
-    put_real(w, id, 0, ',');
-    put_real(w, id, level, ',');
-}
-
-static void put_knots(writing *w, int id, const batten_surface *surface,
-                      batten_direction direction)
-{
-    const double *knots = batten_surface_knots(surface, direction);
-    for (int i = 0; i < batten_surface_knot_count(surface, direction); i++)
-        put_real(w, id, knots[i], ',');
-}
-
-static void put_domain(writing *w, int id, const batten_surface *surface,
-                       batten_direction direction)
-{
-    const batten_interval domain = batten_surface_domain(surface, direction);
-    put_real(w, id, domain.a, ',');
-    put_real(w, id, domain.b, ',');
-}
-
-static void put_surface(writing *w, int id, const batten_surface *surface)
-{
-    const double *points = batten_surface_points(surface);
-    const double *weights = batten_surface_weights(surface);
-    const int count_u = batten_surface_point_count(surface, BATTEN_U);
-    const int count_v = batten_surface_point_count(surface, BATTEN_V);
-    const int head[] = {128,
-                        count_u - 1,
-                        count_v - 1,
-                        batten_surface_degree(surface, BATTEN_U),
-                        batten_surface_degree(surface, BATTEN_V),
-                        batten_surface_is_closed(surface, BATTEN_U, 0),
-                        batten_surface_is_closed(surface, BATTEN_V, 0),
-                        weights == NULL,
-                        0,
-                        0};
-    for (size_t k = 0; k < sizeof head / sizeof head[0]; k++)
-        put_integer(w, id, head[k], ',');
-    put_knots(w, id, surface, BATTEN_U);
-    put_knots(w, id, surface, BATTEN_V);
-    for (int j = 0; j < count_v; j++)
-        for (int i = 0; i < count_u; i++)
-            put_weights(w, id, weights, (size_t)i * (size_t)count_v + (size_t)j);
-    for (int j = 0; j < count_v; j++)
-        for (int i = 0; i < count_u; i++)
-            for (int k = 0; k < 3; k++)
-                put_coordinate(
-                    w, id, points[3 * ((size_t)i * (size_t)count_v + (size_t)j) + (size_t)k]);
-    put_domain(w, id, surface, BATTEN_U);
-    put_domain(w, id, surface, BATTEN_V);
+    const int number = level_of_number(layer);
+    return number || !layer[0] ? number : bat_members_find(&w->layers, layer)->item;
 }
 
 /* ---- objects ---- */
 
 /* Sequence numbers have 7 columns; this keeps every record below them. */
-static batten_status check_room(const writing *w)
+static batten_status check_room(const bat_iges_writing *w)
 {
-    if (w->data_count <= 9000000 && w->directory_count <= 9000000)
+    if (w->data.count <= 9000000 && w->directory_count <= 9000000)
         return BATTEN_OK;
     return bat_fail(BATTEN_TOO_LARGE, "IGES has room for 9999999 records in a section");
 }
 
-static batten_status write_curve(writing *w, const batten_object *object)
+static bat_iges_look look_of(bat_iges_writing *w, const batten_object *object)
+{
+    return (bat_iges_look){.level = level_of(w, object->layer),
+                           .colour = object->has_colour ? put_colour(w, object->colour) : 0,
+                           .is_hidden = object->is_hidden};
+}
+
+static batten_status add_to_group(bat_iges_writing *w, const char *path, int id)
+{
+    return path[0] ? bat_members_add(&w->groups, path, id) : BATTEN_OK;
+}
+
+static batten_status write_curve(bat_iges_writing *w, const batten_object *object)
 {
     batten_curve *curve = NULL;
     batten_status status = bat_prepare_curve(object, &curve);
     if (status != BATTEN_OK)
         return status;
-    const bool segment = is_segment(curve);
-    const int colour = put_colour(w, object), name = put_name(w, object->name);
-    const int id = next_id(w), first = w->data_count + 1;
-    if (segment)
-        put_segment(w, id, curve);
-    else
-        put_spline(w, id, curve);
-    put_properties(w, id, name);
-    put_entry(w,
-              &(entry){.type = segment ? 110 : 126,
-                       .level = level_of(w, object),
-                       .colour = colour,
-                       .status = "00000000"},
-              first);
+    const bat_iges_look look = look_of(w, object);
+    const int id = bat_iges_put_curve(w, curve, put_name(w, object->name), look);
     batten_curve_unref(curve);
-    return BATTEN_OK;
+    return add_to_group(w, object->group, id);
 }
 
-static batten_status write_surface(writing *w, const batten_object *object, double tolerance)
+static batten_status write_surface(bat_iges_writing *w, const batten_object *object)
 {
     batten_surface *surface = NULL;
-    batten_status status = bat_prepare_surface(object, tolerance, w->notes, &surface);
+    batten_status status = bat_prepare_surface(object, w->tolerance, w->notes, &surface);
     if (status != BATTEN_OK)
         return status;
-    const int colour = put_colour(w, object), name = put_name(w, object->name);
-    const int id = next_id(w), first = w->data_count + 1;
-    put_surface(w, id, surface);
-    put_properties(w, id, name);
-    put_entry(
-        w,
-        &(entry){
-            .type = 128, .level = level_of(w, object), .colour = colour, .status = "00000000"},
-        first);
+    const bat_iges_look look = look_of(w, object);
+    const int id = bat_iges_put_surface(w, surface, put_name(w, object->name), look);
     batten_surface_unref(surface);
-    return BATTEN_OK;
+    return add_to_group(w, object->group, id);
 }
 
-static batten_status write_object(writing *w, const batten_object *object, double tolerance)
+static batten_status write_points(bat_iges_writing *w, const batten_object *object)
+{
+    if (object->point_count == 0)
+        return BATTEN_OK;
+    const bat_iges_look look = look_of(w, object);
+    const int id = bat_iges_put_points(w, object->points, object->point_count,
+                                       put_name(w, object->name), look);
+    return add_to_group(w, object->group, id);
+}
+
+/* ---- bodies ---- */
+
+/* The group that the faces of a body become: its name within its own group. It is kept till the
+ * end of the writing. */
+static batten_status path_of_body(bat_iges_writing *w, const batten_object *object,
+                                  const char **path)
+{
+    batten_text joined = BATTEN_TEXT;
+    char **paths = bat_resize(w->paths, (size_t)w->path_count + 1, sizeof *paths);
+    if (!paths)
+        return BATTEN_OUT_OF_MEMORY;
+    w->paths = paths;
+    batten_text_add(&joined, "%s%s%s", object->group, object->group[0] ? "/" : "",
+                    object->name[0] ? object->name : "body");
+    const batten_status status = batten_text_take(&joined, &paths[w->path_count], NULL);
+    if (status == BATTEN_OK)
+        *path = paths[w->path_count++];
+    return status;
+}
+
+/* "ship" for the only face of a body, "ship.3" for the third of several that has no name. */
+static batten_status put_face_name(bat_iges_writing *w, const batten_object *object, int count,
+                                   int f, int *name)
+{
+    const char *own = batten_body_view(object->body)->faces[f].name;
+    batten_text text = BATTEN_TEXT;
+    if (count == 1)
+        batten_text_add(&text, "%s", object->name[0] ? object->name : own);
+    else if (own[0] || !object->name[0])
+        batten_text_add(&text, "%s", own);
+    else
+        batten_text_add(&text, "%s.%d", object->name, f + 1);
+    *name = text.failed ? 0 : put_name(w, text.bytes);
+    const batten_status status = text.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+    batten_text_free(&text);
+    return status;
+}
+
+static batten_status write_faces(bat_iges_writing *w, const batten_object *object,
+                                 const batten_body_parts *parts, const char *group)
+{
+    batten_status status = BATTEN_OK;
+    for (int f = 0; status == BATTEN_OK && f < parts->face_count; f++) {
+        const batten_body_face *face = &parts->faces[f];
+        batten_object coloured = *object;
+        int name = 0, id = 0;
+        if (face->has_colour) {
+            coloured.has_colour = true;
+            memcpy(coloured.colour, face->colour, sizeof face->colour);
+        }
+        const bat_iges_look look = look_of(w, &coloured);
+        status = check_room(w);
+        if (status == BATTEN_OK)
+            status = put_face_name(w, object, parts->face_count, f, &name);
+        if (status == BATTEN_OK)
+            status = bat_iges_put_face(w, parts, f, name, &look, &id);
+        if (status == BATTEN_OK)
+            status = add_to_group(w, group, id);
+    }
+    return status;
+}
+
+static void note_losses(bat_iges_writing *w, const batten_object *object)
+{
+    const batten_body_parts *parts = batten_body_view(object->body);
+    int turned = 0;
+    for (int f = 0; f < parts->face_count; f++)
+        turned += parts->faces[f].reversed;
+    if (parts->face_count > 1)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "its %d faces are written as a group of trimmed surfaces, which do "
+                         "not share their edges%s",
+                         parts->face_count,
+                         parts->is_solid ? "; that it is a solid is lost" : "");
+    if (turned)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "%d faces are against their surfaces; IGES has no side for them",
+                         turned);
+}
+
+static batten_status write_body(bat_iges_writing *w, const batten_object *object)
+{
+    const batten_body_parts *parts = batten_body_view(object->body);
+    const char *group = object->group;
+    batten_status status = BATTEN_OK;
+    if (parts->face_count > 1)
+        status = path_of_body(w, object, &group);
+    if (status == BATTEN_OK)
+        status = write_faces(w, object, parts, group);
+    if (status == BATTEN_OK)
+        note_losses(w, object);
+    return status;
+}
+
+static batten_status write_object(bat_iges_writing *w, const batten_object *object)
 {
     batten_status status = check_room(w);
     if (status != BATTEN_OK)
         return status;
-    if (object->kind == BATTEN_OBJECT_CURVE)
+    switch (object->kind) {
+    case BATTEN_OBJECT_CURVE:
         return write_curve(w, object);
-    return write_surface(w, object, tolerance);
+    case BATTEN_OBJECT_SURFACE:
+        return write_surface(w, object);
+    case BATTEN_OBJECT_BODY:
+        return write_body(w, object);
+    default: /* points; what the format does not hold was taken out before */
+        return write_points(w, object);
+    }
+}
+
+/* ---- groups ---- */
+
+/* The groups that are entered, with the ids of what is in each. */
+typedef struct {
+    bat_iges_writing *w;
+    int names[BAT_GROUPS_DEEPEST];
+    bat_members items[BAT_GROUPS_DEEPEST];
+} open_groups;
+
+static batten_status enter_group(void *context, int depth, const char *name)
+{
+    open_groups *open = context;
+    open->names[depth] = put_name(open->w, name);
+    open->items[depth].count = 0;
+    return BATTEN_OK;
+}
+
+static batten_status take_items(void *context, int depth, const bat_member *members, int count)
+{
+    open_groups *open = context;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        status = bat_members_add(&open->items[depth], "", members[i].item);
+    return status;
+}
+
+static batten_status leave_group(void *context, int depth)
+{
+    open_groups *open = context;
+    bat_iges_writing *w = open->w;
+    const bat_members *items = &open->items[depth];
+    const int id = bat_iges_begin_entity(w, 402);
+    bat_iges_put_integer(&w->data, items->count, ',');
+    for (int i = 0; i < items->count; i++)
+        bat_iges_put_integer(&w->data, items->members[i].item, ',');
+    bat_iges_put_properties(w, open->names[depth]);
+    bat_iges_end_entity(w, &(bat_iges_look){.type = 402, .form = 7, .use = 3});
+    const batten_status status = check_room(w);
+    return status == BATTEN_OK && depth > 0 ? bat_members_add(&open->items[depth - 1], "", id)
+                                            : status;
+}
+
+static batten_status put_groups(bat_iges_writing *w)
+{
+    open_groups open = {.w = w};
+    const batten_status status = bat_groups_visit(
+        &w->groups, &(bat_group_visitor){&open, enter_group, take_items, leave_group});
+    for (int i = 0; i < BAT_GROUPS_DEEPEST; i++)
+        bat_members_end(&open.items[i]);
+    return status;
 }
 
 /* ---- the global section ---- */
@@ -379,54 +329,63 @@ static void write_date(const char *date, char out[16])
     }
 }
 
-static void put_unit(writing *w, double metres)
+static void put_unit(bat_iges_section *global, double metres)
 {
     static const char *const names[] = {"IN", "MM",  "",   "FT", "MI", "M",
                                         "KM", "MIL", "UM", "CM", "UIN"};
     const int flag = bat_iges_flag_of_unit(metres);
-    put_integer(w, 0, flag, ',');
-    put_string(w, 0, names[flag - 1], ',');
+    bat_iges_put_integer(global, flag, ',');
+    bat_iges_put_string(global, names[flag - 1], ',');
 }
 
-static void write_global(writing *w, const batten_write_options *options, double unit,
-                         double tolerance)
+static void put_global(const bat_iges_writing *w, bat_iges_section *global,
+                       const batten_write_options *options, double unit)
 {
+    static const int sizes[] = {32, 38, 6, 308, 17};
+    const char *const begin[] = {",",           ";",      options->name,
+                                 options->name, "Batten", batten_version()};
     char date[16];
     write_date(options->date, date);
-    put_string(w, 0, ",", ',');
-    put_string(w, 0, ";", ',');
-    put_string(w, 0, options->name, ',');
-    put_string(w, 0, options->name, ',');
-    put_string(w, 0, "Batten", ',');
-    put_string(w, 0, batten_version(), ',');
-    static const int sizes[] = {32, 38, 6, 308, 17};
-    for (int k = 0; k < 5; k++)
-        put_integer(w, 0, sizes[k], ',');
-    put_string(w, 0, options->name, ',');
-    put_real(w, 0, 1, ',');
-    put_unit(w, unit);
-    put_integer(w, 0, 1, ',');
-    put_real(w, 0, 0, ',');
-    put_string(w, 0, date, ',');
-    put_real(w, 0, tolerance, ',');
-    put_real(w, 0, w->largest, ',');
-    put_string(w, 0, "", ',');
-    put_string(w, 0, "", ',');
-    put_integer(w, 0, 11, ',');
-    put_integer(w, 0, 0, ',');
-    put_string(w, 0, date, ';');
-    end_record(w, 0);
+    for (size_t k = 0; k < sizeof begin / sizeof begin[0]; k++)
+        bat_iges_put_string(global, begin[k], ',');
+    for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++)
+        bat_iges_put_integer(global, sizes[k], ',');
+    bat_iges_put_string(global, options->name, ',');
+    bat_iges_put_real(global, 1, ',');
+    put_unit(global, unit);
+    bat_iges_put_integer(global, 1, ',');
+    bat_iges_put_real(global, 0, ',');
+    bat_iges_put_string(global, date, ',');
+    bat_iges_put_real(global, w->tolerance, ',');
+    bat_iges_put_real(global, w->largest, ',');
+    bat_iges_put_string(global, "", ',');
+    bat_iges_put_string(global, "", ',');
+    bat_iges_put_integer(global, 11, ',');
+    bat_iges_put_integer(global, 0, ',');
+    bat_iges_put_string(global, date, ';');
+    bat_iges_section_flush(global);
 }
 
-static void join(const writing *w, batten_text *text)
+/* The parameters are in the text already: what comes before them is put there, and the end. */
+static batten_status join(bat_iges_writing *w, const batten_write_options *options, double unit,
+                          batten_text *text)
 {
-    batten_text_add(text, "%-72sS%7d\n", "Written by Batten", 1);
-    batten_text_bytes(text, w->global.bytes, w->global.length);
-    batten_text_bytes(text, w->directory.bytes, w->directory.length);
-    batten_text_bytes(text, w->data.bytes, w->data.length);
-    batten_text_add(text, "S%7dG%7dD%7dP%7d%40sT%7d\n", 1, w->global_count, w->directory_count,
-                    w->data_count, "", 1);
+    batten_text front = BATTEN_TEXT;
+    bat_iges_section global;
+    batten_text_add(&front, "%-72sS%7d\n", "Written by Batten", 1);
+    bat_iges_section_begin(&global, 'G', &front);
+    put_global(w, &global, options, unit);
+    batten_text_bytes(&front, w->directory.bytes, w->directory.length);
+    const bool failed = front.failed || w->directory.failed;
+    if (!failed)
+        bat_text_insert(text, front.bytes, front.length);
+    batten_text_add(text, "S%7dG%7dD%7dP%7d%40sT%7d\n", 1, global.count, w->directory_count,
+                    w->data.count, "", 1);
+    batten_text_free(&front);
+    return failed || text->failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
 }
+
+/* ---- the file ---- */
 
 /* A unit that IGES can say, into which the model is brought. */
 static batten_status choose_unit(const batten_model *model, batten_notes *notes,
@@ -443,6 +402,16 @@ static batten_status choose_unit(const batten_model *model, batten_notes *notes,
     return batten_model_to_unit(model, 0.001, out);
 }
 
+static void end(bat_iges_writing *w)
+{
+    for (int i = 0; i < w->path_count; i++)
+        bat_release(w->paths[i]);
+    bat_release(w->paths);
+    bat_members_end(&w->groups);
+    bat_members_end(&w->layers);
+    batten_text_free(&w->directory);
+}
+
 batten_status bat_write_iges(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text)
 {
@@ -450,19 +419,18 @@ batten_status bat_write_iges(const batten_model *model, const batten_write_optio
     batten_status status = choose_unit(model, notes, &scaled);
     if (status != BATTEN_OK)
         return status;
-    writing w = {.notes = notes, .global = BATTEN_TEXT, .data = BATTEN_TEXT};
     const double unit = batten_model_unit_metres(scaled);
-    const double tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit;
+    bat_iges_writing w = {
+        .notes = notes, .tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
+    bat_iges_section_begin(&w.data, 'P', text);
+    status = put_layers(&w, scaled);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(scaled); i++)
-        status = write_object(&w, batten_model_object(scaled, i), tolerance);
-    if (status == BATTEN_OK) {
-        write_global(&w, options, unit, tolerance);
-        join(&w, text);
-        text->failed |= w.global.failed || w.directory.failed || w.data.failed;
-    }
-    batten_text_free(&w.global);
-    batten_text_free(&w.directory);
-    batten_text_free(&w.data);
+        status = write_object(&w, batten_model_object(scaled, i));
+    if (status == BATTEN_OK)
+        status = put_groups(&w);
+    if (status == BATTEN_OK)
+        status = join(&w, options, unit, text);
+    end(&w);
     batten_model_unref(scaled);
     return status;
 }

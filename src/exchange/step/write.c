@@ -452,8 +452,8 @@ static void end(bat_step_writing *w)
     bat_release(w->definitions.ids);
     bat_release(w->styled.ids);
     bat_release(w->hidden.ids);
-    bat_release(w->layers.members);
-    bat_release(w->groups.members);
+    bat_members_end(&w->layers);
+    bat_members_end(&w->groups);
 }
 
 batten_status bat_write_step(const batten_model *model, const batten_write_options *options,

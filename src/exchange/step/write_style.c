@@ -1,7 +1,6 @@
 /* Colours, layers, groups, and what is hidden. */
 #include "exchange/step/writing.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 batten_status bat_step_bag_add(bat_step_bag *bag, int id)
@@ -15,20 +14,6 @@ batten_status bat_step_bag_add(bat_step_bag *bag, int id)
         bag->capacity = capacity;
     }
     bag->ids[bag->count++] = id;
-    return BATTEN_OK;
-}
-
-static batten_status add_member(bat_step_members *list, const char *name, int item)
-{
-    if (list->count == list->capacity) {
-        const int capacity = bat_max_int(16, 2 * list->capacity);
-        bat_step_member *members = bat_resize(list->members, (size_t)capacity, sizeof *members);
-        if (!members)
-            return BATTEN_OUT_OF_MEMORY;
-        list->members = members;
-        list->capacity = capacity;
-    }
-    list->members[list->count++] = (bat_step_member){name, item};
     return BATTEN_OK;
 }
 
@@ -130,50 +115,27 @@ batten_status bat_step_mark(bat_step_writing *w, const batten_object *object, in
     if (status == BATTEN_OK && object->is_hidden)
         status = bat_step_bag_add(&w->hidden, styled);
     if (status == BATTEN_OK && object->layer[0])
-        status = add_member(&w->layers, object->layer, item);
+        status = bat_members_add(&w->layers, object->layer, item);
     if (status == BATTEN_OK && object->group[0])
-        status = add_member(&w->groups, object->group, item);
+        status = bat_members_add(&w->groups, object->group, item);
     return status;
 }
 
-/* By name, an outer group before those within it; then by item. */
-static int compare_members(const void *a, const void *b)
-{
-    const bat_step_member *p = a, *q = b;
-    const char *s = p->name, *t = q->name;
-    while (*s && *s == *t) {
-        s++;
-        t++;
-    }
-    const int c = *s == '/' ? 1 : (unsigned char)*s, d = *t == '/' ? 1 : (unsigned char)*t;
-    return c != d ? (c > d) - (c < d) : (p->item > q->item) - (p->item < q->item);
-}
-
-static void put_members(bat_step *step, const bat_step_member *members, int count)
+static void put_members(bat_step *step, const bat_member *members, int count)
 {
     for (int i = 0; i < count; i++)
         bat_step_id(step, members[i].item, i + 1 < count ? "," : ")");
 }
 
-/* How many from the first on have its name. */
-static int same_name(const bat_step_member *members, int count)
-{
-    int same = 1;
-    while (same < count && strcmp(members[same].name, members[0].name) == 0)
-        same++;
-    return same;
-}
-
 static void put_layers(bat_step_writing *w)
 {
     bat_step *step = &w->step;
-    const bat_step_members *list = &w->layers;
-    if (list->count)
-        qsort(list->members, (size_t)list->count, sizeof *list->members, compare_members);
+    const bat_members *list = &w->layers;
+    bat_members_sort(&w->layers);
     for (int i = 0, count; i < list->count; i += count) {
-        count = same_name(&list->members[i], list->count - i);
+        count = bat_members_same(list, i);
         bat_step_open(step, "PRESENTATION_LAYER_ASSIGNMENT");
-        bat_step_string(step, list->members[i].name, ",'',(");
+        bat_step_string(step, list->members[i].path, ",'',(");
         put_members(step, &list->members[i], count);
         bat_step_close(step);
     }
@@ -181,72 +143,40 @@ static void put_layers(bat_step_writing *w)
 
 /* ---- groups ---- */
 
-enum { DEEPEST = 64 };
-
-/* The groups that are open: where the name of each ends in the path, and its id. */
+/* The groups that are entered. */
 typedef struct {
-    const char *path;
-    size_t ends[DEEPEST];
-    int ids[DEEPEST], depth;
-} group_path;
+    bat_step *step;
+    int ids[BAT_GROUPS_DEEPEST];
+} open_groups;
 
-/* Close the groups that the path does not lie in. */
-static void leave_groups(group_path *open, const char *path)
+static batten_status enter_group(void *context, int depth, const char *name)
 {
-    while (open->depth > 0) {
-        const size_t end = open->ends[open->depth - 1];
-        if (strncmp(open->path, path, end) == 0 && (path[end] == 0 || path[end] == '/'))
-            return;
-        open->depth--;
-    }
+    open_groups *open = context;
+    open->ids[depth] = bat_step_open(open->step, "GROUP");
+    bat_step_string(open->step, name, ",''");
+    bat_step_close(open->step);
+    if (depth > 0)
+        bat_step_add(open->step, "GROUP_RELATIONSHIP", "'','',#%d,#%d", open->ids[depth - 1],
+                     open->ids[depth]);
+    return BATTEN_OK;
 }
 
-/* Open those that it lies in; deeper than DEEPEST the rest of the path is one name. */
-static batten_status enter_groups(bat_step *step, group_path *open, const char *path)
+static batten_status put_group_items(void *context, int depth, const bat_member *members,
+                                     int count)
 {
-    size_t at = open->depth ? open->ends[open->depth - 1] : 0;
-    batten_status status = BATTEN_OK;
-    while (path[at] && open->depth < DEEPEST && status == BATTEN_OK) {
-        const size_t from = at + (path[at] == '/');
-        const size_t length =
-            open->depth + 1 < DEEPEST ? strcspn(path + from, "/") : strlen(path + from);
-        batten_text name = BATTEN_TEXT;
-        batten_text_bytes(&name, path + from, length);
-        status = name.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
-        const int id = bat_step_open(step, "GROUP");
-        bat_step_string(step, name.bytes ? name.bytes : "", ",''");
-        bat_step_close(step);
-        batten_text_free(&name);
-        if (open->depth)
-            bat_step_add(step, "GROUP_RELATIONSHIP", "'','',#%d,#%d",
-                         open->ids[open->depth - 1], id);
-        at = from + length;
-        open->ends[open->depth] = at;
-        open->ids[open->depth++] = id;
-    }
-    open->path = path;
-    return status;
+    open_groups *open = context;
+    bat_step_open(open->step, "APPLIED_GROUP_ASSIGNMENT");
+    bat_step_id(open->step, open->ids[depth], ",(");
+    put_members(open->step, members, count);
+    bat_step_close(open->step);
+    return BATTEN_OK;
 }
 
-static batten_status put_groups(bat_step_writing *w)
+static batten_status leave_group(void *context, int depth)
 {
-    bat_step *step = &w->step;
-    const bat_step_members *list = &w->groups;
-    group_path open = {.depth = 0};
-    batten_status status = BATTEN_OK;
-    if (list->count)
-        qsort(list->members, (size_t)list->count, sizeof *list->members, compare_members);
-    for (int i = 0, count; i < list->count && status == BATTEN_OK; i += count) {
-        const char *path = list->members[i].name;
-        count = same_name(&list->members[i], list->count - i);
-        leave_groups(&open, path);
-        status = enter_groups(step, &open, path);
-        bat_step_open(step, "APPLIED_GROUP_ASSIGNMENT");
-        bat_step_id(step, open.depth ? open.ids[open.depth - 1] : 0, ",(");
-        put_members(step, &list->members[i], count);
-        bat_step_close(step);
-    }
-    return status;
+    (void)context;
+    (void)depth;
+    return BATTEN_OK;
 }
 
 batten_status bat_step_put_marks(bat_step_writing *w)
@@ -266,5 +196,8 @@ batten_status bat_step_put_marks(bat_step_writing *w)
         bat_step_close(step);
     }
     put_layers(w);
-    return put_groups(w);
+    open_groups open = {.step = step};
+    return bat_groups_visit(
+        &w->groups,
+        &(bat_group_visitor){&open, enter_group, put_group_items, leave_group});
 }

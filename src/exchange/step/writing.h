@@ -1,6 +1,7 @@
 /* A STEP file being written: what its parts share. */
 #ifndef BAT_STEP_WRITING_H
 #define BAT_STEP_WRITING_H
+#include "exchange/groups.h"
 #include "exchange/step/step.h"
 
 /* Where nobody says when. */
@@ -12,16 +13,6 @@ typedef struct {
     int count, capacity;
 } bat_step_bag;
 batten_status bat_step_bag_add(bat_step_bag *bag, int id);
-
-/* Items in layers or groups, by their names. */
-typedef struct {
-    const char *name;
-    int item;
-} bat_step_member;
-typedef struct {
-    bat_step_member *members;
-    int count, capacity;
-} bat_step_members;
 
 /* Looks that were written last. */
 enum { BAT_STEP_LOOKS = 32 };
@@ -49,7 +40,7 @@ typedef struct {
     int context; /* units and accuracy */
     bat_step_bag products, formations, definitions;
     bat_step_bag styled, hidden;
-    bat_step_members layers, groups;
+    bat_members layers, groups;
     bat_step_look looks[BAT_STEP_LOOKS];
     int look_count;
     bool has_noted_bare;

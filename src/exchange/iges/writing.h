@@ -1,0 +1,79 @@
+/* An IGES file being written: its sections as they grow. */
+#ifndef BAT_IGES_WRITING_H
+#define BAT_IGES_WRITING_H
+#include "exchange/groups.h"
+#include "exchange/iges/iges.h"
+
+/* ---- records of 80 columns (write_records.c) ---- */
+
+/* A section of free text: G and P. */
+typedef struct {
+    batten_text *text;
+    char letter;
+    size_t columns; /* that are free: 64 of P, 72 of G */
+    int id;         /* of the entity, in P */
+    int count;      /* of records so far */
+    char line[160]; /* the record that is being filled: longer than it is for a last token */
+    size_t used;
+} bat_iges_section;
+
+void bat_iges_section_begin(bat_iges_section *section, char letter, batten_text *text);
+/* End the record that is being filled, if any. */
+void bat_iges_section_flush(bat_iges_section *section);
+/* Tokens stand in one record each, followed by `after`. */
+void bat_iges_put_integer(bat_iges_section *section, int64_t value, char after);
+void bat_iges_put_real(bat_iges_section *section, double value, char after);
+/* nH and the characters; line ends, which no record can hold, become blanks. */
+void bat_iges_put_string(bat_iges_section *section, const char *text, char after);
+
+/* ---- entities (write_records.c) ---- */
+
+typedef struct {
+    batten_notes *notes;
+    double tolerance;
+    bat_iges_section data;
+    batten_text directory;
+    int directory_count;
+    int first;             /* record of the entity that is being written */
+    double colours[64][3]; /* those written last, in percent, and the ids of their entities */
+    int colour_ids[64];
+    int colour_count;
+    double largest; /* coordinate written so far */
+    bat_members groups;
+    bat_members layers; /* names that are no numbers, each once; the item is the level */
+    char **paths;       /* of the groups that bodies become */
+    int path_count;
+} bat_iges_writing;
+
+/* What the directory says of an entity; use: 0 geometry, 2 definition, 3 other, 5 parameters.
+ */
+typedef struct {
+    int type, form, level, colour;
+    bool is_hidden, is_part;
+    int use;
+} bat_iges_look;
+
+/* Begin the parameters of an entity with its type: the id is handed back. */
+int bat_iges_begin_entity(bat_iges_writing *w, int type);
+/* End them: its entry in the directory. */
+void bat_iges_end_entity(bat_iges_writing *w, const bat_iges_look *look);
+/* The last parameters of an entity: no associativity, and its name, if any. */
+void bat_iges_put_properties(bat_iges_writing *w, int name);
+
+/* ---- shapes (write_shapes.c): clamped; the id of the entity ---- */
+
+int bat_iges_put_curve(bat_iges_writing *w, const batten_curve *curve, int name,
+                       bat_iges_look look);
+int bat_iges_put_surface(bat_iges_writing *w, const batten_surface *surface, int name,
+                         bat_iges_look look);
+/* One point as 116, several as 106. */
+int bat_iges_put_points(bat_iges_writing *w, const double *points, int count, int name,
+                        bat_iges_look look);
+
+/* ---- faces (write_face.c) ---- */
+
+/* A face as a trimmed surface, or, when nothing bounds it, as a surface. */
+batten_status bat_iges_put_face(bat_iges_writing *w, const batten_body_parts *parts, int face,
+                                int name, const bat_iges_look *look, int *id);
+
+#endif

@@ -1,0 +1,349 @@
+#include "exchange/svg/path_data.h"
+
+#include <batten/number.h>
+#include <string.h>
+
+static bool is_white(char c)
+{
+    return c == '\n' || c == '\r' || bat_is_blank(c);
+}
+
+static size_t past_separators(bat_span text, size_t at)
+{
+    while (at < text.length && (is_white(text.bytes[at]) || text.bytes[at] == ','))
+        at++;
+    return at;
+}
+
+/* How long the number at the beginning is: numbers may stand side by side, "1.5.5-2". */
+static size_t number_length(const char *text, size_t left)
+{
+    size_t i = 0, digits = 0;
+    i += i < left && (text[i] == '+' || text[i] == '-');
+    for (; i < left && text[i] >= '0' && text[i] <= '9'; i++)
+        digits++;
+    if (i < left && text[i] == '.')
+        for (i++; i < left && text[i] >= '0' && text[i] <= '9'; i++)
+            digits++;
+    if (digits == 0)
+        return 0;
+    if (i + 1 < left && (text[i] == 'e' || text[i] == 'E')) {
+        size_t k = i + 1;
+        k += text[k] == '+' || text[k] == '-';
+        if (k < left && text[k] >= '0' && text[k] <= '9') {
+            while (k < left && text[k] >= '0' && text[k] <= '9')
+                k++;
+            i = k;
+        }
+    }
+    return i;
+}
+
+bool bat_svg_number(bat_span text, size_t *at, double *value)
+{
+    const size_t begin = past_separators(text, *at);
+    const size_t length = number_length(text.bytes + begin, text.length - begin);
+    if (length == 0 || batten_number_read(text.bytes + begin, length, value, NULL) != BATTEN_OK)
+        return false;
+    *at = begin + length;
+    return true;
+}
+
+/* ---- transforms ---- */
+
+static bat_svg_map turned(double angle)
+{
+    const double c = cos(angle * BAT_PI / 180), s = sin(angle * BAT_PI / 180);
+    return (bat_svg_map){c, s, -s, c, 0, 0};
+}
+
+/* One step of a transform with its numbers; false when they are too few. */
+static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *map)
+{
+    const bat_svg_map one = {1, 0, 0, 1, 0, 0};
+    *map = one;
+    if (name.length == 6 && memcmp(name.bytes, "matrix", 6) == 0) {
+        *map = (bat_svg_map){v[0], v[1], v[2], v[3], v[4], v[5]};
+        return count == 6;
+    }
+    if (name.length == 9 && memcmp(name.bytes, "translate", 9) == 0) {
+        map->e = v[0];
+        map->f = v[1];
+        return count == 1 || count == 2;
+    }
+    if (name.length == 5 && memcmp(name.bytes, "scale", 5) == 0) {
+        map->a = v[0];
+        map->d = count == 2 ? v[1] : v[0];
+        return count == 1 || count == 2;
+    }
+    if (name.length == 6 && memcmp(name.bytes, "rotate", 6) == 0) {
+        const bat_svg_map there = {1, 0, 0, 1, -v[1], -v[2]}, back = {1, 0, 0, 1, v[1], v[2]};
+        *map = bat_svg_compose(bat_svg_compose(there, turned(v[0])), back);
+        return count == 1 || count == 3;
+    }
+    if (name.length == 5 && memcmp(name.bytes, "skewX", 5) == 0)
+        map->c = tan(v[0] * BAT_PI / 180);
+    else if (name.length == 5 && memcmp(name.bytes, "skewY", 5) == 0)
+        map->b = tan(v[0] * BAT_PI / 180);
+    else
+        return false;
+    return count == 1;
+}
+
+batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
+{
+    bat_svg_map whole = {1, 0, 0, 1, 0, 0};
+    for (size_t at = past_separators(text, 0); at < text.length;
+         at = past_separators(text, at)) {
+        bat_svg_map step;
+        double v[6] = {0};
+        int count = 0;
+        const size_t begin = at;
+        while (at < text.length && text.bytes[at] != '(' && !is_white(text.bytes[at]))
+            at++;
+        const bat_span name = {text.bytes + begin, at - begin};
+        while (at < text.length && is_white(text.bytes[at]))
+            at++;
+        at += at < text.length;
+        while (count < 6 && bat_svg_number(text, &at, &v[count]))
+            count++;
+        at = past_separators(text, at);
+        if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
+            return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d numbers",
+                            (int)(name.length < 20 ? name.length : 20), name.bytes, count);
+        at++;
+        whole = bat_svg_compose(step, whole); /* the last one acts first */
+    }
+    *map = whole;
+    return BATTEN_OK;
+}
+
+/* ---- colours ---- */
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+static bool hex_colour(bat_span text, double rgb[3])
+{
+    const size_t each = text.length == 7 ? 2 : 1;
+    if (text.length != 4 && text.length != 7)
+        return false;
+    for (size_t k = 0; k < 3; k++) {
+        const int high = hex_digit(text.bytes[1 + k * each]);
+        const int low = hex_digit(text.bytes[k * each + each]);
+        if (high < 0 || low < 0)
+            return false;
+        rgb[k] = (16 * high + low) / 255.0;
+    }
+    return true;
+}
+
+bool bat_svg_colour(bat_span text, double rgb[3])
+{
+    static const struct {
+        const char *name;
+        double rgb[3];
+    } named[] = {{"black", {0, 0, 0}},
+                 {"white", {1, 1, 1}},
+                 {"red", {1, 0, 0}},
+                 {"lime", {0, 1, 0}},
+                 {"blue", {0, 0, 1}},
+                 {"yellow", {1, 1, 0}},
+                 {"cyan", {0, 1, 1}},
+                 {"magenta", {1, 0, 1}},
+                 {"green", {0, 128 / 255.0, 0}},
+                 {"grey", {128 / 255.0, 128 / 255.0, 128 / 255.0}}};
+    while (text.length > 0 && is_white(text.bytes[0])) {
+        text.bytes++;
+        text.length--;
+    }
+    while (text.length > 0 && is_white(text.bytes[text.length - 1]))
+        text.length--;
+    if (text.length > 0 && text.bytes[0] == '#')
+        return hex_colour(text, rgb);
+    for (size_t k = 0; k < sizeof named / sizeof named[0]; k++)
+        if (text.length == strlen(named[k].name) &&
+            memcmp(text.bytes, named[k].name, text.length) == 0) {
+            memcpy(rgb, named[k].rgb, sizeof named[k].rgb);
+            return true;
+        }
+    if (text.length < 5 || memcmp(text.bytes, "rgb(", 4) != 0)
+        return false;
+    size_t at = 4;
+    for (int k = 0; k < 3; k++) {
+        double value = 0;
+        if (!bat_svg_number(text, &at, &value))
+            return false;
+        const bool percent = at < text.length && text.bytes[at] == '%';
+        at += percent;
+        rgb[k] = bat_max(0, bat_min(1, value / (percent ? 100 : 255)));
+    }
+    return true;
+}
+
+/* ---- paths ---- */
+
+typedef struct {
+    bat_span data;
+    size_t at;
+    bat_svg_row *row;
+    bat_svg_take *take;
+    void *context;
+    double start[2];      /* of the part at work */
+    double reflect[2];    /* the control point whose mirror S and T begin with */
+    char command, before; /* the one before, in capitals */
+} parsing;
+
+/* Flags of arcs may stand without anything between: "a1 1 0 0110 10". */
+static bool read_flag(parsing *p, double *value)
+{
+    p->at = past_separators(p->data, p->at);
+    if (p->at >= p->data.length || (p->data.bytes[p->at] != '0' && p->data.bytes[p->at] != '1'))
+        return false;
+    *value = p->data.bytes[p->at++] - '0';
+    return true;
+}
+
+static int arguments_of(char command)
+{
+    static const char commands[] = "MLHVCSQTAZ";
+    static const int counts[] = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
+    const char *found = command ? strchr(commands, command) : NULL;
+    return found ? counts[found - commands] : -1;
+}
+
+static bool read_arguments(parsing *p, char command, double v[7])
+{
+    const int count = arguments_of(command);
+    for (int k = 0; k < count; k++) {
+        const bool is_flag = command == 'A' && (k == 3 || k == 4);
+        if (!(is_flag ? read_flag(p, &v[k]) : bat_svg_number(p->data, &p->at, &v[k])))
+            return false;
+    }
+    return true;
+}
+
+/* Small letters count from where the row stands. */
+static void make_absolute(char command, const bat_svg_row *row, double v[7])
+{
+    if (command == 'H') {
+        v[0] += row->x;
+    } else if (command == 'V') {
+        v[0] += row->y;
+    } else if (command == 'A') {
+        v[5] += row->x;
+        v[6] += row->y;
+    } else {
+        for (int k = 0; k < arguments_of(command); k += 2) {
+            v[k] += row->x;
+            v[k + 1] += row->y;
+        }
+    }
+}
+
+static batten_status hand_over(parsing *p)
+{
+    return p->row->points.count > 1 ? p->take(p->context, p->row) : BATTEN_OK;
+}
+
+/* Where S and T begin: the mirror of the last control point, when there was one of the kind. */
+static void mirror(const parsing *p, const char *kinds, double point[2])
+{
+    const bool after = p->before && strchr(kinds, p->before);
+    point[0] = after ? 2 * p->row->x - p->reflect[0] : p->row->x;
+    point[1] = after ? 2 * p->row->y - p->reflect[1] : p->row->y;
+}
+
+static batten_status put_curve(parsing *p, char command, const double v[7])
+{
+    double one[2] = {v[0], v[1]};
+    if (command == 'C' || command == 'S') {
+        if (command == 'S')
+            mirror(p, "CS", one);
+        const double *rest = command == 'C' ? v + 2 : v;
+        p->reflect[0] = rest[0];
+        p->reflect[1] = rest[1];
+        return bat_svg_cubic(p->row, one, rest, rest + 2);
+    }
+    if (command == 'T')
+        mirror(p, "QT", one);
+    p->reflect[0] = one[0];
+    p->reflect[1] = one[1];
+    return bat_svg_quadratic(p->row, one, 1, command == 'Q' ? v + 2 : v);
+}
+
+static batten_status run(parsing *p, char command, const double v[7])
+{
+    bat_svg_row *row = p->row;
+    batten_status status = BATTEN_OK;
+    switch (command) {
+    case 'M':
+        status = hand_over(p);
+        p->start[0] = v[0];
+        p->start[1] = v[1];
+        return status == BATTEN_OK ? bat_svg_move(row, v[0], v[1]) : status;
+    case 'L':
+        return bat_svg_line(row, v[0], v[1]);
+    case 'H':
+        return bat_svg_line(row, v[0], row->y);
+    case 'V':
+        return bat_svg_line(row, row->x, v[0]);
+    case 'A':
+        return bat_svg_arc(row, v[0], v[1], v[2], v[3] != 0, v[4] != 0, v[5], v[6]);
+    case 'Z':
+        status = bat_svg_line(row, p->start[0], p->start[1]);
+        if (status == BATTEN_OK)
+            status = hand_over(p);
+        return status == BATTEN_OK ? bat_svg_move(row, p->start[0], p->start[1]) : status;
+    default:
+        return put_curve(p, command, v);
+    }
+}
+
+/* The command that stands here, or the one before again when numbers go on: M then becomes L.
+ */
+static bool next_command(parsing *p)
+{
+    p->at = past_separators(p->data, p->at);
+    const char c = p->at < p->data.length ? p->data.bytes[p->at] : '\0';
+    if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
+        p->command = c;
+        p->at++;
+        return true;
+    }
+    if (p->command == 'M' || p->command == 'm')
+        p->command = p->command == 'M' ? 'L' : 'l';
+    return p->command && p->command != 'Z' && p->command != 'z';
+}
+
+batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, void *context)
+{
+    parsing p = {.data = data, .row = row, .take = take, .context = context};
+    batten_status status = BATTEN_OK;
+    row->points.count = 0;
+    while (status == BATTEN_OK && past_separators(data, p.at) < data.length) {
+        double v[7] = {0};
+        const size_t at = p.at;
+        const bool known = next_command(&p);
+        const bool small = p.command >= 'a';
+        const char command = small ? (char)(p.command - 'a' + 'A') : p.command;
+        if (!known || arguments_of(command) < 0 || !read_arguments(&p, command, v) ||
+            (row->points.count == 0 && command != 'M')) {
+            status = hand_over(&p);
+            return status == BATTEN_OK
+                       ? bat_fail(BATTEN_BAD_FORMAT, "the path is broken at its character %zu",
+                                  at + 1)
+                       : status;
+        }
+        if (small && !(row->points.count == 0 && command == 'M'))
+            make_absolute(command, row, v);
+        status = run(&p, command, v);
+        p.before = command;
+    }
+    return status == BATTEN_OK ? hand_over(&p) : status;
+}

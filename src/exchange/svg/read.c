@@ -1,0 +1,455 @@
+#include "exchange/census.h"
+#include "exchange/formats.h"
+#include "exchange/svg/path_data.h"
+#include "exchange/svg/svg.h"
+#include "exchange/svg/xml.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { NAME = 256, GROUP = 512 };
+
+/* What elements inside inherit. */
+typedef struct {
+    bat_svg_map map;
+    bool is_hidden, has_colour;
+    double colour[3];
+    size_t group; /* length of the name of the group */
+} level;
+
+typedef struct {
+    bat_xml xml;
+    bat_input *input;
+    batten_model *model;
+    bat_census census;
+    bat_svg_row row;
+    level *levels; /* [limits.nesting + 1] */
+    int depth;
+    char group[GROUP];
+    int number; /* objects so far */
+    /* of the element at work */
+    level look;
+    char name[NAME], layer[NAME];
+    int parts;
+} reading;
+
+batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
+{
+    bat_input copy = *input;
+    bat_xml xml;
+    const size_t at = bat_past_white(input);
+    *is_svg = false;
+    if (at >= input->size || input->data[at] != '<')
+        return BATTEN_OK;
+    copy.data += at;
+    copy.size -= at;
+    bat_xml_begin(&xml, &copy);
+    *is_svg =
+        bat_xml_next(&xml) == BATTEN_OK && xml.kind == BAT_XML_BEGIN && bat_xml_is(&xml, "svg");
+    return BATTEN_OK;
+}
+
+/* ---- the sheet ---- */
+
+/* A length in millimetres; numbers alone are of 96 to an inch. 0 for percents and none. */
+static double length_of(const bat_xml *xml, const char *name)
+{
+    static const struct {
+        const char *unit;
+        double millimetres;
+    } units[] = {{"mm", 1},        {"cm", 10},        {"in", 25.4}, {"pt", 25.4 / 72},
+                 {"pc", 25.4 / 6}, {"px", 25.4 / 96}, {"q", 0.25},  {"", 25.4 / 96}};
+    bat_span text;
+    size_t at = 0;
+    double value = 0;
+    if (!bat_xml_attribute(xml, name, &text) || !bat_svg_number(text, &at, &value))
+        return 0;
+    const bat_span unit = {text.bytes + at, text.length - at};
+    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
+        if (unit.length == strlen(units[k].unit) &&
+            memcmp(unit.bytes, units[k].unit, unit.length) == 0)
+            return value * units[k].millimetres;
+    return 0;
+}
+
+/* From the numbers of the drawing to millimetres with y upwards, from the lower left corner. */
+static bat_svg_map sheet_of(const bat_xml *xml)
+{
+    const double pixel = 25.4 / 96;
+    double width = length_of(xml, "width"), height = length_of(xml, "height");
+    double box[4] = {0, 0, 0, 0};
+    bat_span text = {"", 0};
+    size_t at = 0;
+    int count = 0;
+    if (bat_xml_attribute(xml, "viewBox", &text))
+        while (count < 4 && bat_svg_number(text, &at, &box[count]))
+            count++;
+    if (count < 4 || !(box[2] > 0 && box[3] > 0)) {
+        box[0] = box[1] = 0;
+        box[2] = width > 0 ? width / pixel : 1;
+        box[3] = height > 0 ? height / pixel : 0;
+    }
+    if (!(width > 0))
+        width = height > 0 && box[3] > 0 ? height * box[2] / box[3] : box[2] * pixel;
+    /* As wide and as high as fits, in the middle, as the standard has it. */
+    double scale = width / box[2];
+    if (height > 0 && box[3] > 0)
+        scale = bat_min(scale, height / box[3]);
+    const double right = (width - scale * box[2]) / 2;
+    const double up = height > 0 ? (height - scale * box[3]) / 2 : 0;
+    return (bat_svg_map){.a = scale,
+                         .d = -scale,
+                         .e = right - scale * box[0],
+                         .f = up + scale * (box[1] + box[3])};
+}
+
+/* ---- looks ---- */
+
+/* A property in an attribute of its own, or in "style". */
+static bool property(const bat_xml *xml, const char *name, bat_span *value)
+{
+    bat_span style;
+    const size_t wanted = strlen(name);
+    if (bat_xml_attribute(xml, "style", &style))
+        for (size_t i = 0; i < style.length;) {
+            size_t end = i, colon = i;
+            while (end < style.length && style.bytes[end] != ';')
+                end++;
+            while (i < end && (bat_is_blank(style.bytes[i]) || style.bytes[i] == '\n'))
+                i++;
+            for (colon = i; colon < end && style.bytes[colon] != ':';)
+                colon++;
+            if (colon - i == wanted && colon < end &&
+                memcmp(style.bytes + i, name, wanted) == 0) {
+                *value = (bat_span){style.bytes + colon + 1, end - colon - 1};
+                return true;
+            }
+            i = end + 1;
+        }
+    return bat_xml_attribute(xml, name, value);
+}
+
+static bool says(bat_span text, const char *word)
+{
+    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
+}
+
+/* What the element at work adds to what it inherits. A broken transform fails. */
+static batten_status read_look(const reading *r, level *look)
+{
+    bat_span text;
+    bat_svg_map map;
+    *look = r->levels[r->depth];
+    if (property(&r->xml, "display", &text) && says(text, "none"))
+        look->is_hidden = true;
+    if (property(&r->xml, "visibility", &text) && says(text, "hidden"))
+        look->is_hidden = true;
+    double colour[3];
+    if (property(&r->xml, "stroke", &text) && bat_svg_colour(text, colour)) {
+        look->has_colour = true;
+        memcpy(look->colour, colour, sizeof colour);
+    }
+    if (!bat_xml_attribute(&r->xml, "transform", &text))
+        return BATTEN_OK;
+    batten_status status = bat_svg_transform(text, &map);
+    if (status == BATTEN_OK)
+        look->map = bat_svg_compose(map, look->map);
+    return status;
+}
+
+/* ---- shapes ---- */
+
+/* One part of the element at work as a curve; parts after the first are numbered. */
+static batten_status take(void *context, const bat_svg_row *row)
+{
+    reading *r = context;
+    char name[NAME + 16];
+    batten_curve *curve = NULL;
+    r->parts++;
+    if (r->parts > 1)
+        snprintf(name, sizeof name, "%s.%d", r->name, r->parts);
+    else
+        snprintf(name, sizeof name, "%s", r->name);
+    batten_object object = {.name = name,
+                            .layer = r->layer,
+                            .group = r->group,
+                            .is_hidden = r->look.is_hidden,
+                            .has_colour = r->look.has_colour,
+                            .kind = BATTEN_OBJECT_CURVE};
+    memcpy(object.colour, r->look.colour, sizeof object.colour);
+    batten_status status = bat_svg_curve(row, &r->look.map, &curve);
+    object.curve = curve;
+    if (status == BATTEN_OK && curve)
+        status = batten_model_add(r->model, &object);
+    batten_curve_unref(curve);
+    return status;
+}
+
+/* Numbers of attributes, 0 when they are missing. */
+static double number_of(const bat_xml *xml, const char *name)
+{
+    bat_span text;
+    size_t at = 0;
+    double value = 0;
+    return bat_xml_attribute(xml, name, &text) && bat_svg_number(text, &at, &value) ? value : 0;
+}
+
+static batten_status read_ellipse(reading *r, double rx, double ry)
+{
+    const double x = number_of(&r->xml, "cx"), y = number_of(&r->xml, "cy");
+    if (!(rx > 0 && ry > 0))
+        return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", rx, ry);
+    batten_status status = bat_svg_move(&r->row, x + rx, y);
+    if (status == BATTEN_OK)
+        status = bat_svg_arc(&r->row, rx, ry, 0, false, true, x - rx, y);
+    if (status == BATTEN_OK)
+        status = bat_svg_arc(&r->row, rx, ry, 0, false, true, x + rx, y);
+    return status == BATTEN_OK ? take(r, &r->row) : status;
+}
+
+static batten_status read_rectangle(reading *r)
+{
+    const double x = number_of(&r->xml, "x"), y = number_of(&r->xml, "y");
+    const double w = number_of(&r->xml, "width"), h = number_of(&r->xml, "height");
+    double rx = number_of(&r->xml, "rx"), ry = number_of(&r->xml, "ry");
+    if (!(w > 0 && h > 0))
+        return bat_fail(BATTEN_BAD_FORMAT, "it is %g wide and %g high", w, h);
+    rx = bat_min(rx > 0 ? rx : ry, w / 2);
+    ry = bat_min(ry > 0 ? ry : rx, h / 2);
+    /* Clockwise from the upper left: each side, then the corner, which may be round. */
+    const double sides[4][2] = {
+        {x + w - rx, y}, {x + w, y + h - ry}, {x + rx, y + h}, {x, y + ry}};
+    const double corners[4][2] = {
+        {x + w, y + ry}, {x + w - rx, y + h}, {x, y + h - ry}, {x + rx, y}};
+    batten_status status = bat_svg_move(&r->row, x + rx, y);
+    for (int k = 0; status == BATTEN_OK && k < 4; k++) {
+        status = bat_svg_line(&r->row, sides[k][0], sides[k][1]);
+        if (status == BATTEN_OK)
+            status = bat_svg_arc(&r->row, rx, ry, 0, false, true, corners[k][0], corners[k][1]);
+    }
+    return status == BATTEN_OK ? take(r, &r->row) : status;
+}
+
+static batten_status read_polyline(reading *r, bool closed)
+{
+    bat_span text = {"", 0};
+    size_t at = 0;
+    double p[2], start[2] = {0, 0};
+    int count = 0;
+    batten_status status = BATTEN_OK;
+    (void)bat_xml_attribute(&r->xml, "points", &text);
+    r->row.points.count = 0;
+    while (status == BATTEN_OK && bat_svg_number(text, &at, &p[0]) &&
+           bat_svg_number(text, &at, &p[1])) {
+        if (count++ == 0) {
+            memcpy(start, p, sizeof p);
+            status = bat_svg_move(&r->row, p[0], p[1]);
+        } else {
+            status = bat_svg_line(&r->row, p[0], p[1]);
+        }
+    }
+    if (status == BATTEN_OK && count < 2)
+        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d points", count);
+    if (status == BATTEN_OK && closed)
+        status = bat_svg_line(&r->row, start[0], start[1]);
+    return status == BATTEN_OK ? take(r, &r->row) : status;
+}
+
+static batten_status read_line(reading *r)
+{
+    batten_status status =
+        bat_svg_move(&r->row, number_of(&r->xml, "x1"), number_of(&r->xml, "y1"));
+    if (status == BATTEN_OK)
+        status = bat_svg_line(&r->row, number_of(&r->xml, "x2"), number_of(&r->xml, "y2"));
+    return status == BATTEN_OK ? take(r, &r->row) : status;
+}
+
+static batten_status read_shape(reading *r)
+{
+    const bat_xml *xml = &r->xml;
+    bat_span data = {"", 0};
+    if (bat_xml_is(xml, "path")) {
+        (void)bat_xml_attribute(xml, "d", &data);
+        return bat_svg_path(data, &r->row, take, r);
+    }
+    if (bat_xml_is(xml, "line"))
+        return read_line(r);
+    if (bat_xml_is(xml, "rect"))
+        return read_rectangle(r);
+    if (bat_xml_is(xml, "circle"))
+        return read_ellipse(r, number_of(xml, "r"), number_of(xml, "r"));
+    if (bat_xml_is(xml, "ellipse"))
+        return read_ellipse(r, number_of(xml, "rx"), number_of(xml, "ry"));
+    return read_polyline(r, bat_xml_is(xml, "polygon"));
+}
+
+/* ---- elements ---- */
+
+static bool is_one_of(const bat_xml *xml, const char *const *names)
+{
+    for (; *names; names++)
+        if (bat_xml_is(xml, *names))
+            return true;
+    return false;
+}
+
+static bool is_shape(const bat_xml *xml)
+{
+    static const char *const shapes[] = {"path",    "line",     "rect",    "circle",
+                                         "ellipse", "polyline", "polygon", NULL};
+    return is_one_of(xml, shapes);
+}
+
+/* A name as the census may have it. */
+static void kind_of(const bat_xml *xml, char name[32])
+{
+    const size_t length = xml->name.length < 31 ? xml->name.length : 31;
+    memcpy(name, xml->name.bytes, length);
+    name[length] = '\0';
+}
+
+static batten_status leave_out(reading *r, const char *kind, const char *why)
+{
+    r->input->left_out++;
+    if (why)
+        batten_notes_add(r->input->notes, r->input->file, r->xml.line, kind, "%s; left out",
+                         why);
+    return bat_census_leave(r->input, &r->census, kind);
+}
+
+static bool ends_all(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
+           status == BATTEN_CANCELLED;
+}
+
+static batten_status add_shape(reading *r)
+{
+    char kind[32];
+    kind_of(&r->xml, kind);
+    bat_xml_text(&r->xml, "id", sizeof r->name, r->name);
+    bat_xml_text(&r->xml, "class", sizeof r->layer, r->layer);
+    r->number++;
+    if (!r->name[0])
+        snprintf(r->name, sizeof r->name, "%s %d", kind, r->number);
+    r->parts = 0;
+    batten_status status = bat_input_limit(r->input, r->xml.line, (size_t)r->number,
+                                           r->input->limits.entities, "shapes");
+    if (status == BATTEN_OK)
+        status = read_look(r, &r->look);
+    if (status == BATTEN_OK)
+        status = read_shape(r);
+    if (ends_all(status))
+        return status;
+    return status == BATTEN_OK ? bat_census_read(r->input, &r->census, kind)
+                               : leave_out(r, kind, batten_message());
+}
+
+/* A group of elements, or the drawing itself. Names of groups follow one another: "a/b". */
+static batten_status enter(reading *r)
+{
+    level look;
+    char name[NAME];
+    batten_status status = bat_input_limit(r->input, r->xml.line, (size_t)r->depth + 1,
+                                           (size_t)r->input->limits.nesting, "nested groups");
+    if (status == BATTEN_OK)
+        status = read_look(r, &look);
+    if (ends_all(status))
+        return status;
+    if (status != BATTEN_OK)
+        status = leave_out(r, "transform", batten_message());
+    bat_xml_text(&r->xml, "id", sizeof name, name);
+    if (name[0] && bat_xml_is(&r->xml, "g") && look.group + strlen(name) + 2 < GROUP)
+        look.group += (size_t)snprintf(r->group + look.group, GROUP - look.group, "%s%s",
+                                       look.group ? "/" : "", name);
+    r->levels[++r->depth] = look;
+    return status;
+}
+
+/* Past an element with all that it holds: what is drawn only where it is used, text, styles. */
+static batten_status skip(reading *r)
+{
+    int depth = 1;
+    if (r->xml.kind == BAT_XML_ALONE)
+        return BATTEN_OK;
+    while (depth > 0) {
+        batten_status status = bat_xml_next(&r->xml);
+        if (status != BATTEN_OK || r->xml.kind == BAT_XML_NONE)
+            return status;
+        depth += r->xml.kind == BAT_XML_BEGIN ? 1 : r->xml.kind == BAT_XML_END ? -1 : 0;
+    }
+    return BATTEN_OK;
+}
+
+static batten_status read_element(reading *r)
+{
+    static const char *const silent[] = {"defs",     "style",     "script",   "title", "desc",
+                                         "metadata", "namedview", "clipPath", "mask",  "marker",
+                                         "symbol",   "pattern",   NULL};
+    static const char *const groups[] = {"g", "svg", "a", "switch", NULL};
+    char kind[32];
+    if (is_shape(&r->xml)) {
+        batten_status status = add_shape(r);
+        return status == BATTEN_OK ? skip(r) : status;
+    }
+    if (is_one_of(&r->xml, groups))
+        return r->xml.kind == BAT_XML_BEGIN ? enter(r) : BATTEN_OK;
+    if (is_one_of(&r->xml, silent))
+        return skip(r);
+    kind_of(&r->xml, kind);
+    batten_status status = leave_out(r, kind, NULL);
+    return status == BATTEN_OK ? skip(r) : status;
+}
+
+static batten_status read_all(reading *r)
+{
+    batten_status status = bat_xml_next(&r->xml);
+    if (status == BATTEN_OK && !bat_xml_is(&r->xml, "svg"))
+        status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->xml.line,
+                                "the drawing does not begin with <svg>");
+    if (status != BATTEN_OK)
+        return status;
+    r->levels[0] = (level){.map = sheet_of(&r->xml)};
+    while (status == BATTEN_OK) {
+        status = bat_xml_next(&r->xml);
+        if (status != BATTEN_OK || r->xml.kind == BAT_XML_NONE)
+            break;
+        status = bat_input_step(r->input, r->xml.at);
+        if (status == BATTEN_OK && r->xml.kind != BAT_XML_END) {
+            status = read_element(r);
+        } else if (status == BATTEN_OK) {
+            if (r->depth == 0)
+                return BATTEN_OK; /* </svg> */
+            r->depth--;
+        }
+        r->group[r->levels[r->depth].group] = '\0';
+    }
+    r->input->is_cut = status == BATTEN_OK;
+    return status;
+}
+
+batten_status bat_read_svg(bat_input *input, batten_model **out)
+{
+    reading r = {.input = input};
+    bat_xml_begin(&r.xml, input);
+    bat_svg_row_begin(&r.row, input);
+    bat_census_begin(&r.census);
+    batten_status status =
+        bat_input_array(input, (size_t)input->limits.nesting + 1, sizeof *r.levels, &r.levels);
+    if (status == BATTEN_OK)
+        status = batten_model_create(0.001, &r.model);
+    if (status == BATTEN_OK)
+        status = read_all(&r);
+    if (status == BATTEN_OK && batten_model_count(r.model) == 0 && input->left_out > 0)
+        status = bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
+                                "none of its %d shapes could be read", input->left_out);
+    if (status == BATTEN_OK) {
+        bat_census_note(input, &r.census);
+        *out = batten_model_ref(r.model);
+    }
+    batten_model_unref(r.model);
+    bat_svg_row_end(&r.row);
+    bat_census_end(&r.census);
+    bat_release(r.levels);
+    return status;
+}

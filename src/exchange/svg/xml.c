@@ -1,0 +1,186 @@
+#include "exchange/svg/xml.h"
+
+#include <limits.h>
+#include <stdint.h>
+#include <string.h>
+
+void bat_xml_begin(bat_xml *xml, bat_input *input)
+{
+    *xml = (bat_xml){.input = input, .line = 1, .kind = BAT_XML_NONE};
+}
+
+static bool is_white(char c)
+{
+    return c == '\n' || c == '\r' || bat_is_blank(c);
+}
+
+/* Forward to `to`, counting lines. */
+static void advance(bat_xml *xml, size_t to)
+{
+    for (; xml->at < to; xml->at++)
+        xml->line += xml->input->data[xml->at] == '\n' && xml->line < INT_MAX;
+}
+
+/* Where a text begins from `from` on; the end when it does not. */
+static size_t find(const bat_xml *xml, size_t from, const char *text)
+{
+    const size_t length = strlen(text), size = xml->input->size;
+    const char *data = xml->input->data;
+    for (size_t i = from; i + length <= size; i++) {
+        const char *first = memchr(data + i, text[0], size - i);
+        if (!first)
+            return size;
+        i = (size_t)(first - data);
+        if (i + length <= size && memcmp(first, text, length) == 0)
+            return i;
+    }
+    return size;
+}
+
+static bool begins(const bat_xml *xml, const char *text)
+{
+    const size_t length = strlen(text);
+    return xml->input->size - xml->at >= length &&
+           memcmp(xml->input->data + xml->at, text, length) == 0;
+}
+
+/* Past a comment, a declaration or the like, which begins here; false for an element. A DOCTYPE
+ * may hold declarations in brackets. */
+static bool skip_other(bat_xml *xml)
+{
+    const char *end = begins(xml, "<!--")        ? "-->"
+                      : begins(xml, "<![CDATA[") ? "]]>"
+                      : begins(xml, "<?")        ? "?>"
+                                                 : NULL;
+    if (!end && !begins(xml, "<!"))
+        return false;
+    if (!end) {
+        const size_t close = find(xml, xml->at, ">");
+        end = memchr(xml->input->data + xml->at, '[', close - xml->at) ? "]>" : ">";
+    }
+    const size_t at = find(xml, xml->at, end), size = xml->input->size;
+    advance(xml, at == size ? size : at + strlen(end));
+    return true;
+}
+
+/* The end of an element that begins at xml->at: '>' outside of quotes. */
+static size_t end_of(const bat_xml *xml)
+{
+    char quote = '\0';
+    size_t i = xml->at + 1;
+    for (; i < xml->input->size; i++) {
+        const char c = xml->input->data[i];
+        if (quote ? c == quote : c == '"' || c == '\'')
+            quote = quote ? '\0' : c;
+        else if (!quote && c == '>')
+            break;
+    }
+    return i;
+}
+
+static batten_status read_element(bat_xml *xml)
+{
+    const char *data = xml->input->data;
+    const size_t end = end_of(xml);
+    if (end == xml->input->size)
+        return bat_input_fail(xml->input, BATTEN_BAD_FORMAT, xml->line,
+                              "an element has no end");
+    size_t at = xml->at + 1, last = end;
+    xml->kind = data[at] == '/' ? BAT_XML_END : BAT_XML_BEGIN;
+    at += xml->kind == BAT_XML_END;
+    if (xml->kind == BAT_XML_BEGIN && last > at && data[last - 1] == '/') {
+        xml->kind = BAT_XML_ALONE;
+        last--;
+    }
+    size_t begin = at;
+    while (at < last && !is_white(data[at])) {
+        if (data[at] == ':')
+            begin = at + 1;
+        at++;
+    }
+    xml->name = (bat_span){data + begin, at - begin};
+    xml->attributes = (bat_span){data + at, last - at};
+    return BATTEN_OK;
+}
+
+batten_status bat_xml_next(bat_xml *xml)
+{
+    /* Past the element that was shown last. */
+    if (xml->kind != BAT_XML_NONE)
+        advance(xml, end_of(xml) + 1);
+    xml->kind = BAT_XML_NONE;
+    do
+        advance(xml, find(xml, xml->at, "<"));
+    while (xml->at < xml->input->size && skip_other(xml));
+    return xml->at < xml->input->size ? read_element(xml) : BATTEN_OK;
+}
+
+bool bat_xml_is(const bat_xml *xml, const char *name)
+{
+    return xml->name.length == strlen(name) &&
+           memcmp(xml->name.bytes, name, xml->name.length) == 0;
+}
+
+/* ---- attributes ---- */
+
+bool bat_xml_attribute(const bat_xml *xml, const char *name, bat_span *value)
+{
+    const bat_span a = xml->attributes;
+    const size_t wanted = strlen(name);
+    size_t i = 0;
+    while (i < a.length) {
+        while (i < a.length && is_white(a.bytes[i]))
+            i++;
+        const size_t begin = i;
+        while (i < a.length && a.bytes[i] != '=' && !is_white(a.bytes[i]))
+            i++;
+        const size_t length = i - begin;
+        while (i < a.length && (is_white(a.bytes[i]) || a.bytes[i] == '='))
+            i++;
+        if (i >= a.length || (a.bytes[i] != '"' && a.bytes[i] != '\''))
+            return false;
+        const char quote = a.bytes[i++];
+        const size_t from = i;
+        while (i < a.length && a.bytes[i] != quote)
+            i++;
+        if (length == wanted && memcmp(a.bytes + begin, name, wanted) == 0) {
+            *value = (bat_span){a.bytes + from, i - from};
+            return true;
+        }
+        i++;
+    }
+    return false;
+}
+
+/* The character that a reference, from '&' on, stands for; 0 when it is none. *length is that
+ * of the reference. */
+static char reference(const char *text, size_t left, size_t *length)
+{
+    static const struct {
+        const char *text;
+        char c;
+    } known[] = {
+        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}};
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
+        *length = strlen(known[k].text);
+        if (left >= *length && memcmp(text, known[k].text, *length) == 0)
+            return known[k].c;
+    }
+    return '\0';
+}
+
+void bat_xml_text(const bat_xml *xml, const char *name, size_t size, char *buffer)
+{
+    bat_span value = {"", 0};
+    size_t used = 0;
+    (void)bat_xml_attribute(xml, name, &value);
+    for (size_t i = 0; i < value.length && used + 1 < size;) {
+        size_t length = 1;
+        const char c = value.bytes[i] == '&'
+                           ? reference(value.bytes + i, value.length - i, &length)
+                           : '\0';
+        buffer[used++] = c ? c : value.bytes[i];
+        i += c ? length : 1;
+    }
+    buffer[used] = '\0';
+}
