@@ -173,7 +173,8 @@ typedef struct batten_body_measures {
  * `area_error` and `volume_error` are much above what the result is off. To them is added the
  * room between the edges and the curves of the faces. The volume is the mean of the integrals
  * of x Nx, y Ny and z Nz, which agree when the faces close; their spread is part of its error.
- * It is negative where the faces have their outside inside.
+ * It is negative where the faces have their outside inside. Faces that cannot be traced within
+ * the tolerance of the body are traced more coarsely, up to 1e-3 of its size.
  *
  * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
  * can
@@ -207,7 +208,7 @@ typedef struct batten_body_faults {
  *
  * Edges of traced bodies are compared with their curves on the faces, others with the nearest
  * places of the surface, at up to 64 places of each. Loops are looked at in (u, v), of bodies
- * that are not traced after tracing: faces that cannot be traced have a note. Crossings are
+ * that are not traced after tracing them so: faces that cannot be have a note. Crossings are
  * found by halving, and places where loops meet in a vertex; loops that touch between vertices
  * without crossing may be left out.
  * @param tolerance model units, > 0

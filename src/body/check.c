@@ -1,5 +1,6 @@
 /* What is wrong with a body: its edges and shells, and all the rest asked for. */
 #include "body/check_parts.h"
+#include "body/trace_all.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
 
@@ -16,12 +17,12 @@ typedef struct {
 
 const char *bat_check_face_name(const bat_check *check, int face, char name[BAT_CHECK_NAME])
 {
-    const char *given = check->parts->faces[face].name,
-               *of = check->is_renumbered ? " of the traced body" : "";
+    const int number = check->numbers ? check->numbers[face] : face;
+    const char *given = check->named->faces[number].name;
     if (given[0])
-        snprintf(name, BAT_CHECK_NAME, "face %d%s \"%.56s\"", face, of, given);
+        snprintf(name, BAT_CHECK_NAME, "face %d \"%.64s\"", number, given);
     else
-        snprintf(name, BAT_CHECK_NAME, "face %d%s", face, of);
+        snprintf(name, BAT_CHECK_NAME, "face %d", number);
     return name;
 }
 
@@ -198,26 +199,41 @@ static batten_status check_face(bat_check *check, int face)
 }
 
 /* Loops are looked at where they have curves in the parameters, which tracing gives them. */
+static batten_status check_traced(bat_check *check, const bat_traced_all *traced)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < traced->count && status == BATTEN_OK; i++) {
+        bat_check loops = *check;
+        loops.parts = batten_body_view(traced->at[i].body);
+        loops.numbers = traced->at[i].numbers;
+        const int count = loops.parts->face_count;
+        for (int f = 0; f < count && status == BATTEN_OK; f++) {
+            status = bat_check_loops(&loops, f);
+            if (status == BATTEN_OK)
+                status = bat_work_step(&loops.work, 1, (double)f / count, "checking loops");
+        }
+    }
+    return status;
+}
+
 static batten_status check_loops(bat_check *check, const batten_body *body)
 {
-    batten_body *traced = NULL;
-    bat_check loops = *check;
-    batten_status status = BATTEN_OK;
-    if (!check->parts->is_traced) {
-        status = batten_body_trace(body, check->tolerance, check->work.job, check->notes, NULL,
-                                   &traced);
-        if (status != BATTEN_OK)
-            return status;
-        loops.parts = batten_body_view(traced);
-        loops.is_renumbered = loops.parts->face_count != check->parts->face_count;
+    const batten_box box = batten_body_box(body);
+    bat_traced_all traced;
+    batten_status status = bat_trace_all(
+        body,
+        bat_max(check->tolerance, 1e-3 * bat_vec3_norm(bat_vec3_subtract(box.high, box.low))),
+        check->work.job, &traced);
+    if (status != BATTEN_OK)
+        return status;
+    for (int f = 0; f < check->parts->face_count && traced.failed > 0; f++) {
+        char name[BAT_CHECK_NAME];
+        if (traced.is_failed[f])
+            batten_notes_add(check->notes, "", 0, bat_check_face_name(check, f, name),
+                             "its loops cannot be closed in the parameters of its surface");
     }
-    const int count = loops.parts->face_count;
-    for (int f = 0; f < count && status == BATTEN_OK; f++) {
-        status = bat_check_loops(&loops, f);
-        if (status == BATTEN_OK)
-            status = bat_work_step(&loops.work, 1, (double)f / count, "checking loops");
-    }
-    batten_body_unref(traced);
+    status = check_traced(check, &traced);
+    bat_trace_all_end(&traced);
     return status;
 }
 
@@ -231,7 +247,7 @@ batten_status batten_body_check(const batten_body *body, double tolerance,
                         tolerance);
     const batten_body_parts *parts = batten_body_view(body);
     batten_body_faults faults = {.gaps = 0};
-    bat_check check = {parts, tolerance, {.job = job}, notes, &faults, false};
+    bat_check check = {parts, tolerance, {.job = job}, notes, &faults, parts, NULL};
     edge_uses *uses = bat_array((size_t)parts->edge_count + 1, sizeof *uses);
     if (!uses)
         return BATTEN_OUT_OF_MEMORY;

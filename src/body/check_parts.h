@@ -10,7 +10,8 @@ typedef struct {
     bat_work work;
     batten_notes *notes;
     batten_body_faults *faults;
-    bool is_renumbered; /* the parts are of a traced body whose faces have other numbers */
+    const batten_body_parts *named; /* where faces have their names and numbers ... */
+    const int *numbers;             /* ... [face_count], those that they have there, or NULL */
 } bat_check;
 
 /* "face 12 "bottom"": where a note of it stands. */

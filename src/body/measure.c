@@ -1,6 +1,7 @@
 /* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
 #include "base/work.h"
 #include "body/face_integral.h"
+#include "body/trace_all.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
 
@@ -9,8 +10,12 @@
 /* So often a surface may be asked for the integrals of one face. */
 static const size_t MOST = 1u << 22;
 
+/* Edges that miss their faces by more than this share of the size of the body bound nothing. */
+static const double COARSEST = 1e-3;
+
 typedef struct {
-    const batten_body_parts *parts; /* traced */
+    const batten_body_parts *given;
+    const bat_traced_all *traced;
     bat_face_rules rules;
     bat_face_sums sums; /* over all faces */
     double gross;       /* the sum of the sizes of the areas of faces */
@@ -18,60 +23,80 @@ typedef struct {
     int first_unmet;
 } total;
 
-static bool needs_tracing(const batten_body_parts *parts)
+static void add_face(total *t, int number, const bat_face_sums *face)
 {
-    bool needs = !parts->is_traced;
-    for (int f = 0; f < parts->face_count; f++)
-        needs |= parts->faces[f].count == 0;
-    return needs;
+    for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
+        t->sums.values[k] += face->values[k];
+    t->sums.area_error += face->area_error;
+    t->sums.volume_error += face->volume_error;
+    t->sums.slack += face->slack;
+    t->gross += fabs(face->values[BAT_AREA]);
+    if (!face->is_met && t->unmet++ == 0)
+        t->first_unmet = number;
 }
 
 static batten_status add_faces(total *t, const batten_job *job)
 {
     bat_work work = {.job = job};
-    const int count = t->parts->face_count;
+    int done = 0;
     t->sums = (bat_face_sums){.is_met = true};
     t->gross = 0;
     t->unmet = 0;
-    for (int f = 0; f < count; f++) {
-        bat_face_sums face;
-        batten_status status = bat_face_integrate(t->parts, f, &t->rules, &face);
-        if (status == BATTEN_OK)
-            status = bat_work_step(&work, 1, (double)f / count, "measuring faces");
-        if (status != BATTEN_OK)
-            return status;
-        for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
-            t->sums.values[k] += face.values[k];
-        t->sums.area_error += face.area_error;
-        t->sums.volume_error += face.volume_error;
-        t->sums.slack += face.slack;
-        t->gross += fabs(face.values[BAT_AREA]);
-        if (!face.is_met && t->unmet++ == 0)
-            t->first_unmet = f;
+    for (int i = 0; i < t->traced->count; i++) {
+        const bat_traced *part = &t->traced->at[i];
+        const batten_body_parts *parts = batten_body_view(part->body);
+        for (int f = 0; f < parts->face_count; f++) {
+            bat_face_sums face;
+            batten_status status = bat_face_integrate(parts, f, &t->rules, &face);
+            if (status == BATTEN_OK)
+                status =
+                    bat_work_step(&work, 1, bat_min(1, (double)done++ / t->given->face_count),
+                                  "measuring faces");
+            if (status != BATTEN_OK)
+                return status;
+            add_face(t, bat_traced_number(part, f), &face);
+        }
     }
     return BATTEN_OK;
 }
 
-/* Has every edge with a curve two uses, one each way? */
-static batten_status find_closed(const batten_body_parts *parts, bool *closed)
+/* Has every edge with a curve as many uses one way as the other, one each? Of a traced part
+ * only faces count that had no loops before. */
+static batten_status find_balanced(const batten_body_parts *parts, const total *t,
+                                   const bat_traced *part, bool *balanced)
 {
     char *ways = bat_array((size_t)parts->edge_count + 1, 1);
     if (!ways)
         return BATTEN_OUT_OF_MEMORY;
     memset(ways, 0, (size_t)parts->edge_count + 1);
-    bool is = parts->face_count > 0;
-    for (int i = 0; i < parts->use_count; i++) {
-        const char way = parts->uses[i].reversed ? 2 : 1;
-        char *met = &ways[parts->uses[i].edge];
-        if (parts->edges[parts->uses[i].edge].curve)
-            is &= !(*met & way);
-        *met = (char)(*met | way);
+    for (int f = 0; f < parts->face_count; f++) {
+        const batten_body_face *face = &parts->faces[f];
+        if (part && t->given->faces[bat_traced_number(part, f)].count > 0)
+            continue;
+        for (int l = face->first; l < face->first + face->count; l++)
+            for (int i = 0; i < parts->loops[l].count; i++) {
+                const batten_body_use *use = &parts->uses[parts->loops[l].first + i];
+                const char way = use->reversed ? 2 : 1;
+                *balanced =
+                    *balanced && !(parts->edges[use->edge].curve && (ways[use->edge] & way));
+                ways[use->edge] = (char)(ways[use->edge] | way);
+            }
     }
     for (int i = 0; i < parts->edge_count; i++)
-        is &= !parts->edges[i].curve || ways[i] == 3 || ways[i] == 0;
+        *balanced = *balanced && (!parts->edges[i].curve || ways[i] == 3 || ways[i] == 0);
     bat_release(ways);
-    *closed = is;
     return BATTEN_OK;
+}
+
+static batten_status find_closed(const total *t, bool *closed)
+{
+    *closed = t->given->face_count > 0 && t->traced->failed == 0;
+    batten_status status = find_balanced(t->given, t, NULL, closed);
+    for (int i = 0; i < t->traced->count && status == BATTEN_OK; i++) {
+        const bat_traced *part = &t->traced->at[i];
+        status = find_balanced(batten_body_view(part->body), t, part, closed);
+    }
+    return status;
 }
 
 static batten_status add_lengths(const batten_body_parts *parts, double precision,
@@ -123,7 +148,7 @@ static batten_status integrate(total *t, double precision, const batten_job *job
                                batten_body_measures *out)
 {
     const double size = t->rules.size;
-    batten_status status = find_closed(t->parts, &out->is_closed);
+    batten_status status = find_closed(t, &out->is_closed);
     t->rules.area_precision = t->rules.volume_precision = precision;
     if (status == BATTEN_OK)
         status = add_faces(t, job);
@@ -148,23 +173,31 @@ static batten_status integrate(total *t, double precision, const batten_job *job
     return BATTEN_OK;
 }
 
-static batten_status finish(const total *t, int failed, double precision,
-                            const batten_body_measures *out)
+/* The first face that could not be traced. */
+static int first_failed(const bat_traced_all *traced)
+{
+    int f = 0;
+    while (!traced->is_failed[f])
+        f++;
+    return f;
+}
+
+static batten_status finish(const total *t, double precision, const batten_body_measures *out)
 {
     const double volume = fabs(mean_volume(t->sums.values));
     if (!isfinite(out->area) || !isfinite(out->volume))
         return bat_fail(BATTEN_OVERFLOW, "the area is %g and the volume %g", out->area,
                         out->volume);
-    if (failed > 0)
+    if (t->traced->failed > 0)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "%d faces have no closed loops in their parameters; they are not "
-                        "measured",
-                        failed);
+                        "%d of %d faces have no closed loops in their parameters and are not "
+                        "measured, face %d first",
+                        t->traced->failed, t->given->face_count, first_failed(t->traced));
     if (t->unmet > 0)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d of %d faces do not reach the precision %g, face %d first: the area "
                         "is %g, within %g",
-                        t->unmet, t->parts->face_count, precision, t->first_unmet, out->area,
+                        t->unmet, t->given->face_count, precision, t->first_unmet, out->area,
                         out->area_error);
     /* Below some 1e-13 both sides are rounding. */
     if (out->is_closed && t->sums.volume_error > bat_max(precision * volume, 1e-13 * t->gross))
@@ -188,29 +221,23 @@ batten_status batten_body_measure(const batten_body *body, double precision,
                                   const batten_job *job, batten_body_measures *out)
 {
     assert(body && out);
-    const batten_body_parts *given = batten_body_view(body);
+    bat_traced_all traced;
     batten_body_measures made = {.area = 0};
-    batten_trace_report report = {.failed = 0};
-    batten_body *traced = NULL;
-    batten_status status = BATTEN_OK;
     if (!(precision > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the precision is %g; it must be positive",
                         precision);
-    if (needs_tracing(given))
-        status = batten_body_trace(body, given->tolerance, job, NULL, &report, &traced);
-    else
-        traced = batten_body_ref(body);
+    total t = {.given = batten_body_view(body), .traced = &traced};
+    set_rules(body, &t.rules);
+    batten_status status = bat_trace_all(body, COARSEST * t.rules.size, job, &traced);
     if (status != BATTEN_OK)
         return status;
-    total t = {.parts = batten_body_view(traced)};
-    set_rules(traced, &t.rules);
-    status = add_lengths(given, precision, &made.edge_length);
+    status = add_lengths(t.given, precision, &made.edge_length);
     if (status == BATTEN_OK)
         status = integrate(&t, precision, job, &made);
     if (status == BATTEN_OK)
-        status = finish(&t, report.failed, precision, &made);
+        status = finish(&t, precision, &made);
     if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET)
         *out = made;
-    batten_body_unref(traced);
+    bat_trace_all_end(&traced);
     return status;
 }
