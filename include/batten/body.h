@@ -118,8 +118,9 @@ typedef struct batten_trace_report {
     int seams;   /**< edges put in where a face goes all around a closed surface */
     int poles;   /**< edges without a curve put in */
     double miss; /**< the largest distance of an edge from its face, over all uses */
-    int failed;  /**< faces whose edges do not lie on them within the tolerance, or whose loops
-                      cannot be closed in (u, v): they are not in the result */
+    int loose; /**< faces whose edges are farther off than the tolerance: `miss` says how far */
+    int failed; /**< faces whose edges do not lie on them, or whose loops cannot be closed in
+                     (u, v): they are not in the result */
 } batten_trace_report;
 /**
  * The same body with everything that work in (u, v) needs: every use has a parameter curve B
@@ -135,6 +136,10 @@ typedef struct batten_trace_report {
  * points and parameters: a plane is made larger; a surface that closes is cut and joined again
  * where its loops cross the cut as seldom as possible. A face that crosses the cut wherever it
  * is (a strip that winds around and around) becomes several faces.
+ *
+ * Files say that they are better than they are. A face whose edges are farther off than the
+ * tolerance is traced with ten, a hundred, a thousand times that, up to a thousandth of its
+ * size, and has a note; the tolerance of the result is `miss` then.
  *
  * Given parameter curves are kept, mapped to the domain of the edge, when they are good there
  * at four places of each span and 16 at least. Others are exact where the edge lies in a plane,

@@ -69,10 +69,19 @@ batten_status bat_chart_begin(const batten_surface *surface, double tolerance, b
         status = extent(chart, k, &length);
         chart->near[k] =
             bat_min(1e-3, length > 0 ? tolerance / 2 / length : 1e-3) * chart->period[k];
+        chart->size = bat_max(chart->size, length);
     }
     chart->complete = (chart->closed[0] || (chart->pole[3] && chart->pole[1])) &&
                       (chart->closed[1] || (chart->pole[0] && chart->pole[2]));
     return status;
+}
+
+void bat_chart_loosen(bat_chart *chart, double tolerance)
+{
+    for (int k = 0; k < 2; k++)
+        chart->near[k] =
+            bat_min(1e-3 * chart->period[k], chart->near[k] * (tolerance / chart->tolerance));
+    chart->tolerance = tolerance;
 }
 
 void bat_chart_end(bat_chart *chart)
@@ -142,7 +151,9 @@ static void move(const bat_chart *chart, const double uv[2], const double step[2
                  double to[2])
 {
     for (int k = 0; k < 2; k++) {
-        to[k] = uv[k] + ldexp(step[k], -half);
+        /* Where a direction has hardly any extent, at a pole, steps would be wild. */
+        const double most = chart->period[k] / 8;
+        to[k] = uv[k] + bat_max(-most, bat_min(most, ldexp(step[k], -half)));
         if (!chart->closed[k])
             to[k] = bat_min(chart->domain[k].b, bat_max(chart->domain[k].a, to[k]));
     }

@@ -15,6 +15,7 @@ typedef struct {
     double period[2];
     bool closed[2];
     double near[2]; /* parameters so near are the same: half the tolerance in space or less */
+    double size;    /* the length of lines along it, as far as these were looked at */
     bool pole[4];   /* sides that are one point */
     double pole_at[4][3];
     bool complete; /* all its sides are seams or poles */
@@ -25,6 +26,8 @@ typedef struct {
 batten_status bat_chart_begin(const batten_surface *surface, double tolerance,
                               bat_chart *chart);
 void bat_chart_end(bat_chart *chart);
+/* From now on with this tolerance. */
+void bat_chart_loosen(bat_chart *chart, double tolerance);
 
 /* Brought into the domain: by whole periods, or to its nearest end. */
 void bat_chart_wrap(const bat_chart *chart, const double uv[2], double in[2]);

@@ -197,6 +197,28 @@ static batten_status choose(const bat_trace_face *face, int k, const samples *s,
     return status;
 }
 
+/* *place: the parameter of the cut; near a knot of the surface the knot, and *at with it, for
+ * knots nearly together are of no use. */
+static batten_status to_knot(const bat_chart *chart, int k, double *at, double *place)
+{
+    const batten_direction along = k ? BATTEN_V : BATTEN_U;
+    const int count = batten_surface_spans(chart->surface, along, NULL);
+    double *knots = bat_array((size_t)count, sizeof *knots);
+    if (!knots)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_surface_spans(chart->surface, along, knots);
+    *place = chart->domain[k].a + *at * chart->period[k];
+    for (int i = 0; i < count; i++) {
+        const double turns = (knots[i] - chart->domain[k].a) / chart->period[k];
+        if (fabs(turns - *at) <= chart->near[k] / chart->period[k]) {
+            *at = i < count - 1 ? turns : 0;
+            *place = i < count - 1 ? knots[i] : chart->domain[k].a;
+        }
+    }
+    bat_release(knots);
+    return BATTEN_OK;
+}
+
 /* ---- cutting ---- */
 
 typedef struct {
@@ -246,11 +268,11 @@ batten_status bat_trace_choose_seam(bat_trace *trace, bat_trace_face *face)
     batten_status status = samples_begin(face, k, &s);
     if (status == BATTEN_OK)
         status = choose(face, k, &s, &at);
+    if (status == BATTEN_OK)
+        status = to_knot(&face->chart, k, &at, &face->seam[k]);
     cutter c = {trace, face, &s, k};
     if (status == BATTEN_OK)
         status = each_crossing(face, k, &s, at, cut_between, &c);
-    if (status == BATTEN_OK)
-        face->seam[k] += at * face->chart.period[k];
     samples_end(&s);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "numeric/vector.h"
 #include "spline/surface.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* ---- planes ---- */
@@ -112,7 +113,7 @@ static batten_status settle_use(bat_trace *trace, bat_trace_face *face, bat_trac
     use->curve = made;
     if (curve)
         status = bat_parameters_miss(chart, curve, use->curve, HUGE_VAL, &miss);
-    if (status == BATTEN_OK && miss > trace->tolerance) {
+    if (status == BATTEN_OK && miss > chart->tolerance) {
         batten_curve *followed = NULL;
         status = bat_parameters_follow(chart, curve, first, &followed, &miss);
         if (status == BATTEN_OK)
@@ -124,11 +125,11 @@ static batten_status settle_use(bat_trace *trace, bat_trace_face *face, bat_trac
         }
         batten_curve_unref(followed);
     }
-    if (status == BATTEN_OK && miss > trace->tolerance)
+    if (status == BATTEN_OK && miss > chart->tolerance)
         status =
             bat_fail(BATTEN_TOLERANCE_NOT_MET,
                      "edge %d is %g off the surface where its loop is closed, more than %g",
-                     use->edge, miss, trace->tolerance);
+                     use->edge, miss, chart->tolerance);
     trace->report.miss = bat_max(trace->report.miss, miss);
     return status;
 }
@@ -148,6 +149,16 @@ static batten_status close_loop(bat_trace *trace, bat_trace_face *face,
     return status;
 }
 
+static void note_loose(bat_trace *trace, bat_trace_face *face)
+{
+    char text[160];
+    snprintf(text, sizeof text,
+             "its edges are more than %g off it, or off one another; it was traced to %g",
+             trace->tolerance, face->chart.tolerance);
+    bat_trace_note(trace, face, text);
+    trace->report.loose++;
+}
+
 batten_status bat_trace_close(bat_trace *trace, bat_trace_face *face)
 {
     double low[2], high[2];
@@ -157,7 +168,12 @@ batten_status bat_trace_close(bat_trace *trace, bat_trace_face *face)
     hull_of(face, low, high);
     if (bat_parameters_plane(&face->chart) && leaves(&face->chart, low, high))
         status = grow_plane(&face->chart, low, high);
-    for (int i = 0; status == BATTEN_OK && i < face->loops.loop_count; i++)
+    for (int i = 0; status == BATTEN_OK && i < face->loops.loop_count; i++) {
         status = close_loop(trace, face, &face->loops.loops[i]);
+        while (status == BATTEN_TOLERANCE_NOT_MET && bat_trace_loosen(trace, face))
+            status = close_loop(trace, face, &face->loops.loops[i]);
+    }
+    if (status == BATTEN_OK && face->chart.tolerance > trace->tolerance)
+        note_loose(trace, face);
     return status;
 }

@@ -222,30 +222,31 @@ static batten_status trace_use(bat_trace *trace, bat_trace_face *face, bat_trace
 }
 
 /* The gap between two uses in space. */
-static batten_status check_gap(const bat_trace *trace, const bat_trace_face *face,
-                               const double a[2], const double b[2], int edge)
+static batten_status check_gap(const bat_trace_face *face, const double a[2], const double b[2],
+                               int edge)
 {
     double p[3], q[3];
     batten_status status = bat_chart_evaluate(&face->chart, a, 0, p);
     if (status == BATTEN_OK)
         status = bat_chart_evaluate(&face->chart, b, 0, q);
-    if (status == BATTEN_OK && bat_distance(3, p, q) > 2 * trace->tolerance)
+    if (status == BATTEN_OK && bat_distance(3, p, q) > 2 * face->chart.tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "its loop has a gap of %g before edge %d, more than twice %g",
-                        bat_distance(3, p, q), edge, trace->tolerance);
+                        bat_distance(3, p, q), edge, face->chart.tolerance);
     return status;
 }
 
-/* The uses from..from + count - 1 of `given`, whose curves are taken, as a loop of the face. */
-static batten_status trace_loop(bat_trace *trace, bat_trace_face *face, bat_trace_use *given,
-                                int count)
+/* The uses of `given` as a loop of the face. */
+static batten_status trace_loop(bat_trace *trace, bat_trace_face *face,
+                                const bat_trace_use *given, int count)
 {
     double at[2] = {0, 0}, start[2];
     const int first = face->loops.use_count;
     batten_status status = bat_trace_add_loop(&face->loops);
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         bat_trace_use use = given[i];
-        given[i].curve = NULL;
+        if (use.curve)
+            batten_curve_ref(use.curve);
         status = trace_use(trace, face, &use, i ? at : NULL);
         if (status == BATTEN_OK && i)
             status = follow_on(trace, face, &use, at);
@@ -255,7 +256,7 @@ static batten_status trace_loop(bat_trace *trace, bat_trace_face *face, bat_trac
         }
         bat_trace_end_of(&use, false, start);
         if (i)
-            status = check_gap(trace, face, at, start, use.edge);
+            status = check_gap(face, at, start, use.edge);
         bat_trace_end_of(&use, true, at);
         const batten_status added =
             bat_trace_add_use(&face->loops, use.edge, use.reversed, false, use.curve);
@@ -272,17 +273,42 @@ static batten_status trace_loop(bat_trace *trace, bat_trace_face *face, bat_trac
         memcpy(to, start, sizeof to);
         return add_pole(trace, face, side, bat_trace_vertex(trace, &begin, false), at, to);
     }
-    return check_gap(trace, face, at, start, begin.edge);
+    return check_gap(face, at, start, begin.edge);
 }
 
-batten_status bat_trace_face_loops(bat_trace *trace, bat_trace_face *face)
+/* With the tolerance of the chart. On failure all is as it was. */
+static batten_status trace_loops(bat_trace *trace, bat_trace_face *face)
 {
+    const batten_trace_report report = trace->report;
     bat_trace_loops given = face->loops;
     batten_status status = BATTEN_OK;
     face->loops = (bat_trace_loops){0};
     for (int i = 0; status == BATTEN_OK && i < given.loop_count; i++)
         status =
             trace_loop(trace, face, given.uses + given.loops[i].first, given.loops[i].count);
-    bat_trace_end_loops(&given);
+    if (status == BATTEN_OK) {
+        bat_trace_end_loops(&given);
+        return BATTEN_OK;
+    }
+    bat_trace_end_loops(&face->loops);
+    face->loops = given;
+    trace->report = report;
+    return status;
+}
+
+bool bat_trace_loosen(bat_trace *trace, bat_trace_face *face)
+{
+    const double looser = 10 * face->chart.tolerance;
+    if (looser > 1.001e3 * trace->tolerance || looser > 1e-3 * face->chart.size)
+        return false;
+    bat_chart_loosen(&face->chart, looser);
+    return true;
+}
+
+batten_status bat_trace_face_loops(bat_trace *trace, bat_trace_face *face)
+{
+    batten_status status = trace_loops(trace, face);
+    while (status == BATTEN_TOLERANCE_NOT_MET && bat_trace_loosen(trace, face))
+        status = trace_loops(trace, face);
     return status;
 }
