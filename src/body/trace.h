@@ -49,7 +49,7 @@ typedef struct {
 
 typedef struct {
     const batten_body_parts *from;
-    double tolerance;
+    double tolerance, size; /* size: of the body */
     const batten_job *job;
     batten_notes *notes;
     batten_trace_report report;
@@ -83,8 +83,8 @@ batten_status bat_trace_cut_at(bat_trace *trace, int edge, double t);
 batten_status bat_trace_divide(bat_trace *trace);
 /* Cuts where edges pass through poles of the face. */
 batten_status bat_trace_pole_cuts(bat_trace *trace, const bat_trace_face *face);
-/* Ten times the tolerance for a face whose edges are farther off: up to a thousand times, and a
- * thousandth of the face. False when that is reached. */
+/* Ten times the tolerance for a face whose edges are farther off: up to a thousandth of the
+ * body and a hundredth of the face. False when that is reached. */
 bool bat_trace_loosen(bat_trace *trace, bat_trace_face *face);
 /* The parameter curves of all loops of the face, with poles put in. */
 batten_status bat_trace_face_loops(bat_trace *trace, bat_trace_face *face);

@@ -299,7 +299,7 @@ static batten_status trace_loops(bat_trace *trace, bat_trace_face *face)
 bool bat_trace_loosen(bat_trace *trace, bat_trace_face *face)
 {
     const double looser = 10 * face->chart.tolerance;
-    if (looser > 1.001e3 * trace->tolerance || looser > 1e-3 * face->chart.size)
+    if (looser > 1e-3 * trace->size || looser > 1e-2 * face->chart.size)
         return false;
     bat_chart_loosen(&face->chart, looser);
     return true;
