@@ -5,6 +5,7 @@
  * Meshes of triangles, and triangles from surfaces and bodies.
  */
 #include <batten/body.h>
+#include <batten/triangles.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,6 +106,18 @@ BATTEN_API batten_status batten_mesh_of_surface(const batten_surface *surface,
                                                 const batten_mesh_options *options,
                                                 const batten_job *job,
                                                 batten_mesh_report *report, batten_mesh **out);
+
+/**
+ * The same of Bezier triangles in space: all are divided alike, and those that share an edge by
+ * the same control points share the vertices on it.
+ * @return as batten_mesh_of_body; where normals jump the angle cannot be reached, which the
+ * report says
+ */
+BATTEN_API batten_status batten_mesh_of_triangles(const batten_triangles *triangles,
+                                                  const batten_mesh_options *options,
+                                                  const batten_job *job,
+                                                  batten_mesh_report *report,
+                                                  batten_mesh **out);
 
 #ifdef __cplusplus
 }

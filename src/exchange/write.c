@@ -1,4 +1,5 @@
 #include "exchange/formats.h"
+#include "exchange/model_meshed.h"
 
 batten_write_options batten_write_defaults(void)
 {
@@ -90,6 +91,21 @@ batten_status bat_format_prepare(const bat_format_row *row, const batten_model *
     return status;
 }
 
+/* For formats of meshes the shapes that they do not hold become meshes. Bezier triangles become
+ * patches where surfaces are held. */
+static batten_status mesh_what_is_not_held(const bat_format_row *row, const batten_model *model,
+                                           const batten_write_options *options,
+                                           batten_notes *notes, batten_model **out)
+{
+    unsigned kinds = row->holds & BAT_HOLDS(MESH) ? BAT_SHAPES & ~row->holds : 0;
+    if (row->holds & BAT_HOLDS(SURFACE))
+        kinds &= ~BAT_HOLDS(TRIANGLES);
+    if (kinds)
+        return bat_model_meshed(model, kinds, &options->mesh, NULL, notes, out);
+    *out = batten_model_ref(model);
+    return BATTEN_OK;
+}
+
 static batten_status write_as(const batten_model *model, const batten_write_options *options,
                               batten_notes *notes, batten_text *text)
 {
@@ -99,7 +115,11 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
         return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
     if (!row->write)
         return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", row->title);
-    batten_status status = bat_format_prepare(row, model, notes, &prepared);
+    batten_model *meshed = NULL;
+    batten_status status = mesh_what_is_not_held(row, model, options, notes, &meshed);
+    if (status == BATTEN_OK)
+        status = bat_format_prepare(row, meshed, notes, &prepared);
+    batten_model_unref(meshed);
     if (status == BATTEN_OK && row->holds && batten_model_count(model) > 0 &&
         batten_model_count(prepared) == 0)
         status = nothing(row, model);

@@ -1,0 +1,72 @@
+#include "support/bodies.h"
+#include "support/test.h"
+
+#include <batten/model.h>
+#include <batten/standard.h>
+
+static void add(batten_model *model, const batten_object *object)
+{
+    CHECK_OK(batten_model_add(model, object));
+}
+
+/* A definition with a box and a line, placed twice; a sphere beside. */
+static batten_model *make_model(void)
+{
+    const batten_frame world = batten_frame_world();
+    const double a[3] = {0, 0, 0}, b[3] = {1, 0, 0};
+    batten_model *definition = NULL, *model = NULL;
+    batten_curve *line = NULL;
+    batten_surface *sphere = NULL;
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3});
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
+    CHECK_OK(batten_model_create(0.001, &definition));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add(definition, &(batten_object){.name = "box",
+                                     .layer = "metal",
+                                     .has_colour = true,
+                                     .colour = {1, 0, 0},
+                                     .kind = BATTEN_OBJECT_BODY,
+                                     .body = box});
+    add(definition,
+        &(batten_object){.name = "line", .kind = BATTEN_OBJECT_CURVE, .curve = line});
+    for (int i = 0; i < 2; i++)
+        add(model, &(batten_object){.name = i ? "second" : "first",
+                                    .kind = BATTEN_OBJECT_INSTANCE,
+                                    .definition = definition,
+                                    .place = batten_affine_translation(5 * i, 0, 0)});
+    add(model,
+        &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_SURFACE, .surface = sphere});
+    batten_curve_unref(line);
+    batten_surface_unref(sphere);
+    batten_body_unref(box);
+    batten_model_unref(definition);
+    return model;
+}
+
+TEST(a_model_is_meshed_and_definitions_once)
+{
+    batten_model *model = make_model(), *meshed = NULL;
+    batten_mesh_facts facts;
+    CHECK_OK(batten_model_meshed(model, NULL, NULL, NULL, &meshed));
+    CHECK_INT(batten_model_count(meshed), 3);
+    const batten_object *first = batten_model_object(meshed, 0);
+    const batten_object *second = batten_model_object(meshed, 1);
+    const batten_object *ball = batten_model_object(meshed, 2);
+    CHECK(first->kind == BATTEN_OBJECT_INSTANCE);
+    CHECK(first->definition == second->definition);
+    const batten_object *box = batten_model_object(first->definition, 0);
+    CHECK(box->kind == BATTEN_OBJECT_MESH && box->body == NULL);
+    CHECK_TEXT(box->name, "box");
+    CHECK_TEXT(box->layer, "metal");
+    CHECK(box->has_colour && box->colour[0] == 1);
+    CHECK(batten_model_object(first->definition, 1)->kind == BATTEN_OBJECT_CURVE);
+    CHECK(ball->kind == BATTEN_OBJECT_MESH);
+    CHECK_OK(batten_mesh_check(box->mesh, &facts));
+    CHECK(facts.is_watertight);
+    CHECK_NEAR(facts.volume, 6, 1e-12);
+    CHECK_OK(batten_mesh_check(ball->mesh, &facts));
+    CHECK(facts.is_watertight);
+    batten_model_unref(meshed);
+    batten_model_unref(model);
+}
