@@ -141,6 +141,12 @@ int bat_builder_mark(const bat_builder *builder)
     return builder->parts.face_count;
 }
 
+void bat_builder_open_shells(bat_builder *builder)
+{
+    for (int k = 0; k < builder->parts.shell_count; k++)
+        ((batten_body_shell *)own(builder->parts.shells))[k].closed = false;
+}
+
 void bat_builder_back(bat_builder *builder, int mark)
 {
     batten_body_parts *p = &builder->parts;

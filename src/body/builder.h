@@ -31,6 +31,8 @@ batten_status bat_builder_use(bat_builder *builder, int edge, bool reversed,
 /* The number of faces so far, and taking back all faces from there on. */
 int bat_builder_mark(const bat_builder *builder);
 void bat_builder_back(bat_builder *builder, int mark);
+/* Say of no shell any more that it is closed: some of its faces are missing. */
+void bat_builder_open_shells(bat_builder *builder);
 /* Make the body; shells without faces, and edges and vertices without use, are dropped. The
  * builder is empty afterwards, also on failure. */
 batten_status bat_builder_finish(bat_builder *builder, bool is_solid, batten_body **out);

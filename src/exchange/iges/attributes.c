@@ -73,6 +73,15 @@ static void default_name(const bat_iges_item *item, char *name, size_t size)
         snprintf(name, size, "%s D%d", words[item->row->kind], entry->id);
 }
 
+batten_status bat_iges_given_name(bat_iges_item *item, char **name)
+{
+    const char *label = item->entry->label;
+    batten_status status = read_properties(item, name);
+    if (status == BATTEN_OK && !*name && label[0])
+        status = copy_text(item->reading->input, (bat_span){label, strlen(label)}, name);
+    return status;
+}
+
 batten_status bat_iges_name(bat_iges_item *item, char **name)
 {
     char plain[32], *found = NULL;

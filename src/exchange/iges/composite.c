@@ -92,6 +92,9 @@ static batten_status nested_members(bat_iges_reading *reading, const bat_iges_en
         status = read_members(&item, curves);
     if (status == BATTEN_OK)
         status = move_curves(&item, curves, first);
+    if (status == BATTEN_OK && !shape->is_met && before == BAT_IGES_NEW)
+        status = bat_census_read(reading->input, &reading->census, item.row->name);
+    shape->is_met = true;
     bat_iges_close(&item);
     shape->state = status == BATTEN_OK || before != BAT_IGES_NEW ? before : BAT_IGES_BAD;
     return status;

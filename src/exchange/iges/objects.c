@@ -84,13 +84,8 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
 
 /* ---- roots ---- */
 
-/* Entities that nothing refers to, though they call themselves parts, and the reverse. */
-typedef struct {
-    int orphans;
-} oddities;
-
 /* Geometry that stands for itself; what a drawing or a definition needs is none. */
-static batten_status add_root(bat_iges_reading *reading, size_t place, oddities *odd)
+static batten_status add_root(bat_iges_reading *reading, size_t place)
 {
     const bat_iges_entry *entry = bat_iges_entry_at(reading, place);
     const bat_iges_row *row = bat_iges_row_of(entry->type);
@@ -103,8 +98,17 @@ static batten_status add_root(bat_iges_reading *reading, size_t place, oddities 
         reading->input->left_out++;
         return bat_census_leave(reading->input, &reading->census, row->name);
     }
-    odd->orphans += entry->subordinate == 1 || entry->subordinate == 3;
+    reading->orphans += entry->subordinate == 1 || entry->subordinate == 3;
     return bat_iges_add(reading, entry, reading->model);
+}
+
+/* Can an entity be a part of itself, over others? */
+static bool may_be_in_ring(const bat_iges_entry *entry)
+{
+    const bat_iges_row *row = bat_iges_row_of(entry->type);
+    return !entry->is_broken && row->references &&
+           (row->kind == BAT_IGES_CURVE || row->kind == BAT_IGES_SURFACE ||
+            row->kind == BAT_IGES_INSTANCE);
 }
 
 /* What is a part of something but was never reached: a ring of parts, say. */
@@ -114,9 +118,8 @@ static batten_status look_for_rings(bat_iges_reading *reading)
     for (size_t k = 0; status == BATTEN_OK && k < reading->file.entries.count; k++) {
         const bat_iges_entry *entry = bat_iges_entry_at(reading, k);
         bat_iges_item item;
-        if (entry->is_broken || reading->shapes[k].state != BAT_IGES_NEW ||
-            !reading->shapes[k].is_part || !bat_iges_row_of(entry->type)->references ||
-            !bat_iges_row_of(entry->type)->read)
+        if (!may_be_in_ring(entry) || reading->shapes[k].state != BAT_IGES_NEW ||
+            !reading->shapes[k].is_part || reading->shapes[k].is_met)
             continue;
         reading->shapes[k].state = BAT_IGES_BUSY;
         status = bat_iges_decode(reading, entry, &item);
@@ -134,20 +137,38 @@ batten_status bat_iges_add_roots(bat_iges_reading *reading)
 {
     bat_input *input = reading->input;
     const size_t count = reading->file.entries.count;
-    oddities odd = {0};
     batten_status status = BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && k < count; k++) {
         if (k % 64 == 0)
             status = bat_input_step(input, k * input->size / count);
         if (status == BATTEN_OK)
-            status = add_root(reading, k, &odd);
+            status = add_root(reading, k);
     }
     if (status == BATTEN_OK)
         status = look_for_rings(reading);
-    if (odd.orphans)
-        batten_notes_add(input->notes, input->file, 0, "",
+    return status;
+}
+
+void bat_iges_note_oddities(const bat_iges_reading *reading)
+{
+    batten_notes *notes = reading->input->notes;
+    const char *file = reading->input->file;
+    if (reading->orphans)
+        batten_notes_add(notes, file, 0, "",
                          "%d entities call themselves parts of others, but nothing refers to "
                          "them; they are read on their own",
-                         odd.orphans);
-    return status;
+                         reading->orphans);
+    if (reading->swapped_loops)
+        batten_notes_add(notes, file, 0, "",
+                         "of %d faces an inner loop comes before the outer one; put in order",
+                         reading->swapped_loops);
+    if (reading->turned_loops)
+        batten_notes_add(notes, file, 0, "",
+                         "%d loops of faces run the wrong way around; turned",
+                         reading->turned_loops);
+    if (reading->gaps)
+        batten_notes_add(notes, file, 0, "",
+                         "%d edges of faces begin off the end of the one before, by %g at "
+                         "most; they meet halfway",
+                         reading->gaps, reading->largest_gap);
 }

@@ -9,5 +9,7 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
                            batten_model *model);
 /* Add all that stand for themselves. */
 batten_status bat_iges_add_roots(bat_iges_reading *reading);
+/* Say once what was odd in many places. */
+void bat_iges_note_oddities(const bat_iges_reading *reading);
 
 #endif

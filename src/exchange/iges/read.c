@@ -1,4 +1,5 @@
 #include "exchange/iges/attributes.h"
+#include "exchange/iges/bodies.h"
 #include "exchange/iges/iges.h"
 #include "exchange/iges/objects.h"
 #include "exchange/iges/references.h"
@@ -202,6 +203,7 @@ static batten_status read_entities(bat_iges_reading *reading)
         status = bat_iges_add_roots(reading);
     if (status != BATTEN_OK)
         return status;
+    bat_iges_note_oddities(reading);
     bat_census_note(input, &reading->census);
     if (batten_model_count(reading->model) > 0 || input->left_out == 0)
         return BATTEN_OK;
@@ -245,6 +247,7 @@ static void end(bat_iges_reading *reading)
     }
     bat_release(reading->shapes);
 
+    bat_iges_end_tables(reading);
     bat_iges_end_groups(reading);
     bat_census_end(&reading->census);
     bat_iges_end(&reading->file);
@@ -256,6 +259,7 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
     bat_iges_reading reading = {.input = input, .frames = {.size = sizeof(void *)}};
     bool is_iges = false;
     bat_iges_start_groups(&reading);
+    bat_iges_start_tables(&reading);
 
     bat_census_begin(&reading.census);
     batten_status status = bat_iges_recognise(input, &is_iges);

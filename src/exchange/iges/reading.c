@@ -285,6 +285,8 @@ batten_status bat_iges_surface(bat_iges_reading *reading, int id, const batten_s
 {
     const bat_iges_shape *shape = NULL;
     batten_status status = keep_kind(reading, id, BAT_IGES_SURFACE, &shape);
+    if (status == BATTEN_OK && !shape->surface)
+        status = bat_fail(BATTEN_BAD_FORMAT, "entity D%d is a face and no surface", id);
     if (status == BATTEN_OK)
         *out = shape->surface;
     return status;

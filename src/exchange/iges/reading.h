@@ -42,6 +42,7 @@ typedef enum { BAT_IGES_NEW, BAT_IGES_BUSY, BAT_IGES_READ, BAT_IGES_BAD } bat_ig
 /* What became of an entry. */
 typedef struct {
     bat_iges_state state;
+    bool is_met;              /* its parts were gone through as members of another */
     bool is_part;             /* another geometric entity refers to it */
     int group;                /* its place among the groups, from 1; 0: in none */
     int table;                /* of a list of vertices or edges, from 1; 0: not yet read */
@@ -62,6 +63,9 @@ typedef struct {
     bat_list frames;        /* of bat_iges_parameters *, one for each depth */
     int depth;
     int body; /* the number of the body that is being made */
+    /* Oddities that are said once: */
+    int orphans, turned_loops, swapped_loops, gaps;
+    double largest_gap;
     batten_model *model;
 } bat_iges_reading;
 

@@ -11,6 +11,10 @@ batten_status bat_iges_read_tabulated(bat_iges_item *item);      /* 122 */
 batten_status bat_iges_read_nurbs_surface(bat_iges_item *item);  /* 128 */
 batten_status bat_iges_read_offset_surface(bat_iges_item *item); /* 140 */
 
+batten_status bat_iges_read_unbounded(bat_iges_item *item); /* 190 - 198: refused alone */
+
+/* The plane a x + b y + c z = d. */
+batten_status bat_iges_plane_of(const double equation[4], bat_elementary *out);
 /* Is the surface of an entry without bounds of its own: a plane 108, 190 - 198? */
 bool bat_iges_is_elementary(int type);
 /* That surface, moved by its matrices. */

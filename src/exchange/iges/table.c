@@ -1,4 +1,5 @@
 /* The types of entities: how they are called, what they become, who reads them. */
+#include "exchange/iges/bodies.h"
 #include "exchange/iges/curves.h"
 #include "exchange/iges/instances.h"
 #include "exchange/iges/surfaces.h"
@@ -11,7 +12,7 @@ static const bat_iges_row rows[] = {
     {102, "102 composite curve", BAT_IGES_CURVE, 0, 0, bat_iges_read_composite, "n(p)"},
     {104, "104 conic", BAT_IGES_CURVE, 0, 3, bat_iges_read_conic, NULL},
     {106, "106 copious data", BAT_IGES_CURVE, 1, 63, bat_iges_read_copious, NULL},
-    {108, "108 plane", BAT_IGES_SURFACE, 0, 1, NULL, "....p"},
+    {108, "108 plane", BAT_IGES_SURFACE, 0, 1, bat_iges_read_plane, "....p"},
     {110, "110 line", BAT_IGES_CURVE, 0, 0, bat_iges_read_line, NULL},
     {112, "112 spline curve", BAT_IGES_CURVE, 0, 0, bat_iges_read_spline_curve, NULL},
     {114, "114 spline surface", BAT_IGES_SURFACE, 0, 0, bat_iges_read_spline_surface, NULL},
@@ -27,14 +28,14 @@ static const bat_iges_row rows[] = {
     {140, "140 offset surface", BAT_IGES_SURFACE, 0, 0, bat_iges_read_offset_surface, "....p"},
     {141, "141 boundary", BAT_IGES_PART, 0, 0, NULL, "..pn(p.n(p))"},
     {142, "142 curve on a surface", BAT_IGES_PART, 0, 0, NULL, ".ppp"},
-    {143, "143 bounded surface", BAT_IGES_BODY, 0, 0, NULL, ".pn(p)"},
-    {144, "144 trimmed surface", BAT_IGES_BODY, 0, 0, NULL, "p.np(p)"},
-    {186, "186 solid", BAT_IGES_BODY, 0, 0, NULL, "p.n(p.)"},
-    {190, "190 plane surface", BAT_IGES_SURFACE, 0, 1, NULL, "ppp"},
-    {192, "192 cylindrical surface", BAT_IGES_SURFACE, 0, 1, NULL, "pp.p"},
-    {194, "194 conical surface", BAT_IGES_SURFACE, 0, 1, NULL, "pp..p"},
-    {196, "196 spherical surface", BAT_IGES_SURFACE, 0, 1, NULL, "p.pp"},
-    {198, "198 toroidal surface", BAT_IGES_SURFACE, 0, 1, NULL, "pp..p"},
+    {143, "143 bounded surface", BAT_IGES_BODY, 0, 0, bat_iges_read_bounded, ".pn(p)"},
+    {144, "144 trimmed surface", BAT_IGES_BODY, 0, 0, bat_iges_read_trimmed, "p.np(p)"},
+    {186, "186 solid", BAT_IGES_BODY, 0, 0, bat_iges_read_solid, "p.n(p.)"},
+    {190, "190 plane surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "ppp"},
+    {192, "192 cylindrical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp.p"},
+    {194, "194 conical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp..p"},
+    {196, "196 spherical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "p.pp"},
+    {198, "198 toroidal surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp..p"},
     {302, "302 definition of an associativity", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
     {304, "304 line font", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
     {308, "308 subfigure", BAT_IGES_PART, 0, 0, bat_iges_read_definition, "..n(p)"},
@@ -52,8 +53,8 @@ static const bat_iges_row rows[] = {
     {502, "502 vertices", BAT_IGES_PART, 0, 1, NULL, NULL},
     {504, "504 edges", BAT_IGES_PART, 0, 1, NULL, "n(pp.p.)"},
     {508, "508 loop", BAT_IGES_PART, 0, 1, NULL, "n(.p..n(.p))"},
-    {510, "510 face", BAT_IGES_BODY, 0, 1, NULL, "pn.(p)"},
-    {514, "514 shell", BAT_IGES_BODY, 1, 2, NULL, "n(p.)"},
+    {510, "510 face", BAT_IGES_BODY, 0, 1, bat_iges_read_face, "pn.(p)"},
+    {514, "514 shell", BAT_IGES_BODY, 0, 2, bat_iges_read_shell, "n(p.)"},
 };
 
 const bat_iges_row *bat_iges_row_of(int type)
