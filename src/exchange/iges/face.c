@@ -347,6 +347,20 @@ static batten_status settle_ground(bat_iges_face *face, batten_surface **made)
     return status;
 }
 
+/* To what the file keeps to. */
+static void raise_tolerance(bat_iges_face *face)
+{
+    const bat_iges_loop *loops = face->loops.items;
+    double miss = 0;
+    for (size_t l = 0; l < face->loops.count; l++) {
+        const bat_iges_side *sides = loops[l].sides.items;
+        for (size_t k = 0; k < loops[l].sides.count; k++)
+            miss = bat_max(miss, bat_iges_miss(&face->ground, sides[k].space, sides[k].flat));
+    }
+    face->ground.tolerance =
+        bat_iges_tolerance_of_miss(face->reading, face->ground.tolerance, miss, face->size);
+}
+
 batten_status bat_iges_put_face(bat_iges_face *face, bool border, bat_builder *builder)
 {
     bat_iges_loop *loops = face->loops.items;
@@ -360,6 +374,7 @@ batten_status bat_iges_put_face(bat_iges_face *face, bool border, bat_builder *b
             status = link_sides(&loops[k]);
     }
     if (status == BATTEN_OK) {
+        raise_tolerance(face);
         right_loops(face, border);
         const batten_body_face plain = {.surface = made ? made : face->ground.surface};
         status = bat_builder_face(builder, &plain);

@@ -46,6 +46,13 @@ batten_status bat_iges_flatten(const bat_iges_ground *ground, const batten_curve
 /* Add points of a curve to a list of double[3]. */
 batten_status bat_iges_sample(bat_iges_reading *reading, const batten_curve *curve,
                               bat_list *points);
+/* How far an edge misses its surface, at samples; 0 where that is not easily told. */
+double bat_iges_miss(const bat_iges_ground *ground, const batten_curve *space,
+                     const batten_curve *flat);
+/* The tolerance that a body of that size needs, which is counted when it is larger than that of
+ * the file; beyond a thousandth of the size it is not raised. */
+double bat_iges_tolerance_of_miss(bat_iges_reading *reading, double tolerance, double miss,
+                                  double size);
 /* A new loop, which the next sides belong to. */
 batten_status bat_iges_add_loop(bat_iges_face *face);
 /* Add curves in space, and curves in (u, v), which may be none or fewer; where there are none

@@ -171,4 +171,9 @@ void bat_iges_note_oddities(const bat_iges_reading *reading)
                          "%d edges of faces begin off the end of the one before, by %g at "
                          "most; they meet halfway",
                          reading->gaps, reading->largest_gap);
+    if (reading->loose)
+        batten_notes_add(notes, file, 0, "",
+                         "the edges of %d bodies miss their surfaces by %g at most, more than "
+                         "the resolution of the file, %g; their tolerance is twice that",
+                         reading->loose, reading->largest_miss, reading->resolution);
 }

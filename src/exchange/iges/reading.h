@@ -62,10 +62,11 @@ typedef struct {
     bat_list tables;        /* see topology.c */
     bat_list frames;        /* of bat_iges_parameters *, one for each depth */
     int depth;
-    int body; /* the number of the body that is being made */
+    int body;         /* the number of the body that is being made */
+    double body_miss; /* how far its edges miss their surfaces */
     /* Oddities that are said once: */
-    int orphans, turned_loops, swapped_loops, gaps;
-    double largest_gap;
+    int orphans, turned_loops, swapped_loops, gaps, loose;
+    double largest_gap, largest_miss;
     batten_model *model;
 } bat_iges_reading;
 

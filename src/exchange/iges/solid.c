@@ -181,6 +181,17 @@ static batten_status put_face(bat_iges_item *item, face_of_solid *face)
     return status;
 }
 
+static double miss_of(const face_of_solid *face)
+{
+    const use *uses = face->uses.items;
+    double miss = 0;
+    for (size_t k = 0; k < face->uses.count; k++)
+        miss = bat_max(miss, bat_iges_miss(&face->ground,
+                                           face->builder->parts.edges[uses[k].edge].curve,
+                                           uses[k].flat));
+    return miss;
+}
+
 /* An open 510: SURF, N, whether the first loop is the outer one, loops. */
 static batten_status read_face(bat_iges_item *item, bool agrees, bat_builder *builder)
 {
@@ -207,6 +218,8 @@ static batten_status read_face(bat_iges_item *item, bool agrees, bat_builder *bu
     }
     if (status == BATTEN_OK)
         status = put_face(item, &face);
+    if (status == BATTEN_OK)
+        item->reading->body_miss = bat_max(item->reading->body_miss, miss_of(&face));
     end_face(&face);
     bat_iges_face_end(&plain);
     return status;
@@ -297,7 +310,9 @@ static batten_status finish(bat_iges_item *item, bat_builder *builder, bool is_s
     }
     if (builder->parts.vertex_count == 0)
         box = batten_surface_box(builder->parts.faces[0].surface);
-    builder->parts.tolerance = bat_iges_tolerance(item->reading, bat_iges_size_of_box(box));
+    const double size = bat_iges_size_of_box(box);
+    builder->parts.tolerance = bat_iges_tolerance_of_miss(
+        item->reading, bat_iges_tolerance(item->reading, size), item->reading->body_miss, size);
     if (!whole)
         bat_builder_open_shells(builder);
     return bat_builder_finish(builder, is_solid && whole, &item->body);

@@ -36,6 +36,7 @@ void bat_iges_end_tables(bat_iges_reading *reading)
 void bat_iges_next_body(bat_iges_reading *reading)
 {
     reading->body++;
+    reading->body_miss = 0;
 }
 
 /* ---- reading lists ---- */
