@@ -24,6 +24,10 @@ void bat_iges_face_end(bat_iges_face *face)
         bat_release(loops[k].sides.items);
     }
     bat_release(face->loops.items);
+    if (face->ground.chart)
+        bat_chart_end(face->ground.chart);
+    bat_release(face->ground.chart);
+    face->ground.chart = NULL;
     face->loops = (bat_list){.size = sizeof(bat_iges_loop)};
 }
 

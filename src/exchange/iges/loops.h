@@ -2,6 +2,7 @@
 #ifndef BAT_IGES_LOOPS_H
 #define BAT_IGES_LOOPS_H
 #include "body/builder.h"
+#include "body/chart.h"
 #include "body/elementary.h"
 #include "exchange/iges/curves.h"
 
@@ -24,6 +25,7 @@ typedef struct {
     bat_elementary elementary;
     bool has_parameters; /* curves in (u, v) mean what we mean by u and v */
     double tolerance;
+    bat_chart *chart; /* made where it is needed */
 } bat_iges_ground;
 
 typedef struct {
@@ -46,8 +48,8 @@ batten_status bat_iges_flatten(const bat_iges_ground *ground, const batten_curve
 /* Add points of a curve to a list of double[3]. */
 batten_status bat_iges_sample(bat_iges_reading *reading, const batten_curve *curve,
                               bat_list *points);
-/* How far an edge misses its surface, at samples; 0 where that is not easily told. */
-double bat_iges_miss(const bat_iges_ground *ground, const batten_curve *space,
+/* How far an edge misses its surface, at samples. */
+double bat_iges_miss(bat_iges_ground *ground, const batten_curve *space,
                      const batten_curve *flat);
 /* The tolerance that a body of that size needs, which is counted when it is larger than that of
  * the file; beyond a thousandth of the size it is not raised. */

@@ -60,27 +60,57 @@ static double surface_miss(const batten_surface *surface, double uv[2], const do
 
 enum { SAMPLES = 4, MOST = 64 };
 
-double bat_iges_miss(const bat_iges_ground *ground, const batten_curve *space,
-                     const batten_curve *flat)
+/* At a parameter of the edge and of its plane curve. */
+static double miss_at(const bat_iges_ground *ground, const batten_curve *space,
+                      const batten_curve *flat, double share)
 {
     const batten_interval domain = batten_curve_domain(space);
     const batten_interval plane = flat ? batten_curve_domain(flat) : domain;
+    double c[3], uv[2] = {0, 0};
+    if (batten_curve_evaluate(space, domain.a + share * (domain.b - domain.a), 0, c) !=
+        BATTEN_OK)
+        return 0;
+    if (ground->is_elementary)
+        return elementary_miss(&ground->elementary, c);
+    if (batten_curve_evaluate(flat, plane.a + share * (plane.b - plane.a), 0, uv) != BATTEN_OK)
+        return 0;
+    return surface_miss(ground->surface, uv, c);
+}
+
+/* Without a plane curve the foot is looked for, once; then it follows the edge. */
+static double search_miss(bat_iges_ground *ground, const batten_curve *space)
+{
+    enum { STEPS = 8 };
+    const batten_interval domain = batten_curve_domain(space);
+    double uv[2], worst = 0;
+    if (!ground->chart) {
+        ground->chart = bat_array(1, sizeof *ground->chart);
+        if (!ground->chart ||
+            bat_chart_begin(ground->surface, ground->tolerance, ground->chart) != BATTEN_OK)
+            return 0;
+    }
+    for (int i = 0; i < STEPS; i++) {
+        const double share = (i + 0.5) / STEPS;
+        double c[3], distance = 0;
+        if (!ground->chart->surface ||
+            batten_curve_evaluate(space, domain.a + share * (domain.b - domain.a), 0, c) !=
+                BATTEN_OK ||
+            bat_chart_find(ground->chart, c, i ? uv : NULL, uv, &distance) != BATTEN_OK)
+            return 0;
+        worst = bat_max(worst, distance);
+    }
+    return worst;
+}
+
+double bat_iges_miss(bat_iges_ground *ground, const batten_curve *space,
+                     const batten_curve *flat)
+{
     const int steps = bat_min_int(MOST, SAMPLES * batten_curve_spans(space, NULL));
     double worst = 0;
     if (!ground->is_elementary && !flat)
-        return 0;
-    for (int i = 0; i < steps; i++) {
-        const double share = (i + 0.5) / steps;
-        double c[3], uv[2] = {0, 0};
-        if (batten_curve_evaluate(space, domain.a + share * (domain.b - domain.a), 0, c) !=
-            BATTEN_OK)
-            return 0;
-        if (flat && batten_curve_evaluate(flat, plane.a + share * (plane.b - plane.a), 0, uv) !=
-                        BATTEN_OK)
-            return 0;
-        worst = bat_max(worst, ground->is_elementary ? elementary_miss(&ground->elementary, c)
-                                                     : surface_miss(ground->surface, uv, c));
-    }
+        return search_miss(ground, space);
+    for (int i = 0; i < steps; i++)
+        worst = bat_max(worst, miss_at(ground, space, flat, (i + 0.5) / steps));
     return worst;
 }
 

@@ -108,7 +108,7 @@ static bool may_be_in_ring(const bat_iges_entry *entry)
     const bat_iges_row *row = bat_iges_row_of(entry->type);
     return !entry->is_broken && row->references &&
            (row->kind == BAT_IGES_CURVE || row->kind == BAT_IGES_SURFACE ||
-            row->kind == BAT_IGES_INSTANCE);
+            row->kind == BAT_IGES_BODY || row->kind == BAT_IGES_INSTANCE);
 }
 
 /* What is a part of something but was never reached: a ring of parts, say. */

@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
     bat_iges_reading *reading;
     bat_builder *builder;
-    bat_iges_ground ground;
+    bat_iges_ground *ground;
     bat_list uses;  /* of use: all loops, one after another */
     bat_list loops; /* of size_t: how many uses each has */
     bool reversed;
@@ -42,6 +42,7 @@ static batten_status open_part(bat_iges_reading *reading, const bat_iges_entry *
                                bat_iges_item *item)
 {
     batten_status status = bat_iges_open(reading, entry, item);
+    bat_iges_shape_of(reading, entry)->is_met = true;
     if (status == BATTEN_OK && entry->transform)
         status =
             bat_fail(BATTEN_UNSUPPORTED, "the matrix of D%d, a part, is not read", entry->id);
@@ -56,7 +57,7 @@ static batten_status read_flat(const bat_iges_item *item, face_of_solid *face, s
 {
     const batten_curve *curve = NULL;
     int id = 0;
-    if (count != 1 || !face->ground.has_parameters)
+    if (count != 1 || !face->ground->has_parameters)
         return BATTEN_OK;
     batten_status status = bat_iges_integer(item->parameters, at + 6, &id);
     if (status == BATTEN_OK && id == 0)
@@ -64,7 +65,7 @@ static batten_status read_flat(const bat_iges_item *item, face_of_solid *face, s
     if (status == BATTEN_OK)
         status = bat_iges_curve(face->reading, id, &curve);
     return status == BATTEN_OK
-               ? bat_iges_flatten(&face->ground, curve,
+               ? bat_iges_flatten(face->ground, curve,
                                   face->builder->parts.edges[made->edge].curve, &made->flat)
                : status;
 }
@@ -132,8 +133,8 @@ static batten_status make_surface(face_of_solid *face, batten_surface **made)
         status = bat_iges_sample(face->reading, face->builder->parts.edges[uses[k].edge].curve,
                                  &points);
     if (status == BATTEN_OK)
-        status = bat_elementary_surface(&face->ground.elementary, (int)points.count,
-                                        points.items, face->ground.tolerance, made, &error);
+        status = bat_elementary_surface(&face->ground->elementary, (int)points.count,
+                                        points.items, face->ground->tolerance, made, &error);
     bat_release(points.items);
     return status;
 }
@@ -163,7 +164,7 @@ static batten_status put_face(bat_iges_item *item, face_of_solid *face)
     batten_surface *made = NULL;
     char *name = NULL;
     batten_body_face plain = {.reversed = face->reversed};
-    batten_status status = face->ground.is_elementary ? make_surface(face, &made) : BATTEN_OK;
+    batten_status status = face->ground->is_elementary ? make_surface(face, &made) : BATTEN_OK;
     if (status == BATTEN_OK)
         status = bat_iges_given_name(item, &name);
     if (status == BATTEN_OK)
@@ -171,7 +172,7 @@ static batten_status put_face(bat_iges_item *item, face_of_solid *face)
                                  plain.colour);
     if (status == BATTEN_OK) {
         plain.name = name;
-        plain.surface = made ? made : face->ground.surface;
+        plain.surface = made ? made : face->ground->surface;
         status = bat_builder_face(face->builder, &plain);
     }
     if (status == BATTEN_OK)
@@ -186,7 +187,7 @@ static double miss_of(const face_of_solid *face)
     const use *uses = face->uses.items;
     double miss = 0;
     for (size_t k = 0; k < face->uses.count; k++)
-        miss = bat_max(miss, bat_iges_miss(&face->ground,
+        miss = bat_max(miss, bat_iges_miss(face->ground,
                                            face->builder->parts.edges[uses[k].edge].curve,
                                            uses[k].flat));
     return miss;
@@ -210,7 +211,7 @@ static batten_status read_face(bat_iges_item *item, bool agrees, bat_builder *bu
     item->own = 4 + (size_t)count;
     bat_iges_face_begin(item->reading, item->entry, &plain);
     status = bat_iges_set_ground(&plain, surface);
-    face.ground = plain.ground;
+    face.ground = &plain.ground;
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         status = bat_iges_integer(item->parameters, 4 + (size_t)k, &id);
         if (status == BATTEN_OK)

@@ -85,4 +85,18 @@ static inline void iges_check_left_out(iges_text *file, const char *words)
     batten_model_unref(model);
 }
 
+/* The file must be partly read, with a note that has these words. */
+static inline void iges_check_partly(iges_text *file, const char *words)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_STATUS(read_text(iges_end(file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, notes, &model),
+                 BATTEN_PARTLY_READ);
+    if (batten_notes_dropped(notes) == 0)
+        CHECK(has_note(notes, words));
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
 #endif

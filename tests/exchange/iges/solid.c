@@ -1,0 +1,143 @@
+/* Solids of IGES: shared edges and vertices, flags of orientation. */
+#include "exchange/iges/topology.h"
+
+#include "exchange/iges/text.h"
+
+static const char part[] = "00010000";
+
+/* A cube from (0, 0, 0) to (1, 1, 1) as 186 of planes 190. The flags say whether the shell of
+ * the solid, and all faces, agree; then loops run as they do around the normals. */
+static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
+{
+    static const int edges[12][2] = {{1, 2}, {2, 4}, {4, 3}, {3, 1}, {5, 6}, {6, 8},
+                                     {8, 7}, {7, 5}, {1, 5}, {2, 6}, {3, 7}, {4, 8}};
+    /* Each loop as its corners, counter-clockwise seen from outside; vertex 1 + x + 2 y + 4 z.
+     */
+    static const int loops[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                    {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    static const double normals[6][3] = {{0, 0, -1}, {0, 0, 1},  {0, -1, 0},
+                                         {0, 1, 0},  {-1, 0, 0}, {1, 0, 0}};
+    const bool outward = shell_agrees == faces_agree;
+    char text[600] = "502,8";
+    for (int k = 0; k < 8; k++)
+        snprintf(text + strlen(text), 60, ",%d.,%d.,%d.", k & 1, k >> 1 & 1, k >> 2);
+    strcat(text, ";");
+    const int vertices = iges_add(file, 502, 1, 0, 0, part, text);
+    char list[600] = "504,12";
+    for (int k = 0; k < 12; k++) {
+        const int a = edges[k][0] - 1, b = edges[k][1] - 1;
+        snprintf(text, sizeof text, "110,%d.,%d.,%d.,%d.,%d.,%d.;", a & 1, a >> 1 & 1, a >> 2,
+                 b & 1, b >> 1 & 1, b >> 2);
+        const int curve = iges_add(file, 110, 0, 0, 0, part, text);
+        snprintf(list + strlen(list), 60, ",%d,%d,%d,%d,%d", curve, vertices, a + 1, vertices,
+                 b + 1);
+    }
+    strcat(list, ";");
+    const int all = iges_add(file, 504, 1, 0, 0, part, list);
+    char shell[200] = "514,6";
+    for (int f = 0; f < 6; f++) {
+        char loop[200] = "508,4";
+        for (int i = 0; i < 4; i++) {
+            /* Around a normal that points inwards the loop runs the other way. */
+            const int at = outward ? i : 3 - i, next = outward ? (i + 1) % 4 : (6 - i) % 4;
+            const int from = loops[f][at], to = loops[f][next];
+            int k = 0;
+            while (!((edges[k][0] == from && edges[k][1] == to) ||
+                     (edges[k][0] == to && edges[k][1] == from)))
+                k++;
+            snprintf(loop + strlen(loop), 60, ",0,%d,%d,%d,0", all, k + 1, edges[k][0] == from);
+        }
+        strcat(loop, ";");
+        const int corner = loops[f][0] - 1;
+        snprintf(text, sizeof text, "116,%d.,%d.,%d.;", corner & 1, corner >> 1 & 1,
+                 corner >> 2);
+        const int point = iges_add(file, 116, 0, 0, 0, part, text);
+        const double side = outward ? 1 : -1;
+        snprintf(text, sizeof text, "123,%g,%g,%g;", side * normals[f][0], side * normals[f][1],
+                 side * normals[f][2]);
+        const int normal = iges_add(file, 123, 0, 0, 0, part, text);
+        snprintf(text, sizeof text, "190,%d,%d;", point, normal);
+        const int plane = iges_add(file, 190, 0, 0, 0, part, text);
+        const int around = iges_add(file, 508, 1, 0, 0, part, loop);
+        snprintf(text, sizeof text, "510,%d,1,1,%d;", plane, around);
+        const int face = iges_add(file, 510, 1, 0, f == 0 ? 2 : 0, part, text);
+        snprintf(shell + strlen(shell), 40, ",%d,%d", face, faces_agree);
+    }
+    strcat(shell, ";");
+    const int closed = iges_add(file, 514, 1, 0, 0, part, shell);
+    snprintf(text, sizeof text, "186,%d,%d,0;", closed, shell_agrees);
+    iges_add(file, 186, 0, 0, 0, "00000000", text);
+}
+
+TEST(a_cube_is_a_solid_with_its_outside_outside_whatever_the_flags)
+{
+    for (int k = 0; k < 4; k++) {
+        iges_text file = iges_begin();
+        add_cube(&file, k & 1, k >> 1);
+        batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+        CHECK_INT(batten_model_count(model), 1);
+        const batten_body *body = batten_model_object(model, 0)->body;
+        const batten_body_parts *p = batten_body_view(body);
+        CHECK_INT(p->vertex_count, 8);
+        CHECK_INT(p->edge_count, 12);
+        CHECK_INT(p->use_count, 24);
+        CHECK_INT(p->face_count, 6);
+        CHECK(p->is_solid && p->shells[0].closed);
+        CHECK(p->faces[0].has_colour && !p->faces[1].has_colour);
+        batten_trace_report report;
+        batten_body *traced = NULL;
+        batten_body_measures measures;
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_body_trace(body, 1e-6, NULL, notes, &report, &traced));
+        CHECK_INT(report.failed, 0);
+        CHECK_INT(batten_notes_count(notes), 0);
+        CHECK_OK(batten_body_measure(traced, 1e-9, NULL, &measures));
+        CHECK_NEAR(measures.area, 6, 1e-9);
+        CHECK_NEAR(measures.volume, 1, 1e-9);
+        CHECK(measures.is_closed);
+        batten_notes_free(notes);
+        batten_body_unref(traced);
+        batten_model_unref(model);
+    }
+}
+
+TEST(a_face_that_is_bad_leaves_the_others_as_an_open_shell)
+{
+    iges_text file = iges_begin();
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    add_cube(&file, true, true);
+    char *bad = strstr(file.data, "123,0,1,0;");
+    memcpy(bad, "123,0,0,0;", 10);
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_STATUS(read_text(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, notes, &model),
+                 BATTEN_PARTLY_READ);
+    const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
+    CHECK_INT(p->face_count, 5);
+    CHECK(!p->is_solid && !p->shells[0].closed);
+    if (batten_notes_dropped(notes) == 0)
+        CHECK(has_note(notes, "an axis or normal without a direction"));
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+TEST(P1_solids_of_nothing_are_left_out)
+{
+    static const struct {
+        const char *solid, *shell, *words;
+    } cases[] = {
+        {"186,99,1,0;", "514,0;", "it refers to entity D99, which is missing"},
+        {"186,3,1,0;", "514,0;", "none of its faces could be read"},
+        {"186,1,1,0;", "514,0;", "as type 514, which is of type 186"},
+        {"186,3,1,1000000;", "514,0;", "parameters, need 2000004"},
+        {"186,3,1,0;", "514,1,1,1;", "as type 510, which is of type 186"},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        iges_text file = iges_begin();
+        iges_add(&file, 186, 0, 0, 0, "00000000", cases[i].solid);
+        iges_add(&file, 514, 1, 0, 0, part, cases[i].shell);
+        iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+        iges_check_partly(&file, cases[i].words);
+    }
+}
