@@ -361,7 +361,7 @@ static void raise_tolerance(bat_iges_face *face)
         bat_iges_tolerance_of_miss(face->reading, face->ground.tolerance, miss, face->size);
 }
 
-batten_status bat_iges_put_face(bat_iges_face *face, bool border, bat_builder *builder)
+batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *builder)
 {
     bat_iges_loop *loops = face->loops.items;
     batten_surface *made = NULL;

@@ -66,6 +66,6 @@ batten_status bat_iges_add_sides(bat_iges_face *face, const bat_iges_curves *spa
 /* Put all of it into the builder as one face: loops head to tail, turned the right way around
  * and the outer one first as far as that can be told, vertices and seams shared. With
  * `border` the outer loop is the border of the surface. */
-batten_status bat_iges_put_face(bat_iges_face *face, bool border, bat_builder *builder);
+batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *builder);
 
 #endif

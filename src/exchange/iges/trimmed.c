@@ -108,7 +108,7 @@ static batten_status make_body(bat_iges_item *item, bat_iges_face *face, bool bo
     bat_builder_begin(&builder, 1);
     batten_status status = bat_builder_shell(&builder, false);
     if (status == BATTEN_OK)
-        status = bat_iges_put_face(face, border, &builder);
+        status = bat_iges_make_face(face, border, &builder);
     builder.parts.tolerance = face->ground.tolerance;
     if (status == BATTEN_OK)
         return bat_builder_finish(&builder, false, &item->body);
