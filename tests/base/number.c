@@ -405,3 +405,44 @@ TEST(F5_numbers_are_the_same_while_another_thread_switches_the_locale)
     setlocale(LC_ALL, "C");
     CHECK(same);
 }
+
+TEST(numbers_read_quickly_are_those_of_the_long_way)
+{
+    /* A digit 0 in front of the exponent's limit, and 20 digits, take the long way. */
+    static const char *const texts[] = {"1e27",
+                                        "1e28",
+                                        "1e-27",
+                                        "1e-28",
+                                        "9007199254740993",
+                                        "9007199254740992.5",
+                                        "9007199254740993.0000",
+                                        "1234567890123456789",
+                                        "12345678901234567890",
+                                        "0.0000000000000000001234567890123456789",
+                                        "00000000000000000000000000000012.5",
+                                        "18014398509481985",
+                                        "99999999999999999e5",
+                                        "0.30000000000000004",
+                                        "1.7976931348623157e15",
+                                        "4503599627370496.5",
+                                        "4503599627370497.5",
+                                        "-0.0e5",
+                                        "-12345678.12345678",
+                                        "12345678901234567e-27",
+                                        "9223372036854775807e27"};
+    for (int i = 0; i < COUNT(texts); i++)
+        CHECK_BITS(read_all(texts[i]), strtod(texts[i], NULL));
+    test_random random = test_random_begin(__func__);
+    for (int i = 0; i < test_cases(20000); i++) {
+        char text[64];
+        const int digits = test_random_int(&random, 1, 19);
+        int n = 0, point = test_random_int(&random, 0, digits);
+        for (int k = 0; k < digits; k++) {
+            if (k == point)
+                text[n++] = '.';
+            text[n++] = (char)('0' + test_random_int(&random, 0, 9));
+        }
+        sprintf(text + n, "e%d", test_random_int(&random, -30, 30));
+        CHECK_BITS(read_all(text), strtod(text, NULL));
+    }
+}
