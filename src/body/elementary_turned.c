@@ -150,6 +150,13 @@ static batten_status spindle(const bat_stand *stand, batten_surface **out)
     if (status == BATTEN_OK)
         status = batten_surface_revolved(arc, stand->frame.origin, stand->frame.z, 2 * BAT_PI,
                                          &made);
+    /* ISO 10303-42 runs the other way up the lemon, where a + b cos v is negative: the normal
+     * of its parametrisation points to the axis, and files count on it. */
+    if (status == BATTEN_OK && to_centre < 0) {
+        batten_surface *down = NULL;
+        status = batten_surface_reverse(made, BATTEN_V, &down);
+        status = bat_surface_replace(status, &made, &down);
+    }
     if (status == BATTEN_OK)
         status = with_domain(made, -half, half, out);
     batten_surface_unref(made);

@@ -52,7 +52,8 @@ static double off(const bat_elementary *e, batten_vec3 p, batten_vec3 *normal)
         to_axis = hypot(r - e->a, p.z) - e->b;
         depth = hypot(r + e->a, p.z) - e->b;
         across = fabs(to_axis) < fabs(depth) ? r - e->a : r + e->a;
-        *normal = (batten_vec3){c * across / e->b, s * across / e->b, p.z / e->b};
+        along = fabs(to_axis) < fabs(depth) ? e->b : -e->b; /* the lemon's is inward */
+        *normal = (batten_vec3){c * across / along, s * across / along, p.z / along};
         return fabs(to_axis) < fabs(depth) ? to_axis : depth;
     default:
         CHECK(false);
