@@ -1,6 +1,7 @@
 /* What the files that read STEP above the geometry share. */
 #ifndef BAT_STEP_IMPORT_H
 #define BAT_STEP_IMPORT_H
+#include "exchange/step/groups.h"
 #include "exchange/step/styles.h"
 #include "exchange/step/topology.h"
 #include "exchange/step/units.h"
@@ -25,6 +26,8 @@ typedef struct {
     bat_census census;
     bat_step_units units;
     bat_step_styles styles;
+    bat_step_groups groups;
+    char path[BAT_STEP_PATH]; /* of the group of the object at work */
     bat_step_topology topology;
     bat_step_outline outline;
     bool *taken;              /* items that are read already, by their instance */

@@ -44,6 +44,9 @@ void bat_step_dress(const bat_step_target *target, int count,
             bat_step_name_of(&target->import->file, from[k], name);
         if (!object->layer)
             object->layer = bat_step_layer_of(styles, from[k]);
+        if (!object->group &&
+            bat_step_group_of(&target->import->groups, from[k], target->import->path))
+            object->group = target->import->path;
         object->is_hidden |= bat_step_is_hidden(styles, from[k]);
         colour(object, bat_step_colours_of(styles, from[k]));
     }
@@ -91,7 +94,10 @@ static batten_status read_curve(const bat_step_target *target, const bat_step_in
     if (status != BATTEN_OK)
         return leave_out(target, item, status);
     batten_object object = {.kind = BATTEN_OBJECT_CURVE, .curve = curve};
-    status = add_shape(target, item, set, &object);
+    status = bat_step_spend(&target->import->topology, item,
+                            (size_t)batten_curve_point_count(curve));
+    if (status == BATTEN_OK)
+        status = add_shape(target, item, set, &object);
     batten_curve_unref(curve);
     return status;
 }
@@ -105,7 +111,11 @@ static batten_status read_surface(const bat_step_target *target, const bat_step_
     if (status != BATTEN_OK)
         return leave_out(target, item, status);
     batten_object object = {.kind = BATTEN_OBJECT_SURFACE, .surface = surface};
-    status = add_shape(target, item, set, &object);
+    status = bat_step_spend(&target->import->topology, item,
+                            (size_t)batten_surface_point_count(surface, BATTEN_U) *
+                                (size_t)batten_surface_point_count(surface, BATTEN_V));
+    if (status == BATTEN_OK)
+        status = add_shape(target, item, set, &object);
     batten_surface_unref(surface);
     return status;
 }

@@ -1,6 +1,7 @@
 /* Definitions become models, each made once; what is placed in them becomes instances. */
 #include "exchange/step/product.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -241,11 +242,13 @@ static batten_status make_all(making *m, bat_list *roots)
 static batten_status add_root(bat_step_import *import, uint32_t index, batten_model *model)
 {
     const bat_step_representation *of = definition(import, index);
-    char group[BAT_STEP_NAME];
+    char name[BAT_STEP_NAME], *group = import->path;
     batten_status status = BATTEN_OK;
-    product_name(import, of, group);
+    product_name(import, of, name);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(of->model); i++) {
         batten_object object = *batten_model_object(of->model, i);
+        snprintf(group, BAT_STEP_PATH, "%s%s%s", name, name[0] && object.group[0] ? "/" : "",
+                 object.group);
         object.group = group;
         status = batten_model_add(model, &object);
     }

@@ -11,6 +11,9 @@ typedef enum {
     STYLE,
     LAYER,
     HIDDEN,
+    GROUP,
+    GROUPING,
+    ASSIGNMENT,
     DEFINITION,
     MAP,
     REPRESENTATION,
@@ -54,12 +57,16 @@ static purpose purpose_of(const bat_step_record *record)
                  {"OVER_RIDING_STYLED_ITEM", STYLE},
                  {"PRESENTATION_LAYER_ASSIGNMENT", LAYER},
                  {"INVISIBILITY", HIDDEN},
+                 {"GROUP_RELATIONSHIP", GROUPING},
+                 {"APPLIED_GROUP_ASSIGNMENT", ASSIGNMENT},
                  {"SHAPE_DEFINITION_REPRESENTATION", DEFINITION},
                  {"REPRESENTATION_MAP", MAP},
                  {"SHAPE_REPRESENTATION_RELATIONSHIP", RELATION},
                  {"REPRESENTATION_RELATIONSHIP", RELATION},
                  {"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", PLACED},
                  {"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", OCCURRENCE}};
+    if (is_word(record, "GROUP"))
+        return GROUP;
     /* Most of a file are points and such. */
     if (record->keyword_length < 11 || is_word(record, "CARTESIAN_POINT"))
         return NONE;
@@ -88,6 +95,12 @@ static batten_status take_note(bat_step_import *import, const bat_step_instance 
         return bat_step_styles_add_layer(&import->styles, instance);
     case HIDDEN:
         return bat_step_styles_add_hidden(&import->styles, instance);
+    case GROUP:
+        return bat_step_groups_add(&import->groups, instance);
+    case GROUPING:
+        return bat_list_add(import->input, &import->groups.relations, &index);
+    case ASSIGNMENT:
+        return bat_list_add(import->input, &import->groups.assignments, &index);
     case DEFINITION:
         return bat_list_add(import->input, &outline->definitions, &index);
     case MAP:
@@ -119,7 +132,7 @@ static batten_status sort_out(bat_step_import *import)
         status = take_note(import, &instances[k], most);
     }
     bat_step_styles_sort(&import->styles);
-    return status;
+    return status == BATTEN_OK ? bat_step_groups_resolve(&import->groups) : status;
 }
 
 /* ---- the header ---- */
@@ -197,6 +210,7 @@ batten_status bat_read_step(bat_input *input, batten_model **out)
     bat_census_begin(&import.census);
     bat_step_units_begin(&import.units);
     bat_step_styles_begin(&import.file, &import.styles);
+    bat_step_groups_begin(&import.file, &import.groups);
     status = read_all(&import, out);
     bat_list *lists[] = {&import.outline.representations, &import.outline.maps,
                          &import.outline.relations,       &import.outline.placed,
@@ -206,6 +220,7 @@ batten_status bat_read_step(bat_input *input, batten_model **out)
         bat_release(lists[k]->items);
     bat_step_topology_close(&import.topology);
     bat_step_styles_end(&import.styles);
+    bat_step_groups_end(&import.groups);
     bat_census_end(&import.census);
     bat_release(import.taken);
     bat_step_end(&import.file);
