@@ -59,26 +59,78 @@ static batten_status trace_numbered(const bat_meshing *m, const batten_body *bod
     return BATTEN_OK;
 }
 
+/* Files promise more than they keep: where edges are farther off their faces than they say, but
+ * not farther than triangles may be, the faces are meshed all the same. The edges stay what is
+ * shared. */
+static batten_status trace_loosely(const bat_meshing *m, const batten_body *body,
+                                   double *tolerance, int *failed, batten_body **out)
+{
+    static const double parts[] = {0.05, 0.3, 1};
+    const double own = batten_body_view(body)->tolerance;
+    batten_body *best = NULL;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < 3 && (i == 0 || *failed > 0); i++) {
+        const double tried = bat_max(own, parts[i] * m->chord);
+        batten_trace_report report;
+        batten_body *made = NULL;
+        if (i > 0 && tried == own)
+            continue;
+        status = batten_body_trace(body, tried, m->job, NULL, &report, &made);
+        if (status != BATTEN_OK)
+            break;
+        const bool better = !best || report.failed < *failed;
+        if (better) {
+            *tolerance = tried;
+            *failed = report.failed;
+        }
+        batten_body_unref(better ? best : made);
+        best = better ? made : best;
+    }
+    if (status == BATTEN_OK)
+        *out = best;
+    else
+        batten_body_unref(best);
+    return status;
+}
+
+/* The faces left out, each with a note, and the numbers of the others. */
+static batten_status name_faces(bat_meshing *m, const batten_body *body, double tolerance,
+                                batten_body **traced, int **names)
+{
+    batten_trace_report report;
+    batten_body *again = NULL;
+    batten_status status =
+        batten_body_trace(body, tolerance, m->job, m->notes, &report, &again);
+    batten_body_unref(again);
+    if (status == BATTEN_OK)
+        status = trace_numbered(m, body, tolerance, traced, names);
+    return status;
+}
+
 batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, batten_body **traced,
                                 int **names)
 {
     const batten_body_parts *parts = batten_body_view(body);
-    const double tolerance = bat_max(parts->tolerance, 0.05 * m->chord);
-    batten_trace_report report;
+    double tolerance = 0;
+    int failed = 0;
     *names = NULL;
     if (!needs_tracing(parts)) {
         *traced = batten_body_ref(body);
         return BATTEN_OK;
     }
     batten_body *made = NULL;
-    batten_status status = batten_body_trace(body, tolerance, m->job, m->notes, &report, &made);
+    batten_status status = trace_loosely(m, body, &tolerance, &failed, &made);
     if (status != BATTEN_OK)
         return status;
-    m->report.failed += report.failed;
-    if (report.failed > 0) {
-        batten_body_unref(made);
-        return trace_numbered(m, body, tolerance, traced, names);
+    m->report.failed += failed;
+    if (tolerance > bat_max(parts->tolerance, 0.05 * m->chord))
+        batten_notes_remark(m->notes, "", 0, "",
+                            "edges are farther off their faces than %g, but not than %g",
+                            parts->tolerance, tolerance);
+    if (failed == 0) {
+        *traced = made;
+        return BATTEN_OK;
     }
-    *traced = made;
-    return BATTEN_OK;
+    batten_body_unref(made);
+    return name_faces(m, body, tolerance, traced, names);
 }

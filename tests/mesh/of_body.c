@@ -297,3 +297,42 @@ TEST(a_body_without_faces_is_an_empty_mesh_or_refused)
     CHECK_STATUS(batten_mesh_of_body(body, NULL, NULL, NULL, NULL, &mesh), BATTEN_BAD_ARGUMENT);
     batten_body_unref(body);
 }
+
+/* Edges 0.002 above their face, in a body that promises 1e-9. */
+TEST(edges_off_their_face_are_borne_up_to_the_chord)
+{
+    static const double corners[4][3] = {
+        {0, 0, 0.002}, {2, 0, 0.002}, {2, 2, 0.002}, {0, 2, 0.002}};
+    sheet s;
+    batten_mesh_report report;
+    batten_body *body = NULL;
+    batten_mesh *mesh = NULL;
+    batten_mesh_options options = batten_mesh_defaults();
+    int vertices[4], edge;
+    sheet_begin(&s, 2, 2);
+    CHECK_OK(bat_builder_loop(&s.builder));
+    for (int i = 0; i < 4; i++)
+        CHECK_OK(bat_builder_vertex(&s.builder, corners[i], &vertices[i]));
+    for (int i = 0; i < 4; i++) {
+        batten_curve *line = NULL;
+        CHECK_OK(batten_curve_line(3, corners[i], corners[(i + 1) % 4], &line));
+        CHECK_OK(bat_builder_edge(&s.builder, line, vertices[i], vertices[(i + 1) % 4], &edge));
+        CHECK_OK(bat_builder_use(&s.builder, edge, false, NULL));
+        batten_curve_unref(line);
+    }
+    batten_surface_unref(s.plane);
+    const batten_status status = bat_builder_finish(&s.builder, false, &body);
+    if (test_memory_failed(status, BATTEN_OK))
+        SKIP("no memory for the body");
+    options.chord = 0.01;
+    const batten_mesh_facts f = mesh_of(body, &options, &report, NULL);
+    CHECK_INT(report.failed, 0);
+    CHECK_NEAR(report.chord, 0.002, 1e-6);
+    CHECK_NEAR(f.area, 4, 1e-12);
+    options.chord = 0.001;
+    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+    CHECK_INT(report.failed, 1);
+    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
+    batten_mesh_unref(mesh);
+    batten_body_unref(body);
+}
