@@ -6,6 +6,9 @@
  * values are not kept but read from the text each time somebody asks; a place in the text, a
  * size_t, stands for a value. That is small (48 bytes an instance) and fast, since most are
  * asked for once.
+ *
+ * Cost: one pass over the text; what is asked for is walked over from the beginning of its
+ * record. Source: [Part21].
  */
 #ifndef BAT_STEP_INSTANCES_H
 #define BAT_STEP_INSTANCES_H

@@ -1,6 +1,7 @@
 /*
  * Geometry and topology of a STEP file as Batten's values. A `bat_step_scale` says the units of
  * the representation that owns an item.
+ * Source: [Part42].
  */
 #ifndef BAT_STEP_SHAPES_H
 #define BAT_STEP_SHAPES_H
