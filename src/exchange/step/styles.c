@@ -317,8 +317,10 @@ const bat_step_colours *bat_step_colours_of(const bat_step_styles *styles,
 {
     const uint32_t key = bat_step_index(styles->file, item);
     const look_row *row = first_of(&styles->looks, key);
+    if (!row)
+        return NULL;
     const look_row *end = (const look_row *)styles->looks.items + styles->looks.count;
-    for (const look_row *at = row; at && at < end && at->item == key; at++)
+    for (const look_row *at = row; at < end && at->item == key; at++)
         if (at->look.has_fill || at->look.has_stroke)
             return &at->look;
     return NULL;
