@@ -9,6 +9,7 @@ static const option options[] = {
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
     {"tolerance", 0, OPTION_VALUE, "T",
      "for what the format cannot say exactly, in the result's unit"},
+    {"eighths", 0, OPTION_FLAG, NULL, "tables of offsets in feet, inches and eighths"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
@@ -101,6 +102,7 @@ static int run(const arguments *given)
     if (!unit_option(given, "from-unit", &from) || !unit_option(given, "unit", &to) ||
         !arguments_number("convert", given, "tolerance", &write.tolerance))
         return EXIT_USAGE;
+    write.eighths = arguments_has(given, "eighths");
     const char *output = output_of(given);
     if (!output)
         return EXIT_USAGE;

@@ -32,6 +32,9 @@ bool bat_are_aerofoil_counts(const double first[3], const double second[3]);
 
 batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
                                 batten_notes *notes, batten_text *text);
+/* In feet, inches and eighths, lines by stations; for options->eighths. */
+batten_status bat_write_loft(const batten_object *object, double unit_metres,
+                             batten_notes *notes, batten_text *text);
 batten_status bat_write_points(const batten_model *model, const batten_write_options *options,
                                batten_notes *notes, batten_text *text);
 batten_status bat_write_aerofoil(const batten_model *model, const batten_write_options *options,

@@ -138,10 +138,13 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
 batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
                                 batten_notes *notes, batten_text *text)
 {
-    (void)options;
     const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSETS);
     if (!object)
         return nothing("table of offsets");
+    if (options->eighths) {
+        note_left_out(model, notes, BATTEN_OBJECT_OFFSETS, true);
+        return bat_write_loft(object, batten_model_unit_metres(model), notes, text);
+    }
     const batten_offsets *offsets = object->offsets;
     const double own = batten_offsets_unit_metres(offsets);
     const double unit = own > 0 ? own : batten_model_unit_metres(model);
