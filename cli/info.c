@@ -1,124 +1,11 @@
-#include "command.h"
+#include "facts.h"
 
 #include <string.h>
 
 static const option options[] = {
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
+    {"no-lint", 0, OPTION_FLAG, NULL, "do not look for what is wrong with the objects"},
 };
-
-/* What is told of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces,
- * else 0. */
-typedef struct {
-    const char *type, *kind;
-    int dimension, directions;
-    int degree[2], points[2];
-    bool rational, closed[2];
-    bool controls; /* the box is that of the control points */
-    batten_interval domain[2];
-    batten_box box;
-} facts;
-
-static facts curve_facts(const batten_curve *curve, double tolerance)
-{
-    return (facts){
-        .type = "curve",
-        .kind = batten_curve_is_periodic(curve) ? "periodic nurbs" : "nurbs",
-        .dimension = batten_curve_dimension(curve),
-        .directions = 1,
-        .degree = {batten_curve_degree(curve)},
-        .points = {batten_curve_point_count(curve)},
-        .rational = batten_curve_is_rational(curve),
-        .closed = {batten_curve_is_closed(curve, tolerance)},
-        .domain = {batten_curve_domain(curve)},
-        .controls = true,
-        .box = batten_curve_box(curve),
-    };
-}
-
-static facts surface_facts(const batten_surface *surface, double tolerance)
-{
-    facts f = {
-        .type = "surface",
-        .kind = batten_surface_kind(surface),
-        .dimension = batten_surface_dimension(surface),
-        .directions = 2,
-        .box = batten_surface_box(surface),
-    };
-    for (int d = 0; d < 2; d++) {
-        f.domain[d] = batten_surface_domain(surface, (batten_direction)d);
-        f.closed[d] = batten_surface_is_closed(surface, (batten_direction)d, tolerance);
-    }
-    if (strcmp(f.kind, "nurbs") == 0) {
-        f.controls = true;
-        f.rational = batten_surface_is_rational(surface);
-        for (int d = 0; d < 2; d++) {
-            f.degree[d] = batten_surface_degree(surface, (batten_direction)d);
-            f.points[d] = batten_surface_point_count(surface, (batten_direction)d);
-        }
-    }
-    return f;
-}
-
-static facts triangles_facts(const batten_triangles *triangles)
-{
-    return (facts){
-        .type = "triangles",
-        .kind = "bezier",
-        .dimension = batten_triangles_dimension(triangles),
-        .degree = {batten_triangles_degree(triangles)},
-        .points = {batten_triangles_count(triangles)},
-        .rational = batten_triangles_is_rational(triangles),
-        .controls = true,
-        .box = batten_triangles_box(triangles),
-    };
-}
-
-static batten_box points_box(const batten_object *object)
-{
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    for (int i = 0; i < object->point_count; i++) {
-        const double *p = object->points + 3 * i;
-        const batten_box here = {{p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
-        if (i == 0)
-            box = here;
-        box.low.x = p[0] < box.low.x ? p[0] : box.low.x;
-        box.low.y = p[1] < box.low.y ? p[1] : box.low.y;
-        box.low.z = p[2] < box.low.z ? p[2] : box.low.z;
-        box.high.x = p[0] > box.high.x ? p[0] : box.high.x;
-        box.high.y = p[1] > box.high.y ? p[1] : box.high.y;
-        box.high.z = p[2] > box.high.z ? p[2] : box.high.z;
-    }
-    return box;
-}
-
-static facts facts_of(const batten_object *object, double tolerance)
-{
-    switch (object->kind) {
-    case BATTEN_OBJECT_CURVE:
-        return curve_facts(object->curve, tolerance);
-    case BATTEN_OBJECT_SURFACE:
-        return surface_facts(object->surface, tolerance);
-    case BATTEN_OBJECT_OFFSETS:
-        return (facts){.type = "offsets",
-                       .kind = "table",
-                       .dimension = 3,
-                       .points = {batten_offsets_station_count(object->offsets),
-                                  batten_offsets_line_count(object->offsets)},
-                       .box = batten_offsets_box(object->offsets)};
-    case BATTEN_OBJECT_TRIANGLES:
-        return triangles_facts(object->triangles);
-    case BATTEN_OBJECT_POINTS:
-    case BATTEN_OBJECT_BODY:
-    case BATTEN_OBJECT_MESH:
-    case BATTEN_OBJECT_INSTANCE:
-        break;
-    }
-    return (facts){.type = "points",
-                   .kind = "row",
-                   .dimension = 3,
-                   .points = {object->point_count},
-                   .box = points_box(object)};
-}
 
 static void add_corner(batten_text *text, batten_vec3 corner, int dimension,
                        const char *between)
@@ -136,6 +23,30 @@ static void add_pair(batten_text *text, const char *key, const int *pair, int co
     for (int d = 0; d < count; d++)
         batten_text_add(text, "%s%d", d ? ", " : "", pair[d]);
     batten_text_add(text, "]");
+}
+
+static const char *plural_of(const char *word)
+{
+    static const char *const words[][2] = {{"face", "faces"},         {"edge", "edges"},
+                                           {"vertex", "vertices"},    {"shell", "shells"},
+                                           {"triangle", "triangles"}, {"piece", "pieces"},
+                                           {"object", "objects"}};
+    for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
+        if (strcmp(word, words[k][0]) == 0)
+            return words[k][1];
+    return word;
+}
+
+/* "53 faces" */
+static void add_count(batten_text *text, const char *word, int count)
+{
+    batten_text_add(text, "%d %s", count, count == 1 ? word : plural_of(word));
+}
+
+static void add_text(batten_text *text, const char *key, const char *value)
+{
+    batten_text_add(text, ", \"%s\": ", key);
+    batten_text_json(text, value);
 }
 
 static void add_json(batten_text *text, const batten_object *object, const facts *f)
@@ -157,7 +68,22 @@ static void add_json(batten_text *text, const batten_object *object, const facts
         batten_text_number(text, f->domain[d].b);
         batten_text_add(text, "]");
     }
-    batten_text_add(text, "], \"box\": [[");
+    batten_text_add(text, "]");
+    for (int k = 0; k < 4 && f->counted[k]; k++)
+        batten_text_add(text, ", \"%s\": %d", plural_of(f->counted[k]), f->counts[k]);
+    if (f->remark)
+        batten_text_add(text, ", \"watertight\": %s",
+                        strcmp(f->remark, "watertight") == 0 ? "true" : "false");
+    add_text(text, "layer", object->layer);
+    add_text(text, "group", object->group);
+    batten_text_add(text, ", \"hidden\": %s", object->is_hidden ? "true" : "false");
+    if (object->has_colour) {
+        batten_text_add(text, ", \"colour\": [");
+        add_corner(text, (batten_vec3){object->colour[0], object->colour[1], object->colour[2]},
+                   3, ", ");
+        batten_text_add(text, "]");
+    }
+    batten_text_add(text, ", \"box\": [[");
     add_corner(text, f->box.low, f->dimension, ", ");
     batten_text_add(text, "], [");
     add_corner(text, f->box.high, f->dimension, ", ");
@@ -175,10 +101,17 @@ static void add_line(batten_text *text, const batten_object *object, const facts
                         f->degree[0], f->degree[1], f->points[0], f->points[1],
                         f->closed[0] ? ", closed in u" : "",
                         f->closed[1] ? ", closed in v" : "");
+    else if (f->counted[0])
+        for (int k = 0; k < 4 && f->counted[k]; k++) {
+            batten_text_add(text, ", ");
+            add_count(text, f->counted[k], f->counts[k]);
+        }
     else if (f->points[1])
         batten_text_add(text, ", %d stations, %d lines", f->points[0], f->points[1]);
     else
         batten_text_add(text, ", %d", f->points[0]);
+    if (f->remark)
+        batten_text_add(text, ", %s", f->remark);
     for (int d = 0; d < f->directions; d++) {
         batten_text_add(text, d ? " x [" : ", domain [");
         batten_text_number(text, f->domain[d].a);
@@ -191,6 +124,33 @@ static void add_line(batten_text *text, const batten_object *object, const facts
     batten_text_add(text, "  to  ");
     add_corner(text, f->box.high, f->dimension, " ");
     batten_text_add(text, "\n");
+    if (object->layer[0] || object->group[0] || object->is_hidden)
+        batten_text_add(text, "    %s%s%s%s%s\n", object->layer[0] ? "layer " : "",
+                        object->layer, object->group[0] ? "  group " : "", object->group,
+                        object->is_hidden ? "  hidden" : "");
+}
+
+/* "12 curves, 3 surfaces": how many objects of each kind there are. */
+static void add_totals(batten_text *text, const batten_model *model)
+{
+    static const char *const names[][2] = {{"row of points", "rows of points"},
+                                           {"curve", "curves"},
+                                           {"surface", "surfaces"},
+                                           {"table of offsets", "tables of offsets"},
+                                           {"set of triangles", "sets of triangles"},
+                                           {"body", "bodies"},
+                                           {"mesh", "meshes"},
+                                           {"instance", "instances"}};
+    int counts[sizeof names / sizeof names[0]] = {0};
+    bool first = true;
+    for (int i = 0; i < batten_model_count(model); i++)
+        counts[batten_model_object(model, i)->kind]++;
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+        if (counts[k])
+            batten_text_add(text, "%s%d %s", first ? "" : ", ", counts[k],
+                            names[k][counts[k] != 1]);
+        first &= counts[k] == 0;
+    }
 }
 
 static double size_of(const batten_model *model)
@@ -213,8 +173,14 @@ static int print(const char *file, const batten_model *model, const batten_notes
         batten_text_json(&text, file);
         batten_text_add(&text, ", \"unit\": \"%s\",\n  \"objects\": [", unit ? unit : "");
     } else {
-        batten_text_add(&text, "%s: %d object%s, unit %s\n", file, batten_model_count(model),
-                        batten_model_count(model) == 1 ? "" : "s", unit ? unit : "not stated");
+        batten_text_add(&text, "%s: %d object%s", file, batten_model_count(model),
+                        batten_model_count(model) == 1 ? "" : "s");
+        if (batten_model_count(model) > 1) {
+            batten_text_add(&text, " (");
+            add_totals(&text, model);
+            batten_text_add(&text, ")");
+        }
+        batten_text_add(&text, ", unit %s\n", unit ? unit : "not stated");
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
@@ -234,6 +200,16 @@ static int print(const char *file, const batten_model *model, const batten_notes
     return output_print(&text);
 }
 
+/* What is wrong with the objects goes to the notes. The exit status, or EXIT_FAILED. */
+static int lint(const batten_model *model, batten_notes *notes, int exit)
+{
+    const double tolerance = 1e-9 * size_of(model);
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
+        status = lint_object(batten_model_object(model, i), tolerance, notes);
+    return status == BATTEN_OK ? exit : output_failed("info", status);
+}
+
 static int run(const arguments *given)
 {
     batten_notes *notes = NULL;
@@ -241,6 +217,8 @@ static int run(const arguments *given)
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("info", BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], notes, &model);
+    if (exit != EXIT_FAILED && !arguments_has(given, "no-lint"))
+        exit = lint(model, notes, exit);
     if (exit != EXIT_FAILED) {
         const bool json = arguments_has(given, "json");
         const int printed = print(given->files[0], model, notes, json);
@@ -255,14 +233,18 @@ static int run(const arguments *given)
 
 const command command_info = {
     .name = "info",
-    .usage = "IN [--json]",
+    .usage = "IN [--json] [--no-lint]",
     .summary = "what is in a file",
-    .manual = "IN is a table of offsets, points, an aerofoil, an IGES file; file#name means "
-              "one object in it, -\n"
-              "standard input. Boxes of curves and surfaces are those of their control points, "
-              "which hold them;\n"
-              "'batten measure' finds the tight ones of curves. Exit status 3 when only a part "
-              "could be read.",
+    .manual =
+        "IN is a file of any format that is read ('batten help formats'); file#name means "
+        "one object in it, -\n"
+        "standard input. Boxes of curves and surfaces are those of their control points, "
+        "which hold them;\n"
+        "'batten measure' finds the tight ones of curves. What is odd is said too: knots "
+        "that nearly meet,\n"
+        "poles, tiny or free edges, gaps, faces turned against each other, loops that "
+        "touch; --no-lint\n"
+        "leaves that out. Exit status 3 when only a part could be read.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

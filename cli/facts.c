@@ -1,0 +1,156 @@
+#include "facts.h"
+
+#include <string.h>
+
+static facts curve_facts(const batten_curve *curve, double tolerance)
+{
+    return (facts){
+        .type = "curve",
+        .kind = batten_curve_is_periodic(curve) ? "periodic nurbs" : "nurbs",
+        .dimension = batten_curve_dimension(curve),
+        .directions = 1,
+        .degree = {batten_curve_degree(curve)},
+        .points = {batten_curve_point_count(curve)},
+        .rational = batten_curve_is_rational(curve),
+        .closed = {batten_curve_is_closed(curve, tolerance)},
+        .domain = {batten_curve_domain(curve)},
+        .controls = true,
+        .box = batten_curve_box(curve),
+    };
+}
+
+static facts surface_facts(const batten_surface *surface, double tolerance)
+{
+    facts f = {
+        .type = "surface",
+        .kind = batten_surface_kind(surface),
+        .dimension = batten_surface_dimension(surface),
+        .directions = 2,
+        .box = batten_surface_box(surface),
+    };
+    for (int d = 0; d < 2; d++) {
+        f.domain[d] = batten_surface_domain(surface, (batten_direction)d);
+        f.closed[d] = batten_surface_is_closed(surface, (batten_direction)d, tolerance);
+    }
+    if (strcmp(f.kind, "nurbs") == 0) {
+        f.controls = true;
+        f.rational = batten_surface_is_rational(surface);
+        for (int d = 0; d < 2; d++) {
+            f.degree[d] = batten_surface_degree(surface, (batten_direction)d);
+            f.points[d] = batten_surface_point_count(surface, (batten_direction)d);
+        }
+    }
+    return f;
+}
+
+static facts triangles_facts(const batten_triangles *triangles)
+{
+    return (facts){
+        .type = "triangles",
+        .kind = "bezier",
+        .dimension = batten_triangles_dimension(triangles),
+        .degree = {batten_triangles_degree(triangles)},
+        .points = {batten_triangles_count(triangles)},
+        .rational = batten_triangles_is_rational(triangles),
+        .controls = true,
+        .box = batten_triangles_box(triangles),
+    };
+}
+
+static facts body_facts(const batten_body *body)
+{
+    const batten_body_parts *parts = batten_body_view(body);
+    return (facts){
+        .type = parts->is_solid ? "solid" : "sheet",
+        .kind = "body",
+        .dimension = 3,
+        .counted = {"face", "edge", "vertex", "shell"},
+        .counts = {parts->face_count, parts->edge_count, parts->vertex_count,
+                   parts->shell_count},
+        .box = batten_body_box(body),
+    };
+}
+
+static facts mesh_facts(const batten_mesh *mesh)
+{
+    const batten_mesh_parts *parts = batten_mesh_view(mesh);
+    batten_mesh_facts found;
+    const bool checked = batten_mesh_check(mesh, &found) == BATTEN_OK;
+    return (facts){
+        .type = "mesh",
+        .kind = "triangles",
+        .dimension = 3,
+        .counted = {"triangle", "vertex", checked ? "piece" : NULL},
+        .counts = {parts->triangle_count, parts->vertex_count, checked ? found.pieces : 0},
+        .remark = !checked              ? NULL
+                  : found.is_watertight ? "watertight"
+                                        : "not watertight",
+        .box = batten_mesh_box(mesh),
+    };
+}
+
+static facts instance_facts(const batten_object *object)
+{
+    batten_model *alone = NULL;
+    facts f = {.type = "instance",
+               .kind = "placed",
+               .dimension = 3,
+               .counted = {"object"},
+               .counts = {batten_model_count(object->definition)}};
+    if (batten_model_create(batten_model_unit_metres(object->definition), &alone) ==
+            BATTEN_OK &&
+        batten_model_add(alone, object) == BATTEN_OK)
+        batten_model_box(alone, &f.box);
+    batten_model_unref(alone);
+    return f;
+}
+
+static batten_box points_box(const batten_object *object)
+{
+    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < object->point_count; i++) {
+        const double *p = object->points + 3 * i;
+        const batten_box here = {{p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+        if (i == 0)
+            box = here;
+        box.low.x = p[0] < box.low.x ? p[0] : box.low.x;
+        box.low.y = p[1] < box.low.y ? p[1] : box.low.y;
+        box.low.z = p[2] < box.low.z ? p[2] : box.low.z;
+        box.high.x = p[0] > box.high.x ? p[0] : box.high.x;
+        box.high.y = p[1] > box.high.y ? p[1] : box.high.y;
+        box.high.z = p[2] > box.high.z ? p[2] : box.high.z;
+    }
+    return box;
+}
+
+facts facts_of(const batten_object *object, double tolerance)
+{
+    switch (object->kind) {
+    case BATTEN_OBJECT_CURVE:
+        return curve_facts(object->curve, tolerance);
+    case BATTEN_OBJECT_SURFACE:
+        return surface_facts(object->surface, tolerance);
+    case BATTEN_OBJECT_OFFSETS:
+        return (facts){.type = "offsets",
+                       .kind = "table",
+                       .dimension = 3,
+                       .points = {batten_offsets_station_count(object->offsets),
+                                  batten_offsets_line_count(object->offsets)},
+                       .box = batten_offsets_box(object->offsets)};
+    case BATTEN_OBJECT_TRIANGLES:
+        return triangles_facts(object->triangles);
+    case BATTEN_OBJECT_BODY:
+        return body_facts(object->body);
+    case BATTEN_OBJECT_MESH:
+        return mesh_facts(object->mesh);
+    case BATTEN_OBJECT_INSTANCE:
+        return instance_facts(object);
+    case BATTEN_OBJECT_POINTS:
+        break;
+    }
+    return (facts){.type = "points",
+                   .kind = "row",
+                   .dimension = 3,
+                   .points = {object->point_count},
+                   .box = points_box(object)};
+}
