@@ -89,22 +89,6 @@ static facts mesh_facts(const batten_mesh *mesh)
     };
 }
 
-static facts instance_facts(const batten_object *object)
-{
-    batten_model *alone = NULL;
-    facts f = {.type = "instance",
-               .kind = "placed",
-               .dimension = 3,
-               .counted = {"object"},
-               .counts = {batten_model_count(object->definition)}};
-    if (batten_model_create(batten_model_unit_metres(object->definition), &alone) ==
-            BATTEN_OK &&
-        batten_model_add(alone, object) == BATTEN_OK)
-        batten_model_box(alone, &f.box);
-    batten_model_unref(alone);
-    return f;
-}
-
 static batten_box points_box(const batten_object *object)
 {
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
@@ -143,9 +127,8 @@ facts facts_of(const batten_object *object, double tolerance)
         return body_facts(object->body);
     case BATTEN_OBJECT_MESH:
         return mesh_facts(object->mesh);
-    case BATTEN_OBJECT_INSTANCE:
-        return instance_facts(object);
     case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_INSTANCE: /* 'info' tells of what instances place */
         break;
     }
     return (facts){.type = "points",

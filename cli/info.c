@@ -29,8 +29,7 @@ static const char *plural_of(const char *word)
 {
     static const char *const words[][2] = {{"face", "faces"},         {"edge", "edges"},
                                            {"vertex", "vertices"},    {"shell", "shells"},
-                                           {"triangle", "triangles"}, {"piece", "pieces"},
-                                           {"object", "objects"}};
+                                           {"triangle", "triangles"}, {"piece", "pieces"}};
     for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
         if (strcmp(word, words[k][0]) == 0)
             return words[k][1];
@@ -200,6 +199,24 @@ static int print(const char *file, const batten_model *model, const batten_notes
     return output_print(&text);
 }
 
+/* Of instances it is told what they place. */
+static int flatten(batten_model **model, batten_notes *notes, int exit)
+{
+    batten_model *flat = NULL;
+    int instances = 0;
+    for (int i = 0; i < batten_model_count(*model); i++)
+        instances += batten_model_object(*model, i)->kind == BATTEN_OBJECT_INSTANCE;
+    const batten_status status = batten_model_flat(*model, &flat);
+    if (status != BATTEN_OK)
+        return output_failed("info", status);
+    if (instances > 0)
+        batten_notes_remark(notes, "", 0, "", "%d of %d objects are instances, %d deep at most",
+                            instances, batten_model_count(*model), batten_model_depth(*model));
+    batten_model_unref(*model);
+    *model = flat;
+    return exit;
+}
+
 /* What is wrong with the objects goes to the notes. The exit status, or EXIT_FAILED. */
 static int lint(const batten_model *model, batten_notes *notes, int exit)
 {
@@ -217,6 +234,8 @@ static int run(const arguments *given)
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("info", BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], notes, &model);
+    if (exit != EXIT_FAILED)
+        exit = flatten(&model, notes, exit);
     if (exit != EXIT_FAILED && !arguments_has(given, "no-lint"))
         exit = lint(model, notes, exit);
     if (exit != EXIT_FAILED) {
