@@ -608,12 +608,32 @@ static bool eight_digits(const char *text, uint64_t *value)
     return true;
 }
 
+/* Four of them. */
+static bool four_digits(const char *text, uint64_t *value)
+{
+    uint32_t chunk;
+    memcpy(&chunk, text, sizeof chunk);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    chunk = __builtin_bswap32(chunk);
+#endif
+    const uint32_t above = chunk + 0x46464646u, below = chunk - 0x30303030u;
+    if ((above | below) & 0x80808080u)
+        return false;
+    chunk = below * 10 + (below >> 8);
+    *value = (chunk & 0xff) * 100 + (chunk >> 16 & 0xff);
+    return true;
+}
+
 static const char *quick_digits(const char *c, const char *end, uint64_t *value)
 {
-    uint64_t eight;
-    while (end - c >= 8 && eight_digits(c, &eight)) {
-        *value = 100000000 * *value + eight;
+    uint64_t some;
+    while (end - c >= 8 && eight_digits(c, &some)) {
+        *value = 100000000 * *value + some;
         c += 8;
+    }
+    if (end - c >= 4 && four_digits(c, &some)) {
+        *value = 10000 * *value + some;
+        c += 4;
     }
     for (; c < end && is_digit(*c); c++)
         *value = 10 * *value + (uint64_t)(*c - '0');

@@ -5,6 +5,7 @@
 
 #define DATA_COLUMNS 64
 #define GLOBAL_COLUMNS 72
+#define RECORD 80
 #define LETTER 72 /* where the letter of the section stands */
 
 /* ---- records ---- */
@@ -38,11 +39,31 @@ static batten_status append(bat_input *input, bat_list *list, bat_span record, s
     return status;
 }
 
+/* The sequence number of a record of the P section: nearly always the next one, and as long. */
+static int next_number(bat_iges_file *file, bat_span record)
+{
+    const size_t width = sizeof file->next;
+    size_t i = width;
+    while (i > 0 && file->next[i - 1] == '9')
+        file->next[--i] = '0';
+    if (i > 0)
+        file->next[i - 1] = (char)(file->next[i - 1] == ' ' ? '1' : file->next[i - 1] + 1);
+    file->number++;
+    if (record.length < LETTER + 1 + width ||
+        memcmp(file->next, record.bytes + LETTER + 1, width) != 0) {
+        memset(file->next, '9', width); /* matches nothing until one is read */
+        file->number = sequence_number(record);
+        if (record.length >= LETTER + 1 + width && file->number > 0)
+            memcpy(file->next, record.bytes + LETTER + 1, width);
+    }
+    return file->number;
+}
+
 static batten_status add_data(bat_iges_file *file, bat_span record, int line, bool is_damaged)
 {
     const bool is_short = record.length < DATA_COLUMNS;
     const bat_iges_data data = {.at = (size_t)(record.bytes - file->input->data),
-                                .number = is_damaged ? -1 : sequence_number(record),
+                                .number = is_damaged ? -1 : next_number(file, record),
                                 .line = line,
                                 .columns =
                                     (unsigned char)(is_short ? record.length : DATA_COLUMNS),
@@ -76,11 +97,12 @@ static char section_of(bat_span record)
 
 /* `section` is that of the record before: where a record without a letter is taken to belong.
  */
-static batten_status add_record(bat_iges_file *file, bat_span record, int line, char *section)
+static batten_status add_record(bat_iges_file *file, bat_span record, bool is_plain, int line,
+                                char *section)
 {
     const char letter = section_of(record);
-    const bool tab =
-        memchr(record.bytes, '\t', record.length < LETTER ? record.length : LETTER);
+    const bool tab = !is_plain && memchr(record.bytes, '\t',
+                                         record.length < LETTER ? record.length : LETTER);
     const bool damaged = !letter || tab;
     if (damaged)
         batten_notes_add(file->input->notes, file->input->file, line, "",
@@ -110,6 +132,22 @@ static bool is_blank_record(bat_span record)
     return true;
 }
 
+/* Does a record of 80 columns and a line feed stand there, without control characters? Nearly
+ * all do, and this is the fastest way to see it. */
+static bool is_plain_record(const bat_input *input, size_t at)
+{
+    const uint64_t ones = 0x0101010101010101u;
+    uint64_t found = 0;
+    if (input->size - at <= RECORD || input->data[at + RECORD] != '\n')
+        return false;
+    for (size_t i = 0; i < RECORD; i += 8) {
+        uint64_t eight;
+        memcpy(&eight, input->data + at + i, sizeof eight);
+        found |= (eight - ' ' * ones) & ~eight; /* below a blank */
+    }
+    return (found & 128 * ones) == 0;
+}
+
 static batten_status read_records(bat_iges_file *file)
 {
     bat_input *input = file->input;
@@ -117,7 +155,14 @@ static batten_status read_records(bat_iges_file *file)
     char section = 'S';
     int line = 0;
     batten_status status = BATTEN_OK;
-    for (size_t at = 0; status == BATTEN_OK && bat_next_line(input, &at, &record);) {
+    for (size_t at = 0; status == BATTEN_OK && at < input->size;) {
+        const bool is_plain = is_plain_record(input, at);
+        if (is_plain) {
+            record = (bat_span){input->data + at, RECORD};
+            at += RECORD + 1;
+        } else if (!bat_next_line(input, &at, &record)) {
+            break;
+        }
         line += line < INT_MAX;
         if (line % 1024 == 0)
             status = bat_input_step(input, at);
@@ -127,7 +172,7 @@ static batten_status read_records(bat_iges_file *file)
                                  "text follows the last record; not read");
                 break;
             }
-            status = add_record(file, record, line, &section);
+            status = add_record(file, record, is_plain, line, &section);
         }
     }
     return status;

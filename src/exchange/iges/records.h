@@ -35,6 +35,8 @@ typedef struct {
     bat_list data;              /* of bat_iges_data */
     size_t tokenised;           /* characters that were gone through so far */
     bool has_start, has_end;
+    char next[7]; /* while records are read: the last sequence number as text, and as such */
+    int number;
 } bat_iges_file;
 
 /* Take the file apart. */
