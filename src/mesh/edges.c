@@ -188,15 +188,37 @@ static int least_parts(const bat_meshing *m, int edge, int spans)
     return (least + spans - 1) / spans;
 }
 
-static bool is_short(const bat_meshing *m, const piece *p, batten_interval domain)
+/* The roundoff of a point of the piece. */
+static double roundoff(const piece *p)
 {
     double largest = 0;
     for (int k = 0; k < 6; k++)
         largest = bat_max(largest, fabs(p->ends[k / 3][k % 3]));
+    return 64 * DBL_EPSILON * largest;
+}
+
+static bool is_short(const bat_meshing *m, const piece *p, batten_interval domain)
+{
     return p->b - p->a < 1e-7 * (domain.b - domain.a) ||
-           (distance(p->ends[0], p->ends[1]) <
-                bat_max(0.25 * m->chord, 64 * DBL_EPSILON * largest) &&
+           (distance(p->ends[0], p->ends[1]) < bat_max(0.25 * m->chord, roundoff(p)) &&
             p->b - p->a < 0.05 * (domain.b - domain.a));
+}
+
+/* The sample at the end of a piece. Where the curve stands still there is none, for two
+ * vertices at one point make triangles without area. */
+static batten_status end_piece(bat_meshing *m, int edge, const piece *p, bool is_last)
+{
+    bat_polyline *line = &m->edges[edge];
+    const bool stands = distance(p->ends[0], p->ends[1]) <= roundoff(p);
+    int vertex = m->parts->edges[edge].vertices[1];
+    batten_status status = BATTEN_OK;
+    if (stands && !is_last)
+        return BATTEN_OK;
+    if (stands && line->count > 1)
+        line->count--;
+    if (!is_last)
+        status = bat_meshing_point(m, p->ends[1], &vertex);
+    return status == BATTEN_OK ? add_sample(line, line->count, p->b, vertex) : status;
 }
 
 static batten_status divide(bat_meshing *m, int edge, waiting *w)
@@ -208,7 +230,6 @@ static batten_status divide(bat_meshing *m, int edge, waiting *w)
     while (status == BATTEN_OK && w->count) {
         const piece p = w->pieces[--w->count];
         double excess = 0;
-        int vertex = m->parts->edges[edge].vertices[1];
         if (!is_short(m, &p, domain))
             status = judge(m, edge, &p, &excess);
         if (status == BATTEN_OK && excess > 1.0000001) {
@@ -216,10 +237,8 @@ static batten_status divide(bat_meshing *m, int edge, waiting *w)
             status = push_parts(w, curve, &p, bat_max_int(2, parts));
             continue;
         }
-        if (status == BATTEN_OK && p.b < domain.b)
-            status = bat_meshing_point(m, p.ends[1], &vertex);
         if (status == BATTEN_OK)
-            status = add_sample(line, line->count, p.b, vertex);
+            status = end_piece(m, edge, &p, p.b >= domain.b);
         if (status == BATTEN_OK && line->count + m->point_count > (double)m->most + 1000)
             status = bat_fail(BATTEN_TOO_LARGE, "the edges need more points than %d triangles",
                               m->most);

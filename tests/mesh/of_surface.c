@@ -328,3 +328,24 @@ TEST(meshing_can_be_cancelled)
     CHECK(status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY);
     batten_surface_unref(sphere);
 }
+
+/* A strip between two curves that stand still over the middle of three spans. */
+TEST(G5_where_a_border_stands_still_no_triangle_is_flat)
+{
+    static const double x[7] = {0, 0.3, 1, 1, 1, 1.7, 2};
+    static const double across[4] = {0, 0, 1, 1}, along[10] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3};
+    double points[2][7][3];
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 7; j++) {
+            points[i][j][0] = x[j];
+            points[i][j][1] = i;
+            points[i][j][2] = x[j] * x[j] / 4;
+        }
+    const batten_axis u = {.degree = 1, .point_count = 2, .knots = across};
+    const batten_axis v = {.degree = 2, .point_count = 7, .knots = along};
+    batten_surface *strip = NULL;
+    batten_mesh_report report;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0][0], NULL, &strip));
+    const batten_mesh_facts f = mesh_of(strip, NULL, &report, NULL);
+    CHECK_INT(f.euler, 1);
+}
