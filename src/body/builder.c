@@ -141,6 +141,22 @@ int bat_builder_mark(const bat_builder *builder)
     return builder->parts.face_count;
 }
 
+void bat_builder_turn(bat_builder *builder, int face)
+{
+    const batten_body_face *f = &builder->parts.faces[face];
+    batten_body_use *uses = own(builder->parts.uses);
+    for (int l = f->first; l < f->first + f->count; l++) {
+        const batten_body_loop loop = builder->parts.loops[l];
+        for (int i = 0; i < loop.count / 2; i++) {
+            const batten_body_use kept = uses[loop.first + i];
+            uses[loop.first + i] = uses[loop.first + loop.count - 1 - i];
+            uses[loop.first + loop.count - 1 - i] = kept;
+        }
+        for (int i = 0; i < loop.count; i++)
+            uses[loop.first + i].reversed = !uses[loop.first + i].reversed;
+    }
+}
+
 void bat_builder_open_shells(bat_builder *builder)
 {
     for (int k = 0; k < builder->parts.shell_count; k++)

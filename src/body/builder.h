@@ -33,6 +33,8 @@ int bat_builder_mark(const bat_builder *builder);
 void bat_builder_back(bat_builder *builder, int mark);
 /* Say of no shell any more that it is closed: some of its faces are missing. */
 void bat_builder_open_shells(bat_builder *builder);
+/* Let the loops of a face run the other way around. */
+void bat_builder_turn(bat_builder *builder, int face);
 /* Make the body; shells without faces, and edges and vertices without use, are dropped. The
  * builder is empty afterwards, also on failure. */
 batten_status bat_builder_finish(bat_builder *builder, bool is_solid, batten_body **out);

@@ -128,8 +128,8 @@ TEST(files_of_other_programs_have_the_faces_and_areas_that_open_cascade_finds)
     } files[] = {
         {"iges/euclid_bearing.iges", 213, 0, 0},
         {"iges/euclid_hammer.iges", 45, 0, 397760734.3},
-        {"iges/femap_multisolids.igs", 93, 5, 0},
-        {"iges/femap_nozzle.igs", 14, 1, 0},
+        {"iges/femap_multisolids.igs", 93, 5, 126491.0888},
+        {"iges/femap_nozzle.igs", 14, 1, 78670.26905},
         {"iges/ideas_cube_bounded_surfaces.igs", 6, 0, 1499999.205},
         {"iges/igesio_rounded_cube.igs", 7, 0, 14581.52669},
         {"iges/inventor_cube_msbo.igs", 6, 1, 600},

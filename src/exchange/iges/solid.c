@@ -253,10 +253,50 @@ static batten_status add_face(bat_iges_reading *reading, int id, bool agrees,
 
 /* ---- 514: shells; 186: solids ---- */
 
+/* How many edges between a face that is reversed and one that is not are used both ways, less
+ * those that are used the same way twice. `seen` has 0 for each edge. */
+static int agreement(const bat_builder *builder, int first_face, int *seen)
+{
+    const batten_body_parts *p = &builder->parts;
+    int sum = 0;
+    for (int f = first_face; f < p->face_count; f++)
+        for (int l = p->faces[f].first; l < p->faces[f].first + p->faces[f].count; l++)
+            for (int i = p->loops[l].first; i < p->loops[l].first + p->loops[l].count; i++) {
+                const batten_body_use *u = &p->uses[i];
+                /* What the edge was used as: 1 plus its way plus twice the side of the face. */
+                const int now = 1 + u->reversed + 2 * p->faces[f].reversed;
+                const int before = seen[u->edge];
+                seen[u->edge] = now;
+                if (before && (before - 1) / 2 != (now - 1) / 2)
+                    sum += (before - 1) % 2 != (now - 1) % 2 ? 1 : -1;
+            }
+    return sum;
+}
+
+/* Loops should run around the normals of surfaces, but some programs let them run around the
+ * outside of the faces. Edges between faces of both kinds tell. */
+static batten_status choose_direction(bat_iges_item *item, bat_builder *builder, int first_face)
+{
+    int *seen = NULL;
+    batten_status status = bat_input_array(
+        item->reading->input, (size_t)builder->parts.edge_count + 1, sizeof *seen, &seen);
+    if (status == BATTEN_OK && agreement(builder, first_face, seen) < 0) {
+        for (int f = first_face; f < builder->parts.face_count; f++)
+            if (builder->parts.faces[f].reversed)
+                bat_builder_turn(builder, f);
+        bat_iges_remark(item->reading, item->entry,
+                        "its loops run around the outside of the faces, not around the normals "
+                        "of their surfaces");
+    }
+    bat_release(seen);
+    return status;
+}
+
 /* An open 514: N, then faces and whether each agrees with its surface. */
 static batten_status read_faces(bat_iges_item *item, bool agrees, bat_builder *builder,
                                 bool *whole)
 {
+    const int first_face = bat_builder_mark(builder);
     int count = 0;
     batten_status status = bat_iges_read_count(item, 1, 2, 2, &count);
     if (status == BATTEN_OK)
@@ -269,6 +309,8 @@ static batten_status read_faces(bat_iges_item *item, bool agrees, bat_builder *b
         if (status == BATTEN_OK)
             status = add_face(item->reading, id, (flag != 0) == agrees, builder, whole);
     }
+    if (status == BATTEN_OK)
+        status = choose_direction(item, builder, first_face);
     item->own = 2 + 2 * (size_t)count;
     return status;
 }
