@@ -28,7 +28,8 @@ typedef enum batten_format {
     BATTEN_FORMAT_GLTF,  /**< .glb, glTF 2.0; written */
     BATTEN_FORMAT_3MF,   /**< .3mf; written */
     BATTEN_FORMAT_PCD,   /**< .pcd, point clouds; read */
-    BATTEN_FORMAT_FTM    /**< .ftm, the control net of FREE!ship; read */
+    BATTEN_FORMAT_FTM,   /**< .ftm, the control net of FREE!ship; read */
+    BATTEN_FORMAT_OFF    /**< .off, meshes; read */
 } batten_format;
 
 /** "iges", "step" ... */

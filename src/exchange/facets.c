@@ -151,6 +151,45 @@ void bat_polygon_triangles(int count, const double *points, int *triangles, bool
     cut_ears(count, &r, triangles, is_odd);
 }
 
+/* ---- corners ---- */
+
+static bool same_normal(const batten_mesh_parts *p, int a, int b)
+{
+    return !p->normals || memcmp(p->normals + 3 * (size_t)a, p->normals + 3 * (size_t)b,
+                                 3 * sizeof *p->normals) == 0;
+}
+
+batten_status bat_number_corners(const batten_mesh_parts *p, bat_corners *out)
+{
+    const size_t count = 3 * (size_t)p->triangle_count;
+    bat_corners c = {.count = 0};
+    int *last = bat_array((size_t)p->vertex_count, sizeof *last); /* number + 1 */
+    c.index = bat_array(count, sizeof *c.index);
+    c.source = bat_array(count, sizeof *c.source);
+    if (!last || !c.index || !c.source) {
+        bat_release(last);
+        bat_corners_end(&c);
+        return BATTEN_OUT_OF_MEMORY;
+    }
+    for (size_t i = 0; i < count; i++) {
+        int *before = &last[p->corners[i]];
+        if (!*before || !same_normal(p, (int)i, c.source[*before - 1])) {
+            c.source[c.count] = (int)i;
+            *before = ++c.count;
+        }
+        c.index[i] = *before - 1;
+    }
+    bat_release(last);
+    *out = c;
+    return BATTEN_OK;
+}
+
+void bat_corners_end(bat_corners *corners)
+{
+    bat_release(corners->index);
+    bat_release(corners->source);
+}
+
 /* ---- remarks ---- */
 
 void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes)

@@ -22,6 +22,18 @@ enum { BAT_POLYGON_MOST = 100 };
  */
 void bat_polygon_triangles(int count, const double *points, int *triangles, bool *is_odd);
 
+/*
+ * Number what differs at corners: corners at one vertex with equal normals are one, when they
+ * follow each other there. index[corner] from 0 on; source[number] is a corner of each. Without
+ * normals the numbers are the vertices, in the order in which triangles use them.
+ */
+typedef struct {
+    int count;
+    int *index, *source; /* [3 triangle_count]; [count] */
+} bat_corners;
+batten_status bat_number_corners(const batten_mesh_parts *parts, bat_corners *out);
+void bat_corners_end(bat_corners *corners);
+
 /* Say in which unit the numbers of a file without units are. */
 void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes);
 /* How often has a mesh triangles without area? A remark says so. */

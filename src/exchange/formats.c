@@ -1,10 +1,14 @@
 #include "exchange/formats.h"
+#include "exchange/3mf/3mf.h"
 #include "exchange/csv/csv.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/g2/g2.h"
 #include "exchange/gcode/gcode.h"
+#include "exchange/gltf/gltf.h"
 #include "exchange/iges/iges.h"
 #include "exchange/obj/obj.h"
+#include "exchange/off/off.h"
+#include "exchange/pcd/pcd.h"
 #include "exchange/ply/ply.h"
 #include "exchange/step/step.h"
 #include "exchange/stl/stl.h"
@@ -143,13 +147,36 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(MESH),
      .write = bat_write_ply},
 
-    {.format = BATTEN_FORMAT_GLTF, .name = "gltf", .title = "glTF", .endings = {".glb"}},
+    {.format = BATTEN_FORMAT_GLTF,
+     .name = "gltf",
+     .title = "glTF",
+     .endings = {".glb"},
+     .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
+     .write = bat_write_gltf},
 
-    {.format = BATTEN_FORMAT_3MF, .name = "3mf", .title = "3MF", .endings = {".3mf"}},
+    {.format = BATTEN_FORMAT_3MF,
+     .name = "3mf",
+     .title = "3MF",
+     .endings = {".3mf"},
+     .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
+     .write = bat_write_3mf},
 
-    {.format = BATTEN_FORMAT_PCD, .name = "pcd", .title = "PCD", .endings = {".pcd"}},
+    {.format = BATTEN_FORMAT_PCD,
+     .name = "pcd",
+     .title = "PCD",
+     .endings = {".pcd"},
+     .recognise = bat_pcd_recognise,
+     .is_binary = true,
+     .read = bat_read_pcd},
 
     {.format = BATTEN_FORMAT_FTM, .name = "ftm", .title = "FTM", .endings = {".ftm"}},
+
+    {.format = BATTEN_FORMAT_OFF,
+     .name = "off",
+     .title = "OFF",
+     .endings = {".off"},
+     .recognise = bat_off_recognise,
+     .read = bat_read_off},
 };
 #define FORMATS (sizeof formats / sizeof formats[0])
 

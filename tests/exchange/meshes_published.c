@@ -121,3 +121,34 @@ TEST(published_obj_files_have_their_counts)
     };
     check_all(COUNT(rows), rows);
 }
+
+TEST(published_off_files_have_their_counts)
+{
+    static const published rows[] = {
+        {"viewer_cube.off", 8, 12, 6, 1, true},
+        {"viewer_rectangle_face_colors_int.off", 4, 2, 1, 0, false},
+        {"viewer_rectangle_vertex_colors_float.off", 4, 2, 1, 0, false},
+        {"viewer_rectangle_vertex_colors_int.off", 4, 2, 1, 0, false},
+        {"viewer_single_rectangle.off", 4, 2, 1, 0, false},
+        {"viewer_single_triangle.off", 3, 1, 0.5, 0, false},
+        {"viewer_two_triangles.off", 6, 2, 1, 0, false},
+    };
+    check_all(COUNT(rows), rows);
+}
+
+TEST(published_clouds_have_their_counts)
+{
+    static const struct {
+        const char *name;
+        int points;
+    } rows[] = {{"pcl_cat.pcd", 3400},
+                {"pcl_lidar_samp21.pcd", 12960},
+                {"pcl_lidar_samp21_ground.pcd", 10085},
+                {"pcl_object_template_1.pcd", 1552}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_model *model = read_published("pointclouds", rows[i].name);
+        CHECK_INT(batten_model_count(model), 1);
+        CHECK_INT(batten_model_object(model, 0)->point_count, rows[i].points);
+        batten_model_unref(model);
+    }
+}

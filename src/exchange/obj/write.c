@@ -86,34 +86,18 @@ static void put_names(writing *w, const batten_object *object, const char *other
 
 /* ---- meshes ---- */
 
-/* The normals of corners, equal ones at a vertex once: index[corner] from 1 on. */
-static batten_status put_normals(writing *w, const batten_mesh_parts *p, long long **index)
+/* The normals of corners, equal ones at a vertex once. */
+static batten_status put_normals(writing *w, const batten_mesh_parts *p, bat_corners *corners)
 {
-    const size_t corners = 3 * (size_t)p->triangle_count;
-    size_t *last = bat_array((size_t)p->vertex_count, sizeof *last); /* corner + 1 */
-    long long *made = bat_array(corners, sizeof *made);
-    if (!last || !made) {
-        bat_release(last);
-        bat_release(made);
-        return BATTEN_OUT_OF_MEMORY;
-    }
-    for (size_t i = 0; i < corners; i++) {
-        const size_t v = (size_t)p->corners[i], before = last[v];
-        const double *n = p->normals + 3 * i;
-        last[v] = i + 1;
-        if (before && memcmp(n, p->normals + 3 * (before - 1), 3 * sizeof *n) == 0) {
-            made[i] = made[before - 1];
-            continue;
-        }
+    batten_status status = bat_number_corners(p, corners);
+    for (int i = 0; i < corners->count; i++) {
+        const double *n = p->normals + 3 * (size_t)corners->source[i];
         put(w, "vn");
         for (int k = 0; k < 3; k++)
             put_number(w, n[k]);
         put(w, "\n");
-        made[i] = ++w->normals;
     }
-    bat_release(last);
-    *index = made;
-    return BATTEN_OK;
+    return status;
 }
 
 static void put_index(writing *w, long long index)
@@ -125,29 +109,28 @@ static batten_status put_mesh(writing *w, const batten_object *object)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     const long long first = w->vertices + 1;
-    long long *normals = NULL;
+    bat_corners corners = {0, NULL, NULL};
     put_names(w, object, "mesh");
     for (size_t i = 0; i < (size_t)p->vertex_count; i++)
         put_point(w, p->points + 3 * i, NULL,
                   p->colours           ? p->colours + 3 * i
                   : object->has_colour ? object->colour
                                        : NULL);
-    if (p->normals) {
-        batten_status status = put_normals(w, p, &normals);
-        if (status != BATTEN_OK)
-            return status;
-    }
+    const batten_status status = p->normals ? put_normals(w, p, &corners) : BATTEN_OK;
+    if (status != BATTEN_OK)
+        return status;
     for (size_t i = 0; i < 3 * (size_t)p->triangle_count; i++) {
         put(w, i % 3 == 0 ? "f " : " ");
         put_index(w, first + p->corners[i]);
-        if (normals) {
+        if (p->normals) {
             put(w, "//");
-            put_index(w, normals[i]);
+            put_index(w, w->normals + 1 + corners.index[i]);
         }
         if (i % 3 == 2)
             put(w, "\n");
     }
-    bat_release(normals);
+    w->normals += corners.count;
+    bat_corners_end(&corners);
     if (p->attribute_count)
         batten_notes_add(w->notes, "", 0, object->name,
                          "%d values of each vertex are left out: OBJ files do not hold them",

@@ -1,0 +1,336 @@
+#include "exchange/3mf/3mf.h"
+#include "exchange/definitions.h"
+#include "exchange/facets.h"
+
+#include <batten/number.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Resource 1 holds the colours; objects follow. */
+enum { COLOURS = 1, FIRST_OBJECT = 2 };
+
+typedef struct {
+    batten_notes *notes;
+    batten_text xml;
+    bat_definitions definitions;
+    int *order;       /* [definitions] those that others place first */
+    int *id;          /* [objects] resource of a mesh or of a placed definition; 0: none */
+    int *whole;       /* [definitions] resource of a definition */
+    bool *is_surface; /* [definitions] something in it is open */
+    int colours;      /* base materials so far */
+    double scale;     /* from the model's unit to the file's */
+    int next;         /* resource */
+} writing;
+
+static void put(writing *w, const char *words)
+{
+    batten_text_bytes(&w->xml, words, strlen(words));
+}
+
+static void put_number(writing *w, double value)
+{
+    batten_text_number(&w->xml, value);
+}
+
+/* ---- names and units ---- */
+
+/* Bytes that are no UTF-8 or no character of XML become "?". */
+static void put_name(writing *w, const char *name)
+{
+    put(w, " name=\"");
+    while (*name) {
+        const size_t length = bat_utf8_length(name);
+        const char *entity = length == 0 || (unsigned char)*name < ' ' ? "?"
+                             : *name == '&'                            ? "&amp;"
+                             : *name == '<'                            ? "&lt;"
+                             : *name == '"'                            ? "&quot;"
+                                                                       : NULL;
+        if (entity)
+            put(w, entity);
+        else
+            batten_text_bytes(&w->xml, name, length);
+        name += length ? length : 1;
+    }
+    put(w, "\"");
+}
+
+static const char *unit_of(writing *w, double metres)
+{
+    static const struct {
+        double metres;
+        const char *name;
+    } units[] = {{1e-6, "micron"}, {0.001, "millimeter"}, {0.01, "centimeter"},
+                 {0.0254, "inch"}, {0.3048, "foot"},      {1, "meter"}};
+    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
+        if (metres == units[k].metres)
+            return units[k].name;
+    if (metres > 0)
+        w->scale = metres / 0.001;
+    else
+        batten_notes_add(w->notes, "", 0, "",
+                         "the model names no unit; its numbers are taken for millimetres");
+    return "millimeter";
+}
+
+/* ---- meshes ---- */
+
+static void put_vertices(writing *w, const batten_mesh_parts *p)
+{
+    static const char *const names[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
+    put(w, "<vertices>\n");
+    for (size_t i = 0; i < (size_t)p->vertex_count; i++) {
+        for (size_t k = 0; k < 3; k++) {
+            put(w, names[k]);
+            put_number(w, w->scale * p->points[3 * i + k]);
+        }
+        put(w, "\"/>\n");
+    }
+    put(w, "</vertices>\n");
+}
+
+/* Three different vertices are a must. @return how many triangles are left out */
+static int put_triangles(writing *w, const batten_mesh_parts *p)
+{
+    static const char *const names[] = {"<triangle v1=\"", "\" v2=\"", "\" v3=\""};
+    int left_out = 0;
+    put(w, "<triangles>\n");
+    for (size_t i = 0; i < (size_t)p->triangle_count; i++) {
+        const int *t = p->corners + 3 * i;
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+            left_out++;
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            put(w, names[k]);
+            put_number(w, t[k]);
+        }
+        put(w, "\"/>\n");
+    }
+    put(w, "</triangles>\n");
+    return left_out;
+}
+
+/* A solid is closed and has its inside inside; all else is a surface. */
+static batten_status put_mesh(writing *w, const batten_object *object, int id, bool *is_surface)
+{
+    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    batten_mesh_facts facts;
+    batten_status status = batten_mesh_check(object->mesh, &facts);
+    if (status != BATTEN_OK)
+        return status;
+    const bool is_solid = facts.is_watertight && facts.volume > 0;
+    batten_text_add(&w->xml, "<object id=\"%d\" type=\"%s\"", id,
+                    is_solid ? "model" : "surface");
+    put_name(w, object->name);
+    if (object->has_colour)
+        batten_text_add(&w->xml, " pid=\"%d\" pindex=\"%d\"", COLOURS, w->colours++);
+    put(w, ">\n<mesh>\n");
+    put_vertices(w, p);
+    const int left_out = put_triangles(w, p);
+    put(w, "</mesh>\n</object>\n");
+    *is_surface = *is_surface || !is_solid;
+    if (left_out)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "%d triangles with two corners at one vertex are left out", left_out);
+    if (p->colours)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "the colours of its vertices are left out");
+    return BATTEN_OK;
+}
+
+/* ---- definitions ---- */
+
+typedef struct {
+    int depth, index;
+} ranked;
+
+static int compare_depth(const void *a, const void *b)
+{
+    const ranked *one = a, *other = b;
+    if (one->depth != other->depth)
+        return one->depth < other->depth ? -1 : 1;
+    return (one->index > other->index) - (one->index < other->index);
+}
+
+/* What is placed in others lies less deep than these. */
+static batten_status find_order(writing *w)
+{
+    const int count = w->definitions.count;
+    ranked *ranks = bat_array((size_t)count, sizeof *ranks);
+    if (!ranks)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        ranks[i] = (ranked){batten_model_depth(w->definitions.models[i]), i};
+    qsort(ranks, (size_t)count, sizeof *ranks, compare_depth);
+    for (int i = 0; i < count; i++)
+        w->order[i] = ranks[i].index;
+    bat_release(ranks);
+    return BATTEN_OK;
+}
+
+/* Colours in the order in which their objects will come. */
+static void put_colours(writing *w)
+{
+    bool any = false;
+    for (int i = 0; i < w->definitions.count; i++) {
+        const batten_model *model = w->definitions.models[w->order[i]];
+        for (int k = 0; k < batten_model_count(model); k++) {
+            const batten_object *object = batten_model_object(model, k);
+            if (!object->mesh || !object->has_colour)
+                continue;
+            if (!any)
+                batten_text_add(&w->xml, "<basematerials id=\"%d\">\n", COLOURS);
+            any = true;
+            batten_text_add(&w->xml, "<base displaycolor=\"#%02X%02X%02X\"",
+                            (unsigned)(255 * object->colour[0] + 0.5),
+                            (unsigned)(255 * object->colour[1] + 0.5),
+                            (unsigned)(255 * object->colour[2] + 0.5));
+            put_name(w, object->name);
+            put(w, "/>\n");
+        }
+    }
+    if (any)
+        put(w, "</basematerials>\n");
+}
+
+/* Rows of 3MF multiply from the left: the columns of ours, then the shift. */
+static void put_place(writing *w, const batten_affine *place)
+{
+    put(w, " transform=\"");
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++) {
+            put_number(w, place->m[row][column]);
+            put(w, " ");
+        }
+    for (int row = 0; row < 3; row++) {
+        put_number(w, w->scale * place->t[row]);
+        put(w, row < 2 ? " " : "\"");
+    }
+}
+
+/* What stands in a definition or in the build, by `element`. */
+static void put_references(writing *w, int definition, const char *element)
+{
+    const batten_model *model = w->definitions.models[definition];
+    for (int k = 0; k < batten_model_count(model); k++) {
+        const batten_object *object = batten_model_object(model, k);
+        const int id = w->id[w->definitions.first[definition] + k];
+        if (!id)
+            continue;
+        batten_text_add(&w->xml, "<%s objectid=\"%d\"", element, id);
+        if (object->definition)
+            put_place(w, &object->place);
+        put(w, "/>\n");
+    }
+}
+
+/* The objects of a definition, and when it is placed somewhere the definition itself. */
+static batten_status put_definition(writing *w, int definition)
+{
+    const batten_model *model = w->definitions.models[definition];
+    batten_status status = BATTEN_OK;
+    bool any = false;
+    for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
+        const batten_object *object = batten_model_object(model, k);
+        int *id = &w->id[w->definitions.first[definition] + k];
+        if (object->definition) {
+            const int inner = bat_definitions_index(&w->definitions, object->definition);
+            *id = w->whole[inner];
+            w->is_surface[definition] = w->is_surface[definition] || w->is_surface[inner];
+        } else if (object->mesh && batten_mesh_view(object->mesh)->triangle_count) {
+            *id = w->next++;
+            status = put_mesh(w, object, *id, &w->is_surface[definition]);
+        } else if (!object->mesh)
+            batten_notes_add(w->notes, "", 0, object->name,
+                             "left out: 3MF files are written of meshes");
+        any = any || *id;
+    }
+    if (status != BATTEN_OK || definition == 0 || !any)
+        return status;
+    w->whole[definition] = w->next++;
+    batten_text_add(&w->xml, "<object id=\"%d\" type=\"%s\">\n<components>\n",
+                    w->whole[definition], w->is_surface[definition] ? "surface" : "model");
+    put_references(w, definition, "component");
+    put(w, "</components>\n</object>\n");
+    return BATTEN_OK;
+}
+
+static batten_status put_model(writing *w, const batten_model *model)
+{
+    const char *unit = unit_of(w, batten_model_unit_metres(model));
+    batten_text_add(&w->xml,
+                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"%s\" "
+                    "xml:lang=\"en-US\" "
+                    "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+                    "<metadata name=\"Application\">Batten</metadata>\n<resources>\n",
+                    unit);
+    put_colours(w);
+    w->next = FIRST_OBJECT;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
+        status = put_definition(w, w->order[i]);
+    put(w, "</resources>\n<build>\n");
+    put_references(w, 0, "item");
+    put(w, "</build>\n</model>\n");
+    return status;
+}
+
+/* ---- the archive ---- */
+
+static const char content_types[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+    "<Default Extension=\"rels\" "
+    "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+    "<Default Extension=\"model\" "
+    "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
+    "</Types>\n";
+
+static const char relations[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
+    "<Relationship Id=\"rel0\" Target=\"/3D/3dmodel.model\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
+    "</Relationships>\n";
+
+static batten_status make_room(writing *w)
+{
+    const size_t definitions = (size_t)w->definitions.count;
+    const size_t objects = (size_t)w->definitions.first[definitions];
+    w->order = bat_array(definitions, sizeof *w->order);
+    w->whole = bat_array(definitions, sizeof *w->whole);
+    w->is_surface = bat_array(definitions, sizeof *w->is_surface);
+    w->id = bat_array(objects, sizeof *w->id);
+    return w->order && w->whole && w->is_surface && w->id ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+batten_status bat_write_3mf(const batten_model *model, const batten_write_options *options,
+                            batten_notes *notes, batten_text *text)
+{
+    (void)options;
+    writing w = {.notes = notes, .scale = 1};
+    batten_status status = bat_definitions_find(model, &w.definitions);
+    if (status == BATTEN_OK)
+        status = make_room(&w);
+    if (status == BATTEN_OK)
+        status = find_order(&w);
+    if (status == BATTEN_OK)
+        status = put_model(&w, model);
+    if (status == BATTEN_OK) {
+        const bat_zip_member members[] = {
+            {"[Content_Types].xml", content_types, sizeof content_types - 1},
+            {"_rels/.rels", relations, sizeof relations - 1},
+            {"3D/3dmodel.model", w.xml.bytes, w.xml.length}};
+        text->failed = text->failed || w.xml.failed;
+        status = text->failed ? BATTEN_OK : bat_zip(3, members, text);
+    }
+    bat_definitions_end(&w.definitions);
+    bat_release(w.order);
+    bat_release(w.whole);
+    bat_release(w.is_surface);
+    bat_release(w.id);
+    batten_text_free(&w.xml);
+    return status;
+}

@@ -1,0 +1,21 @@
+/* The models that instances place, each once: for formats that share what is placed often. */
+#ifndef BAT_DEFINITIONS_H
+#define BAT_DEFINITIONS_H
+#include "base/base.h"
+#include <batten/model.h>
+
+typedef struct {
+    int count;
+    const batten_model **models; /* [count], borrowed; the model itself first */
+    int *first;                  /* [count + 1] the number of the first object of each */
+    size_t capacity;             /* of the table, a power of 2 */
+    int *table;                  /* index + 1 by the model's address; 0: empty */
+} bat_definitions;
+
+/* Begin with all 0; release by bat_definitions_end, also after a failure. */
+batten_status bat_definitions_find(const batten_model *model, bat_definitions *out);
+void bat_definitions_end(bat_definitions *definitions);
+/* The index of a model that was found. */
+int bat_definitions_index(const bat_definitions *definitions, const batten_model *model);
+
+#endif
