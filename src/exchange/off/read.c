@@ -49,7 +49,12 @@ batten_status bat_off_recognise(const bat_input *input, bool *is_such)
 
 static bool next_in_line(reading *r, bat_span *word)
 {
-    return bat_next_in_line(&r->scan, word) && word->bytes[0] != '#';
+    if (!bat_next_in_line(&r->scan, word))
+        return false;
+    if (word->bytes[0] != '#')
+        return true;
+    bat_rest_of_line(&r->scan);
+    return false;
 }
 
 static batten_status read_header(reading *r, size_t *vertices)
