@@ -29,6 +29,8 @@ typedef enum {
     SCATTERED_NEAR,    /* a surface within 1e-3 of values at scattered places */
     TRIANGULATION,     /* the triangles of Delaunay between scattered places */
     TRIANGLES_THROUGH, /* a smooth surface over triangles through scattered values */
+    WRITE_PATCHES,     /* a file of patches, one after another in the points of the surface */
+    READ_PATCHES,      /* the same file back */
     KIND_COUNT
 } bench_kind;
 
@@ -61,8 +63,9 @@ typedef struct {
     bench_method method;
     int order;
     bool rational, random;
+    bool iges;        /* of WRITE_ and READ_PATCHES; else STEP */
     size_t count;     /* parameters, or points to pass through; in each direction of a grid */
-    const char *unit; /* "ns" for each point, or "ms" */
+    const char *unit; /* "ns" for each point, "ms", or "MB" for the peak of memory */
     bench_curve curve;
     bench_surface surface;
     bench_curve *sections; /* [count] */
@@ -83,8 +86,9 @@ typedef struct {
  * FUNCTION_THROUGH midway between them; CURVE_LENGTH: the length / 1e3;
  * SKIN: each section at the parameters u [BENCH_PLACES]; SCATTERED_NEAR, TRIANGLES_THROUGH: the
  * first value, when all are met within the tolerance, or 1e-12; TRIANGULATION: the same, when
- * the triangles fill the unit square but for a hundredth. */
-enum { BENCH_PLACES = 20 };
+ * the triangles fill the unit square but for a hundredth; WRITE_PATCHES: the share of the faces
+ * that the file has; READ_PATCHES: all control points / 1e2. */
+enum { BENCH_PLACES = 20, BENCH_PATCH = 20 /* points of a patch in each direction */ };
 
 extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],
     bench_occt[KIND_COUNT], bench_gsl[KIND_COUNT];
@@ -93,6 +97,10 @@ extern const bench_entry bench_batten[KIND_COUNT], bench_sisl[KIND_COUNT],
 void bench_fill(bench_work *work);
 void bench_release(bench_work *work);
 double *bench_numbers(size_t count);
+/* The file of a row, which who ("batten", "occt") writes. */
+void bench_path(const bench_work *work, const char *who, char path[128]);
+/* How many faces a file has, as text. */
+size_t bench_faces(const char *path, bool iges);
 /* The unit vector of a x b. */
 void bench_unit_normal(const double *a, const double *b, double *normal);
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 double *bench_numbers(size_t count)
 {
@@ -255,6 +256,50 @@ static double *franke_values(size_t count, const double *uv)
     return values;
 }
 
+/* Knots of a patch, and the points of all: waves side by side, each with noise of its own. */
+static void fill_patches(bench_work *work)
+{
+    enum { N = BENCH_PATCH };
+    generator g = begin(71);
+    work->surface = (bench_surface){.count = N, .degree = 3};
+    for (int k = 0; k < 2; k++)
+        work->surface.knots[k] = make_knots(N, 3, 0.2, &g);
+    work->surface.points = bench_numbers(3 * N * N * work->count);
+    double *point = work->surface.points;
+    for (size_t k = 0; k < work->count; k++)
+        for (int i = 0; i < N; i++)
+            for (int j = 0; j < N; j++, point += 3) {
+                point[0] =
+                    10 * greville(work->surface.knots[0], 3, i) + 11.0 * (double)(k % 32);
+                point[1] =
+                    10 * greville(work->surface.knots[1], 3, j) + 11.0 * (double)(k / 32);
+                point[2] = 0.5 * cos((1 + 0.001 * (double)k) * point[0]) * cos(1.3 * point[1]) +
+                           0.02 * around_zero(&g);
+            }
+}
+
+void bench_path(const bench_work *work, const char *who, char path[128])
+{
+    const char *folder = getenv("TMPDIR");
+    snprintf(path, 128, "%.80s/batten-bench-%s.%s", folder ? folder : "/tmp", who,
+             work->iges ? "igs" : "step");
+}
+
+size_t bench_faces(const char *path, bool iges)
+{
+    char line[256];
+    size_t count = 0;
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        if (iges)
+            count += strncmp(line, "     128", 8) == 0 && strlen(line) > 73 && line[72] == 'D';
+        else
+            count += strstr(line, "ADVANCED_FACE") != NULL;
+    if (file)
+        fclose(file);
+    return iges ? count / 2 : count;
+}
+
 void bench_fill(bench_work *work)
 {
     const size_t n = work->count;
@@ -303,6 +348,14 @@ void bench_fill(bench_work *work)
     case CURVE_LENGTH:
         work->curve = make_curve(false);
         work->result_count = 1;
+        break;
+    case WRITE_PATCHES:
+        fill_patches(work);
+        work->result_count = 1;
+        break;
+    case READ_PATCHES:
+        fill_patches(work);
+        work->result_count = 3 * BENCH_PATCH * BENCH_PATCH * n;
         break;
     case SKIN:
         work->u = make_parameters(BENCH_PLACES, false, 0);

@@ -1,13 +1,17 @@
 /* Runs the rows: `batten-bench [part of a name ...]`, a table on standard output; `-t FILE`
  * also as TSV. */
 #define _XOPEN_SOURCE 700
-#include "bench.h"
+#include "exchange.h"
 
+#include <malloc.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 enum { MOST_RUNS = 15, PEERS = 4 };
 
@@ -79,7 +83,21 @@ static const bench_work rows[] = {
     BENCH("smooth surface over triangles through 1e5 values", .kind = TRIANGLES_THROUGH,
           .count = 100000, .unit = "ms"),
     BENCH("skin of 50 sections", .kind = SKIN, .count = 50, .unit = "ms"),
+    BENCH("exchange: STEP of 1e3 patches written", .kind = WRITE_PATCHES, .count = 1000,
+          .unit = "ms"),
+    BENCH("exchange: IGES of 1e3 patches written", .kind = WRITE_PATCHES, .iges = true,
+          .count = 1000, .unit = "ms"),
+    BENCH("exchange: STEP of 1e3 patches written", .kind = WRITE_PATCHES, .count = 1000,
+          .unit = "MB"),
+    BENCH("exchange: IGES of 1e3 patches written", .kind = WRITE_PATCHES, .iges = true,
+          .count = 1000, .unit = "MB"),
+    BENCH("exchange: IGES of 1e3 patches read", .kind = READ_PATCHES, .iges = true,
+          .count = 1000, .unit = "ms"),
+    BENCH("exchange: IGES of 1e3 patches read", .kind = READ_PATCHES, .iges = true,
+          .count = 1000, .unit = "MB"),
 };
+
+enum { BATTEN, OCCT = 2 };
 
 static const struct {
     const char *name;
@@ -100,6 +118,21 @@ static const struct {
 #else
                   {"gsl", NULL}};
 #endif
+
+static const bench_entry *entry_of(int peer, bench_kind kind)
+{
+    if (kind == WRITE_PATCHES || kind == READ_PATCHES) {
+        const bool write = kind == WRITE_PATCHES;
+        if (peer == BATTEN)
+            return write ? &bench_batten_write : &bench_batten_read;
+#ifdef BENCH_OCCT
+        if (peer == OCCT)
+            return write ? &bench_occt_write : &bench_occt_read;
+#endif
+        return NULL;
+    }
+    return peers[peer].entries ? &peers[peer].entries[kind] : NULL;
+}
 
 static double cpu_seconds(void)
 {
@@ -133,6 +166,40 @@ static bench_time measure(const bench_entry *entry, void *object)
     return (bench_time){times[0], times[count / 2]};
 }
 
+static bool is_memory(const bench_work *row)
+{
+    return strcmp(row->unit, "MB") == 0;
+}
+
+static double peak_megabytes(void)
+{
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used);
+    return (double)used.ru_maxrss / 1024;
+}
+
+/* By how many megabytes the work raises the peak of a process of its own. */
+static bench_time measure_memory(const bench_entry *entry, void *object)
+{
+    int ends[2];
+    double grown = 0;
+    if (pipe(ends) != 0)
+        return (bench_time){0, 0};
+    const pid_t child = fork();
+    if (child == 0) {
+        const double before = peak_megabytes();
+        entry->run(object);
+        grown = peak_megabytes() - before;
+        _exit(write(ends[1], &grown, sizeof grown) != (ssize_t)sizeof grown);
+    }
+    close(ends[1]);
+    if (read(ends[0], &grown, sizeof grown) != (ssize_t)sizeof grown)
+        grown = 0;
+    close(ends[0]);
+    waitpid(child, NULL, 0);
+    return (bench_time){grown, grown};
+}
+
 /* Coordinates reach 20: agreement to 1e-11 is some hundred roundings of the spans' widths. */
 static void check_agreement(const bench_work *work, const char *peer, const double *expected,
                             const double *result)
@@ -148,7 +215,8 @@ static void check_agreement(const bench_work *work, const char *peer, const doub
 
 static bool offered(int peer, const bench_work *work)
 {
-    return peers[peer].entries && peers[peer].entries[work->kind].open;
+    const bench_entry *entry = entry_of(peer, work->kind);
+    return entry && entry->open;
 }
 
 static void check_all(const bench_work *work, void *const objects[PEERS])
@@ -159,7 +227,7 @@ static void check_all(const bench_work *work, void *const objects[PEERS])
     for (int i = 0; i < PEERS; i++) {
         if (!objects[i])
             continue;
-        const bench_entry *entry = &peers[i].entries[work->kind];
+        const bench_entry *entry = entry_of(i, work->kind);
         entry->run(objects[i]);
         entry->gather(objects[i], i == 0 ? first : other);
         check_agreement(work, peers[i].name, expected, i == 0 ? first : other);
@@ -168,26 +236,52 @@ static void check_all(const bench_work *work, void *const objects[PEERS])
     free(other);
 }
 
-static void run_row(const bench_work *row, bench_time times[PEERS])
+/* Each on its own, with no memory left over from others. */
+static void run_memory_row(const bench_work *work, bench_time times[PEERS])
 {
-    bench_work work = *row;
+    for (int i = 0; i < PEERS; i++) {
+        times[i] = (bench_time){0, 0};
+        if (!offered(i, work))
+            continue;
+        const bench_entry *entry = entry_of(i, work->kind);
+        void *object = entry->open(work);
+        malloc_trim(0);
+        times[i] = measure_memory(entry, object);
+        entry->close(object);
+    }
+}
+
+static void run_timed_row(const bench_work *work, bench_time times[PEERS])
+{
     void *objects[PEERS] = {0};
-    bench_fill(&work);
     for (int i = 0; i < PEERS; i++)
-        objects[i] = offered(i, &work) ? peers[i].entries[work.kind].open(&work) : NULL;
-    check_all(&work, objects);
+        objects[i] = offered(i, work) ? entry_of(i, work->kind)->open(work) : NULL;
+    check_all(work, objects);
     for (int i = 0; i < PEERS; i++) {
         times[i] = (bench_time){0, 0};
         if (!objects[i])
             continue;
-        times[i] = measure(&peers[i].entries[work.kind], objects[i]);
-        peers[i].entries[work.kind].close(objects[i]);
+        const bench_entry *entry = entry_of(i, work->kind);
+        times[i] = measure(entry, objects[i]);
+        entry->close(objects[i]);
     }
+}
+
+static void run_row(const bench_work *row, bench_time times[PEERS])
+{
+    bench_work work = *row;
+    bench_fill(&work);
+    if (is_memory(row))
+        run_memory_row(&work, times);
+    else
+        run_timed_row(&work, times);
     bench_release(&work);
 }
 
 static double per_item(const bench_work *row, double seconds)
 {
+    if (is_memory(row))
+        return seconds; /* which are megabytes */
     if (strcmp(row->unit, "ms") == 0)
         return 1e3 * seconds;
     return 1e9 * seconds /
