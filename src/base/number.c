@@ -1,7 +1,8 @@
 #include "base/base.h"
-#include <batten/number.h>
+#include "base/real.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 /*
@@ -220,17 +221,37 @@ typedef struct {
     rest_kind rest;
 } scaled;
 
-/* t 2^e p, of which the caller knows that it is below 2^60; t < 2^56. */
-static scaled scale_wide(power p, uint64_t t, int e)
+/* t p with all its bits: (top 2^64 + bottom) 2^exponent. */
+typedef struct {
+    wide top;
+    uint64_t bottom;
+} product;
+
+static product multiply(power p, uint64_t t)
 {
     const wide low = (wide)t * p.low;
-    const wide sum = (wide)t * p.high + (uint64_t)(low >> 64);
-    const int shift = -(e + p.exponent) - 64;
-    const wide one = (wide)1 << shift, half = one >> 1, part = sum & (one - 1);
-    const uint64_t whole = (uint64_t)(sum >> shift);
+    return (product){(wide)t * p.high + (uint64_t)(low >> 64), (uint64_t)low};
+}
+
+static product add(product a, product b)
+{
+    const uint64_t bottom = a.bottom + b.bottom;
+    return (product){a.top + b.top + (bottom < a.bottom), bottom};
+}
+
+static product subtract(product a, product b)
+{
+    return (product){a.top - b.top - (a.bottom < b.bottom), a.bottom - b.bottom};
+}
+
+/* The product by 2^-shift, of which the caller knows that it is below 2^60. */
+static inline scaled split(product t, int shift, bool exact)
+{
+    const wide one = (wide)1 << shift, half = one >> 1, part = t.top & (one - 1);
+    const uint64_t whole = (uint64_t)(t.top >> shift);
 
     /* Not exact: the true part is above `part` by less than 2, one for each cut. */
-    if (!p.exact || (uint64_t)low != 0) {
+    if (!exact || t.bottom != 0) {
         if (part == 0 || part + 2 >= one || (part <= half && part + 2 >= half))
             return (scaled){whole, UNCLEAR};
     }
@@ -266,9 +287,10 @@ static scaled scale_long(uint64_t t, int e, int k)
                                                : ABOVE_HALF};
 }
 
-static scaled scale(power p, uint64_t t, int e, int k)
+/* The product is that of t and 10^-k; t 2^e / 10^k is asked for. */
+static inline scaled scale(product at, power p, uint64_t t, int e, int k)
 {
-    const scaled fast = scale_wide(p, t, e);
+    const scaled fast = split(at, -(e + p.exponent) - 64, p.exact);
     return fast.rest == UNCLEAR ? scale_long(t, e, k) : fast;
 }
 
@@ -290,8 +312,11 @@ static uint64_t shortest(uint64_t m, int e, int *exponent)
     /* floor(log10) of the distance of the midpoints: 2^e, or 3/4 2^e. */
     const int k = (e * 1262611 - (is_near_below ? 524031 : 0)) >> 22;
     const power p = power_of_ten(-k);
-    const scaled low = scale(p, 4 * m - (is_near_below ? 1 : 2), e - 2, k);
-    const scaled high = scale(p, 4 * m + 2, e - 2, k);
+    const uint64_t below = is_near_below ? 1 : 2;
+    const product at = multiply(p, 4 * m), two = multiply(p, 2);
+    const scaled low =
+        scale(subtract(at, is_near_below ? multiply(p, 1) : two), p, 4 * m - below, e - 2, k);
+    const scaled high = scale(add(at, two), p, 4 * m + 2, e - 2, k);
     const bool ends_belong = m % 2 == 0;
 
     *exponent = k;
@@ -301,11 +326,54 @@ static uint64_t shortest(uint64_t m, int e, int *exponent)
     if (is_inside(ten, low, high, ends_belong))
         return ten;
 
-    const scaled x = scale(p, 4 * m, e - 2, k);
+    const scaled x = scale(at, p, 4 * m, e - 2, k);
     const bool is_up = x.rest == ABOVE_HALF || (x.rest == HALF && x.whole % 2 == 1);
     const uint64_t nearest = x.whole + is_up;
     return is_inside(nearest, low, high, ends_belong) ? nearest : x.whole + !is_up;
 }
+
+static const char pairs[201] = "00010203040506070809101112131415161718192021222324"
+                               "25262728293031323334353637383940414243444546474849"
+                               "50515253545556575859606162636465666768697071727374"
+                               "75767778798081828384858687888990919293949596979899";
+
+/* Eight digits, also when the first are zeros. */
+static inline void write_eight(char *to, uint32_t value)
+{
+    const uint32_t high = value / 10000, low = value % 10000;
+    memcpy(to, &pairs[2 * (high / 100)], 2);
+    memcpy(to + 2, &pairs[2 * (high % 100)], 2);
+    memcpy(to + 4, &pairs[2 * (low / 100)], 2);
+    memcpy(to + 6, &pairs[2 * (low % 100)], 2);
+}
+
+/* The digits of a value below 10^24, with none before them that is zero; *count of them. */
+static const char *write_digits(char digits[24], uint64_t value, int *count)
+{
+    int first = 16;
+    if (value < 10) {
+        digits[23] = (char)('0' + value);
+        *count = 1;
+        return digits + 23;
+    }
+    write_eight(digits + 16, (uint32_t)(value % 100000000));
+    if (value >= 100000000) {
+        const uint64_t high = value / 100000000;
+        write_eight(digits + 8, (uint32_t)(high % 100000000));
+        first = 8;
+        if (high >= 100000000) {
+            write_eight(digits, (uint32_t)(high / 100000000));
+            first = 0;
+        }
+    }
+    while (digits[first] == '0')
+        first++;
+    *count = 24 - first;
+    return digits + first;
+}
+
+/* Numbers are put together here, where there is room to copy more than is needed. */
+enum { ROOM = 72, COPIED = 24 };
 
 /* Digits d1 d2 ... dn stand for d1.d2...dn 10^exponent; from 1e-5 to below 1e17 they are
  * written without it. */
@@ -313,67 +381,87 @@ static char *write_plain(char *to, const char *digits, int count, int exponent)
 {
     if (exponent < 0) {
         memcpy(to, "0.0000", 6);
-        to += 1 - exponent;
-        memcpy(to, digits, (size_t)count);
-        return to + count;
+        memcpy(to + 1 - exponent, digits, COPIED);
+        return to + 1 - exponent + count;
     }
-    for (int i = 0; i <= exponent || i < count; i++) {
-        if (i == exponent + 1)
-            *to++ = '.';
-        *to++ = i < count ? digits[i] : '0';
+    if (count <= exponent + 1) {
+        memcpy(to, digits, COPIED);
+        memset(to + count, '0', COPIED);
+        return to + exponent + 1;
     }
-    return to;
+    memcpy(to, digits, COPIED);
+    memcpy(to + exponent + 2, digits + exponent + 1, COPIED);
+    to[exponent + 1] = '.';
+    return to + count + 1;
 }
 
-static char *write_integer(char *to, uint64_t value)
+static char *write_exponent(char *to, const char *digits, int count, int exponent, char letter)
 {
-    char digits[20];
-    int count = 0;
-    do {
-        digits[count++] = (char)('0' + value % 10);
-        value /= 10;
-    } while (value);
-    while (count > 0)
-        *to++ = digits[--count];
-    return to;
-}
-
-static char *write_exponent(char *to, const char *digits, int count, int exponent)
-{
+    char place[24];
+    int length;
     *to++ = digits[0];
-    if (count > 1) {
+    if (count > 1 || letter == 'E')
         *to++ = '.';
-        memcpy(to, digits + 1, (size_t)(count - 1));
-        to += count - 1;
-    }
-    *to++ = 'e';
+    memcpy(to, digits + 1, COPIED);
+    to += count - 1;
+    *to++ = letter;
     if (exponent < 0)
         *to++ = '-';
-    return write_integer(to, (uint64_t)(exponent < 0 ? -exponent : exponent));
+    const char *ten = write_digits(place, (uint64_t)abs(exponent), &length);
+    memcpy(to, ten, (size_t)length);
+    return to + length;
 }
 
-static char *write_positive(char *to, uint64_t bits)
+static char *write_positive(char *to, uint64_t bits, char letter)
 {
+    char space[24 + COPIED] = {0};
     uint64_t m;
-    int e, exponent;
+    int e, exponent, count;
     take_apart(bits, &m, &e);
-    uint64_t value = shortest(m, e, &exponent);
-    while (value % 10 == 0) {
-        value /= 10;
-        exponent++;
-    }
-    char digits[20];
-    const int count = (int)(write_integer(digits, value) - digits);
+    const uint64_t value = shortest(m, e, &exponent);
+    const char *digits = write_digits(space, value, &count);
     exponent += count - 1;
-    return exponent >= -5 && exponent < 17 ? write_plain(to, digits, count, exponent)
-                                           : write_exponent(to, digits, count, exponent);
+    while (digits[count - 1] == '0')
+        count--;
+    if (exponent < -5 || exponent >= 17)
+        return write_exponent(to, digits, count, exponent, letter);
+    char *end = write_plain(to, digits, count, exponent);
+    if (letter == 'E' && count <= exponent + 1)
+        *end++ = '.';
+    return end;
 }
 
-int batten_number_write(double value, char *text)
+/* Whole numbers below 2^53 are their digits: there is no other number as near to them. */
+static char *write_whole(char *to, uint64_t value, char letter)
 {
+    char space[24 + COPIED] = {0};
+    int count;
+    const char *digits = write_digits(space, value, &count);
+    memcpy(to, digits, COPIED);
+    if (letter == 'E')
+        to[count++] = '.';
+    return to + count;
+}
+
+static char *write_finite(char *to, uint64_t bits, char letter)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    if (value < 9007199254740992.0) {
+        const uint64_t whole = (uint64_t)value;
+        if ((double)whole == value)
+            return write_whole(to, whole, letter);
+    }
+    return write_positive(to, bits, letter);
+}
+
+/* With the letter 'e' as batten_number_write has it; with 'E' a '.' always stands there. */
+static int write_number(double value, char letter, char *text)
+{
+    char space[ROOM];
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    char *to = text;
+    char *to = space;
     if ((bits & SIGN_BIT) && !isnan(value))
         *to++ = '-';
     bits &= ~SIGN_BIT;
@@ -381,12 +469,35 @@ int batten_number_write(double value, char *text)
         to = (char *)memcpy(to, "nan", 3) + 3;
     else if (bits == INFINITE_BITS)
         to = (char *)memcpy(to, "inf", 3) + 3;
-    else if (bits == 0)
-        *to++ = '0';
     else
-        to = write_positive(to, bits);
+        to = write_finite(to, bits, letter);
     *to = 0;
-    return (int)(to - text);
+    memcpy(text, space, BATTEN_NUMBER_SIZE);
+    return (int)(to - space);
+}
+
+int batten_number_write(double value, char *text)
+{
+    return write_number(value, 'e', text);
+}
+
+int bat_real_write(double value, char *text)
+{
+    return write_number(value, 'E', text);
+}
+
+int bat_integer_write(int64_t value, char *text)
+{
+    char digits[24];
+    char *to = text;
+    int count;
+    if (value < 0)
+        *to++ = '-';
+    const char *first =
+        write_digits(digits, value < 0 ? 0 - (uint64_t)value : (uint64_t)value, &count);
+    memcpy(to, first, (size_t)count);
+    to[count] = 0;
+    return (int)(to - text) + count;
 }
 
 /* ---- reading ---- */

@@ -1,5 +1,5 @@
 #include "exchange/iges/writing.h"
-#include "exchange/real.h"
+#include "base/real.h"
 
 #include <string.h>
 

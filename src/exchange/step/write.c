@@ -1,7 +1,7 @@
 /* A model as a STEP file: a product for the model and for each that it places. */
 #include "exchange/formats.h"
 #include "exchange/prepare.h"
-#include "exchange/real.h"
+#include "base/real.h"
 #include "exchange/step/writing.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "exchange/real.h"
+#include "base/real.h"
 
 #include <stdlib.h>
 
