@@ -68,6 +68,8 @@ size_t bat_utf8_length(const char *text);
 /* Put bytes before a text that grows. */
 struct batten_text;
 void bat_text_insert(struct batten_text *text, const char *bytes, size_t length);
+/* Make room for so many bytes more at once: a long text then need not move as it grows. */
+void bat_text_reserve(struct batten_text *text, size_t length);
 
 /* Bytes as they may stand in a message: what is no printable ASCII as \xNN, cut where they do
  * not fit. */

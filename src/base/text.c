@@ -63,6 +63,11 @@ void bat_text_insert(batten_text *text, const char *bytes, size_t length)
     text->bytes[text->length] = 0;
 }
 
+void bat_text_reserve(batten_text *text, size_t length)
+{
+    make_room(text, length);
+}
+
 void batten_text_add(batten_text *text, const char *format, ...)
 {
     va_list arguments, again;

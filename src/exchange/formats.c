@@ -71,8 +71,7 @@ static const bat_format_row formats[] = {
      .endings = {".igs", ".iges"},
      .recognise = bat_iges_recognise,
      .read = bat_read_iges,
-     .holds =
-         BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,

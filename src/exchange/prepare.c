@@ -55,3 +55,25 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     batten_surface_unref(nurbs);
     return status;
 }
+
+static size_t points_of(const batten_surface *surface)
+{
+    return (size_t)batten_surface_point_count(surface, BATTEN_U) *
+           (size_t)batten_surface_point_count(surface, BATTEN_V);
+}
+
+size_t bat_count_points(const batten_model *model)
+{
+    size_t count = 0;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        const batten_body_parts *parts = object->body ? batten_body_view(object->body) : NULL;
+        if (object->surface)
+            count += points_of(object->surface);
+        if (object->curve)
+            count += (size_t)batten_curve_point_count(object->curve);
+        for (int f = 0; parts && f < parts->face_count; f++)
+            count += points_of(parts->faces[f].surface);
+    }
+    return count;
+}

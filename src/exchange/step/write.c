@@ -1,7 +1,7 @@
 /* A model as a STEP file: a product for the model and for each that it places. */
+#include "base/real.h"
 #include "exchange/formats.h"
 #include "exchange/prepare.h"
-#include "base/real.h"
 #include "exchange/step/writing.h"
 
 #include <string.h>
@@ -429,6 +429,7 @@ static void put_header(bat_step *step, const batten_write_options *options)
 
 static batten_status write_all(bat_step_writing *w, const batten_model *model)
 {
+    bat_text_reserve(w->step.text, 100 * bat_count_points(model)); /* mostly enough */
     put_header(&w->step, w->options);
     bat_step_put_contexts(w, batten_model_unit_metres(model));
     batten_status status = write_model(w, model, w->options->name, true);

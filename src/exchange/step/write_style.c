@@ -198,6 +198,5 @@ batten_status bat_step_put_marks(bat_step_writing *w)
     put_layers(w);
     open_groups open = {.step = step};
     return bat_groups_visit(
-        &w->groups,
-        &(bat_group_visitor){&open, enter_group, put_group_items, leave_group});
+        &w->groups, &(bat_group_visitor){&open, enter_group, put_group_items, leave_group});
 }
