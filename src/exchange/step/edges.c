@@ -18,6 +18,11 @@ bat_step_made *bat_step_made_of(const bat_step_topology *t, const bat_step_insta
     return &t->made[bat_step_index(t->file, instance)];
 }
 
+uint32_t bat_step_stamp(const bat_step_topology *t, bat_step_sort sort)
+{
+    return sort == BAT_STEP_FACE ? (uint32_t)sort : t->body << 3 | (uint32_t)sort;
+}
+
 batten_status bat_step_spend(bat_step_topology *t, const bat_step_instance *instance,
                              size_t count)
 {
@@ -87,7 +92,7 @@ int bat_step_end_of(const bat_step_topology *t, const bat_step_use *use, int k)
 static batten_status vertex_at(bat_step_topology *t, const bat_step_instance *point, int *index)
 {
     bat_step_made *made = bat_step_made_of(t, point);
-    if (made->body == t->body) {
+    if (made->stamp == bat_step_stamp(t, BAT_STEP_POINT_VERTEX)) {
         *index = made->index;
         return BATTEN_OK;
     }
@@ -96,7 +101,7 @@ static batten_status vertex_at(bat_step_topology *t, const bat_step_instance *po
     if (status == BATTEN_OK)
         status = bat_builder_vertex(&t->builder, at, index);
     if (status == BATTEN_OK)
-        *made = (bat_step_made){t->body, *index};
+        *made = (bat_step_made){bat_step_stamp(t, BAT_STEP_POINT_VERTEX), *index};
     return status;
 }
 
@@ -106,7 +111,7 @@ static batten_status read_vertex(bat_step_topology *t, const bat_step_instance *
     const bat_step_record *record = bat_step_as(t->file, instance, "VERTEX_POINT");
     const bat_step_instance *point = NULL;
     bat_step_made *made = bat_step_made_of(t, instance);
-    if (record && made->body == t->body) {
+    if (record && made->stamp == bat_step_stamp(t, BAT_STEP_VERTEX)) {
         *index = made->index;
         return BATTEN_OK;
     }
@@ -117,7 +122,7 @@ static batten_status read_vertex(bat_step_topology *t, const bat_step_instance *
     if (status == BATTEN_OK)
         status = vertex_at(t, point, index);
     if (status == BATTEN_OK)
-        *made = (bat_step_made){t->body, *index};
+        *made = (bat_step_made){bat_step_stamp(t, BAT_STEP_VERTEX), *index};
     return status;
 }
 
@@ -332,7 +337,7 @@ batten_status bat_step_read_edge(bat_step_topology *t, const bat_step_instance *
                                  int *index)
 {
     bat_step_made *made = bat_step_made_of(t, instance);
-    if (made->body == t->body) {
+    if (made->stamp == bat_step_stamp(t, BAT_STEP_EDGE)) {
         *index = made->index;
         return made->index >= 0 ? BATTEN_OK
                                 : bat_step_fail(t->file, instance, BATTEN_BAD_FORMAT,
@@ -342,9 +347,9 @@ batten_status bat_step_read_edge(bat_step_topology *t, const bat_step_instance *
     batten_status status = make_edge(t, &e, index);
     batten_curve_unref(e.curve);
     if (status == BATTEN_OK)
-        *made = (bat_step_made){t->body, *index};
+        *made = (bat_step_made){bat_step_stamp(t, BAT_STEP_EDGE), *index};
     else if (status != BATTEN_OUT_OF_MEMORY)
-        *made = (bat_step_made){t->body, -1};
+        *made = (bat_step_made){bat_step_stamp(t, BAT_STEP_EDGE), -1};
     return status;
 }
 

@@ -12,7 +12,6 @@ typedef struct {
     int degree, count;
     const double *knots, *points, *weights;
     size_t stride; /* from one point to the next */
-    bool is_point; /* all in one place */
 } border;
 
 static border take_border(const batten_surface *s, int side)
@@ -69,26 +68,29 @@ static bool is_border(const border *b, const batten_curve *curve, double toleran
     return true;
 }
 
-/* Do the uses from `first` on, cyclically, go along the borders that are no points? */
+/* Does the use go along the border, as a loop around the patch does? */
+static bool is_along(const batten_body_parts *p, const border *b, int side, int index)
+{
+    const batten_body_use *use = &p->uses[index];
+    const batten_curve *curve = p->edges[use->edge].curve;
+    bool is_seam = false; /* of which only one border is kept in full */
+    for (int i = 0; i < p->use_count; i++)
+        is_seam |= i != index && p->uses[i].edge == use->edge;
+    return use->reversed == (side >= NORTH) && curve && !batten_curve_is_periodic(curve) &&
+           is_border(b, curve, is_seam ? p->tolerance : 0);
+}
+
+/* Do the uses from `first` on, cyclically, go along all borders but those that are points? */
 static bool goes_around(const batten_body_parts *p, const border borders[SIDES], int first)
 {
-    const int count = p->loops[0].count;
     int used = 0;
-    for (int side = 0; side < SIDES; side++) {
-        if (borders[side].is_point)
-            continue;
-        if (used == count)
+    for (int side = 0; side < SIDES; side++)
+        if (used < p->use_count &&
+            is_along(p, &borders[side], side, (first + used) % p->use_count))
+            used++;
+        else if (!is_point(&borders[side], p->tolerance))
             return false;
-        const batten_body_use *use = &p->uses[(first + used++) % count];
-        const batten_curve *curve = p->edges[use->edge].curve;
-        bool is_seam = false; /* of which only one border is kept in full */
-        for (int i = 0; i < count; i++)
-            is_seam |= &p->uses[i] != use && p->uses[i].edge == use->edge;
-        if (use->reversed != (side >= NORTH) || !curve || batten_curve_is_periodic(curve) ||
-            !is_border(&borders[side], curve, is_seam ? p->tolerance : 0))
-            return false;
-    }
-    return used == count;
+    return used == p->use_count;
 }
 
 const batten_body_face *bat_step_whole_patch(const batten_body *body)
@@ -102,10 +104,8 @@ const batten_body_face *bat_step_whole_patch(const batten_body *body)
     if (strcmp(batten_surface_kind(s), "nurbs") != 0 ||
         batten_surface_is_periodic(s, BATTEN_U) || batten_surface_is_periodic(s, BATTEN_V))
         return NULL;
-    for (int side = 0; side < SIDES; side++) {
+    for (int side = 0; side < SIDES; side++)
         borders[side] = take_border(s, side);
-        borders[side].is_point = is_point(&borders[side], p->tolerance);
-    }
     for (int first = 0; first < p->use_count; first++)
         if (goes_around(p, borders, first))
             return &p->faces[0];

@@ -96,6 +96,12 @@ batten_status bat_step_read_place(const bat_step_file *file, const bat_step_inst
     if (operator)
         return read_operator(file, instance, operator, scale, place);
     batten_status status = bat_step_read_placement(file, instance, scale, &frame);
+    /* As the file has them: the frame is square already, which may have cost a rounding. */
+    const bat_step_record *placement = bat_step_as(file, instance, "AXIS2_PLACEMENT_3D");
+    if (status == BATTEN_OK && placement)
+        status = read_axis(file, placement, 2, frame.z, &frame.z);
+    if (status == BATTEN_OK && placement)
+        status = read_axis(file, placement, 3, frame.x, &frame.x);
     if (status != BATTEN_OK)
         return status;
     const batten_vec3 z = unit(frame.z), x = square(frame.x, z);

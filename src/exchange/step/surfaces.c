@@ -89,7 +89,7 @@ static batten_status own_surface(bat_step_topology *t, const bat_step_instance *
 {
     bat_step_made *made = bat_step_made_of(t, instance);
     batten_surface *surface = NULL;
-    if (made->body == t->body) {
+    if (made->stamp == bat_step_stamp(t, BAT_STEP_SURFACE)) {
         if (made->index < 0)
             return bat_step_fail(t->file, instance, BATTEN_BAD_FORMAT,
                                  "the surface could not be read before");
@@ -103,10 +103,11 @@ static batten_status own_surface(bat_step_topology *t, const bat_step_instance *
             batten_surface_unref(surface);
     }
     if (status == BATTEN_OK) {
-        *made = (bat_step_made){t->body, (int)t->surfaces.count - 1};
+        *made =
+            (bat_step_made){bat_step_stamp(t, BAT_STEP_SURFACE), (int)t->surfaces.count - 1};
         *out = batten_surface_ref(surface);
     } else if (status != BATTEN_OUT_OF_MEMORY && status != BATTEN_CANCELLED) {
-        *made = (bat_step_made){t->body, -1};
+        *made = (bat_step_made){bat_step_stamp(t, BAT_STEP_SURFACE), -1};
     }
     return status;
 }

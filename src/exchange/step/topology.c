@@ -6,9 +6,6 @@
 /* What wraps a face or shell may be wrapped again, so often at most. */
 enum { WRAPS = 16 };
 
-/* A face that was read: no second body gets it. */
-#define READ_FOR_GOOD UINT32_MAX
-
 batten_status bat_step_topology_open(bat_step_file *file, bat_census *census,
                                      bat_step_style *style, const void *context,
                                      bat_step_topology *t)
@@ -80,7 +77,11 @@ batten_status bat_step_body_end(bat_step_topology *t, bool is_solid, batten_body
         return BATTEN_OK;
     }
     apply_roots(t);
-    return bat_builder_finish(&t->builder, is_solid, out);
+    batten_status status = bat_step_sort_edges(t);
+    if (status == BATTEN_OK)
+        return bat_builder_finish(&t->builder, is_solid, out);
+    bat_builder_end(&t->builder);
+    return status;
 }
 
 /* ---- faces ---- */
@@ -164,7 +165,7 @@ static batten_status read_face(bat_step_topology *t, const bat_step_instance *ou
     if (status == BATTEN_OK && !record)
         status =
             bat_step_fail(t->file, face, BATTEN_BAD_FORMAT, "it stands where a face should");
-    if (status == BATTEN_OK && made->body == READ_FOR_GOOD)
+    if (status == BATTEN_OK && made->stamp == bat_step_stamp(t, BAT_STEP_FACE))
         status = bat_step_fail(t->file, face, BATTEN_BAD_FORMAT,
                                "the face is part of two shells, or twice of one");
     if (status == BATTEN_OK)
@@ -172,7 +173,7 @@ static batten_status read_face(bat_step_topology *t, const bat_step_instance *ou
     if (status == BATTEN_OK)
         status = put_face(t, face, record, flipped);
     if (status == BATTEN_OK) {
-        made->body = READ_FOR_GOOD;
+        made->stamp = bat_step_stamp(t, BAT_STEP_FACE);
         return bat_census_read(t->file->input, t->census,
                                bat_step_keyword(t->file, face, keyword));
     }

@@ -10,10 +10,18 @@
 typedef void bat_step_style(const void *context, const bat_step_instance *item,
                             batten_body_face *face);
 
-/* What became of an instance. */
+/* What became of an instance. The stamp says of what sort the index is, for an instance may be
+ * referred to as if it were of several. */
+typedef enum {
+    BAT_STEP_POINT_VERTEX = 1,
+    BAT_STEP_VERTEX,
+    BAT_STEP_EDGE,
+    BAT_STEP_SURFACE,
+    BAT_STEP_FACE /* for good: no second body gets it */
+} bat_step_sort;
 typedef struct {
-    uint32_t body; /* the number of the body that it was made for; 0 for none */
-    int index;     /* in the builder or a list below; -1 when it could not be made */
+    uint32_t stamp; /* see bat_step_stamp */
+    int index;      /* in the builder or a list below; -1 when it could not be made */
 } bat_step_made;
 
 typedef struct {
@@ -84,6 +92,8 @@ const batten_body_face *bat_step_whole_patch(const batten_body *body);
 uint32_t bat_step_index(const bat_step_file *file, const bat_step_instance *instance);
 bat_step_made *bat_step_made_of(const bat_step_topology *topology,
                                 const bat_step_instance *instance);
+/* The stamp of what is made of that sort for the body at work. */
+uint32_t bat_step_stamp(const bat_step_topology *topology, bat_step_sort sort);
 /* Take `count` items more; refused when lists are followed over and over. */
 batten_status bat_step_spend(bat_step_topology *topology, const bat_step_instance *instance,
                              size_t count);
@@ -112,6 +122,10 @@ batten_status bat_step_read_bounds(bat_step_topology *topology, const bat_step_i
 /* The loops that were collected, into the builder; with their curves in the parameters of the
  * surface, if it is given. */
 batten_status bat_step_put_loops(bat_step_topology *topology, const bat_step_instance *surface);
+
+/* ---- edge_order.c ---- */
+
+batten_status bat_step_sort_edges(bat_step_topology *topology);
 
 /* ---- surfaces.c ---- */
 

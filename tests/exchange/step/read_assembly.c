@@ -4,32 +4,32 @@
 static const double ZERO[] = {0, 0, 0}, X[] = {1, 0, 0}, Y[] = {0, 1, 0}, Z[] = {0, 0, 1};
 
 /* The product #id with its definition #id + 1, whose shape is the representation. */
-static void put_product(batten_text *text, int id, const char *name, int representation)
+static void put_product(box_text *text, int id, const char *name, int representation)
 {
-    batten_text_add(text, "#%d=PRODUCT('id %s','%s','',());\n", id, name, name);
-    batten_text_add(text, "#%d=PRODUCT_DEFINITION('','',#%d,$);\n", id + 1, id + 2);
-    batten_text_add(text, "#%d=PRODUCT_DEFINITION_FORMATION('','',#%d);\n", id + 2, id);
-    batten_text_add(text, "#%d=PRODUCT_DEFINITION_SHAPE('','',#%d);\n", id + 3, id + 1);
-    batten_text_add(text, "#%d=SHAPE_DEFINITION_REPRESENTATION(#%d,#%d);\n", id + 4, id + 3,
-                    representation);
+    box_add(text, "#%d=PRODUCT('id %s','%s','',());\n", id, name, name);
+    box_add(text, "#%d=PRODUCT_DEFINITION('','',#%d,$);\n", id + 1, id + 2);
+    box_add(text, "#%d=PRODUCT_DEFINITION_FORMATION('','',#%d);\n", id + 2, id);
+    box_add(text, "#%d=PRODUCT_DEFINITION_SHAPE('','',#%d);\n", id + 3, id + 1);
+    box_add(text, "#%d=SHAPE_DEFINITION_REPRESENTATION(#%d,#%d);\n", id + 4, id + 3,
+            representation);
 }
 
 /* The representation `part` placed in `whole`, from placement `from` to `to`. */
-static void put_occurrence(batten_text *text, int id, const char *name, int part, int whole,
+static void put_occurrence(box_text *text, int id, const char *name, int part, int whole,
                            int from, int to, int part_product, int whole_product, bool swapped)
 {
-    batten_text_add(text, "#%d=NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d','%s','',#%d,#%d,$);\n", id,
-                    id, name, whole_product + 1, part_product + 1);
-    batten_text_add(text, "#%d=PRODUCT_DEFINITION_SHAPE('','',#%d);\n", id + 1, id);
-    batten_text_add(text, "#%d=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#%d,#%d);\n", id + 2,
-                    id + 3, id + 1);
-    batten_text_add(text,
-                    "#%d=(REPRESENTATION_RELATIONSHIP('','',#%d,#%d)"
-                    "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%d)"
-                    "SHAPE_REPRESENTATION_RELATIONSHIP());\n",
-                    id + 3, swapped ? whole : part, swapped ? part : whole, id + 4);
-    batten_text_add(text, "#%d=ITEM_DEFINED_TRANSFORMATION('','',#%d,#%d);\n", id + 4,
-                    swapped ? to : from, swapped ? from : to);
+    box_add(text, "#%d=NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d','%s','',#%d,#%d,$);\n", id, id, name,
+            whole_product + 1, part_product + 1);
+    box_add(text, "#%d=PRODUCT_DEFINITION_SHAPE('','',#%d);\n", id + 1, id);
+    box_add(text, "#%d=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#%d,#%d);\n", id + 2, id + 3,
+            id + 1);
+    box_add(text,
+            "#%d=(REPRESENTATION_RELATIONSHIP('','',#%d,#%d)"
+            "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%d)"
+            "SHAPE_REPRESENTATION_RELATIONSHIP());\n",
+            id + 3, swapped ? whole : part, swapped ? part : whole, id + 4);
+    box_add(text, "#%d=ITEM_DEFINED_TRANSFORMATION('','',#%d,#%d);\n", id + 4,
+            swapped ? to : from, swapped ? from : to);
 }
 
 /* A box of one inch, its corner at the origin of the bolt; two bolts in an arm, the second
@@ -37,25 +37,24 @@ static void put_occurrence(batten_text *text, int id, const char *name, int part
 static const char *ship(bool swapped)
 {
     static const double bolt_at[] = {10, 0, 0}, arm_at[] = {0, 100, 0};
-    batten_text text;
+    box_text text;
     box_shell(box_begin(&text), 1, ZERO, 1, 0);
-    batten_text_add(&text,
-                    "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
-                    "#920=(GEOMETRIC_REPRESENTATION_CONTEXT(3)"
-                    "GLOBAL_UNIT_ASSIGNED_CONTEXT((#921,#902,#903))"
-                    "REPRESENTATION_CONTEXT('',''));\n"
-                    "#921=(CONVERSION_BASED_UNIT('INCH',#922)LENGTH_UNIT()NAMED_UNIT(#923));\n"
-                    "#922=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#901);\n"
-                    "#923=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n");
+    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
+                   "#920=(GEOMETRIC_REPRESENTATION_CONTEXT(3)"
+                   "GLOBAL_UNIT_ASSIGNED_CONTEXT((#921,#902,#903))"
+                   "REPRESENTATION_CONTEXT('',''));\n"
+                   "#921=(CONVERSION_BASED_UNIT('INCH',#922)LENGTH_UNIT()NAMED_UNIT(#923));\n"
+                   "#922=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#901);\n"
+                   "#923=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n");
     box_context(&text, 900);
     box_placement(&text, 700, ZERO, Z, X);
     box_placement(&text, 710, bolt_at, Z, Y);
     box_placement(&text, 720, arm_at, Y, X);
-    batten_text_add(&text, "#800=SHAPE_REPRESENTATION('ship',(#700,#720),#900);\n"
-                           "#801=SHAPE_REPRESENTATION('arm',(#700,#710),#900);\n"
-                           "#802=SHAPE_REPRESENTATION('bolt',(#700),#920);\n"
-                           "#803=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#1000),#920);\n"
-                           "#804=SHAPE_REPRESENTATION_RELATIONSHIP('','',#802,#803);\n");
+    box_add(&text, "#800=SHAPE_REPRESENTATION('ship',(#700,#720),#900);\n"
+                   "#801=SHAPE_REPRESENTATION('arm',(#700,#710),#900);\n"
+                   "#802=SHAPE_REPRESENTATION('bolt',(#700),#920);\n"
+                   "#803=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#1000),#920);\n"
+                   "#804=SHAPE_REPRESENTATION_RELATIONSHIP('','',#802,#803);\n");
     put_product(&text, 1100, "ship", 800);
     put_product(&text, 1110, "arm", 801);
     put_product(&text, 1120, "bolt", 802);
@@ -125,22 +124,21 @@ TEST(mapped_items_place_representations_by_placement_or_operator)
                  {"#731", {8, 0, 0}, {10, 2, 2}}};
     static const double at[] = {10, 0, 0};
     for (int k = 0; k < COUNT(cases); k++) {
-        batten_text text;
+        box_text text;
         batten_model *model = NULL, *flat = NULL;
         box_shell(box_begin(&text), 1, ZERO, 1, 0);
         box_context(&text, 900);
         box_placement(&text, 700, ZERO, Z, X);
         box_placement(&text, 710, at, Z, Y);
-        batten_text_add(&text,
-                        "#740=DIRECTION('',(0.,1.,0.));\n#741=DIRECTION('',(-1.,0.,0.));\n"
-                        "#730=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',$,$,#711,2.,$);\n"
-                        "#731=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',#740,#741,#711,2.,"
-                        "#712);\n"
-                        "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
-                        "#800=SHAPE_REPRESENTATION('whole',(#750),#900);\n"
-                        "#801=ADVANCED_BREP_SHAPE_REPRESENTATION('part',(#1000),#900);\n"
-                        "#749=REPRESENTATION_MAP(#700,#801);\n");
-        batten_text_add(&text, "#750=MAPPED_ITEM('here',#749,%s);\n", cases[k].target);
+        box_add(&text, "#740=DIRECTION('',(0.,1.,0.));\n#741=DIRECTION('',(-1.,0.,0.));\n"
+                       "#730=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',$,$,#711,2.,$);\n"
+                       "#731=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',#740,#741,#711,2.,"
+                       "#712);\n"
+                       "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
+                       "#800=SHAPE_REPRESENTATION('whole',(#750),#900);\n"
+                       "#801=ADVANCED_BREP_SHAPE_REPRESENTATION('part',(#1000),#900);\n"
+                       "#749=REPRESENTATION_MAP(#700,#801);\n");
+        box_add(&text, "#750=MAPPED_ITEM('here',#749,%s);\n", cases[k].target);
         const char *file = box_end(&text);
         CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
         CHECK_INT(batten_model_count(model), 1);
@@ -154,19 +152,19 @@ TEST(mapped_items_place_representations_by_placement_or_operator)
 
 TEST(P1_assemblies_in_a_ring_are_cut_where_the_ring_closes)
 {
-    batten_text text;
+    box_text text;
     batten_model *model = NULL;
     batten_notes *notes = NULL;
     box_shell(box_begin(&text), 1, ZERO, 1, 0);
     box_context(&text, 900);
     box_placement(&text, 700, ZERO, Z, X);
-    batten_text_add(&text, "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
-                           "#800=SHAPE_REPRESENTATION('a',(#1000,#750),#900);\n"
-                           "#801=SHAPE_REPRESENTATION('b',(#751),#900);\n"
-                           "#748=REPRESENTATION_MAP(#700,#800);\n"
-                           "#749=REPRESENTATION_MAP(#700,#801);\n"
-                           "#750=MAPPED_ITEM('b in a',#749,#700);\n"
-                           "#751=MAPPED_ITEM('a in b',#748,#700);\n");
+    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('head',#181);\n"
+                   "#800=SHAPE_REPRESENTATION('a',(#1000,#750),#900);\n"
+                   "#801=SHAPE_REPRESENTATION('b',(#751),#900);\n"
+                   "#748=REPRESENTATION_MAP(#700,#800);\n"
+                   "#749=REPRESENTATION_MAP(#700,#801);\n"
+                   "#750=MAPPED_ITEM('b in a',#749,#700);\n"
+                   "#751=MAPPED_ITEM('a in b',#748,#700);\n");
     const char *file = box_end(&text);
     CHECK_OK(batten_notes_create(20, &notes));
     CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, notes, &model), BATTEN_PARTLY_READ);
@@ -180,15 +178,15 @@ TEST(P1_assemblies_in_a_ring_are_cut_where_the_ring_closes)
 TEST(roots_that_stand_side_by_side_are_groups_of_one_model)
 {
     static const double there[] = {5, 0, 0};
-    batten_text text;
+    box_text text;
     batten_model *model = NULL;
     box_shell(box_begin(&text), 1, ZERO, 1, 0);
     box_shell(&text, 301, there, 1, 0);
     box_context(&text, 900);
-    batten_text_add(&text, "#1000=MANIFOLD_SOLID_BREP('one',#181);\n"
-                           "#1001=MANIFOLD_SOLID_BREP('',#481);\n"
-                           "#800=SHAPE_REPRESENTATION('',(#1000),#900);\n"
-                           "#801=SHAPE_REPRESENTATION('',(#1001),#900);\n");
+    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('one',#181);\n"
+                   "#1001=MANIFOLD_SOLID_BREP('',#481);\n"
+                   "#800=SHAPE_REPRESENTATION('',(#1000),#900);\n"
+                   "#801=SHAPE_REPRESENTATION('',(#1001),#900);\n");
     put_product(&text, 1100, "left", 800);
     put_product(&text, 1110, "right", 801);
     const char *file = box_end(&text);

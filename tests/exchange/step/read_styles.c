@@ -6,30 +6,30 @@ static const double ORIGIN[] = {0, 0, 0};
 /* A box #1000 and a line #1100 in a curve set #1101, with what the text says of their looks. */
 static batten_model *read_with(const char *looks)
 {
-    batten_text text;
+    box_text text;
     batten_model *model = NULL;
     box_shell(box_begin(&text), 1, ORIGIN, 1, 0);
-    batten_text_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n"
-                           "#1100=POLYLINE('keel',(#1,#2));\n"
-                           "#1101=GEOMETRIC_CURVE_SET('set',(#1100));\n"
-                           "#1110=COLOUR_RGB('',0.25,0.5,0.75);\n"
-                           "#1111=DRAUGHTING_PRE_DEFINED_COLOUR('red');\n"
-                           "#1120=FILL_AREA_STYLE_COLOUR('',#1110);\n"
-                           "#1121=FILL_AREA_STYLE('',(#1120));\n"
-                           "#1122=SURFACE_STYLE_FILL_AREA(#1121);\n"
-                           "#1123=SURFACE_SIDE_STYLE('',(#1122));\n"
-                           "#1124=SURFACE_STYLE_USAGE(.BOTH.,#1123);\n"
-                           "#1125=PRESENTATION_STYLE_ASSIGNMENT((#1124));\n"
-                           "#1130=CURVE_STYLE('',$,POSITIVE_LENGTH_MEASURE(0.1),#1111);\n"
-                           "#1131=PRESENTATION_STYLE_ASSIGNMENT((#1130));\n"
-                           "#1140=SURFACE_SIDE_STYLE('',(#1141));\n"
-                           "#1141=SURFACE_STYLE_RENDERING_WITH_PROPERTIES($,#1111,(#1142));\n"
-                           "#1142=SURFACE_STYLE_TRANSPARENT(0.5);\n"
-                           "#1143=SURFACE_STYLE_USAGE(.BOTH.,#1140);\n"
-                           "#1144=PRESENTATION_STYLE_ASSIGNMENT((#1143,#1130));\n");
-    batten_text_add(&text, "%s", looks);
+    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n"
+                   "#1100=POLYLINE('keel',(#1,#2));\n"
+                   "#1101=GEOMETRIC_CURVE_SET('set',(#1100));\n"
+                   "#1110=COLOUR_RGB('',0.25,0.5,0.75);\n"
+                   "#1111=DRAUGHTING_PRE_DEFINED_COLOUR('red');\n"
+                   "#1120=FILL_AREA_STYLE_COLOUR('',#1110);\n"
+                   "#1121=FILL_AREA_STYLE('',(#1120));\n"
+                   "#1122=SURFACE_STYLE_FILL_AREA(#1121);\n"
+                   "#1123=SURFACE_SIDE_STYLE('',(#1122));\n"
+                   "#1124=SURFACE_STYLE_USAGE(.BOTH.,#1123);\n"
+                   "#1125=PRESENTATION_STYLE_ASSIGNMENT((#1124));\n"
+                   "#1130=CURVE_STYLE('',$,POSITIVE_LENGTH_MEASURE(0.1),#1111);\n"
+                   "#1131=PRESENTATION_STYLE_ASSIGNMENT((#1130));\n"
+                   "#1140=SURFACE_SIDE_STYLE('',(#1141));\n"
+                   "#1141=SURFACE_STYLE_RENDERING_WITH_PROPERTIES($,#1111,(#1142));\n"
+                   "#1142=SURFACE_STYLE_TRANSPARENT(0.5);\n"
+                   "#1143=SURFACE_STYLE_USAGE(.BOTH.,#1140);\n"
+                   "#1144=PRESENTATION_STYLE_ASSIGNMENT((#1143,#1130));\n");
+    box_add(&text, "%s", looks);
     box_context(&text, 900);
-    batten_text_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000,#1101),#900);\n");
+    box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000,#1101),#900);\n");
     const char *file = box_end(&text);
     CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
     CHECK_INT(batten_model_count(model), 2);

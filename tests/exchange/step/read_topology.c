@@ -4,20 +4,20 @@
 static const double ORIGIN[] = {1, 2, 3};
 
 /* A file with one item, #1000, in a representation. */
-static const char *finish(batten_text *text)
+static const char *finish(box_text *text)
 {
     box_context(text, 900);
-    batten_text_add(text, "#990=SHAPE_REPRESENTATION('',(#1000),#900);\n");
+    box_add(text, "#990=SHAPE_REPRESENTATION('',(#1000),#900);\n");
     return box_end(text);
 }
 
 TEST(whatever_is_turned_of_a_box_its_outside_stays_outside)
 {
     for (unsigned turns = 0; turns < BOX_ALL; turns++) {
-        batten_text text;
+        box_text text;
         batten_model *model = NULL;
         box_shell(box_begin(&text), 1, ORIGIN, 2, turns);
-        batten_text_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n");
+        box_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n");
         const char *file = finish(&text);
         CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
         CHECK_INT(batten_model_count(model), 1);
@@ -48,11 +48,11 @@ TEST(a_void_is_a_further_shell_that_looks_into_itself)
         "#1000=(BREP_WITH_VOIDS((#850))GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(#181)"
         "REPRESENTATION_ITEM('hollow')SOLID_MODEL());\n"};
     for (int k = 0; k < 2; k++) {
-        batten_text text;
+        box_text text;
         batten_model *model = NULL;
         box_shell(box_begin(&text), 1, ORIGIN, 2, 0);
         box_shell(&text, 301, inner, 1, 0);
-        batten_text_add(&text, "#850=ORIENTED_CLOSED_SHELL('',*,#481,.F.);\n%s", solids[k]);
+        box_add(&text, "#850=ORIENTED_CLOSED_SHELL('',*,#481,.F.);\n%s", solids[k]);
         const char *file = finish(&text);
         CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
         const batten_object *object = batten_model_object(model, 0);
@@ -79,10 +79,10 @@ TEST(shells_and_faces_alone_are_sheets)
                  {"#1000=ADVANCED_FACE('s',(#141),#231,.T.);\n", 1, 1},
                  {"#1000=GEOMETRIC_SET('s',(#151,#152));\n", 1, 1}};
     for (int k = 0; k < COUNT(cases); k++) {
-        batten_text text;
+        box_text text;
         batten_model *model = NULL;
         box_shell(box_begin(&text), 1, ORIGIN, 2, 0);
-        batten_text_add(&text, "%s", cases[k].item);
+        box_add(&text, "%s", cases[k].item);
         const char *file = finish(&text);
         CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
         const batten_object *object = batten_model_object(model, 0);
@@ -100,21 +100,20 @@ TEST(polygons_share_their_sides_and_make_their_planes)
     for (int k = 0; k < 2; k++) {
         static const int corners[4][3] = {{1, 3, 2}, {1, 2, 5}, {1, 5, 3}, {2, 3, 5}};
         static const double z[3] = {0, 0, -1}, x[3] = {1, 0, 0};
-        batten_text text;
+        box_text text;
         batten_model *model = NULL;
         box_edges(box_begin(&text), 1, ORIGIN, 2, 0);
         for (int f = 0; f < 4; f++) {
-            batten_text_add(&text, "#%d=POLY_LOOP('',(#%d,#%d,#%d));\n", 1010 + f,
-                            corners[f][0], corners[f][1], corners[f][2]);
-            batten_text_add(&text, "#%d=FACE_OUTER_BOUND('',#%d,.T.);\n", 1020 + f, 1010 + f);
-            batten_text_add(&text, "#%d=%s('',(#%d)%s);\n", 1030 + f,
-                            f == 0 && k ? "FACE_SURFACE" : "FACE", 1020 + f,
-                            f == 0 ? surfaces[k] : "");
+            box_add(&text, "#%d=POLY_LOOP('',(#%d,#%d,#%d));\n", 1010 + f, corners[f][0],
+                    corners[f][1], corners[f][2]);
+            box_add(&text, "#%d=FACE_OUTER_BOUND('',#%d,.T.);\n", 1020 + f, 1010 + f);
+            box_add(&text, "#%d=%s('',(#%d)%s);\n", 1030 + f,
+                    f == 0 && k ? "FACE_SURFACE" : "FACE", 1020 + f, f == 0 ? surfaces[k] : "");
         }
         box_placement(&text, 1110, ORIGIN, z, x);
-        batten_text_add(&text, "#1100=PLANE('',#1110);\n"
-                               "#1001=CLOSED_SHELL('',(#1030,#1031,#1032,#1033));\n"
-                               "#1000=FACETED_BREP('tetrahedron',#1001);\n");
+        box_add(&text, "#1100=PLANE('',#1110);\n"
+                       "#1001=CLOSED_SHELL('',(#1030,#1031,#1032,#1033));\n"
+                       "#1000=FACETED_BREP('tetrahedron',#1001);\n");
         const char *file = finish(&text);
         CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
         const batten_body *body = batten_model_object(model, 0)->body;

@@ -1,0 +1,231 @@
+/* What is wrong in files: left out with a note, or mended with a note. */
+#include "exchange/step/boxes.h"
+
+static const double ORIGIN[] = {0, 0, 0};
+
+/* The file of a box, with other text in place of the instances that it begins with. */
+static const char *box_with(const char *instead)
+{
+    box_text text;
+    box_shell(box_begin(&text), 1, ORIGIN, 1, 0);
+    box_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n");
+    box_context(&text, 900);
+    box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000),#900);\n");
+    const char *file = box_end(&text);
+    char *made = test_array(strlen(file) + strlen(instead) + 1, 1);
+    size_t length = 0;
+    for (const char *line = file; *line;) {
+        const char *end = strchr(line, '\n') + 1;
+        const size_t id = strcspn(line, "=") + 1;
+        bool replaced = false;
+        for (const char *at = instead; line[0] == '#' && at && *at; at = strchr(at, '\n') + 1)
+            replaced |= strncmp(at, line, id) == 0;
+        if (!replaced)
+            memcpy(made + length, line, (size_t)(end - line));
+        length += replaced ? 0 : (size_t)(end - line);
+        if (strncmp(line, "DATA;", 5) == 0) {
+            memcpy(made + length, instead, strlen(instead));
+            length += strlen(instead);
+        }
+        line = end;
+    }
+    return made;
+}
+
+/* Reading ends so, with a note of these words; the body has so many faces. */
+static void check_read(const char *file, batten_status status, const char *words, int faces,
+                       bool is_solid)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(50, &notes));
+    CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, notes, &model), status);
+    if (batten_notes_dropped(notes) == 0 && words[0])
+        CHECK(has_note(notes, words));
+    CHECK_INT(batten_model_count(model), 1);
+    const batten_body_parts *parts = batten_body_view(batten_model_object(model, 0)->body);
+    CHECK_INT(parts->face_count, faces);
+    CHECK_INT(parts->is_solid, is_solid);
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+static void check_none(const char *file)
+{
+    batten_model *model = NULL;
+    CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, NULL, &model), BATTEN_UNSUPPORTED);
+    CHECK(!model);
+}
+
+TEST(P1_a_face_with_a_bad_reference_is_left_out)
+{
+    static const struct {
+        const char *instead, *words;
+        int faces;
+    } cases[] = {
+        {"#154=ADVANCED_FACE('side 3',(#144),#9999,.T.);\n", "#9999", 5},
+        {"#154=ADVANCED_FACE('side 3',(#9998),#234,.T.);\n", "#9998", 5},
+        {"#154=ADVANCED_FACE('side 3',(#134),#234,.T.);\n", "where a FACE_BOUND should", 5},
+        {"#154=ADVANCED_FACE('side 3',(#144),#1,.T.);\n", "is no surface", 5},
+        {"#154=ORIENTED_FACE('side 3',*,#154,.T.);\n", "refers to itself", 5},
+        {"#144=FACE_BOUND('',#144,.T.);\n", "where a loop should", 5},
+        {"#113=ORIENTED_EDGE('',*,*,#113,.T.);\n", "where an EDGE_CURVE should", 5},
+        {"#12=LINE('',#4,#44);\n", "", 3},
+        {"#81=EDGE_CURVE('',#9,#10,#9997,.T.);\n", "could not be read before", 4},
+        {"#181=CLOSED_SHELL('',(#151,#151,#152,#153,#154,#155,#156));\n", "twice of one", 6},
+        {"#181=CLOSED_SHELL('',(#151,#152,#153,#154,#155,#156,#9996));\n", "#9996", 6}};
+    for (int k = 0; k < COUNT(cases); k++)
+        check_read(box_with(cases[k].instead), BATTEN_PARTLY_READ, cases[k].words,
+                   cases[k].faces, false);
+}
+
+TEST(P1_a_solid_with_a_bad_shell_is_left_out)
+{
+    check_none(box_with("#1000=MANIFOLD_SOLID_BREP('box',#1000);\n"));
+    check_none(box_with("#1000=MANIFOLD_SOLID_BREP('box',#9999);\n"));
+    check_none(box_with("#181=ORIENTED_CLOSED_SHELL('',*,#181,.T.);\n"));
+    check_none(box_with("#181=CLOSED_SHELL('',());\n"));
+    check_none(box_with("#1000=BANANA('box',#181);\n"));
+}
+
+TEST(P2_arguments_of_faces_that_do_not_fit_are_named)
+{
+    static const struct {
+        const char *instead, *words;
+    } cases[] = {{"#154=ADVANCED_FACE('side 3',(#144),#234);\n", "argument 4"},
+                 {"#154=ADVANCED_FACE('side 3',(),#234,.T.);\n", "no bounds"},
+                 {"#154=ADVANCED_FACE((#144),#234,.T.);\n", "argument"},
+                 {"#144=FACE_OUTER_BOUND('',#134,'x');\n", "argument 3"},
+                 {"#134=EDGE_LOOP('',());\n", "the loop has no edges"},
+                 {"#134=EDGE_LOOP('',$);\n", "argument 2"},
+                 {"#134=EDGE_LOOP('',(#113,#114,#115));\n", "is a gap of 1"}};
+    for (int k = 0; k < COUNT(cases); k++)
+        check_read(box_with(cases[k].instead), BATTEN_PARTLY_READ, cases[k].words, 5, false);
+}
+
+TEST(P4_items_of_unknown_kind_are_counted_by_name)
+{
+    const char *file = box_with("#990=SHAPE_REPRESENTATION('',(#1000,#1001,#1002),#900);\n"
+                                "#1001=BANANA('',4);\n#1002=TEXT_LITERAL('',$);\n");
+    check_read(file, BATTEN_PARTLY_READ, "not of a kind that is read", 6, true);
+    check_read(file, BATTEN_PARTLY_READ, "0 read, 1 left out", 6, true);
+    check_read(file, BATTEN_PARTLY_READ, "1 annotations", 6, true);
+}
+
+TEST(P4_an_unknown_schema_is_noted)
+{
+    const char *file = box_with("");
+    char *made = test_array(strlen(file) + 1, 1);
+    memcpy(made, file, strlen(file));
+    memcpy(strstr(made, "AUTOMOTIVE_DESIGN"), "A_U_T_O", 7);
+    check_read(made, BATTEN_OK, "is not known", 6, true);
+}
+
+TEST(P6_a_file_without_units_is_in_millimetres_and_says_so)
+{
+    const char *cases[] = {"#900=GEOMETRIC_REPRESENTATION_CONTEXT('','',3);\n",
+                           "#900=LINE('',#1,#41);\n", "#901=BANANA();\n",
+                           "#990=SHAPE_REPRESENTATION('',(#1000),$);\n"};
+    for (int k = 0; k < COUNT(cases); k++)
+        check_read(box_with(cases[k]), BATTEN_OK, "taken as mm", 6, true);
+}
+
+TEST(P6_units_of_all_kinds_are_understood)
+{
+    static const struct {
+        const char *unit;
+        double metres;
+    } cases[] = {
+        {"#901=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n", 1},
+        {"#901=SI_UNIT(*,.CENTI.,.METRE.);\n", 0.01},
+        {"#901=(CONVERSION_BASED_UNIT('FOOT',#910)LENGTH_UNIT()NAMED_UNIT($));\n"
+         "#910=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(12.),#911);\n"
+         "#911=(CONVERSION_BASED_UNIT('INCH',#912)LENGTH_UNIT()NAMED_UNIT($));\n"
+         "#912=(LENGTH_MEASURE_WITH_UNIT()MEASURE_WITH_UNIT(LENGTH_MEASURE(2.54),#913));"
+         "\n#913=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));\n",
+         0.3048},
+        {"#901=(CONVERSION_BASED_UNIT('INCH',#9999)LENGTH_UNIT()NAMED_UNIT($));\n", 0.0254},
+        {"#901=(CONVERSION_BASED_UNIT('UNKNOWN',#910)LENGTH_UNIT()NAMED_UNIT($));\n"
+         "#910=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(2.),#901);\n",
+         0.001}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_model *model = NULL;
+        CHECK_OK(read_text(box_with(cases[k].unit), BATTEN_FORMAT_STEP, NULL, &model));
+        CHECK_BITS(batten_model_unit_metres(model), cases[k].metres);
+        batten_model_unref(model);
+    }
+}
+
+TEST(an_edge_that_runs_against_its_curve_is_turned_with_a_note)
+{
+    check_read(box_with("#81=EDGE_CURVE('',#9,#10,#61,.F.);\n"), BATTEN_OK,
+               "the file says otherwise", 6, true);
+    check_read(
+        box_with("#61=B_SPLINE_CURVE_WITH_KNOTS('',1,(#2,#1),.UNSPECIFIED.,.F.,.F.,(2,2),"
+                 "(0.,1.),.UNSPECIFIED.);\n"),
+        BATTEN_OK, "the file says otherwise", 6, true);
+}
+
+TEST(gaps_between_curves_and_vertices_are_closed_when_they_are_small)
+{
+    check_read(
+        box_with("#61=POLYLINE('',(#1300,#1301));\n#1300=CARTESIAN_POINT('',(0.,1E-5,0.));\n"
+                 "#1301=CARTESIAN_POINT('',(1.,0.,0.));\n"),
+        BATTEN_OK, "its ends are moved", 6, true);
+    check_read(
+        box_with("#61=POLYLINE('',(#1300,#1301));\n#1300=CARTESIAN_POINT('',(0.,1E-3,0.));\n"
+                 "#1301=CARTESIAN_POINT('',(1.,0.,0.));\n"),
+        BATTEN_OK, "kept so", 6, true);
+}
+
+TEST(vertices_that_nearly_coincide_become_one)
+{
+    /* Edge #81 ends in a vertex of its own, beside #10. */
+    check_read(box_with("#81=EDGE_CURVE('',#9,#1300,#61,.T.);\n#1300=VERTEX_POINT('',#1301);\n"
+                        "#1301=CARTESIAN_POINT('',(1.,0.,1E-7));\n"),
+               BATTEN_OK, "their vertices are taken as one", 6, true);
+    check_read(box_with("#81=EDGE_CURVE('',#9,#1300,#61,.T.);\n#1300=VERTEX_POINT('',#1301);\n"
+                        "#1301=CARTESIAN_POINT('',(1.,0.,0.01));\n"),
+               BATTEN_PARTLY_READ, "is a gap of 0.01", 4, false);
+}
+
+TEST(a_closed_shell_with_a_rim_is_noted)
+{
+    check_read(box_with("#181=CLOSED_SHELL('',(#151,#152,#153,#154,#155));\n"), BATTEN_OK,
+               "4 of its edges are of one face only", 5, true);
+}
+
+TEST(S1_lists_that_are_followed_over_and_over_are_refused)
+{
+    /* A thousand faces with one loop of a thousand edges each: a million uses. */
+    enum { MANY = 1000 };
+    box_text text;
+    batten_model *model = NULL;
+    box_shell(box_begin(&text), 1, ORIGIN, 1, 0);
+    box_add(&text, "#2000=EDGE_LOOP('',(#101");
+    for (int k = 1; k < MANY; k++)
+        box_add(&text, ",#101");
+    box_add(&text, "));\n#2001=FACE_BOUND('',#2000,.T.);\n#2002=OPEN_SHELL('',(#151");
+    for (int k = 0; k < MANY; k++)
+        box_add(&text, ",#%d", 3000 + k);
+    box_add(&text, "));\n");
+    for (int k = 0; k < MANY; k++)
+        box_add(&text, "#%d=ADVANCED_FACE('',(#2001),#231,.T.);\n", 3000 + k);
+    box_context(&text, 900);
+    box_add(&text, "#990=SHAPE_REPRESENTATION('',(#2002),#900);\n");
+    const char *file = box_end(&text);
+    CHECK_STATUS(read_text(file, BATTEN_FORMAT_STEP, NULL, &model), BATTEN_PARTLY_READ);
+    CHECK_INT(batten_body_view(batten_model_object(model, 0)->body)->face_count, 1);
+    batten_model_unref(model);
+}
+
+TEST(F2_a_step_file_cut_anywhere_is_never_a_quiet_whole)
+{
+    const char *file = box_with("");
+    const size_t size = strlen(file), step = size / (size_t)test_cases(40) + 1;
+    for (size_t end = 1; end + 20 < size; end += step) {
+        batten_model *model = NULL;
+        CHECK(read_bytes(file, end, BATTEN_FORMAT_STEP, NULL, &model) != BATTEN_OK);
+        batten_model_unref(model);
+    }
+}
