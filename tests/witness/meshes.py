@@ -1,0 +1,115 @@
+# Meshes that Batten wrote, read here by their formats' rules alone: python3 meshes.py FOLDER. All files of the
+# folder are of one closed solid; each must be closed, turned the same way throughout, and of the same volume.
+import json, os, re, struct, sys, zipfile
+import xml.etree.ElementTree as xml
+
+
+def stl(data):
+    if data[:5] == b"solid":
+        points = [tuple(map(float, m)) for m in re.findall(rb"vertex (\S+) (\S+) (\S+)", data)]
+    else:
+        count = struct.unpack_from("<I", data, 80)[0]
+        assert len(data) == 84 + 50 * count
+        points = []
+        for i in range(count):
+            row = struct.unpack_from("<12f", data, 84 + 50 * i)
+            points += [row[3:6], row[6:9], row[9:12]]
+    return points, [tuple(range(i, i + 3)) for i in range(0, len(points), 3)]
+
+
+def ply(data):
+    head, body = data.split(b"end_header\n", 1)
+    count = {m[0]: int(m[1]) for m in re.findall(rb"element (\w+) (\d+)", head)}
+    names = re.findall(rb"property double (\w+)", head)
+    if b"ascii" in head:
+        lines = body.split(b"\n")
+        points = [tuple(map(float, l.split()[:3])) for l in lines[:count[b"vertex"]]]
+        faces = [tuple(map(int, l.split()[1:])) for l in lines[count[b"vertex"]:] if l]
+    else:
+        size = 8 * len(names) + 3 * (b"uchar red" in head)
+        points = [struct.unpack_from("<3d", body, size * i) for i in range(count[b"vertex"])]
+        at = size * count[b"vertex"]
+        faces = [struct.unpack_from("<3i", body, at + 13 * i + 1) for i in range(count[b"face"])]
+        assert len(body) == at + 13 * len(faces)
+    return points, faces
+
+
+def obj(data):
+    points, faces = [], []
+    for line in data.decode().split("\n"):
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append(tuple(map(float, words[1:4])))
+        elif words[:1] == ["f"]:
+            faces.append(tuple(int(w.split("/")[0]) - 1 for w in words[1:]))
+    return points, faces
+
+
+def glb(data):
+    magic, version, length, size, kind = struct.unpack_from("<4sIII4s", data)
+    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON") and size % 4 == 0
+    tree, start = json.loads(data[20:20 + size]), 28 + size
+    points, faces = [], []
+
+    def rows(index, form):
+        accessor = tree["accessors"][index]
+        view = tree["bufferViews"][accessor["bufferView"]]
+        step = struct.calcsize(form)
+        assert view["byteLength"] == step * accessor["count"]
+        found = [struct.unpack_from(form, data, start + view["byteOffset"] + step * i) for i in range(accessor["count"])]
+        if "min" in accessor:
+            for k in range(3):
+                column = [row[k] for row in found]
+                assert min(column) == accessor["min"][k] and max(column) == accessor["max"][k]
+        return found
+
+    for node in tree["nodes"]:
+        for part in tree["meshes"][node["mesh"]]["primitives"]:
+            first = len(points)
+            points += [(1000 * x, -1000 * z, 1000 * y) for x, y, z in rows(part["attributes"]["POSITION"], "<3f")]
+            indices = [first + row[0] for row in rows(part["indices"], "<I")]
+            faces += [tuple(indices[i:i + 3]) for i in range(0, len(indices), 3)]
+    return points, faces
+
+
+def threemf(path):
+    archive = zipfile.ZipFile(path)
+    assert archive.testzip() is None
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    tree = xml.fromstring(archive.read("3D/3dmodel.model"))
+    assert tree.get("unit") == "millimeter"
+    points, faces = [], []
+    for mesh in tree.iter(space + "mesh"):
+        first = len(points)
+        points += [tuple(float(v.get(k)) for k in "xyz") for v in mesh.iter(space + "vertex")]
+        faces += [tuple(first + int(t.get(k)) for k in ("v1", "v2", "v3")) for t in mesh.iter(space + "triangle")]
+    return points, faces
+
+
+def check(points, faces):
+    """Edges without a partner the other way, and the volume. Corners at one point are one."""
+    place = {}
+    number = [place.setdefault(tuple(0.0 + float(f"{c:.9g}") for c in p), len(place)) for p in points]
+    edges, volume = {}, 0.0
+    for a, b, c in faces:
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = points[a], points[b], points[c]
+        volume += (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6
+        for i, k in ((a, b), (b, c), (c, a)):
+            if number[i] != number[k]:
+                edges[number[i], number[k]] = edges.get((number[i], number[k]), 0) + 1
+    return sum(n != edges.get((k, i), 0) for (i, k), n in edges.items()), volume
+
+
+failures, volumes = 0, []
+for name in sorted(os.listdir(sys.argv[1])):
+    path = os.path.join(sys.argv[1], name)
+    data = open(path, "rb").read()
+    read = {"stl": stl, "ply": ply, "obj": obj, "glb": glb}.get(name.rsplit(".", 1)[1])
+    points, faces = read(data) if read else threemf(path)
+    loose, volume = check(points, faces)
+    volumes.append(volume)
+    good = loose == 0 and volume > 0 and abs(volume - volumes[0]) < 1e-5 * volumes[0]
+    failures += not good
+    print("%-14s %d triangles, %d open edges, volume %.9g%s" % (name, len(faces), loose, volume, "" if good else "  FAILED"))
+print("WITNESS %d files, %d failed" % (len(volumes), failures))
+sys.exit(failures > 0)
