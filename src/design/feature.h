@@ -108,7 +108,9 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_TRIANGLES (1u << BATTEN_OBJECT_TRIANGLES)
 #define BAT_BODIES (1u << BATTEN_OBJECT_BODY)
 #define BAT_MESHES (1u << BATTEN_OBJECT_MESH)
-#define BAT_ALL (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS | BAT_TRIANGLES)
+#define BAT_ALL                                                                          \
+    (BAT_POINTS | BAT_CURVES | BAT_SURFACES | BAT_OFFSETS | BAT_TRIANGLES | BAT_BODIES | \
+     BAT_MESHES)
 
 /* Put a curve or surface into the model under the feature's name and give its reference back,
  * when the status so far is good; else hand the status on. A surface of another kind becomes

@@ -2,7 +2,8 @@
 
 static const char *kind_name(const batten_object *object)
 {
-    static const char *const names[] = {"points", "curve", "surface", "offsets", "triangles"};
+    static const char *const names[] = {"points",    "curve", "surface", "offsets",
+                                        "triangles", "body",  "mesh",    "instance"};
     return names[object->kind];
 }
 

@@ -262,6 +262,8 @@ batten_status bat_put_surface_like(bat_run *run, batten_status status, batten_su
     batten_surface_unref(surface);
     const batten_object object = {.name = like->name,
                                   .layer = like->layer,
+                                  .group = like->group,
+                                  .is_hidden = like->is_hidden,
                                   .has_colour = like->has_colour,
                                   .colour = {like->colour[0], like->colour[1], like->colour[2]},
                                   .kind = BATTEN_OBJECT_SURFACE,

@@ -1,10 +1,11 @@
 #include "design/document.h"
+#include "design/formats.h"
 
 #include <string.h>
 
 static const batten_parameter parameters[] = {
     {"read", BATTEN_VALUE_FILE, false, true, NULL, NULL, "the file"},
-    {"format", BATTEN_VALUE_WORD, false, false, "auto", "auto offsets points aerofoil iges",
+    {"format", BATTEN_VALUE_WORD, false, false, "auto", BAT_FORMAT_WORDS,
      "what is in it; by its content by default"},
     {"unit", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the unit of a file that names none"},
     {"scale", BATTEN_VALUE_NUMBER, false, false, "1", NULL,
@@ -86,7 +87,7 @@ static batten_status read_file(bat_run *run, const char *path, batten_model **ou
 }
 
 /* The model that was handed over in place of the file, or the file. */
-static batten_status find_model(bat_run *run, batten_model **out)
+static batten_status take_model(bat_run *run, batten_model **out)
 {
     const bat_document *document = run->document;
     if (document->provided && strcmp(document->provided_file, bat_text(run, "read")) == 0) {
@@ -101,14 +102,24 @@ static batten_status find_model(bat_run *run, batten_model **out)
     return status;
 }
 
+/* Features work on shapes where they are: what instances place is put there. */
+static batten_status find_model(bat_run *run, bool *partly, batten_model **out)
+{
+    batten_model *model = NULL;
+    batten_status status = take_model(run, &model);
+    *partly = status == BATTEN_PARTLY_READ;
+    if (status == BATTEN_OK || *partly)
+        status = batten_model_flat(model, out);
+    batten_model_unref(model);
+    return status;
+}
+
 static batten_status run(bat_run *run)
 {
     batten_model *model = NULL;
     double factor = 1;
-    batten_status status = find_model(run, &model);
-    const bool partly = status == BATTEN_PARTLY_READ;
-    if (partly)
-        status = BATTEN_OK;
+    bool partly = false;
+    batten_status status = find_model(run, &partly, &model);
     if (status == BATTEN_OK)
         status = find_factor(run, model, &factor);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
@@ -118,13 +129,18 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_read = {
-    .shown = {"read", "What is in a file: a table of offsets, points, curves, surfaces",
-              "The path is relative to the design and stays below its folder. Lengths become "
-              "those of the\n"
-              "design; a file that names no unit is taken to be in that of the design. Tables "
-              "of offsets\n"
-              "can be turned, cut and trimmed.",
-              "features:\n"
-              "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",
-              "", "batten_read_file", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"read",
+         "What is in a file: points, curves, surfaces, bodies, meshes, tables of offsets",
+         "The path is relative to the design and stays below its folder. Lengths become "
+         "those of the\n"
+         "design; a file that names no unit is taken to be in that of the design. What "
+         "instances place is\n"
+         "put where they have it, named 'instance/object'. Tables of offsets can be turned, "
+         "cut and\n"
+         "trimmed. 'batten help formats' lists the formats; those that are only written are "
+         "refused.",
+         "features:\n"
+         "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",
+         "", "batten_read_file", BAT_PARAMETERS(parameters), false},
     .run = run};

@@ -1,14 +1,41 @@
 #include "design/feature.h"
+#include "design/formats.h"
 
 static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
-    {"format", BATTEN_VALUE_WORD, false, false, "auto",
-     "auto offsets points aerofoil iges step dxf svg g-code",
+    {"format", BATTEN_VALUE_WORD, false, false, "auto", BAT_FORMAT_WORDS,
      "by the ending of the file by default"},
     {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "the accuracy that the file states; the tolerance of the design by default"},
+    {"schema", BATTEN_VALUE_WORD, false, false, "ap214", "ap214 ap203 ap242",
+     "STEP: ap203 has no colours, meshes need ap242"},
+    {"parameter-curves", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
+     "STEP: faces with their edges in (u, v)"},
+    {"chord", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "formats of meshes: how far triangles may be from the shape; 1/1000 of its size by "
+     "default"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "20 deg", NULL,
+     "formats of meshes: between the normals at the ends of an edge"},
+    {"text", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "STL and PLY: the form that can be read"},
+    {"eighths", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "tables of offsets: feet, inches and eighths"},
 };
+
+static void read_options(const bat_run *run, batten_write_options *options)
+{
+    if (bat_has(run, "title"))
+        options->name = bat_text(run, "title");
+    options->tolerance =
+        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    options->schema = (batten_step_schema)bat_word(run, "schema");
+    options->no_parameter_curves = !bat_yes(run, "parameter-curves");
+    options->mesh.chord = bat_has(run, "chord") ? bat_number(run, "chord") : 0;
+    options->mesh.angle = bat_number(run, "angle");
+    options->as_text = bat_yes(run, "text");
+    options->eighths = bat_yes(run, "eighths");
+}
 
 static batten_status run(bat_run *run)
 {
@@ -20,9 +47,7 @@ static batten_status run(bat_run *run)
     if (options.format == BATTEN_FORMAT_AUTO)
         return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format; add 'format'",
                         run->name);
-    if (bat_has(run, "title"))
-        options.name = bat_text(run, "title");
-    options.tolerance = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    read_options(run, &options);
     batten_status status = bat_merge(run, "write", &model);
     if (status == BATTEN_OK)
         status = batten_write_memory(model, &options, run->notes, &run->data, &run->size);
@@ -33,11 +58,15 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_write = {
     .shown =
         {"write", "A file for other programs",
-         "The ending names the format: .step and .stp, .igs and .iges, .csv for tables "
-         "and points,\n"
-         ".dxf with arcs as bulges, .svg at true scale for cutting, .nc for G-code with the "
-         "usual settings\n"
-         "('g-code' has the others).\n"
+         "The ending names the format: .step and .stp, .igs and .iges, .g2; .stl, .obj, .ply "
+         "for "
+         "meshes,\n"
+         "which shapes become within 'chord' and 'angle'; .csv for tables and points; .dxf "
+         "with "
+         "arcs as\n"
+         "bulges, .svg at true scale for cutting, .nc for G-code with the usual settings "
+         "('g-code' has\n"
+         "the others). 'batten help formats' lists all, and what they keep.\n"
          "'hull.step: hull' is short for 'hull.step: {write: hull}'. Not so of .svg, .pdf and "
          ".png: there\n"
          "'plan.svg: plan' is a page with a picture, and '{write: plan}' the drawing at true "
