@@ -56,6 +56,43 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     return status;
 }
 
+static batten_status trace(const batten_object *object, batten_notes *notes, batten_body **out)
+{
+    const batten_body_parts *parts = batten_body_view(object->body);
+    batten_body *traced = NULL;
+    batten_trace_report report;
+    if (parts->is_traced) {
+        *out = batten_body_ref(object->body);
+        return BATTEN_OK;
+    }
+    const batten_status status =
+        batten_body_trace(object->body, parts->tolerance, NULL, notes, &report, &traced);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return status;
+    if (status == BATTEN_OK && report.failed == 0) {
+        *out = traced;
+        return BATTEN_OK;
+    }
+    batten_notes_add(notes, "", 0, object->name,
+                     "not all faces have curves in their parameters; written as they are");
+    batten_body_unref(traced);
+    *out = batten_body_ref(object->body);
+    return BATTEN_OK;
+}
+
+batten_status bat_prepare_body(const batten_object *object, double tolerance,
+                               batten_notes *notes, batten_body **out)
+{
+    batten_surface *surface = NULL;
+    if (object->kind == BATTEN_OBJECT_BODY)
+        return trace(object, notes, out);
+    batten_status status = bat_prepare_surface(object, tolerance, notes, &surface);
+    if (status == BATTEN_OK)
+        status = batten_body_of_surface(object->name, surface, tolerance, out);
+    batten_surface_unref(surface);
+    return status;
+}
+
 static size_t points_of(const batten_surface *surface)
 {
     return (size_t)batten_surface_point_count(surface, BATTEN_U) *

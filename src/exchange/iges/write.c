@@ -227,15 +227,21 @@ static void note_losses(bat_iges_writing *w, const batten_object *object)
 
 static batten_status write_body(bat_iges_writing *w, const batten_object *object)
 {
-    const batten_body_parts *parts = batten_body_view(object->body);
+    batten_object traced = *object;
+    batten_body *body = NULL;
     const char *group = object->group;
-    batten_status status = BATTEN_OK;
+    batten_status status = bat_prepare_body(object, w->tolerance, w->notes, &body);
+    if (status != BATTEN_OK)
+        return status;
+    traced.body = body;
+    const batten_body_parts *parts = batten_body_view(body);
     if (parts->face_count > 1)
         status = path_of_body(w, object, &group);
     if (status == BATTEN_OK)
-        status = write_faces(w, object, parts, group);
+        status = write_faces(w, &traced, parts, group);
     if (status == BATTEN_OK)
-        note_losses(w, object);
+        note_losses(w, &traced);
+    batten_body_unref(body);
     return status;
 }
 

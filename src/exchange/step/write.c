@@ -22,23 +22,6 @@ static void contents_end(contents *c)
     bat_release(c->places.ids);
 }
 
-/* The body with what its faces need to be written. */
-static batten_status prepare_body(bat_step_writing *w, const batten_object *object,
-                                  batten_body **out)
-{
-    batten_surface *surface = NULL;
-    if (object->kind == BATTEN_OBJECT_BODY) {
-        *out = batten_body_ref(object->body);
-        return BATTEN_OK;
-    }
-    batten_status status =
-        bat_prepare_surface(object, w->step.tolerance, w->step.notes, &surface);
-    if (status == BATTEN_OK)
-        status = batten_body_of_surface(object->name, surface, w->step.tolerance, out);
-    batten_surface_unref(surface);
-    return status;
-}
-
 static batten_status mark_faces(bat_step_writing *w, const batten_body_parts *parts,
                                 const int *faces)
 {
@@ -54,7 +37,7 @@ static batten_status write_body(bat_step_writing *w, const batten_object *object
 {
     batten_body *body = NULL;
     int id = 0;
-    batten_status status = prepare_body(w, object, &body);
+    batten_status status = bat_prepare_body(object, w->step.tolerance, w->step.notes, &body);
     if (status != BATTEN_OK)
         return status;
     const batten_body_parts *parts = batten_body_view(body);

@@ -209,12 +209,16 @@ static batten_status put_edge(writing *w, int e)
     return status;
 }
 
+/* In the order of their first use, as readers meet them. */
 static batten_status put_edges(writing *w)
 {
+    const batten_body_parts *p = w->parts;
     batten_status status = BATTEN_OK;
-    for (int e = 0; status == BATTEN_OK && e < w->parts->edge_count; e++)
-        if (w->parts->edges[e].curve && w->uses[e][0])
+    for (int u = 0; status == BATTEN_OK && u < p->use_count; u++) {
+        const int e = p->uses[u].edge;
+        if (p->edges[e].curve && !w->edges[e])
             status = put_edge(w, e);
+    }
     return status;
 }
 
