@@ -221,6 +221,7 @@ void bat_step_units_of(const bat_step_file *file, bat_step_units *units,
 {
     batten_notes *notes = file->input->notes;
     double metres = 0, radians = 0;
+    const int line = context ? bat_step_line(file, context->at) : 0;
     if (context && context == units->last) {
         *scale = units->scale;
         return;
@@ -229,23 +230,21 @@ void bat_step_units_of(const bat_step_file *file, bat_step_units *units,
     if (metres == 0) {
         metres = 0.001;
         if (!units->noted_none)
-            batten_notes_add(notes, file->input->file,
-                             context ? bat_step_line(file, context->at) : 0, "",
+            batten_notes_add(notes, file->input->file, line, "",
                              "the file does not say its unit of length; taken as mm");
         units->noted_none = true;
     }
     if (radians == 0) {
         radians = 1;
         if (!units->noted_angle)
-            batten_notes_remark(notes, file->input->file,
-                                context ? bat_step_line(file, context->at) : 0, "",
+            batten_notes_remark(notes, file->input->file, line, "",
                                 "the file does not say its unit of angle; taken as radian");
         units->noted_angle = true;
     }
     if (units->unit_metres == 0)
         units->unit_metres = metres;
     if (metres != units->unit_metres && !units->noted_other) {
-        batten_notes_remark(notes, file->input->file, bat_step_line(file, context->at), "",
+        batten_notes_remark(notes, file->input->file, line, "",
                             "parts in a unit of %g m are scaled into that of the model, %g m",
                             metres, units->unit_metres);
         units->noted_other = true;

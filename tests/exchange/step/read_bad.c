@@ -156,6 +156,20 @@ TEST(P6_units_of_all_kinds_are_understood)
     }
 }
 
+TEST(P6_representations_without_units_stand_beside_others_in_metres)
+{
+    batten_model *model = NULL;
+    const char *file = box_with("#901=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n"
+                                "#1001=POLYLINE('line',(#1,#2));\n"
+                                "#991=SHAPE_REPRESENTATION('',(#1001),$);\n");
+    CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
+    CHECK_INT(batten_model_count(model), 2);
+    CHECK_BITS(batten_model_unit_metres(model), 1);
+    const batten_box box = batten_curve_box(batten_model_object(model, 1)->curve);
+    CHECK_NEAR(box.high.x, 0.001, 1e-18);
+    batten_model_unref(model);
+}
+
 TEST(an_edge_that_runs_against_its_curve_is_turned_with_a_note)
 {
     check_read(box_with("#81=EDGE_CURVE('',#9,#10,#61,.F.);\n"), BATTEN_OK,
