@@ -162,7 +162,7 @@ static double stated_accuracy(const bat_step_file *file, const bat_step_instance
     return 0;
 }
 
-/* What the file states, when it makes sense for its size: finer is raised to a billionth of it,
+/* What the file states, when it makes sense for its size: finer is raised to 1e-12 of it,
  * coarser or nothing replaced by a millionth. */
 static double accuracy(const bat_step_file *file, bat_step_units *units,
                        const bat_step_instance *context, double metres)
@@ -171,8 +171,8 @@ static double accuracy(const bat_step_file *file, bat_step_units *units,
     if (units->extent < 0)
         units->extent = measure_extent(file);
     const double size = units->extent * metres / units->unit_metres;
-    const bool is_fine = stated > 0 && stated < 1e-9 * size;
-    const double usual = is_fine    ? 1e-9 * size
+    const bool is_fine = stated > 0 && stated < 1e-12 * size;
+    const double usual = is_fine    ? 1e-12 * size
                          : size > 0 ? 1e-6 * size
                                     : 1e-9 / units->unit_metres;
     if (stated > 0 && !is_fine && (size == 0 || stated <= 1e-2 * size))
