@@ -2,6 +2,7 @@
 #include "exchange/3mf/3mf.h"
 #include "exchange/csv/csv.h"
 #include "exchange/dxf/dxf.h"
+#include "exchange/ftm/ftm.h"
 #include "exchange/g2/g2.h"
 #include "exchange/gcode/gcode.h"
 #include "exchange/gltf/gltf.h"
@@ -168,7 +169,12 @@ static const bat_format_row formats[] = {
      .is_binary = true,
      .read = bat_read_pcd},
 
-    {.format = BATTEN_FORMAT_FTM, .name = "ftm", .title = "FTM", .endings = {".ftm"}},
+    {.format = BATTEN_FORMAT_FTM,
+     .name = "ftm",
+     .title = "FTM",
+     .endings = {".ftm"},
+     .recognise = bat_ftm_recognise,
+     .read = bat_read_ftm},
 
     {.format = BATTEN_FORMAT_OFF,
      .name = "off",

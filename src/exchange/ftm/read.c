@@ -1,0 +1,344 @@
+#include "exchange/census.h"
+#include "exchange/formats.h"
+#include "exchange/ftm/ftm.h"
+
+#include <batten/number.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    LINES_OF_POINT = 4, /* x y z; kind; two marks */
+    LINES_OF_EDGE = 4,  /* two points; crease; a mark */
+    LINES_OF_LAYER = 12,
+    MOST_CORNERS = 100,
+    NAME = 128
+};
+
+typedef struct {
+    bat_input *input;
+    bat_list lines; /* of bat_span */
+    size_t points;  /* the line with the number of points */
+    int point_count, layer_count, curve_count, crease_count;
+    size_t layers;       /* the first line of the first layer; meaningless without layers */
+    size_t at;           /* the next line */
+    double *coordinates; /* [point_count][3] */
+    bat_list corners;    /* of int: triangles, [3] each, */
+    bat_list owners;     /* of int: and the layer of each */
+    bat_census census;
+    batten_model *model;
+} reading;
+
+batten_status bat_ftm_recognise(const bat_input *input, bool *is_ftm)
+{
+    *is_ftm = bat_begins(input, 0, "FREE!ship\n") || bat_begins(input, 0, "FREE!ship\r\n");
+    return BATTEN_OK;
+}
+
+static batten_status split_lines(reading *r)
+{
+    bat_span line;
+    batten_status status = BATTEN_OK;
+    for (size_t at = 0; status == BATTEN_OK && bat_next_line(r->input, &at, &line);)
+        status = bat_list_add(r->input, &r->lines, &line);
+    return status;
+}
+
+static bat_span line_of(const reading *r, size_t index)
+{
+    return index < r->lines.count ? ((const bat_span *)r->lines.items)[index]
+                                  : (bat_span){"", 0};
+}
+
+/* The numbers of a line, at most `most`; -1 when something else stands there. */
+static int numbers_of(bat_span line, int most, double *values)
+{
+    int count = 0;
+    for (size_t i = 0; i < line.length;) {
+        while (i < line.length && bat_is_blank(line.bytes[i]))
+            i++;
+        const size_t begin = i;
+        while (i < line.length && !bat_is_blank(line.bytes[i]))
+            i++;
+        if (i == begin)
+            break;
+        if (count == most || batten_number_read(line.bytes + begin, i - begin, &values[count],
+                                                NULL) != BATTEN_OK)
+            return -1;
+        count++;
+    }
+    return count;
+}
+
+static bool is_whole(const reading *r, size_t index, int *value)
+{
+    double number = 0;
+    if (numbers_of(line_of(r, index), 1, &number) != 1 || number != floor(number) ||
+        fabs(number) > INT_MAX)
+        return false;
+    *value = (int)number;
+    return true;
+}
+
+/* A whole number from `low` to `high` in the next line. */
+static batten_status next_whole(reading *r, const char *what, int low, int high, int *value)
+{
+    if (!is_whole(r, r->at, value) || *value < low || *value > high)
+        return bat_input_fail(r->input, BATTEN_BAD_FORMAT, (int)r->at + 1,
+                              "%s is not a whole number from %d to %d", what, low, high);
+    r->at++;
+    return BATTEN_OK;
+}
+
+/* A count of things of `least` lines each: they must fit into the lines that are left. */
+static batten_status next_count(reading *r, const char *what, size_t least, int *count)
+{
+    const size_t left = r->at < r->lines.count ? r->lines.count - r->at : 0;
+    const size_t most = left / least;
+    return next_whole(r, what, 0, most < 1000000000 ? (int)most : 1000000000, count);
+}
+
+/* Settings of many kinds stand before the net; it begins where a number of points is followed
+ * by as many of them: three coordinates and three marks each. */
+static batten_status find_points(reading *r)
+{
+    double xyz[3];
+    int count = 0, mark = 0;
+    for (size_t i = 0; i + LINES_OF_POINT < r->lines.count; i++) {
+        if (numbers_of(line_of(r, i + 1), 3, xyz) != 3 || !is_whole(r, i, &count) ||
+            count < 3 || (size_t)count > (r->lines.count - i) / LINES_OF_POINT)
+            continue;
+        bool fits = true;
+        for (size_t k = 2; k <= 4; k++)
+            fits &= is_whole(r, i + k, &mark);
+        const size_t last = i + 1 + LINES_OF_POINT * (size_t)(count - 1);
+        if (fits && numbers_of(line_of(r, last), 3, xyz) == 3) {
+            r->points = i;
+            r->point_count = count;
+            return BATTEN_OK;
+        }
+    }
+    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, 0,
+                          "no control points are found in the model");
+}
+
+static batten_status read_points(reading *r)
+{
+    batten_status status = bat_input_limit(r->input, (int)r->points + 1, (size_t)r->point_count,
+                                           r->input->limits.points, "points");
+    if (status == BATTEN_OK)
+        status = bat_input_array(r->input, (size_t)r->point_count, 3 * sizeof(double),
+                                 &r->coordinates);
+    r->at = r->points + 1;
+    for (int i = 0; status == BATTEN_OK && i < r->point_count; i++) {
+        if (numbers_of(line_of(r, r->at), 3, &r->coordinates[3 * (size_t)i]) != 3)
+            status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, (int)r->at + 1,
+                                    "point %d has no three coordinates", i);
+        r->at += LINES_OF_POINT;
+    }
+    return status;
+}
+
+/* Layers stand before the points: their number, 12 lines for each, one line more. */
+static void find_layers(reading *r)
+{
+    for (int count = 1; count <= 1000; count++) {
+        const size_t back = (size_t)count * LINES_OF_LAYER + 2;
+        int stated = 0;
+        if (back > r->points)
+            return;
+        if (is_whole(r, r->points - back, &stated) && stated == count) {
+            r->layer_count = count;
+            r->layers = r->points - back + 1;
+            return;
+        }
+    }
+}
+
+static batten_status read_edges(reading *r)
+{
+    int count = 0;
+    batten_status status = next_count(r, "the number of edges", LINES_OF_EDGE, &count);
+    for (int i = 0; status == BATTEN_OK && i < count; i++) {
+        int ends[2], crease = 0, mark = 0;
+        for (int k = 0; status == BATTEN_OK && k < 2; k++)
+            status = next_whole(r, "an end of an edge", 0, r->point_count - 1, &ends[k]);
+        if (status == BATTEN_OK)
+            status = next_whole(r, "the mark of a crease", 0, 1, &crease);
+        if (status == BATTEN_OK)
+            status = next_whole(r, "a mark of an edge", INT_MIN, INT_MAX, &mark);
+        r->crease_count += crease;
+    }
+    return status;
+}
+
+/* Curves that run through points of the net. */
+static batten_status read_curves(reading *r)
+{
+    batten_status status = next_count(r, "the number of curves", 3, &r->curve_count);
+    for (int i = 0; status == BATTEN_OK && i < r->curve_count; i++) {
+        int count = 0, index = 0;
+        status = next_count(r, "the number of points of a curve", 1, &count);
+        for (int k = 0; status == BATTEN_OK && k < count; k++)
+            status = next_whole(r, "a point of a curve", 0, r->point_count - 1, &index);
+        if (status == BATTEN_OK)
+            status = next_whole(r, "a mark of a curve", INT_MIN, INT_MAX, &index);
+    }
+    return status;
+}
+
+/* A face of several corners as a fan of triangles. */
+static batten_status read_face(reading *r)
+{
+    int count = 0, corners[MOST_CORNERS], layer = 0, mark = 0;
+    batten_status status =
+        next_whole(r, "the number of corners of a face", 3, MOST_CORNERS, &count);
+    for (int k = 0; status == BATTEN_OK && k < count; k++)
+        status = next_whole(r, "a corner of a face", 0, r->point_count - 1, &corners[k]);
+    if (status == BATTEN_OK)
+        status =
+            next_whole(r, "the layer of a face", 0, bat_max_int(r->layer_count, 1) - 1, &layer);
+    if (status == BATTEN_OK)
+        status = next_whole(r, "a mark of a face", INT_MIN, INT_MAX, &mark);
+    for (int k = 1; status == BATTEN_OK && k + 1 < count; k++) {
+        const int triangle[3] = {corners[0], corners[k], corners[k + 1]};
+        status = bat_list_add(r->input, &r->corners, triangle);
+        if (status == BATTEN_OK)
+            status = bat_list_add(r->input, &r->owners, &layer);
+    }
+    return status;
+}
+
+static batten_status read_faces(reading *r)
+{
+    int count = 0;
+    batten_status status = next_count(r, "the number of faces", 6, &count);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        status = read_face(r);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        status = bat_census_read(r->input, &r->census, "face of the control net");
+    return status;
+}
+
+/* ---- meshes ---- */
+
+/* Name and colour of a layer; its colour has blue in the third byte. */
+static void read_look(const reading *r, int layer, char name[NAME], batten_object *object)
+{
+    int colour = -1;
+    snprintf(name, NAME, "layer %d", layer + 1);
+    object->name = object->layer = name;
+    if (r->layer_count == 0)
+        return;
+    const size_t at = r->layers + LINES_OF_LAYER * (size_t)layer;
+    const bat_span text = line_of(r, at);
+    const size_t length = text.length < NAME - 1 ? text.length : NAME - 1;
+    if (length > 0) {
+        memcpy(name, text.bytes, length);
+        name[length] = '\0';
+    }
+    object->has_colour = is_whole(r, at + 2, &colour) && colour >= 0 && colour <= 0xffffff;
+    for (int k = 0; object->has_colour && k < 3; k++)
+        object->colour[k] = ((colour >> (8 * k)) & 255) / 255.0;
+}
+
+/* The triangles of one layer with the points that they use. */
+static batten_status add_layer(reading *r, int layer, int *numbers)
+{
+    const int *owners = r->owners.items, *corners = r->corners.items;
+    int used = 0, triangles = 0;
+    char name[NAME];
+    batten_mesh *mesh = NULL;
+    batten_object object = {.kind = BATTEN_OBJECT_MESH};
+    double *points = bat_array3((size_t)r->point_count, 3, sizeof *points);
+    int *made = bat_array3(r->owners.count, 3, sizeof *made);
+    batten_status status = points && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < r->point_count; i++)
+        numbers[i] = -1;
+    for (size_t t = 0; status == BATTEN_OK && t < r->owners.count; t++) {
+        if (owners[t] != layer)
+            continue;
+        for (size_t k = 0; k < 3; k++) {
+            const int point = corners[3 * t + k];
+            if (numbers[point] < 0) {
+                memcpy(&points[3 * used], &r->coordinates[3 * point], 3 * sizeof *points);
+                numbers[point] = used++;
+            }
+            made[3 * triangles + (int)k] = numbers[point];
+        }
+        triangles++;
+    }
+    const batten_mesh_parts parts = {
+        .vertex_count = used, .points = points, .triangle_count = triangles, .corners = made};
+    if (status == BATTEN_OK && triangles > 0)
+        status = batten_mesh_create(&parts, &mesh);
+    if (status == BATTEN_OK && triangles > 0) {
+        read_look(r, layer, name, &object);
+        object.mesh = mesh;
+        status = batten_model_add(r->model, &object);
+    }
+    batten_mesh_unref(mesh);
+    bat_release(points);
+    bat_release(made);
+    return status;
+}
+
+static batten_status add_layers(reading *r)
+{
+    int *numbers = bat_array((size_t)r->point_count, sizeof *numbers);
+    batten_status status = numbers ? batten_model_create(0, &r->model) : BATTEN_OUT_OF_MEMORY;
+    for (int layer = 0; status == BATTEN_OK && layer < bat_max_int(r->layer_count, 1); layer++)
+        status = add_layer(r, layer, numbers);
+    bat_release(numbers);
+    return status;
+}
+
+static void note_rest(const reading *r)
+{
+    const bat_input *input = r->input;
+    batten_notes_add(
+        input->notes, input->file, 0, "",
+        "the control net is read; the subdivision surface that it stands for, with "
+        "%d creases and %d curves, is not made",
+        r->crease_count, r->curve_count);
+}
+
+static batten_status read_all(reading *r)
+{
+    batten_status status = split_lines(r);
+    if (status == BATTEN_OK)
+        status = find_points(r);
+    if (status == BATTEN_OK)
+        status = read_points(r);
+    if (status == BATTEN_OK) {
+        find_layers(r);
+        status = read_edges(r);
+    }
+    if (status == BATTEN_OK)
+        status = read_curves(r);
+    if (status == BATTEN_OK)
+        status = read_faces(r);
+    return status == BATTEN_OK ? add_layers(r) : status;
+}
+
+batten_status bat_read_ftm(bat_input *input, batten_model **out)
+{
+    reading r = {.input = input,
+                 .lines = {.size = sizeof(bat_span)},
+                 .corners = {.size = 3 * sizeof(int)},
+                 .owners = {.size = sizeof(int)}};
+    bat_census_begin(&r.census);
+    batten_status status = read_all(&r);
+    if (status == BATTEN_OK) {
+        note_rest(&r);
+        bat_census_note(input, &r.census);
+        *out = batten_model_ref(r.model);
+    }
+    batten_model_unref(r.model);
+    bat_census_end(&r.census);
+    bat_release(r.lines.items);
+    bat_release(r.coordinates);
+    bat_release(r.corners.items);
+    bat_release(r.owners.items);
+    return status;
+}
