@@ -5,6 +5,7 @@
 #include "options.h"
 
 #include <batten/design.h>
+#include <batten/exchange.h>
 #include <batten/text.h>
 
 enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_PARTLY = 3 };
@@ -62,6 +63,9 @@ void notes_json(batten_text *text, const batten_notes *notes);
 /* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a
  * model, EXIT_FAILED without. */
 int input_read(const char *file, batten_notes *notes, batten_model **model);
+/* The same of a file that is said to be of a format; AUTO: by its content. */
+int input_read_as(const char *file, batten_format format, batten_notes *notes,
+                  batten_model **model);
 /* The file part of "file#name", yours to release, and the name or NULL. A file that exists
  * under the whole name is meant as it stands. */
 batten_status input_split(const char *argument, char **file, const char **name);

@@ -1,5 +1,7 @@
-#include "command.h"
+#include "formats.h"
+#include "tally.h"
 
+#include <math.h>
 #include <string.h>
 
 static const option options[] = {
@@ -9,6 +11,17 @@ static const option options[] = {
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
     {"tolerance", 0, OPTION_VALUE, "T",
      "for what the format cannot say exactly, in the result's unit"},
+    {"from-format", 0, OPTION_VALUE, "FORMAT",
+     "what IN is, where its content does not tell; see 'batten help formats'"},
+    {"format", 0, OPTION_VALUE, "FORMAT", "what OUT is to be, where its ending does not tell"},
+    {"schema", 0, OPTION_VALUE, "NAME", "STEP: ap214, ap203 or ap242 (ap214)"},
+    {"no-pcurves", 0, OPTION_FLAG, NULL, "STEP: faces without curves in (u, v)"},
+    {"chord", 0, OPTION_VALUE, "D",
+     "formats of meshes: how far triangles may be from the shape, in the result's unit (1/1000 "
+     "of its size)"},
+    {"angle", 0, OPTION_VALUE, "A",
+     "formats of meshes: degrees between the normals at the ends of an edge (20)"},
+    {"text", 0, OPTION_FLAG, NULL, "STL and PLY: the form that can be read"},
     {"eighths", 0, OPTION_FLAG, NULL, "tables of offsets in feet, inches and eighths"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
@@ -61,26 +74,97 @@ static batten_status change_unit(double from, double to, batten_model **model)
     return status;
 }
 
-static int report(const arguments *given, const char *output, const batten_model *model,
-                  const batten_notes *notes)
+/* What became of the objects. */
+typedef struct {
+    const char *output;
+    batten_format format;
+    const char *from_unit, *unit; /* NULL: not stated, or without a name */
+    tally read, written, left_out;
+    int approximated;
+} outcome;
+
+static void text_report(batten_text *text, const outcome *o)
+{
+    batten_text_add(text, "read ");
+    tally_text(text, o->read);
+    batten_text_add(text, "; unit %s\nwrote %s: ", o->from_unit ? o->from_unit : "not stated",
+                    o->output);
+    tally_text(text, o->written);
+    if (o->unit && o->unit != o->from_unit)
+        batten_text_add(text, "; unit %s", o->unit);
+    if (o->approximated)
+        batten_text_add(text, "; %d approximated", o->approximated);
+    if (tally_sum(o->left_out)) {
+        batten_text_add(text, "; left out: ");
+        tally_text(text, o->left_out);
+    }
+    batten_text_add(text, "\n");
+}
+
+static void json_report(batten_text *text, const outcome *o, const char *input,
+                        const batten_notes *notes)
+{
+    batten_text_add(text, "{\"from\": ");
+    batten_text_json(text, input);
+    batten_text_add(text, ", \"to\": ");
+    batten_text_json(text, o->output);
+    batten_text_add(text, ", \"format\": \"%s\", \"objects\": %d, \"unit\": \"%s\",\n  ",
+                    batten_format_name(o->format), tally_sum(o->read), o->unit ? o->unit : "");
+    batten_text_add(text, "\"read\": ");
+    tally_json(text, o->read);
+    batten_text_add(text, ", \"written\": ");
+    tally_json(text, o->written);
+    batten_text_add(text, ", \"left_out\": ");
+    tally_json(text, o->left_out);
+    batten_text_add(text, ", \"approximated\": %d,\n  \"messages\": ", o->approximated);
+    notes_json(text, notes);
+    batten_text_add(text, "}\n");
+}
+
+static int report(const arguments *given, const outcome *o, const batten_notes *notes)
 {
     batten_text text = BATTEN_TEXT;
-    const char *unit = batten_unit_name(batten_model_unit_metres(model));
-    if (!arguments_has(given, "json")) {
+    if (arguments_has(given, "json"))
+        json_report(&text, o, given->files[0], notes);
+    else if (!arguments_has(given, "quiet"))
+        text_report(&text, o);
+    if (!arguments_has(given, "json"))
         notes_show(notes);
-        if (!arguments_has(given, "quiet"))
-            batten_text_add(&text, "wrote %s\n", output);
-        return output_print(&text);
-    }
-    batten_text_add(&text, "{\"from\": ");
-    batten_text_json(&text, given->files[0]);
-    batten_text_add(&text, ", \"to\": ");
-    batten_text_json(&text, output);
-    batten_text_add(&text, ", \"objects\": %d, \"unit\": \"%s\",\n  \"messages\": ",
-                    batten_model_count(model), unit ? unit : "");
-    notes_json(&text, notes);
-    batten_text_add(&text, "}\n");
     return output_print(&text);
+}
+
+static bool has_offsets(const batten_model *model)
+{
+    return tally_of(model).count[BATTEN_OBJECT_OFFSETS] > 0;
+}
+
+/* Write the model; what is said of its objects tells what became of them. */
+static batten_status write_model(const batten_model *model, const batten_write_options *given,
+                                 batten_notes *notes, outcome *o)
+{
+    batten_write_options chosen = *given;
+    batten_model *prepared = NULL;
+    const int first = batten_notes_count(notes);
+    if (chosen.format == BATTEN_FORMAT_AUTO)
+        chosen.format = batten_format_of_name(o->output);
+    if (chosen.format == BATTEN_FORMAT_OFFSETS && !has_offsets(model) &&
+        given->format == BATTEN_FORMAT_AUTO)
+        chosen.format = BATTEN_FORMAT_POINTS;
+    o->format = chosen.format;
+    o->read = tally_of(model);
+    o->unit = batten_unit_name(batten_model_unit_metres(model));
+    batten_status status = batten_write_prepare(model, &chosen, notes, &prepared);
+    if (status != BATTEN_OK)
+        return status;
+    const int second = batten_notes_count(notes);
+    status = batten_write_file(prepared, o->output, &chosen, notes);
+    const tally_changes behind = tally_notes(model, notes, first);
+    o->left_out = behind.left_out;
+    o->approximated = behind.approximated;
+    o->written =
+        tally_without(tally_of(prepared), tally_notes(prepared, notes, second).left_out);
+    batten_model_unref(prepared);
+    return status;
 }
 
 /* OUT, as second word or by -o; NULL with a complaint when it is given twice or not at all. */
@@ -95,33 +179,52 @@ static const char *output_of(const arguments *given)
     return chosen && second ? NULL : chosen ? chosen : second;
 }
 
-static int run(const arguments *given)
+static bool schema_option(const arguments *given, batten_step_schema *schema)
 {
-    double from = 0, to = 0;
-    batten_write_options write = batten_write_defaults();
-    if (!unit_option(given, "from-unit", &from) || !unit_option(given, "unit", &to) ||
-        !arguments_number("convert", given, "tolerance", &write.tolerance))
-        return EXIT_USAGE;
-    write.eighths = arguments_has(given, "eighths");
-    const char *output = output_of(given);
-    if (!output)
-        return EXIT_USAGE;
-    if (batten_format_of_name(output) == BATTEN_FORMAT_AUTO) {
-        complain("batten convert: the ending of '%s' names no format that can be written",
-                 output);
-        return EXIT_USAGE;
-    }
+    static const char *const names[] = {"ap214", "ap203", "ap242"};
+    const char *word = arguments_get(given, "schema");
+    for (int k = 0; word && k < 3; k++)
+        if (strcmp(word, names[k]) == 0) {
+            *schema = (batten_step_schema)k;
+            return true;
+        }
+    if (word)
+        complain("batten convert: --schema is ap214, ap203 or ap242, not '%s'", word);
+    return !word;
+}
+
+static bool write_options(const arguments *given, batten_write_options *write)
+{
+    double degrees = 0;
+    if (!arguments_number("convert", given, "tolerance", &write->tolerance) ||
+        !arguments_number("convert", given, "chord", &write->mesh.chord) ||
+        !arguments_number("convert", given, "angle", &degrees) ||
+        !schema_option(given, &write->schema) ||
+        !formats_option("convert", given, "format", &write->format))
+        return false;
+    if (arguments_has(given, "angle"))
+        write->mesh.angle = degrees * (acos(-1.0) / 180);
+    write->no_parameter_curves = arguments_has(given, "no-pcurves");
+    write->as_text = arguments_has(given, "text");
+    write->eighths = arguments_has(given, "eighths");
+    return true;
+}
+
+static int convert(const arguments *given, batten_format format, const double units[2],
+                   const batten_write_options *write, outcome *o)
+{
     batten_notes *notes = NULL;
     batten_model *model = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("convert", BATTEN_OUT_OF_MEMORY);
-    int exit = input_read(given->files[0], notes, &model);
+    int exit = input_read_as(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
-        batten_status status = change_unit(from, to, &model);
+        o->from_unit = batten_unit_name(batten_model_unit_metres(model));
+        batten_status status = change_unit(units[0], units[1], &model);
         if (status == BATTEN_OK)
-            status = batten_write_file(model, output, &write, notes);
+            status = write_model(model, write, notes, o);
         if (status == BATTEN_OK) {
-            const int reported = report(given, output, model, notes);
+            const int reported = report(given, o, notes);
             exit = reported == EXIT_DONE ? exit : reported;
         } else {
             failed_show(notes);
@@ -133,16 +236,46 @@ static int run(const arguments *given)
     return exit;
 }
 
+static int run(const arguments *given)
+{
+    double units[2] = {0, 0};
+    batten_write_options write = batten_write_defaults();
+    batten_format format = BATTEN_FORMAT_AUTO;
+    if (!unit_option(given, "from-unit", &units[0]) || !unit_option(given, "unit", &units[1]) ||
+        !formats_option("convert", given, "from-format", &format) ||
+        !write_options(given, &write))
+        return EXIT_USAGE;
+    outcome o = {.output = output_of(given)};
+    if (!o.output)
+        return EXIT_USAGE;
+    if (write.format == BATTEN_FORMAT_AUTO &&
+        batten_format_of_name(o.output) == BATTEN_FORMAT_AUTO) {
+        complain("batten convert: the ending of '%s' names no format that can be written; "
+                 "--format may",
+                 o.output);
+        return EXIT_USAGE;
+    }
+    return convert(given, format, units, &write, &o);
+}
+
 const command command_convert = {
     .name = "convert",
     .usage = "IN OUT [--unit UNIT] or IN -o OUT",
     .summary = "write what is in one file into another format",
-    .manual = "OUT ends in .step or .igs; for curves also in .dxf or .svg (true scale) or .nc "
-              "(G-code), for points\n"
-              "and tables in .csv, .xyz or .dat. What had to be approximated or left out is "
-              "reported; "
-              "exit status 3\n"
-              "when only a part of IN could be read.",
+    .manual =
+        "IN is STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY, OFF, PCD, a table of offsets, "
+        "points or an\n"
+        "aerofoil, told by its content; file#name means one object in it. OUT ends in "
+        ".step, .igs, .g2;\n"
+        "for meshes, which shapes become within --chord and --angle, in .stl, .obj, .ply, "
+        ".glb or .3mf;\n"
+        "for curves also in .dxf or .svg (true scale) or .nc (G-code); for points and "
+        "tables in .csv,\n"
+        ".xyz or .dat. 'batten help formats' says what each keeps. What was read and "
+        "written is counted;\n"
+        "what had to be approximated or left out is reported. Exit status 3 when only a "
+        "part of IN could\n"
+        "be read.",
     .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

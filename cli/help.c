@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "manual.h"
 
 #include <string.h>
@@ -47,7 +48,9 @@ static void add_commands(batten_text *text)
     batten_text_add(
         text,
         "\n'batten help COMMAND' says more; 'batten help design' describes design files,\n"
-        "'batten help files' the tables and points that are read;\n"
+        "'batten help formats' lists the formats of files, 'batten help files' describes "
+        "tables "
+        "and points;\n"
         "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
         "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
 }
@@ -204,12 +207,11 @@ static const char files_manual[] =
     "from the next.\n"
     "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper "
     "and lower side.\n"
-    "IGES (.igs): its B-spline curves and surfaces and those that are exactly such.\n"
-    "\n"
-    "Written are STEP AP214 (.step), IGES (.igs), DXF R2000 (.dxf), G-code (.nc, .ngc), "
-    "tables (.csv),\n"
-    "reports (.txt, .json), pictures (.svg, .pdf, .png), and drawings at true "
-    "scale (.svg).\n"
+    "Shapes and meshes come from STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY and others: 'batten "
+    "help formats'\n"
+    "lists what is read and written. Besides there are reports (.txt, .json), pictures (.svg, "
+    ".pdf, .png),\n"
+    "and drawings at true scale (.svg).\n"
     "In a design 'plan.svg: plan' is a picture on a page, 'plan.svg: {write: plan}' the "
     "drawing at true scale.\n"
     "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads "
@@ -280,6 +282,8 @@ static int run(const arguments *given)
         batten_text_add(&text, "%s", design_manual);
     else if (strcmp(topic, "files") == 0 || strcmp(topic, "offsets") == 0)
         batten_text_add(&text, "%s", files_manual);
+    else if (strcmp(topic, "formats") == 0)
+        formats_manual(&text);
     if (c)
         add_command(&text, c);
     if (c && f)
@@ -305,7 +309,7 @@ const command command_help = {
     .name = "help",
     .usage = "[TOPIC]",
     .summary = "the manual, offline",
-    .manual = "TOPIC is a command, a feature, 'features', 'design' or 'files'.",
+    .manual = "TOPIC is a command, a feature, 'features', 'design', 'formats' or 'files'.",
     .most_files = 1,
     .option_count = 1,
     .options = options,

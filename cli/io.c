@@ -92,9 +92,11 @@ static batten_status read_input(char **data, size_t *size)
     return batten_text_take(&text, data, size);
 }
 
-static batten_status read_model(const char *file, batten_notes *notes, batten_model **model)
+static batten_status read_model(const char *file, batten_format format, batten_notes *notes,
+                                batten_model **model)
 {
     batten_read_options options = batten_read_defaults();
+    options.format = format;
     options.file_name = file;
     if (strcmp(file, "-") != 0)
         return batten_read_file(file, &options, job_get(), notes, model);
@@ -157,12 +159,18 @@ static batten_status select_object(const char *name, batten_model **model)
 
 int input_read(const char *argument, batten_notes *notes, batten_model **model)
 {
+    return input_read_as(argument, BATTEN_FORMAT_AUTO, notes, model);
+}
+
+int input_read_as(const char *argument, batten_format format, batten_notes *notes,
+                  batten_model **model)
+{
     char *file = NULL;
     const char *name = NULL;
     batten_model *made = NULL;
     batten_status status = input_split(argument, &file, &name);
     if (status == BATTEN_OK)
-        status = read_model(file, notes, &made);
+        status = read_model(file, format, notes, &made);
     const bool partly = status == BATTEN_PARTLY_READ;
     if ((status == BATTEN_OK || partly) && name)
         status = select_object(name, &made);

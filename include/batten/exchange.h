@@ -34,6 +34,15 @@ typedef enum batten_format {
 
 /** "iges", "step" ... */
 BATTEN_API const char *batten_format_name(batten_format format);
+typedef struct batten_format_facts {
+    batten_format format;
+    const char *name;       /**< as designs write it: "step" */
+    const char *title;      /**< "STEP" */
+    const char *endings[4]; /**< of file names; NULL beyond the last */
+    bool is_read, is_written;
+} batten_format_facts;
+/** False when there is no such format. */
+BATTEN_API bool batten_format_about(batten_format format, batten_format_facts *out);
 /** By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing. */
 BATTEN_API batten_format batten_format_of_name(const char *path);
 
@@ -97,6 +106,15 @@ typedef struct batten_write_options {
 } batten_write_options;
 BATTEN_API batten_write_options batten_write_defaults(void);
 
+/** The model as it comes into a file of that format: instances placed, triangles as patches,
+ * shapes as meshes where the format has no others, and without the objects that it does not
+ * hold; the writers of tables, points and G-code choose themselves.
+ * @param notes what was approximated or left out; may be NULL
+ * @return BATTEN_OK; UNSUPPORTED when nothing of the model would be in the file, or the format
+ * is not written; as batten_mesh_of_body */
+BATTEN_API batten_status batten_write_prepare(const batten_model *model,
+                                              const batten_write_options *options,
+                                              batten_notes *notes, batten_model **out);
 /** @param[out] data, size  the bytes; release with batten_release
  * @param notes what was approximated or left out; may be NULL */
 BATTEN_API batten_status batten_write_memory(const batten_model *model,

@@ -201,6 +201,20 @@ const char *batten_format_name(batten_format format)
     return row ? row->name : "?";
 }
 
+bool batten_format_about(batten_format format, batten_format_facts *out)
+{
+    const bat_format_row *row = bat_format_of(format);
+    if (!row)
+        return false;
+    *out = (batten_format_facts){.format = format,
+                                 .name = row->name,
+                                 .title = row->title,
+                                 .is_read = row->read != NULL,
+                                 .is_written = row->write != NULL};
+    memcpy(out->endings, row->endings, sizeof out->endings);
+    return true;
+}
+
 batten_format batten_format_of_name(const char *path)
 {
     const size_t length = strlen(path);

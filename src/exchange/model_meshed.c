@@ -65,6 +65,10 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         status = batten_mesh_of_triangles(object->triangles, m->options, m->job, &report, out);
     else
         status = batten_mesh_of_body(object->body, m->options, m->job, m->notes, &report, out);
+    if (status == BATTEN_OK)
+        batten_notes_remark(m->notes, "", 0, object->name,
+                            "approximated within %g by %d triangles", report.chord,
+                            batten_mesh_view(*out)->triangle_count);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "%d face%s not in the mesh",
                          report.failed, report.failed == 1 ? " is" : "s are");

@@ -106,23 +106,47 @@ static batten_status mesh_what_is_not_held(const bat_format_row *row, const batt
     return BATTEN_OK;
 }
 
-static batten_status write_as(const batten_model *model, const batten_write_options *options,
-                              batten_notes *notes, batten_text *text)
+static batten_status find_writer(const batten_write_options *options,
+                                 const bat_format_row **row)
 {
-    const bat_format_row *row = bat_format_of(options->format);
-    batten_model *prepared = NULL;
-    if (!row || options->format == BATTEN_FORMAT_AUTO)
+    *row = options ? bat_format_of(options->format) : NULL;
+    if (!*row || options->format == BATTEN_FORMAT_AUTO)
         return bat_fail(BATTEN_BAD_ARGUMENT, "no format is named to write in");
-    if (!row->write)
-        return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", row->title);
-    batten_model *meshed = NULL;
-    batten_status status = mesh_what_is_not_held(row, model, options, notes, &meshed);
+    if (!(*row)->write)
+        return bat_fail(BATTEN_UNSUPPORTED, "%s files cannot be written", (*row)->title);
+    return BATTEN_OK;
+}
+
+batten_status batten_write_prepare(const batten_model *model,
+                                   const batten_write_options *options, batten_notes *notes,
+                                   batten_model **out)
+{
+    const bat_format_row *row = NULL;
+    batten_model *meshed = NULL, *prepared = NULL;
+    batten_status status = find_writer(options, &row);
+    if (status == BATTEN_OK)
+        status = mesh_what_is_not_held(row, model, options, notes, &meshed);
     if (status == BATTEN_OK)
         status = bat_format_prepare(row, meshed, notes, &prepared);
     batten_model_unref(meshed);
     if (status == BATTEN_OK && row->holds && batten_model_count(model) > 0 &&
         batten_model_count(prepared) == 0)
         status = nothing(row, model);
+    if (status == BATTEN_OK)
+        *out = prepared;
+    else
+        batten_model_unref(prepared);
+    return status;
+}
+
+static batten_status write_as(const batten_model *model, const batten_write_options *options,
+                              batten_notes *notes, batten_text *text)
+{
+    const bat_format_row *row = NULL;
+    batten_model *prepared = NULL;
+    batten_status status = find_writer(options, &row);
+    if (status == BATTEN_OK)
+        status = batten_write_prepare(model, options, notes, &prepared);
     if (status == BATTEN_OK)
         status = row->write(prepared, options, notes, text);
     batten_model_unref(prepared);

@@ -26,7 +26,7 @@ static void note_left_out(const batten_model *model, batten_notes *notes,
                 "the format has no curves; the points it was made from are written");
         if (!fits)
             batten_notes_add(notes, "", 0, object->name,
-                             "the format cannot hold this; left out");
+                             "left out: the format cannot hold this");
     }
 }
 
@@ -232,7 +232,7 @@ batten_status bat_write_aerofoil(const batten_model *model, const batten_write_o
         flat &= points[3 * (size_t)k + 2] == 0;
     note_left_out(model, notes, BATTEN_OBJECT_POINTS, true);
     if (!flat)
-        batten_notes_add(notes, "", 0, object->name, "the format has no z; left out");
+        batten_notes_add(notes, "", 0, object->name, "the format has no z: it is not written");
     if (!is_good_name(object->name))
         batten_notes_add(notes, "", 0, object->name, "the format cannot hold this name");
     batten_text_add(text, "%s\n", is_good_name(object->name) ? object->name : "aerofoil");

@@ -97,7 +97,7 @@ TEST(what_is_left_out_is_noted)
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     CHECK_TEXT(data, "1 0 0\n0 0 1\n1 -0.1 0\n\n1 0 0\n0 0 1\n1 -0.1 0\n");
     if (batten_notes_dropped(notes) == 0) {
-        CHECK(has_note(notes, "the format cannot hold this; left out"));
+        CHECK(has_note(notes, "left out: the format cannot hold this"));
         CHECK(has_note(notes, "the format has no z"));
         CHECK(has_note(notes, "the format cannot hold this name"));
         CHECK(has_note(notes, "a unit of 2.5 m has no name"));
