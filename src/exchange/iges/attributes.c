@@ -95,7 +95,7 @@ batten_status bat_iges_name(bat_iges_item *item, char **name)
     return status;
 }
 
-/* ---- colours and levels ---- */
+/* ---- colours ---- */
 
 /* What a status is when bad data count as none. */
 static batten_status forgiving(batten_status status)
@@ -131,36 +131,6 @@ batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, 
     if (*has)
         memcpy(rgb, named[colour], sizeof named[colour]);
     return colour < 0 ? read_percents(reading, -colour, has, rgb) : BATTEN_OK;
-}
-
-/* The first of the levels that a property 406 form 1 lists. */
-static batten_status first_level(bat_iges_reading *reading, int id, int *level)
-{
-    const bat_iges_entry *entry = NULL;
-    bat_iges_item item;
-    if (bat_iges_find_type(reading, id, 406, &entry) != BATTEN_OK || entry->form != 1)
-        return BATTEN_OK;
-    batten_status status = bat_iges_open(reading, entry, &item);
-    if (status == BATTEN_OK)
-        status = bat_iges_integer(item.parameters, 2, level);
-    bat_iges_close(&item);
-    return forgiving(status);
-}
-
-batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
-                             char layer[BAT_IGES_LAYER])
-{
-    int level = entry->level;
-    batten_status status = BATTEN_OK;
-    layer[0] = '\0';
-    if (level < 0) {
-        const int id = -level;
-        level = 0;
-        status = first_level(reading, id, &level);
-    }
-    if (level > 0)
-        snprintf(layer, BAT_IGES_LAYER, "%d", level);
-    return status;
 }
 
 /* ---- groups ---- */

@@ -1,4 +1,4 @@
-/* Names, colours, levels and groups of entities. */
+/* Names, colours and groups of entities. */
 #ifndef BAT_IGES_ATTRIBUTES_H
 #define BAT_IGES_ATTRIBUTES_H
 #include "exchange/iges/reading.h"
@@ -9,11 +9,6 @@ batten_status bat_iges_name(bat_iges_item *item, char **name);
 batten_status bat_iges_given_name(bat_iges_item *item, char **name);
 /* 0 is none; 1..8 are named; minus the id of a 314 gives percents. A bad one is none. */
 batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, double rgb[3]);
-
-enum { BAT_IGES_LAYER = 16 };
-/* "" for level 0; of minus the id of a property with several levels the first of them. */
-batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
-                             char layer[BAT_IGES_LAYER]);
 
 void bat_iges_start_groups(bat_iges_reading *reading);
 /* Find out which entries belong to which groups. */

@@ -1,5 +1,6 @@
 #include "exchange/iges/objects.h"
 #include "exchange/iges/attributes.h"
+#include "exchange/iges/levels.h"
 #include "exchange/iges/references.h"
 
 #include <string.h>
@@ -25,14 +26,14 @@ static batten_object_kind kind_of(const bat_iges_item *item)
 static batten_status add_object(bat_iges_item *item, batten_model *model)
 {
     const bat_iges_entry *entry = item->entry;
-    char *name = NULL, *group = NULL, layer[BAT_IGES_LAYER];
+    char *name = NULL, *group = NULL, *layer = NULL;
     bool has_colour = false;
     double rgb[3] = {0};
     batten_status status = bat_iges_name(item, &name);
     if (status == BATTEN_OK)
         status = bat_iges_group(item->reading, entry, &group);
     if (status == BATTEN_OK)
-        status = bat_iges_layer(item->reading, entry, layer);
+        status = bat_iges_layer(item->reading, entry, &layer);
     if (status == BATTEN_OK)
         status = bat_iges_colour(item->reading, entry->colour, &has_colour, rgb);
     if (status == BATTEN_OK) {
@@ -52,6 +53,7 @@ static batten_status add_object(bat_iges_item *item, batten_model *model)
                                       .points = item->points};
         status = batten_model_add(model, &object);
     }
+    bat_release(layer);
     bat_release(group);
     bat_release(name);
     return status;

@@ -1,6 +1,7 @@
 #include "exchange/iges/attributes.h"
 #include "exchange/iges/bodies.h"
 #include "exchange/iges/iges.h"
+#include "exchange/iges/levels.h"
 #include "exchange/iges/objects.h"
 #include "exchange/iges/references.h"
 
@@ -200,6 +201,8 @@ static batten_status read_entities(bat_iges_reading *reading)
     if (status == BATTEN_OK)
         status = bat_iges_read_groups(reading);
     if (status == BATTEN_OK)
+        status = bat_iges_read_levels(reading);
+    if (status == BATTEN_OK)
         status = bat_iges_add_roots(reading);
     if (status != BATTEN_OK)
         return status;
@@ -249,6 +252,7 @@ static void end(bat_iges_reading *reading)
 
     bat_iges_end_tables(reading);
     bat_iges_end_groups(reading);
+    bat_iges_end_levels(reading);
     bat_census_end(&reading->census);
     bat_iges_end(&reading->file);
     batten_model_unref(reading->model);
@@ -259,6 +263,7 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
     bat_iges_reading reading = {.input = input, .frames = {.size = sizeof(void *)}};
     bool is_iges = false;
     bat_iges_start_groups(&reading);
+    bat_iges_start_levels(&reading);
     bat_iges_start_tables(&reading);
 
     bat_census_begin(&reading.census);

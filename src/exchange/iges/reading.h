@@ -59,6 +59,7 @@ typedef struct {
     bat_census census;
     bat_iges_shape *shapes; /* one for each entry */
     bat_list groups;        /* see attributes.h */
+    bat_list levels;        /* see levels.h */
     bat_list tables;        /* see topology.c */
     bat_list frames;        /* of bat_iges_parameters *, one for each depth */
     int depth;

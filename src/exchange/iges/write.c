@@ -429,7 +429,7 @@ batten_status bat_write_iges(const batten_model *model, const batten_write_optio
     bat_iges_writing w = {
         .notes = notes, .tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
     bat_iges_section_begin(&w.data, 'P', text);
-    bat_text_reserve(text, 80 * bat_count_points(scaled)); /* mostly enough */
+    bat_text_reserve(text, 100 * bat_count_points(scaled)); /* mostly enough */
     status = put_layers(&w, scaled);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(scaled); i++)
         status = write_object(&w, batten_model_object(scaled, i));

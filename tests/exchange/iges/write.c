@@ -2,6 +2,7 @@
 
 #include "support/drilled_box.h"
 
+#include <batten/standard.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -168,6 +169,7 @@ TEST(points_groups_levels_and_what_is_hidden_read_back)
                 {"stem", "hull", "12", true, 2},
                 {"bilge", "hull/port", "7", false, 7},
                 {"chine", "hull/port", "", true, 3},
+                {"boom", "rig", "spars and sails", false, 1},
                 {"mast", "rig", "3", false, 1}};
     const double points[] = {1, 2, 3, -0.0, 0.1, 1e-9, 7, 8, 9, 1, 1,
                              1, 2, 2, 2,    3,   3,    3, 4, 4, 4};
@@ -269,4 +271,34 @@ TEST(faces_are_trimmed_surfaces_in_a_group)
     batten_notes_free(notes);
     batten_body_unref(body);
     batten_model_unref(model);
+}
+
+TEST(faces_of_bodies_read_back_and_write_the_same_bytes)
+{
+    const batten_frame frame = batten_frame_world();
+    batten_body *bodies[2] = {NULL, NULL};
+    batten_surface *sphere = NULL;
+    batten_model *model = NULL;
+    CHECK_OK(drilled_box(&bodies[0]));
+    CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
+    CHECK_OK(batten_body_of_surface("ball", sphere, 1e-6, &bodies[1]));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "ball" : "block",
+                                                          .group = "parts",
+                                                          .layer = "solids",
+                                                          .kind = BATTEN_OBJECT_BODY,
+                                                          .body = bodies[i]}));
+    check_twice(model);
+    batten_model *back = round_trip(model);
+    CHECK_INT(batten_model_count(back), DRILLED_FACES + 1);
+    CHECK_TEXT(batten_model_object(back, 6)->name, "block.7");
+    CHECK_TEXT(batten_model_object(back, 6)->group, "parts/block");
+    CHECK_TEXT(batten_model_object(back, 6)->layer, "solids");
+    CHECK_TEXT(batten_model_object(back, DRILLED_FACES)->group, "parts");
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_surface_unref(sphere);
+    for (int i = 0; i < 2; i++)
+        batten_body_unref(bodies[i]);
 }
