@@ -18,7 +18,7 @@ static void mesh(const batten_model *model, const batten_job *job)
     batten_mesh_options options = batten_mesh_defaults();
     batten_model *meshed = NULL;
     options.angle = 1;
-    options.most = 20000;
+    options.most = 5000;
     if (batten_model_meshed(model, &options, job, NULL, &meshed) == BATTEN_OK)
         batten_model_unref(meshed);
 }
@@ -47,7 +47,7 @@ void fuzz_survive(const uint8_t *data, size_t size, batten_format format)
     limits.entities = 2000;
     options.limits = &limits;
     options.format = format;
-    job.work_limit = 50000;
+    job.work_limit = 10000;
     const batten_status status =
         batten_read_memory((const char *)data, size, &options, NULL, NULL, &model);
     if (status != BATTEN_OK && status != BATTEN_PARTLY_READ)

@@ -112,7 +112,9 @@ static batten_status divide(bat_lattice *l, bat_meshing *m, const cell *root)
         const cell c = stack[--count];
         double excess[2];
         bool halve = false;
-        status = judge(l, m, &c, excess, &halve);
+        status = bat_work_step(&m->work, 1, 0, "triangles of a face");
+        if (status == BATTEN_OK)
+            status = judge(l, m, &c, excess, &halve);
         if (status == BATTEN_OK && halve && c.level < DEEPEST)
             status = halve_cell(l, m, &c, excess[0] >= excess[1], stack, &count);
     }
@@ -144,7 +146,6 @@ static batten_status divide_all(bat_lattice *l, bat_meshing *m)
     for (int i = 0; i + 1 < a->count; i++)
         for (int p = 0; status == BATTEN_OK && p < a->cells[i]; p++) {
             const double w = (a->x[i + 1] - a->x[i]) / a->cells[i];
-            status = bat_work_step(&m->work, 1, 0, "triangles of a face");
             for (int j = 0; status == BATTEN_OK && j + 1 < b->count; j++) {
                 const double h = (b->x[j + 1] - b->x[j]) / b->cells[j];
                 for (int q = 0; status == BATTEN_OK && q < b->cells[j]; q++) {
