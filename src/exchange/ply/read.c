@@ -235,10 +235,9 @@ static batten_status read_items(reading *r, const bat_ply_element *element, size
 
 static batten_status read_element(reading *r, const bat_ply_element *element)
 {
-    const bat_ply_property *properties = properties_of(r, element);
-    const size_t corners = list_of_corners(properties, element->properties);
     if (element->count == 0 || element->properties == 0)
         return BATTEN_OK;
+    const size_t corners = list_of_corners(properties_of(r, element), element->properties);
     batten_status status = make_room(r, element);
     if (status != BATTEN_OK)
         return status;

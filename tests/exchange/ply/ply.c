@@ -376,3 +376,12 @@ TEST(normals_that_differ_at_a_vertex_are_left_out_of_ply_with_a_note)
     batten_notes_free(notes);
     batten_model_unref(model);
 }
+
+TEST(an_element_without_properties_is_passed_over)
+{
+    batten_model *model = NULL;
+    CHECK_OK(read_text("ply\nformat ascii 1.0\nelement vertex 0\nelement face 9\nend_header\n",
+                       BATTEN_FORMAT_AUTO, NULL, &model));
+    CHECK_INT(batten_model_count(model), 0);
+    batten_model_unref(model);
+}
