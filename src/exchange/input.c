@@ -201,6 +201,48 @@ batten_status bat_list_add(bat_input *input, bat_list *list, const void *item)
     return bat_list_append(input, list, item, 1);
 }
 
+bool bat_is_white(char c)
+{
+    return c == '\n' || c == '\r' || bat_is_blank(c);
+}
+
+int bat_hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+size_t bat_utf8_write(uint32_t code, char bytes[4])
+{
+    size_t count = 0;
+    if (code == 0 || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff)
+        return 0;
+    if (code < 0x80) {
+        bytes[count++] = (char)code;
+    } else if (code < 0x800) {
+        bytes[count++] = (char)(0xc0 | code >> 6);
+        bytes[count++] = (char)(0x80 | (code & 0x3f));
+    } else {
+        if (code < 0x10000) {
+            bytes[count++] = (char)(0xe0 | code >> 12);
+        } else {
+            bytes[count++] = (char)(0xf0 | code >> 18);
+            bytes[count++] = (char)(0x80 | (code >> 12 & 0x3f));
+        }
+        bytes[count++] = (char)(0x80 | (code >> 6 & 0x3f));
+        bytes[count++] = (char)(0x80 | (code & 0x3f));
+    }
+    return count;
+}
+
+bool bat_input_ends(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
+           status == BATTEN_CANCELLED;
+}
+
 bool bat_is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';

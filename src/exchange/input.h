@@ -4,6 +4,7 @@
 #include "base/base.h"
 #include "base/work.h"
 #include <batten/exchange.h>
+#include <stdint.h>
 
 typedef struct {
     const char *data; /* without a byte order mark and without a final control-Z */
@@ -60,5 +61,14 @@ typedef struct {
 /* The next line from *at on, without its end (LF, CRLF or CR); false at the end of the data. */
 bool bat_next_line(const bat_input *input, size_t *at, bat_span *line);
 bool bat_is_blank(char c);
+/* Blanks and ends of lines. */
+bool bat_is_white(char c);
+/* 0..15, or -1. */
+int bat_hex_digit(char c);
+/* A character of Unicode as UTF-8; returns how many bytes it has, 0 for none and surrogates. */
+size_t bat_utf8_write(uint32_t code, char bytes[4]);
+
+/* Does a failure end the reading of the whole file? Others leave out one entity. */
+bool bat_input_ends(batten_status status);
 
 #endif

@@ -8,8 +8,9 @@ batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
 /* A note says what was approximated. */
 batten_status bat_prepare_surface(const batten_object *object, double tolerance,
                                   batten_notes *notes, batten_surface **out);
-/* A body, or a surface as a body of one face, traced: every use has its curve in (u, v), and the
- * outer loop comes first. A body of which faces cannot be traced stays as it is, with a note. */
+/* A body, or a surface as a body of one face, traced: every use has its curve in (u, v), and
+ * the outer loop comes first. A body of which faces cannot be traced stays as it is, with a
+ * note. */
 batten_status bat_prepare_body(const batten_object *object, double tolerance,
                                batten_notes *notes, batten_body **out);
 /* How many control points the objects have: what the length of their file hangs on. */

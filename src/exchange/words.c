@@ -1,46 +1,25 @@
 #include "exchange/words.h"
 
 #include <batten/number.h>
-#include <limits.h>
 #include <string.h>
 
 void bat_words_begin(bat_words *words, bat_input *input)
 {
-    *words = (bat_words){.input = input, .line = 1, .begins_line = true};
-}
-
-static bool is_white(char c)
-{
-    return c == '\n' || c == '\r' || bat_is_blank(c);
-}
-
-/* A line ends with LF, CRLF or CR. */
-static void count_line(bat_words *words, char c)
-{
-    const char *data = words->input->data;
-    const bool second = c == '\n' && words->at > 0 && data[words->at - 1] == '\r';
-    if ((c == '\n' || c == '\r') && !second && words->line < INT_MAX)
-        words->line++;
-    words->begins_line |= c == '\n' || c == '\r';
+    *words = (bat_words){
+        .input = input, .scan = bat_scan_begin(input->data, input->size), .line = 0};
 }
 
 bool bat_words_next(bat_words *words)
 {
-    const bat_input *input = words->input;
-    words->begins_line = words->at == 0;
-    for (; words->at < input->size && is_white(input->data[words->at]); words->at++)
-        count_line(words, input->data[words->at]);
-    const size_t begin = words->at;
-    while (words->at < input->size && !is_white(input->data[words->at]))
-        words->at++;
-    words->word = (bat_span){input->data + begin, words->at - begin};
-    return words->at > begin;
+    const bool found = bat_next_word(&words->scan, &words->word);
+    words->begins_line = found && words->scan.line > words->line;
+    words->line = words->scan.line;
+    return found;
 }
 
-bool bat_words_are(const bat_words *words, const char *text)
+static size_t bytes_left(const bat_words *words)
 {
-    return words->word.length == strlen(text) &&
-           memcmp(words->word.bytes, text, words->word.length) == 0;
+    return (size_t)(words->scan.end - words->scan.at);
 }
 
 static batten_status ended(const bat_words *words, const char *what)
@@ -84,12 +63,12 @@ batten_status bat_words_check(const bat_words *words, const char *what, size_t c
                               size_t least)
 {
     /* A word and the white space after it take two bytes at least. */
-    const size_t room = (words->input->size - words->at + 1) / 2;
+    const size_t room = (bytes_left(words) + 1) / 2;
     if (count <= room / least)
         return BATTEN_OK;
     return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
                           "%zu %s cannot stand in the %zu bytes that are left", count, what,
-                          words->input->size - words->at);
+                          bytes_left(words));
 }
 
 batten_status bat_words_reals(bat_words *words, const char *what, size_t count, double **out)

@@ -1,12 +1,13 @@
-/* Text as words between white space, for formats where line ends mean nothing. */
+/* Numbers of a text where line ends mean nothing, with failures that say the line. */
 #ifndef BAT_WORDS_H
 #define BAT_WORDS_H
 #include "exchange/input.h"
+#include "exchange/scan.h"
 
 typedef struct {
     bat_input *input;
-    size_t at; /* behind the last word */
-    bat_span word;
+    bat_scan scan;
+    bat_span word;    /* the last one */
     int line;         /* of the last word, from 1 */
     bool begins_line; /* it is the first of its line */
 } bat_words;
@@ -14,8 +15,6 @@ typedef struct {
 void bat_words_begin(bat_words *words, bat_input *input);
 /* Go to the next word; false at the end. */
 bool bat_words_next(bat_words *words);
-/* Is the last word this one? */
-bool bat_words_are(const bat_words *words, const char *text);
 
 /* The next word as a number; `what` names it in a failure, which says the line. BAD_FORMAT also
  * when the text ends. */

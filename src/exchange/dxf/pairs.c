@@ -206,14 +206,6 @@ batten_status bat_dxf_get_reals(const bat_dxf_pairs *pairs, int code, size_t cou
 
 /* ---- texts ---- */
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
 /* The character of \U+XXXX at the beginning of a text as UTF-8; 0 when none stands there. */
 static size_t decode(const char *text, size_t left, char out[4])
 {
@@ -221,26 +213,12 @@ static size_t decode(const char *text, size_t left, char out[4])
     if (left < 7 || memcmp(text, "\\U+", 3) != 0)
         return 0;
     for (int i = 3; i < 7; i++) {
-        const int digit = hex_digit(text[i]);
+        const int digit = bat_hex_digit(text[i]);
         if (digit < 0)
             return 0;
         c = 16 * c + (uint32_t)digit;
     }
-    if (c == 0 || (c >= 0xd800 && c < 0xe000))
-        return 0;
-    if (c < 0x80) {
-        out[0] = (char)c;
-        return 1;
-    }
-    if (c < 0x800) {
-        out[0] = (char)(0xc0 | c >> 6);
-        out[1] = (char)(0x80 | (c & 63));
-        return 2;
-    }
-    out[0] = (char)(0xe0 | c >> 12);
-    out[1] = (char)(0x80 | (c >> 6 & 63));
-    out[2] = (char)(0x80 | (c & 63));
-    return 3;
+    return bat_utf8_write(c, out);
 }
 
 void bat_dxf_get_text(const bat_dxf_pairs *pairs, int code, size_t size, char *buffer)

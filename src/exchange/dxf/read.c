@@ -1,51 +1,25 @@
 #include "exchange/dxf/colours.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/entities.h"
+#include "exchange/dxf/survey.h"
 #include "exchange/formats.h"
 #include "numeric/vector.h"
 
 #include <limits.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { NAME = 256, DEEPEST = 32, MOST_INSTANCES = 1000000 };
-
-typedef struct {
-    char name[NAME];
-    bool is_hidden, has_colour;
-    double colour[3];
-} layer;
-
-/* A block stands in the text until an INSERT asks for it. */
-typedef struct {
-    char name[NAME];
-    batten_vec3 base;
-    size_t at;
-    int line;
-    bool is_at_work; /* to find blocks that hold themselves */
-    batten_model *model;
-} block;
-
-typedef struct {
-    bat_input *input;
-    bat_census census;
-    bat_list layers, blocks; /* by name, once they are all there */
-    double unit_metres;
-    size_t entities_at; /* 0: there is no such section */
-    int entities_line;
-    int number, instances;
-} reading;
+enum { DEEPEST = 32, MOST_INSTANCES = 1000000 };
 
 /* What a model that is being filled needs: the model of the file, or that of a block. */
 typedef struct {
-    reading *r;
+    bat_dxf_reading *r;
     bat_dxf_pairs pairs;
     batten_model *model;
     bat_dxf_polyline polyline;
     bat_list faces; /* of double[9]: triangles of 3DFACEs that follow one another */
     batten_object face_look;
-    char face_layer[NAME], face_name[64];
+    char face_layer[BAT_DXF_NAME], face_name[64];
     int depth;
 } filling;
 
@@ -74,148 +48,14 @@ batten_status bat_dxf_recognise(const bat_input *input, bool *is_dxf)
     return BATTEN_OK;
 }
 
-/* ---- the first time through: header, layers, where blocks and entities stand ---- */
-
-static batten_status read_header(reading *r, const bat_dxf_pairs *pairs)
-{
-    const bat_dxf_group *groups = pairs->groups.items;
-    for (size_t i = 0; i + 1 < pairs->groups.count; i++) {
-        double code = 0;
-        if (groups[i].code != 9 || groups[i].value.length != 9 ||
-            memcmp(groups[i].value.bytes, "$INSUNITS", 9) != 0)
-            continue;
-        if (bat_dxf_number(&groups[i + 1], &code) == BATTEN_OK)
-            r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
-    }
-    if (r->unit_metres == 0)
-        batten_notes_add(r->input->notes, r->input->file, 0, "",
-                         "the file does not say its unit");
-    return BATTEN_OK;
-}
-
-/* Bad numbers of a layer are as if they were not there. */
-static batten_status read_layer(reading *r, const bat_dxf_pairs *pairs)
-{
-    layer made = {.is_hidden = false};
-    int colour = 7, flags = 0, full = -1;
-    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
-    (void)bat_dxf_get_integer(pairs, 62, 7, &colour);
-    (void)bat_dxf_get_integer(pairs, 70, 0, &flags);
-    (void)bat_dxf_get_integer(pairs, 420, -1, &full);
-    made.is_hidden = colour < 0 || (flags & 1);
-    made.has_colour = bat_dxf_colour(abs(bat_max_int(colour, -255)), made.colour);
-    if (full >= 0) {
-        bat_dxf_true_colour(full, made.colour);
-        made.has_colour = true;
-    }
-    return bat_list_add(r->input, &r->layers, &made);
-}
-
-static batten_status read_block(reading *r, const bat_dxf_pairs *pairs)
-{
-    block made = {.at = pairs->next_at, .line = pairs->next_line};
-    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
-    batten_status status = bat_dxf_get_point(pairs, 10, (batten_vec3){0, 0, 0}, &made.base);
-    if (status == BATTEN_BAD_FORMAT) {
-        batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
-                         "%s; its base is taken as 0", batten_message());
-        made.base = (batten_vec3){0, 0, 0};
-        status = BATTEN_OK;
-    }
-    return status == BATTEN_OK ? bat_list_add(r->input, &r->blocks, &made) : status;
-}
-
-static batten_status survey_entity(reading *r, const bat_dxf_pairs *pairs)
-{
-    char name[32] = "";
-    if (bat_dxf_is(pairs, "LAYER"))
-        return read_layer(r, pairs);
-    if (bat_dxf_is(pairs, "BLOCK"))
-        return read_block(r, pairs);
-    if (!bat_dxf_is(pairs, "SECTION"))
-        return BATTEN_OK;
-    bat_dxf_get_text(pairs, 2, sizeof name, name);
-    if (strcmp(name, "HEADER") == 0)
-        return read_header(r, pairs);
-    if (strcmp(name, "ENTITIES") == 0 && pairs->has_next) {
-        r->entities_at = pairs->next_at;
-        r->entities_line = pairs->next_line;
-    }
-    return BATTEN_OK;
-}
-
-static int compare_blocks(const void *a, const void *b)
-{
-    const block *one = a, *other = b;
-    const int order = strcmp(one->name, other->name);
-    return order ? order : (one->at > other->at) - (one->at < other->at);
-}
-
-static int compare_layers(const void *a, const void *b)
-{
-    const layer *one = a, *other = b;
-    return strcmp(one->name, other->name);
-}
-
-static batten_status survey(reading *r)
-{
-    bat_dxf_pairs pairs;
-    bool more = true, ended = false;
-    bat_dxf_pairs_begin(&pairs, r->input, 0, 0);
-    batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && more && !ended) {
-        status = bat_dxf_next(&pairs, &more);
-        if (status == BATTEN_OK && more)
-            status = bat_input_step(r->input, pairs.at / 2);
-        if (status == BATTEN_OK && more)
-            status = survey_entity(r, &pairs);
-        ended = status == BATTEN_OK && more && bat_dxf_is(&pairs, "EOF");
-    }
-    r->input->is_cut = !ended;
-    bat_dxf_pairs_end(&pairs);
-    if (r->layers.count)
-        qsort(r->layers.items, r->layers.count, sizeof(layer), compare_layers);
-    if (r->blocks.count)
-        qsort(r->blocks.items, r->blocks.count, sizeof(block), compare_blocks);
-    return status;
-}
-
 /* ---- entities ---- */
 
-static const layer *find_layer(const reading *r, const char *name)
-{
-    const layer *layers = r->layers.items;
-    size_t low = 0, high = r->layers.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (strcmp(layers[middle].name, name) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < r->layers.count && strcmp(layers[low].name, name) == 0 ? &layers[low] : NULL;
-}
-
-static block *find_block(const reading *r, const char *name)
-{
-    block *blocks = r->blocks.items;
-    size_t low = 0, high = r->blocks.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (strcmp(blocks[middle].name, name) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < r->blocks.count && strcmp(blocks[low].name, name) == 0 ? &blocks[low] : NULL;
-}
-
 /* Layer, colour, and whether it is shown; bad numbers are as if they were not there. */
-static void read_look(const filling *f, char layer_name[NAME], batten_object *object)
+static void read_look(const filling *f, char layer_name[BAT_DXF_NAME], batten_object *object)
 {
     int colour = 256, full = -1, hidden = 0;
-    bat_dxf_get_text(&f->pairs, 8, NAME, layer_name);
-    const layer *on = find_layer(f->r, layer_name);
+    bat_dxf_get_text(&f->pairs, 8, BAT_DXF_NAME, layer_name);
+    const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
     (void)bat_dxf_get_integer(&f->pairs, 62, 256, &colour);
     (void)bat_dxf_get_integer(&f->pairs, 420, -1, &full);
     (void)bat_dxf_get_integer(&f->pairs, 60, 0, &hidden);
@@ -232,13 +72,6 @@ static void read_look(const filling *f, char layer_name[NAME], batten_object *ob
     }
 }
 
-/* Failures that end the reading; others leave out one entity. */
-static bool ends_all(batten_status status)
-{
-    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
-           status == BATTEN_CANCELLED;
-}
-
 static batten_status leave_out(filling *f, const char *kind, int line)
 {
     f->r->input->left_out++;
@@ -249,7 +82,7 @@ static batten_status leave_out(filling *f, const char *kind, int line)
 
 static batten_status add_curve(filling *f, const char *kind, batten_curve *curve)
 {
-    char layer_name[NAME], name[64];
+    char layer_name[BAT_DXF_NAME], name[64];
     batten_object object = {.kind = BATTEN_OBJECT_CURVE, .curve = curve, .name = name};
     snprintf(name, sizeof name, "%s %d", kind, ++f->r->number);
     read_look(f, layer_name, &object);
@@ -258,7 +91,7 @@ static batten_status add_curve(filling *f, const char *kind, batten_curve *curve
 
 static batten_status add_point(filling *f)
 {
-    char layer_name[NAME], name[64];
+    char layer_name[BAT_DXF_NAME], name[64];
     batten_vec3 p;
     batten_status status = bat_dxf_get_point(&f->pairs, 10, (batten_vec3){0, 0, 0}, &p);
     const double point[3] = {p.x, p.y, p.z};
@@ -306,7 +139,7 @@ static batten_status flush_faces(filling *f)
 /* Faces on one layer that follow one another are one mesh. */
 static batten_status add_face(filling *f)
 {
-    char layer_name[NAME];
+    char layer_name[BAT_DXF_NAME];
     double corners[4][3];
     int count = 0;
     batten_object look = {.kind = BATTEN_OBJECT_MESH};
@@ -341,7 +174,7 @@ static batten_status fill(filling *f, const char *end);
 
 /* The model of a block, made the first time it is asked for. Blocks within blocks are followed
  * DEEPEST deep and no further. */
-static batten_status build_block(reading *r, block *b, int depth)
+static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth)
 {
     filling f = {.r = r, .depth = depth, .faces = {.size = 9 * sizeof(double)}};
     if (b->model)
@@ -368,7 +201,7 @@ static batten_status build_block(reading *r, block *b, int depth)
 
 /* Where an INSERT puts what is at the base of its block: scaled, turned about z, moved, all in
  * the axes of its plane. */
-static batten_status read_place(const filling *f, const block *b, batten_affine *place)
+static batten_status read_place(const filling *f, const bat_dxf_block *b, batten_affine *place)
 {
     batten_frame frame;
     batten_vec3 at, scale;
@@ -404,10 +237,10 @@ static batten_status read_place(const filling *f, const block *b, batten_affine 
 
 static batten_status add_insert(filling *f)
 {
-    char layer_name[NAME], name[NAME];
+    char layer_name[BAT_DXF_NAME], name[BAT_DXF_NAME];
     int columns = 1, rows = 1;
     bat_dxf_get_text(&f->pairs, 2, sizeof name, name);
-    block *b = find_block(f->r, name);
+    bat_dxf_block *b = bat_dxf_find_block(f->r, name);
     batten_object object = {.kind = BATTEN_OBJECT_INSTANCE, .name = name};
     if (!b)
         return bat_fail(BATTEN_NOT_FOUND, "there is no block '%.60s'", name);
@@ -442,7 +275,7 @@ static batten_status end_polyline(filling *f)
     batten_curve_unref(curve);
     if (status == BATTEN_OK)
         return bat_census_read(f->r->input, &f->r->census, "POLYLINE");
-    return ends_all(status) ? status : leave_out(f, "POLYLINE", f->polyline.line);
+    return bat_input_ends(status) ? status : leave_out(f, "POLYLINE", f->polyline.line);
 }
 
 /* An entity that is no part of a polyline. */
@@ -496,7 +329,7 @@ static batten_status add_entity(filling *f)
         status = bat_dxf_polyline_begin(&f->pairs, &f->polyline);
     else
         status = add_single(f, &is_known);
-    if (ends_all(status))
+    if (bat_input_ends(status))
         return status;
     if (status != BATTEN_OK)
         return leave_out(f, kind, line);
@@ -526,7 +359,7 @@ static batten_status fill(filling *f, const char *end)
     return status == BATTEN_OK ? flush_faces(f) : status;
 }
 
-static batten_status read_entities(reading *r, batten_model **out)
+static batten_status read_entities(bat_dxf_reading *r, batten_model **out)
 {
     filling f = {.r = r, .faces = {.size = 9 * sizeof(double)}};
     f.polyline.vertices.size = 4 * sizeof(double);
@@ -545,11 +378,12 @@ static batten_status read_entities(reading *r, batten_model **out)
 
 batten_status bat_read_dxf(bat_input *input, batten_model **out)
 {
-    reading r = {
-        .input = input, .layers = {.size = sizeof(layer)}, .blocks = {.size = sizeof(block)}};
+    bat_dxf_reading r = {.input = input,
+                         .layers = {.size = sizeof(bat_dxf_layer_entry)},
+                         .blocks = {.size = sizeof(bat_dxf_block)}};
     batten_model *model = NULL;
     bat_census_begin(&r.census);
-    batten_status status = survey(&r);
+    batten_status status = bat_dxf_survey(&r);
     if (status == BATTEN_OK)
         status = read_entities(&r, &model);
     if (status == BATTEN_OK && batten_model_count(model) == 0 && input->left_out > 0)
@@ -560,7 +394,7 @@ batten_status bat_read_dxf(bat_input *input, batten_model **out)
         *out = batten_model_ref(model);
     }
     batten_model_unref(model);
-    block *blocks = r.blocks.items;
+    bat_dxf_block *blocks = r.blocks.items;
     for (size_t i = 0; i < r.blocks.count; i++)
         batten_model_unref(blocks[i].model);
     bat_release(r.layers.items);

@@ -288,13 +288,6 @@ static batten_status read_body(reading *r, int class)
     }
 }
 
-/* Failures that end the reading; others leave out one object. */
-static bool ends_all(batten_status status)
-{
-    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
-           status == BATTEN_CANCELLED;
-}
-
 /* The object whose header begins with the last word. */
 static batten_status read_object(reading *r, int number)
 {
@@ -313,7 +306,7 @@ static batten_status read_object(reading *r, int number)
         status = read_colour(r, head[3]);
     if (status == BATTEN_OK)
         status = read_body(r, head[0]);
-    if (ends_all(status))
+    if (bat_input_ends(status))
         return status;
     if (status == BATTEN_OK)
         return bat_census_read(r->input, &r->census, name_of(head[0]));
@@ -353,7 +346,7 @@ static batten_status read_all(reading *r)
     batten_status status = batten_model_create(0, &r->model);
     bool more = status == BATTEN_OK && bat_words_next(&r->words);
     while (status == BATTEN_OK && more) {
-        status = bat_input_step(r->input, r->words.at);
+        status = bat_input_step(r->input, (size_t)(r->words.scan.at - r->input->data));
         if (status == BATTEN_OK && is_header(r->words))
             status = bat_input_limit(r->input, r->words.line, (size_t)number + 1,
                                      r->input->limits.entities, "objects");

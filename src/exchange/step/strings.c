@@ -21,24 +21,10 @@ static void put_bytes(decoding *d, const char *bytes, size_t count)
 /* A code point as UTF-8; what is none, and 0, which would end the string, as U+FFFD. */
 static void put_code(decoding *d, uint32_t code)
 {
-    if (code == 0 || code > 0x10ffff || (code >= 0xd800 && code < 0xe000))
-        code = 0xfffd;
     char bytes[4];
-    size_t count = 0;
-    if (code < 0x80) {
-        bytes[count++] = (char)code;
-    } else if (code < 0x800) {
-        bytes[count++] = (char)(0xc0 | code >> 6);
-    } else if (code < 0x10000) {
-        bytes[count++] = (char)(0xe0 | code >> 12);
-        bytes[count++] = (char)(0x80 | (code >> 6 & 0x3f));
-    } else {
-        bytes[count++] = (char)(0xf0 | code >> 18);
-        bytes[count++] = (char)(0x80 | (code >> 12 & 0x3f));
-        bytes[count++] = (char)(0x80 | (code >> 6 & 0x3f));
-    }
-    if (code >= 0x80)
-        bytes[count++] = (char)(0x80 | (code & 0x3f));
+    size_t count = bat_utf8_write(code, bytes);
+    if (count == 0)
+        count = bat_utf8_write(0xfffd, bytes);
     put_bytes(d, bytes, count);
 }
 
@@ -49,11 +35,7 @@ static bool read_hex(const char *at, const char *end, int count, uint32_t *value
     if (end - at < count)
         return false;
     for (int i = 0; i < count; i++) {
-        const char c = at[i];
-        const int digit = c >= '0' && c <= '9'   ? c - '0'
-                          : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                          : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                                 : -1;
+        const int digit = bat_hex_digit(at[i]);
         if (digit < 0)
             return false;
         sum = 16 * sum + (uint32_t)digit;

@@ -3,14 +3,9 @@
 #include <batten/number.h>
 #include <string.h>
 
-static bool is_white(char c)
-{
-    return c == '\n' || c == '\r' || bat_is_blank(c);
-}
-
 static size_t past_separators(bat_span text, size_t at)
 {
-    while (at < text.length && (is_white(text.bytes[at]) || text.bytes[at] == ','))
+    while (at < text.length && (bat_is_white(text.bytes[at]) || text.bytes[at] == ','))
         at++;
     return at;
 }
@@ -99,10 +94,10 @@ batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
         double v[6] = {0};
         int count = 0;
         const size_t begin = at;
-        while (at < text.length && text.bytes[at] != '(' && !is_white(text.bytes[at]))
+        while (at < text.length && text.bytes[at] != '(' && !bat_is_white(text.bytes[at]))
             at++;
         const bat_span name = {text.bytes + begin, at - begin};
-        while (at < text.length && is_white(text.bytes[at]))
+        while (at < text.length && bat_is_white(text.bytes[at]))
             at++;
         at += at < text.length;
         while (count < 6 && bat_svg_number(text, &at, &v[count]))
@@ -120,22 +115,14 @@ batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
 
 /* ---- colours ---- */
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
 static bool hex_colour(bat_span text, double rgb[3])
 {
     const size_t each = text.length == 7 ? 2 : 1;
     if (text.length != 4 && text.length != 7)
         return false;
     for (size_t k = 0; k < 3; k++) {
-        const int high = hex_digit(text.bytes[1 + k * each]);
-        const int low = hex_digit(text.bytes[k * each + each]);
+        const int high = bat_hex_digit(text.bytes[1 + k * each]);
+        const int low = bat_hex_digit(text.bytes[k * each + each]);
         if (high < 0 || low < 0)
             return false;
         rgb[k] = (16 * high + low) / 255.0;
@@ -158,11 +145,11 @@ bool bat_svg_colour(bat_span text, double rgb[3])
                  {"magenta", {1, 0, 1}},
                  {"green", {0, 128 / 255.0, 0}},
                  {"grey", {128 / 255.0, 128 / 255.0, 128 / 255.0}}};
-    while (text.length > 0 && is_white(text.bytes[0])) {
+    while (text.length > 0 && bat_is_white(text.bytes[0])) {
         text.bytes++;
         text.length--;
     }
-    while (text.length > 0 && is_white(text.bytes[text.length - 1]))
+    while (text.length > 0 && bat_is_white(text.bytes[text.length - 1]))
         text.length--;
     if (text.length > 0 && text.bytes[0] == '#')
         return hex_colour(text, rgb);

@@ -317,12 +317,6 @@ static batten_status leave_out(reading *r, const char *kind, const char *why)
     return bat_census_leave(r->input, &r->census, kind);
 }
 
-static bool ends_all(batten_status status)
-{
-    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_TOO_LARGE ||
-           status == BATTEN_CANCELLED;
-}
-
 static batten_status add_shape(reading *r)
 {
     char kind[32];
@@ -339,7 +333,7 @@ static batten_status add_shape(reading *r)
         status = read_look(r, &r->look);
     if (status == BATTEN_OK)
         status = read_shape(r);
-    if (ends_all(status))
+    if (bat_input_ends(status))
         return status;
     return status == BATTEN_OK ? bat_census_read(r->input, &r->census, kind)
                                : leave_out(r, kind, batten_message());
@@ -354,7 +348,7 @@ static batten_status enter(reading *r)
                                            (size_t)r->input->limits.nesting, "nested groups");
     if (status == BATTEN_OK)
         status = read_look(r, &look);
-    if (ends_all(status))
+    if (bat_input_ends(status))
         return status;
     if (status != BATTEN_OK)
         status = leave_out(r, "transform", batten_message());

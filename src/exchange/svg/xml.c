@@ -9,11 +9,6 @@ void bat_xml_begin(bat_xml *xml, bat_input *input)
     *xml = (bat_xml){.input = input, .line = 1, .kind = BAT_XML_NONE};
 }
 
-static bool is_white(char c)
-{
-    return c == '\n' || c == '\r' || bat_is_blank(c);
-}
-
 /* Forward to `to`, counting lines. */
 static void advance(bat_xml *xml, size_t to)
 {
@@ -93,7 +88,7 @@ static batten_status read_element(bat_xml *xml)
         last--;
     }
     size_t begin = at;
-    while (at < last && !is_white(data[at])) {
+    while (at < last && !bat_is_white(data[at])) {
         if (data[at] == ':')
             begin = at + 1;
         at++;
@@ -129,13 +124,13 @@ bool bat_xml_attribute(const bat_xml *xml, const char *name, bat_span *value)
     const size_t wanted = strlen(name);
     size_t i = 0;
     while (i < a.length) {
-        while (i < a.length && is_white(a.bytes[i]))
+        while (i < a.length && bat_is_white(a.bytes[i]))
             i++;
         const size_t begin = i;
-        while (i < a.length && a.bytes[i] != '=' && !is_white(a.bytes[i]))
+        while (i < a.length && a.bytes[i] != '=' && !bat_is_white(a.bytes[i]))
             i++;
         const size_t length = i - begin;
-        while (i < a.length && (is_white(a.bytes[i]) || a.bytes[i] == '='))
+        while (i < a.length && (bat_is_white(a.bytes[i]) || a.bytes[i] == '='))
             i++;
         if (i >= a.length || (a.bytes[i] != '"' && a.bytes[i] != '\''))
             return false;

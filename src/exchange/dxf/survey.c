@@ -1,0 +1,137 @@
+#include "exchange/dxf/survey.h"
+#include "exchange/dxf/colours.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
+{
+    const bat_dxf_group *groups = pairs->groups.items;
+    for (size_t i = 0; i + 1 < pairs->groups.count; i++) {
+        double code = 0;
+        if (groups[i].code != 9 || groups[i].value.length != 9 ||
+            memcmp(groups[i].value.bytes, "$INSUNITS", 9) != 0)
+            continue;
+        if (bat_dxf_number(&groups[i + 1], &code) == BATTEN_OK)
+            r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
+    }
+    if (r->unit_metres == 0)
+        batten_notes_add(r->input->notes, r->input->file, 0, "",
+                         "the file does not say its unit");
+    return BATTEN_OK;
+}
+
+/* Bad numbers of a layer are as if they were not there. */
+static batten_status read_layer(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
+{
+    bat_dxf_layer_entry made = {.is_hidden = false};
+    int colour = 7, flags = 0, full = -1;
+    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    (void)bat_dxf_get_integer(pairs, 62, 7, &colour);
+    (void)bat_dxf_get_integer(pairs, 70, 0, &flags);
+    (void)bat_dxf_get_integer(pairs, 420, -1, &full);
+    made.is_hidden = colour < 0 || (flags & 1);
+    made.has_colour = bat_dxf_colour(abs(bat_max_int(colour, -255)), made.colour);
+    if (full >= 0) {
+        bat_dxf_true_colour(full, made.colour);
+        made.has_colour = true;
+    }
+    return bat_list_add(r->input, &r->layers, &made);
+}
+
+static batten_status read_block(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
+{
+    bat_dxf_block made = {.at = pairs->next_at, .line = pairs->next_line};
+    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    batten_status status = bat_dxf_get_point(pairs, 10, (batten_vec3){0, 0, 0}, &made.base);
+    if (status == BATTEN_BAD_FORMAT) {
+        batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
+                         "%s; its base is taken as 0", batten_message());
+        made.base = (batten_vec3){0, 0, 0};
+        status = BATTEN_OK;
+    }
+    return status == BATTEN_OK ? bat_list_add(r->input, &r->blocks, &made) : status;
+}
+
+static batten_status survey_entity(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
+{
+    char name[32] = "";
+    if (bat_dxf_is(pairs, "LAYER"))
+        return read_layer(r, pairs);
+    if (bat_dxf_is(pairs, "BLOCK"))
+        return read_block(r, pairs);
+    if (!bat_dxf_is(pairs, "SECTION"))
+        return BATTEN_OK;
+    bat_dxf_get_text(pairs, 2, sizeof name, name);
+    if (strcmp(name, "HEADER") == 0)
+        return read_header(r, pairs);
+    if (strcmp(name, "ENTITIES") == 0 && pairs->has_next) {
+        r->entities_at = pairs->next_at;
+        r->entities_line = pairs->next_line;
+    }
+    return BATTEN_OK;
+}
+
+static int compare_blocks(const void *a, const void *b)
+{
+    const bat_dxf_block *one = a, *other = b;
+    const int order = strcmp(one->name, other->name);
+    return order ? order : (one->at > other->at) - (one->at < other->at);
+}
+
+static int compare_layers(const void *a, const void *b)
+{
+    const bat_dxf_layer_entry *one = a, *other = b;
+    return strcmp(one->name, other->name);
+}
+
+batten_status bat_dxf_survey(bat_dxf_reading *r)
+{
+    bat_dxf_pairs pairs;
+    bool more = true, ended = false;
+    bat_dxf_pairs_begin(&pairs, r->input, 0, 0);
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && more && !ended) {
+        status = bat_dxf_next(&pairs, &more);
+        if (status == BATTEN_OK && more)
+            status = bat_input_step(r->input, pairs.at / 2);
+        if (status == BATTEN_OK && more)
+            status = survey_entity(r, &pairs);
+        ended = status == BATTEN_OK && more && bat_dxf_is(&pairs, "EOF");
+    }
+    r->input->is_cut = !ended;
+    bat_dxf_pairs_end(&pairs);
+    if (r->layers.count)
+        qsort(r->layers.items, r->layers.count, sizeof(bat_dxf_layer_entry), compare_layers);
+    if (r->blocks.count)
+        qsort(r->blocks.items, r->blocks.count, sizeof(bat_dxf_block), compare_blocks);
+    return status;
+}
+
+const bat_dxf_layer_entry *bat_dxf_find_layer(const bat_dxf_reading *r, const char *name)
+{
+    const bat_dxf_layer_entry *layers = r->layers.items;
+    size_t low = 0, high = r->layers.count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (strcmp(layers[middle].name, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < r->layers.count && strcmp(layers[low].name, name) == 0 ? &layers[low] : NULL;
+}
+
+bat_dxf_block *bat_dxf_find_block(const bat_dxf_reading *r, const char *name)
+{
+    bat_dxf_block *blocks = r->blocks.items;
+    size_t low = 0, high = r->blocks.count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (strcmp(blocks[middle].name, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < r->blocks.count && strcmp(blocks[low].name, name) == 0 ? &blocks[low] : NULL;
+}

@@ -1,0 +1,39 @@
+/* What stands around the entities of a DXF file: unit, layers, and where blocks are. */
+#ifndef BAT_DXF_SURVEY_H
+#define BAT_DXF_SURVEY_H
+#include "exchange/dxf/dxf.h"
+#include "exchange/dxf/pairs.h"
+
+typedef struct {
+    char name[BAT_DXF_NAME];
+    bool is_hidden, has_colour;
+    double colour[3];
+} bat_dxf_layer_entry;
+
+/* A block stands in the text until an INSERT asks for it. */
+typedef struct {
+    char name[BAT_DXF_NAME];
+    batten_vec3 base;
+    size_t at;
+    int line;
+    bool is_at_work; /* to find blocks that hold themselves */
+    batten_model *model;
+} bat_dxf_block;
+
+typedef struct {
+    bat_input *input;
+    bat_census census;
+    bat_list layers, blocks; /* by name, once they are all there */
+    double unit_metres;
+    size_t entities_at; /* 0: there is no such section */
+    int entities_line;
+    int number, instances;
+} bat_dxf_reading;
+
+/* Go through the file once. */
+batten_status bat_dxf_survey(bat_dxf_reading *reading);
+/* By name; NULL when there is none. */
+const bat_dxf_layer_entry *bat_dxf_find_layer(const bat_dxf_reading *reading, const char *name);
+bat_dxf_block *bat_dxf_find_block(const bat_dxf_reading *reading, const char *name);
+
+#endif
