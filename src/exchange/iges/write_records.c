@@ -1,5 +1,5 @@
-#include "exchange/iges/writing.h"
 #include "base/real.h"
+#include "exchange/iges/writing.h"
 
 #include <string.h>
 
@@ -15,24 +15,38 @@ static void put_field(char *field, int width, int64_t value)
     memcpy(field + width - length, digits, (size_t)length);
 }
 
+/* What follows the free columns: the id of the entity, the letter, the number of the record. */
+enum { ID = 0, LETTER = 8, NUMBER_END = 16, TAIL = 17 };
+
 void bat_iges_section_begin(bat_iges_section *section, char letter, batten_text *text)
 {
     *section = (bat_iges_section){.text = text,
-                                  .letter = letter,
                                   .columns = letter == 'P' ? DATA_COLUMNS : GLOBAL_COLUMNS};
+    memset(section->tail, ' ', sizeof section->tail);
+    section->tail[LETTER] = letter;
+    section->tail[NUMBER_END - 1] = '0';
+    section->tail[NUMBER_END] = '\n';
+}
+
+/* Count on in the digits themselves. */
+static void count_record(bat_iges_section *section)
+{
+    char *digit = &section->tail[NUMBER_END - 1];
+    section->count++;
+    while (*digit == '9')
+        *digit-- = '0';
+    *digit = *digit == ' ' ? '1' : (char)(*digit + 1);
 }
 
 /* End a record of which `used` columns are filled; what is behind them in the line is kept. */
 static void end_record(bat_iges_section *section, size_t used)
 {
     char record[RECORD + 1];
-    memcpy(record, section->line, used);
-    memset(record + used, ' ', section->columns - used);
-    if (section->letter == 'P')
-        put_field(record + DATA_COLUMNS, 8, section->id);
-    record[72] = section->letter;
-    put_field(record + 73, 7, ++section->count);
-    record[RECORD] = '\n';
+    const size_t columns = section->columns, tail = sizeof record - columns;
+    count_record(section);
+    memcpy(record, section->line, columns);
+    memset(record + used, ' ', columns - used);
+    memcpy(record + columns, section->tail + TAIL - tail, tail);
     batten_text_bytes(section->text, record, sizeof record);
     section->used -= used;
     memmove(section->line, section->line + used, section->used);
@@ -88,10 +102,11 @@ void bat_iges_put_string(bat_iges_section *section, const char *text, char after
 
 int bat_iges_begin_entity(bat_iges_writing *w, int type)
 {
-    w->data.id = w->directory_count + 1;
+    const int id = w->directory_count + 1;
+    put_field(w->data.tail + ID, 8, id);
     w->first = w->data.count + 1;
     bat_iges_put_integer(&w->data, type, ',');
-    return w->data.id;
+    return id;
 }
 
 void bat_iges_put_properties(bat_iges_writing *w, int name)

@@ -9,12 +9,11 @@
 /* A section of free text: G and P. */
 typedef struct {
     batten_text *text;
-    char letter;
     size_t columns; /* that are free: 64 of P, 72 of G */
-    int id;         /* of the entity, in P */
     int count;      /* of records so far */
     char line[160]; /* the record that is being filled: longer than it is for a last token */
     size_t used;
+    char tail[17]; /* what stands behind the columns */
 } bat_iges_section;
 
 void bat_iges_section_begin(bat_iges_section *section, char letter, batten_text *text);
