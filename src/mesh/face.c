@@ -58,6 +58,11 @@ batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double wides
     return status;
 }
 
+static double distance(const double *a, const double *b)
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
 batten_status bat_face_evaluate(bat_face_mesh *f, int first)
 {
     enum { EACH = 128 };
@@ -79,6 +84,7 @@ batten_status bat_face_evaluate(bat_face_mesh *f, int first)
             v->regular = bat_sheet_normal(d + 9 * k, v->normal);
             if (v->vertex < 0)
                 memcpy(v->point, d + 9 * k, sizeof v->point);
+            v->off = distance(v->point, d + 9 * k);
         }
     }
     bat_release(d);

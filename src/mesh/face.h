@@ -7,6 +7,7 @@ typedef struct {
     double uv[2];
     double point[3];
     double normal[3];
+    double off;     /* of a border: how far its edge is from the surface there */
     bool regular;   /* there is a normal */
     int vertex;     /* of the mesh; -1: none yet */
     int pole;       /* as of bat_rim_corner */

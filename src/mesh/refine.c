@@ -87,12 +87,21 @@ static bool cross_crease(const bat_face_mesh *f, const bat_side_triangle *t, dou
     return false;
 }
 
+/* How far the edges at its corners are from the surface: nearer to it the triangle cannot be. */
+static double off_of(const bat_face_mesh *f, const bat_side_triangle *t)
+{
+    double off = 0;
+    for (int k = 0; k < 3; k++)
+        off = bat_max(off, f->vertices[t->corner[k]].off);
+    return off;
+}
+
 /* How far the surface is from the triangle at the samples; the worst one where a point can be
  * put in, else -1. */
 static int measure(const bat_face_mesh *f, bat_side_triangle *t, const double (*points)[3])
 {
     const double *c[3];
-    double worst = f->m->fine;
+    double worst = f->m->fine + off_of(f, t);
     int place = -1;
     for (int k = 0; k < 3; k++)
         c[k] = f->vertices[t->corner[k]].point;
@@ -136,13 +145,18 @@ static int turn_and_length(const bat_face_mesh *f, bat_side_triangle *t)
     return place;
 }
 
-/* Does the triangle look away from where the surface looks? */
+/* Does the triangle look away from where the surface looks? Where edges miss the surface, or
+ * fold, small ones do so however often they are divided: what is within the chord may. */
 static bool is_turned(const bat_face_mesh *f, const bat_side_triangle *t)
 {
     const double *p[3];
-    double a[3], b[3], sum = 0;
+    double a[3], b[3], sum = 0, longest = 0;
     for (int k = 0; k < 3; k++)
         p[k] = f->vertices[t->corner[k]].point;
+    for (int k = 0; k < 3; k++)
+        longest = bat_max(longest, distance(p[k], p[(k + 1) % 3]));
+    if (longest <= f->m->chord)
+        return false;
     for (int i = 0; i < 3; i++) {
         a[i] = p[1][i] - p[0][i];
         b[i] = p[2][i] - p[0][i];
