@@ -4,7 +4,8 @@
 #include <strings.h>
 
 static const option options[] = {
-    {"within", 0, OPTION_VALUE, "TOL", "how far data points may lie from the shape, as 2 mm"},
+    {"within", 0, OPTION_VALUE, "TOL",
+     "how far data points may lie from the shape, and edges of bodies from faces, as 2 mm"},
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
@@ -96,8 +97,12 @@ const command command_check = {
     .name = "check",
     .usage = "IN [--within TOL] [--json]",
     .summary = "how fair a shape is, and how far from its data; status 1 when a bound fails",
-    .manual = "IN is a file of curves and surfaces, or a design (.yaml), whose own checks are "
-              "then made.",
+    .manual =
+        "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own "
+        "checks are\n"
+        "then made. Of bodies gaps, loose edges and faces turned against each other are "
+        "told; with\n"
+        "--within the status is 1 when there are any beyond it.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

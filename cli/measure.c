@@ -20,8 +20,9 @@ static int run(const arguments *given)
 const command command_measure = {
     .name = "measure",
     .usage = "IN [--within TOL] [--json]",
-    .summary = "lengths, boxes, areas, moments and special places of curves; areas of surfaces",
-    .manual = "IN is a file of curves and surfaces, as batten info takes it.",
+    .summary =
+        "lengths, areas, moments and special places of curves; areas and volumes of shapes",
+    .manual = "IN is a file of curves, surfaces, bodies or meshes, as batten info takes it.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

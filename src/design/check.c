@@ -484,6 +484,42 @@ static batten_status check_triangles(const bat_check *check, bat_checked *checke
     return BATTEN_OK;
 }
 
+static bool is_solid(const batten_object *object)
+{
+    return object->kind == BATTEN_OBJECT_BODY || object->kind == BATTEN_OBJECT_MESH;
+}
+
+/* With a bound, gaps of bodies must not be wider than it, and their faces must fit together. */
+static batten_status check_solid(bat_check *check, bat_checked *checked)
+{
+    const batten_object *object = checked->object;
+    const bool has_bound = isfinite(check->within);
+    const batten_status status =
+        bat_check_solid(check->run, object, has_bound ? check->within : 0, &checked->faults);
+    if (status != BATTEN_OK || !has_bound)
+        return status;
+    check->bounded_count++;
+    if (bat_solid_holds(object, &checked->faults))
+        return BATTEN_OK;
+    check->ok = false;
+    bat_note(check->run, "'%.60s' has faults beyond %g", object->name, check->within);
+    return BATTEN_OK;
+}
+
+static batten_status check_object(bat_check *check, bat_checked *checked)
+{
+    switch (checked->object->kind) {
+    case BATTEN_OBJECT_SURFACE:
+        return check_surface(check, checked);
+    case BATTEN_OBJECT_CURVE:
+        return check_curve(check, checked);
+    case BATTEN_OBJECT_TRIANGLES:
+        return check_triangles(check, checked);
+    default:
+        return is_solid(checked->object) ? check_solid(check, checked) : BATTEN_OK;
+    }
+}
+
 batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
                             bat_check *out)
 {
@@ -500,14 +536,8 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
         out->objects[i].object = objects.at[i];
     if (status == BATTEN_OK)
         status = trace_objects(out, parameter);
-    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
-        if (objects.at[i]->kind == BATTEN_OBJECT_SURFACE)
-            status = check_surface(out, &out->objects[i]);
-        else if (objects.at[i]->kind == BATTEN_OBJECT_CURVE)
-            status = check_curve(out, &out->objects[i]);
-        else if (objects.at[i]->kind == BATTEN_OBJECT_TRIANGLES)
-            status = check_triangles(out, &out->objects[i]);
-    }
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = check_object(out, &out->objects[i]);
     /* A bound that nothing could be measured against is not met. */
     out->ok &= out->bounded_count > 0 || !isfinite(within);
     if (status == BATTEN_OK)

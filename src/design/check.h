@@ -2,6 +2,7 @@
 #ifndef BAT_DESIGN_CHECK_H
 #define BAT_DESIGN_CHECK_H
 #include "design/document.h"
+#include "design/solids.h"
 #include <batten/inspect.h>
 #include <batten/text.h>
 
@@ -43,6 +44,7 @@ typedef struct {
                                               the lowest C and G of them */
     int triangle_joins;                    /* inner edges of a set of triangles */
     double triangle_gap, triangle_angle;   /* the largest at these; the angle in radians */
+    bat_solid_faults faults;               /* of a body or mesh */
     int distance_count, section_count, edge_count;
     bat_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;

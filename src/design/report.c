@@ -176,6 +176,8 @@ static void json_object(batten_text *out, const bat_checked *c)
         json_surface(out, c);
     else if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
         json_triangles(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
+        bat_solid_json(c->object, &c->faults, out);
     else if (c->distance_count)
         json_distances(out, c);
     batten_text_add(out, "}");
@@ -421,6 +423,8 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
     if (c->knot_count)
         batten_text_add(out, "    joins at %d knots, all at least C%d and G%d\n", c->knot_count,
                         c->parametric, c->geometric);
+    if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
+        bat_solid_text(c->object, &c->faults, out);
     if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
         text_triangles(out, check, c);
     text_distances(out, check, c);
@@ -457,7 +461,8 @@ static void text_verdict(batten_text *out, const bat_check *check)
     bool has_shape = false;
     for (int i = 0; i < check->object_count; i++)
         has_shape |= check->objects[i].object->curve || check->objects[i].object->surface ||
-                     check->objects[i].object->triangles;
+                     check->objects[i].object->triangles || check->objects[i].object->body ||
+                     check->objects[i].object->mesh;
     if (check->judged_count)
         batten_text_add(out, "\nVerdict: %s",
                         check->fair ? "fair" : "there are inflections in excess");
@@ -467,6 +472,28 @@ static void text_verdict(batten_text *out, const bat_check *check)
     else
         batten_text_add(out, "\nNo verdict: points alone are not judged; 'batten fair' makes "
                              "them fair, 'batten fit' a curve or a surface through them");
+}
+
+/* Of bodies the bound is for gaps, of other shapes for the points given. */
+static void text_bound(batten_text *out, const bat_check *check)
+{
+    bool has_points = false;
+    for (int i = 0; i < check->object_count; i++)
+        has_points |= check->objects[i].distance_count > 0;
+    if (!has_points && check->bounded_count) {
+        batten_text_add(out, "; bodies %s within ",
+                        check->ok ? "hold together" : "do not hold together");
+        add_length(out, check, check->within);
+        return;
+    }
+    batten_text_add(out, "; the points given %s ",
+                    check->ok              ? "lie within"
+                    : check->bounded_count ? "lie farther than"
+                                           : "could not be measured against");
+    add_length(out, check, check->within);
+    batten_text_add(out, check->ok              ? " of the shape"
+                         : check->bounded_count ? " from the shape"
+                                                : "");
 }
 
 void bat_report_text(const bat_check *check, batten_text *out)
@@ -487,14 +514,7 @@ void bat_report_text(const bat_check *check, batten_text *out)
         text_join(out, check, &check->joins[i]);
     text_verdict(out, check);
     if (isfinite(check->within)) {
-        batten_text_add(out, "; the points given %s ",
-                        check->ok              ? "lie within"
-                        : check->bounded_count ? "lie farther than"
-                                               : "could not be measured against");
-        add_length(out, check, check->within);
-        batten_text_add(out, check->ok              ? " of the shape"
-                             : check->bounded_count ? " from the shape"
-                                                    : "");
+        text_bound(out, check);
     }
     batten_text_add(out, ".\n");
 }

@@ -1,7 +1,9 @@
 #include "design/feature.h"
 
+#include "support/bodies.h"
 #include "support/test.h"
 
+#include <batten/exchange.h>
 #include <stdlib.h>
 
 /* A small hull for the examples that read offsets.csv: half-breadths of a parabolic boat. */
@@ -18,6 +20,19 @@ static void write_offsets(const char *path)
     fclose(file);
 }
 
+/* A solid for the examples that read block.step. */
+static void write_block(const char *path)
+{
+    batten_model *model = NULL;
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){3, 2, 1});
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "block", .kind = BATTEN_OBJECT_BODY, .body = box}));
+    CHECK_OK(batten_write_file(model, path, NULL, NULL));
+    batten_model_unref(model);
+    batten_body_unref(box);
+}
+
 static char *whole_design(const char *example)
 {
     const size_t size = strlen(example) + 20;
@@ -31,6 +46,8 @@ static batten_status open_example(const char *text, batten_design **out)
     batten_design_options options = batten_design_defaults();
     options.file_name = test_scratch("example.yaml");
     write_offsets(test_scratch("offsets.csv"));
+    if (strstr(text, "block.step"))
+        write_block(test_scratch("block.step"));
     return batten_design_parse(text, strlen(text), &options, NULL, out);
 }
 

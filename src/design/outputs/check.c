@@ -5,8 +5,20 @@
 static const batten_parameter parameters[] = {
     {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is looked at"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far the points given may lie from a surface, or from a curve made from them"},
+     "how far points given may lie from the shape made from them, and edges from faces"},
 };
+
+/* Bodies and meshes have said themselves what is wrong. */
+static void note_distance(const bat_run *run, const bat_check *check)
+{
+    bool is_far = false;
+    for (int i = 0; i < check->object_count; i++)
+        for (int k = 0; k < check->objects[i].distance_count; k++)
+            is_far |= !check->objects[i].distances[k].is_faired &&
+                      check->objects[i].distances[k].max > check->within;
+    if (is_far)
+        bat_note(run, "a point given lies farther than %g from the shape", check->within);
+}
 
 static batten_status run(bat_run *run)
 {
@@ -24,7 +36,7 @@ static batten_status run(bat_run *run)
                      "with points that were not made fair",
                      within);
         else if (!check.ok)
-            bat_note(run, "a point given lies farther than %g from the shape", within);
+            note_distance(run, &check);
         if (dot && strcmp(dot, ".json") == 0)
             bat_report_json(&check, &text);
         else
@@ -53,7 +65,10 @@ const bat_feature bat_feature_check = {
          "angle g1 by which the direction turns, in radians, the difference g2 of the "
          "curvatures as a\n"
          "part of the larger one, and for curves the difference g3 of the rates of curvature. "
-         "As JSON,\n"
+         "Of bodies\n"
+         "and meshes: edges of one face, of two and of more, gaps between edges, vertices and "
+         "faces, loops\n"
+         "that cross; with 'within' these must not be there. As JSON,\n"
          "with all digits, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"

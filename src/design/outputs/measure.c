@@ -1,4 +1,5 @@
 #include "design/rows.h"
+#include "design/solids.h"
 #include <batten/measure.h>
 #include <batten/text.h>
 
@@ -6,7 +7,8 @@
 #include <string.h>
 
 static const batten_parameter parameters[] = {
-    {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "curves, surfaces, triangles"},
+    {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "curves, surfaces, triangles, bodies, meshes"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "ends that are nearer close a curve; the tolerance of the design by default"},
 };
@@ -358,7 +360,10 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
 static batten_status add_object(const bat_run *run, const batten_object *object, bool json,
                                 batten_text *out)
 {
-    const batten_status status = object->kind == BATTEN_OBJECT_CURVE
+    const bool is_solid =
+        object->kind == BATTEN_OBJECT_BODY || object->kind == BATTEN_OBJECT_MESH;
+    const batten_status status = is_solid ? bat_measure_solid(run, object, json, out)
+                                 : object->kind == BATTEN_OBJECT_CURVE
                                      ? add_curve(run, object, json, out)
                                      : add_extent(run, object, json, out);
     if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
@@ -372,8 +377,9 @@ static batten_status run(bat_run *run)
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
     const bool json = dot && strcmp(dot, ".json") == 0;
-    batten_status status =
-        bat_gather(run, "measure", BAT_CURVES | BAT_SURFACES | BAT_TRIANGLES, &objects);
+    batten_status status = bat_gather(
+        run, "measure", BAT_CURVES | BAT_SURFACES | BAT_TRIANGLES | BAT_BODIES | BAT_MESHES,
+        &objects);
     if (status != BATTEN_OK)
         return status;
     batten_text_add(&text, json ? "{\n  \"objects\": [\n" : "");
@@ -393,7 +399,7 @@ const bat_feature bat_feature_measure = {
     .shown =
         {"measure",
          "A report: lengths, boxes, areas, moments and special places of curves; areas of "
-         "surfaces",
+         "surfaces; areas and volumes of bodies and meshes",
          "For each curve its length, the tight box, and a small box at an angle. Of one that "
          "is closed\n"
          "and lies in a plane x, y or z = constant: the area (clockwise negative), the "
@@ -406,7 +412,11 @@ const bat_feature bat_feature_measure = {
          "itself.\n"
          "All of them are found, but for what is lost in the rounding of the control points. "
          "Of surfaces\n"
-         "and triangles the area, and the box of the control points. Lengths are in units of "
+         "and triangles the area, and the box of the control points. Of bodies the area of the "
+         "faces\n"
+         "within their loops, the length of all edges and, when they close, the volume, with "
+         "bounds of\n"
+         "the errors; of meshes those of the triangles. Lengths are in units of "
          "the design. As JSON, with all digits, when the file ends in .json.",
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"

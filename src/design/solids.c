@@ -1,0 +1,267 @@
+#include "design/solids.h"
+
+/* ---- pairs of a name and a number ---- */
+
+typedef struct {
+    const char *key, *text;
+    int count;
+} counted;
+
+static void text_counts(batten_text *out, int count, const counted *rows)
+{
+    bool first = true;
+    for (int i = 0; i < count; i++)
+        if (rows[i].count) {
+            batten_text_add(out, "%s%d %s", first ? "" : ", ", rows[i].count, rows[i].text);
+            first = false;
+        }
+}
+
+static void json_counts(batten_text *out, int count, const counted *rows)
+{
+    for (int i = 0; i < count; i++)
+        batten_text_add(out, ", \"%s\": %d", rows[i].key, rows[i].count);
+}
+
+static void json_number(batten_text *out, const char *key, double value)
+{
+    batten_text_add(out, ", \"%s\": ", key);
+    batten_text_number(out, value);
+}
+
+static void json_numbers(batten_text *out, const char *key, const double values[3])
+{
+    batten_text_add(out, ", \"%s\": [", key);
+    for (int k = 0; k < 3; k++) {
+        batten_text_add(out, k ? ", " : "");
+        batten_text_number(out, values[k]);
+    }
+    batten_text_add(out, "]");
+}
+
+static void add_box(batten_text *out, const batten_box *box, bool json)
+{
+    const double low[3] = {box->low.x, box->low.y, box->low.z};
+    const double high[3] = {box->high.x, box->high.y, box->high.z};
+    if (!json) {
+        batten_text_add(out, "  box %.9g %.9g %.9g  to  %.9g %.9g %.9g\n", low[0], low[1],
+                        low[2], high[0], high[1], high[2]);
+        return;
+    }
+    for (int k = 0; k < 6; k++) {
+        batten_text_add(out, k == 0 ? ", \"box\": [[" : k == 3 ? "], [" : ", ");
+        batten_text_number(out, k < 3 ? low[k] : high[k - 3]);
+    }
+    batten_text_add(out, "]]");
+}
+
+/* ---- measures ---- */
+
+/* What bodies and meshes have both. */
+typedef struct {
+    const char *kind;
+    bool is_closed;
+    double area, volume, area_error, volume_error;
+    const double *centroid;
+    batten_box box;
+} extent;
+
+static void add_extent(const batten_object *object, const extent *e, bool json,
+                       batten_text *out)
+{
+    if (json) {
+        batten_text_add(out, "    {\"name\": ");
+        batten_text_json(out, object->name);
+        batten_text_add(out, ", \"type\": \"%s\", \"closed\": %s", e->kind,
+                        e->is_closed ? "true" : "false");
+        json_number(out, "area", e->area);
+        json_number(out, "area_error", e->area_error);
+        json_number(out, "volume", e->volume);
+        json_number(out, "volume_error", e->volume_error);
+        json_numbers(out, "centroid", e->centroid);
+    } else {
+        batten_text_add(out, "%s: %s, %s, area %.9g", object->name, e->kind,
+                        e->is_closed ? "closed" : "not closed", e->area);
+        if (e->area_error > 0)
+            batten_text_add(out, " (error at most %.3g)", e->area_error);
+        if (e->is_closed)
+            batten_text_add(out, ", volume %.9g", e->volume);
+        if (e->is_closed && e->volume_error > 0)
+            batten_text_add(out, " (error at most %.3g)", e->volume_error);
+        batten_text_add(out, "\n  centroid of the %s %.9g %.9g %.9g\n",
+                        e->is_closed ? "volume" : "area", e->centroid[0], e->centroid[1],
+                        e->centroid[2]);
+    }
+    add_box(out, &e->box, json);
+}
+
+static batten_status measure_body(const bat_run *run, const batten_object *object, bool json,
+                                  batten_text *out)
+{
+    const batten_body_parts *parts = batten_body_view(object->body);
+    batten_body_measures m = {.area = 0};
+    batten_status status = batten_body_measure(object->body, 1e-9, run->job, &m);
+    if (status == BATTEN_TOLERANCE_NOT_MET) {
+        bat_note(run, "'%.60s': %s", object->name, batten_message());
+        status = BATTEN_OK;
+    }
+    if (status != BATTEN_OK)
+        return status;
+    const extent e = {.kind = "body",
+                      .is_closed = m.is_closed,
+                      .area = m.area,
+                      .volume = m.volume,
+                      .area_error = m.area_error,
+                      .volume_error = m.volume_error,
+                      .centroid = m.centroid,
+                      .box = batten_body_box(object->body)};
+    const counted rows[] = {
+        {"shells", parts->shell_count == 1 ? "shell" : "shells", parts->shell_count},
+        {"faces", "faces", parts->face_count},
+        {"edges", "edges", parts->edge_count},
+        {"vertices", "vertices", parts->vertex_count}};
+    add_extent(object, &e, json, out);
+    if (json) {
+        json_number(out, "edge_length", m.edge_length);
+        json_counts(out, 4, rows);
+        batten_text_add(out, "}");
+        return BATTEN_OK;
+    }
+    batten_text_add(out, "  ");
+    text_counts(out, 4, rows);
+    batten_text_add(out, "; length of all edges %.9g\n", m.edge_length);
+    return BATTEN_OK;
+}
+
+static batten_status measure_mesh(const batten_object *object, bool json, batten_text *out)
+{
+    const batten_mesh_parts *parts = batten_mesh_view(object->mesh);
+    batten_mesh_facts f;
+    const batten_status status = batten_mesh_check(object->mesh, &f);
+    if (status != BATTEN_OK)
+        return status;
+    const extent e = {.kind = "mesh",
+                      .is_closed = f.is_watertight,
+                      .area = f.area,
+                      .volume = f.volume,
+                      .centroid = f.centroid,
+                      .box = batten_mesh_box(object->mesh)};
+    const counted rows[] = {{"triangles", "triangles", parts->triangle_count},
+                            {"vertices", "vertices", parts->vertex_count},
+                            {"edges", "edges", f.edges},
+                            {"pieces", f.pieces == 1 ? "piece" : "pieces", f.pieces},
+                            {"rim_edges", "edges at the rim", f.rim_edges}};
+    add_extent(object, &e, json, out);
+    if (json) {
+        json_counts(out, 5, rows);
+        batten_text_add(out, "}");
+        return BATTEN_OK;
+    }
+    batten_text_add(out, "  ");
+    text_counts(out, 5, rows);
+    batten_text_add(out, "\n");
+    return BATTEN_OK;
+}
+
+batten_status bat_measure_solid(const bat_run *run, const batten_object *object, bool json,
+                                batten_text *out)
+{
+    return object->kind == BATTEN_OBJECT_BODY ? measure_body(run, object, json, out)
+                                              : measure_mesh(object, json, out);
+}
+
+/* ---- faults ---- */
+
+batten_status bat_check_solid(const bat_run *run, const batten_object *object, double tolerance,
+                              bat_solid_faults *out)
+{
+    *out = (bat_solid_faults){.tolerance = tolerance};
+    if (object->kind == BATTEN_OBJECT_MESH)
+        return batten_mesh_check(object->mesh, &out->mesh);
+    if (!(tolerance > 0))
+        out->tolerance = batten_body_view(object->body)->tolerance;
+    return batten_body_check(object->body, out->tolerance, run->job, run->notes, &out->body);
+}
+
+bool bat_solid_holds(const batten_object *object, const bat_solid_faults *faults)
+{
+    const batten_body_faults *b = &faults->body;
+    const batten_mesh_facts *m = &faults->mesh;
+    if (object->kind == BATTEN_OBJECT_MESH)
+        return !m->wrong_edges && !m->crowded_edges;
+    return !b->wrong_edges && !b->crowded_edges && !b->gaps && !b->loose &&
+           !b->crossing_loops && !b->open_shells;
+}
+
+enum { BODY_ROWS = 12, MESH_ROWS = 6 };
+
+static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
+{
+    const counted all[BODY_ROWS] = {
+        {"shared_edges", "shared edges", b->shared_edges},
+        {"free_edges", "free edges", b->free_edges},
+        {"wrong_edges", "edges between faces turned against each other", b->wrong_edges},
+        {"crowded_edges", "edges of more than two faces", b->crowded_edges},
+        {"tiny_edges", "edges shorter than that", b->tiny_edges},
+        {"gaps", "ends that miss their vertices", b->gaps},
+        {"loose", "edges off their faces", b->loose},
+        {"crossing_loops", "loops that cross", b->crossing_loops},
+        {"poles", "poles", b->poles},
+        {"seams", "seams", b->seams},
+        {"close_knots", "curves and surfaces with close knots", b->close_knots},
+        {"open_shells", "shells that are said to be closed and are open", b->open_shells}};
+    for (int i = 0; i < BODY_ROWS; i++)
+        rows[i] = all[i];
+}
+
+static void mesh_rows(const batten_mesh_facts *m, counted rows[MESH_ROWS])
+{
+    const counted all[MESH_ROWS] = {
+        {"rim_edges", "edges at the rim", m->rim_edges},
+        {"wrong_edges", "edges between triangles turned against each other", m->wrong_edges},
+        {"crowded_edges", "edges of more than two triangles", m->crowded_edges},
+        {"flat_triangles", "triangles without area", m->flat_triangles},
+        {"loose_vertices", "vertices of no triangle", m->loose_vertices},
+        {"pieces", m->pieces == 1 ? "piece" : "pieces", m->pieces}};
+    for (int i = 0; i < MESH_ROWS; i++)
+        rows[i] = all[i];
+}
+
+void bat_solid_text(const batten_object *object, const bat_solid_faults *faults,
+                    batten_text *out)
+{
+    counted rows[BODY_ROWS];
+    batten_text_add(out, "    ");
+    if (object->kind == BATTEN_OBJECT_MESH) {
+        mesh_rows(&faults->mesh, rows);
+        batten_text_add(out, "%s; ", faults->mesh.is_watertight ? "closed" : "not closed");
+        text_counts(out, MESH_ROWS, rows);
+    } else {
+        body_rows(&faults->body, rows);
+        batten_text_add(out, "within %.3g: ", faults->tolerance);
+        text_counts(out, BODY_ROWS, rows);
+        if (faults->body.gaps)
+            batten_text_add(out, "; gaps up to %.3g", faults->body.largest_gap);
+        if (faults->body.loose)
+            batten_text_add(out, "; edges up to %.3g off", faults->body.largest_miss);
+    }
+    batten_text_add(out, "\n");
+}
+
+void bat_solid_json(const batten_object *object, const bat_solid_faults *faults,
+                    batten_text *out)
+{
+    counted rows[BODY_ROWS];
+    batten_text_add(out, ", \"holds\": %s", bat_solid_holds(object, faults) ? "true" : "false");
+    if (object->kind == BATTEN_OBJECT_MESH) {
+        mesh_rows(&faults->mesh, rows);
+        batten_text_add(out, ", \"closed\": %s", faults->mesh.is_watertight ? "true" : "false");
+        json_counts(out, MESH_ROWS, rows);
+        return;
+    }
+    body_rows(&faults->body, rows);
+    json_number(out, "tolerance", faults->tolerance);
+    json_counts(out, BODY_ROWS, rows);
+    json_number(out, "largest_gap", faults->body.largest_gap);
+    json_number(out, "largest_miss", faults->body.largest_miss);
+}
