@@ -49,6 +49,7 @@ static const fuzz_grammar grammars[] = {
      .header_end = "DATA binary",
      .words = "VERSION FIELDS SIZE TYPE COUNT WIDTH HEIGHT VIEWPOINT POINTS DATA ascii binary "
               "binary_compressed x y z rgb rgba F I U"},
+    {.name = "ftm", .end = '\n', .words = "FREE!ship 2.6"},
     {.name = "design",
      .end = '\n',
      .quote = '"',

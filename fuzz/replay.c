@@ -16,8 +16,9 @@
 #include <unistd.h>
 
 #define FILES 4096
-#define MOST 65536 /* bytes of a damaged file */
-#define SECONDS 5  /* for one */
+#define LARGEST 16384 /* seed that is damaged */
+#define MOST 65536    /* bytes of a damaged file */
+#define SECONDS 5     /* for one */
 
 typedef struct {
     char *name;
@@ -74,6 +75,13 @@ static void load_folder(seeds *all, const char *folder)
         load(all, path);
     }
     closedir(directory);
+}
+
+static void drop(seeds *all, int index)
+{
+    free(all->files[index].bytes);
+    free(all->files[index].name);
+    all->files[index] = all->files[--all->count];
 }
 
 /* ---- damage ---- */
@@ -179,17 +187,20 @@ int main(int count, char **words)
         else
             load_folder(&all, words[i]);
     }
+    for (int i = all.count; damaged > 0 && i-- > 0;)
+        if (all.files[i].size > LARGEST)
+            drop(&all, i);
     /* Folders have no order of their own. */
     qsort(all.files, (size_t)all.count, sizeof all.files[0], compare);
     if (damaged > 0 && all.count > 0)
         status = survive_damage(&all, first, damaged);
-    for (int i = 0; i < all.count; i++) {
-        if (damaged == 0)
-            LLVMFuzzerTestOneInput(all.files[i].bytes, all.files[i].size);
-        free(all.files[i].bytes);
-        free(all.files[i].name);
-    }
+    for (int i = 0; damaged == 0 && i < all.count; i++)
+        LLVMFuzzerTestOneInput(all.files[i].bytes, all.files[i].size);
     if (damaged == 0)
         printf("%d files replayed\n", all.count);
-    return all.count > 0 ? status : 1;
+    if (all.count == 0)
+        status = 1;
+    while (all.count > 0)
+        drop(&all, 0);
+    return status;
 }

@@ -222,6 +222,10 @@ static batten_status try_border(bat_meshing *m, int face, bat_pairs *splits, boo
     batten_status status = bat_rim_begin(&rim, m, face, NULL);
     if (status != BATTEN_OK)
         return status;
+    if (rim.count > (double)m->most + 1000) /* each is a side of a triangle */
+        status = bat_fail(BATTEN_TOO_LARGE, "a face needs more than %d triangles", m->most);
+    else
+        status = bat_work_step(&m->work, (uint64_t)rim.count, 0.1, "borders of faces");
     bat_rim_box(&rim, box);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         if (!(box[k].b > box[k].a))
@@ -244,9 +248,7 @@ static batten_status try_borders(bat_meshing *m, bat_pairs *splits, bool last, b
         bool simple = false;
         if (!ask[i] || m->failed[i])
             continue;
-        status = bat_work_step(&m->work, 1, 0.1, "borders of faces");
-        if (status == BATTEN_OK)
-            status = try_border(m, i, splits, &simple);
+        status = try_border(m, i, splits, &simple);
         if (status != BATTEN_OK && !is_final(status)) {
             give_up(m, i, batten_message());
             status = BATTEN_OK;

@@ -174,13 +174,37 @@ static batten_status refine(const bat_rim *rim, int corner, bat_pairs *splits)
     return c->edge < 0 ? BATTEN_OK : bat_pairs_add(splits, c->edge, c->segment, &index);
 }
 
-/* The sides between two vertices, or with one vertex at an end (b < 0). */
-static batten_status refine_at(const bat_rim *rim, int a, int b, bat_pairs *splits)
+/* What must be finer: the sides at some vertices, and those between some pairs. In all one pass
+ * over the border, however many there are. */
+typedef struct {
+    bool *at; /* [vertex_count] */
+    bat_pairs between;
+} in_the_way;
+
+static batten_status way_begin(in_the_way *way, int vertex_count)
+{
+    way->at = bat_array((size_t)vertex_count, sizeof *way->at);
+    if (!way->at)
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status = bat_pairs_begin(&way->between, 16);
+    if (status != BATTEN_OK)
+        bat_release(way->at);
+    return status;
+}
+
+static void way_end(in_the_way *way)
+{
+    bat_release(way->at);
+    bat_pairs_end(&way->between);
+}
+
+static batten_status refine_way(const bat_rim *rim, const in_the_way *way, bat_pairs *splits)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < rim->count; i++) {
-        const int from = rim->vertex_of[i], to = rim->vertex_of[rim->corners[i].next];
-        if (b < 0 ? from == a || to == a : (from == a && to == b) || (from == b && to == a))
+        const int a = rim->vertex_of[i], b = rim->vertex_of[rim->corners[i].next];
+        if (way->at[a] || way->at[b] ||
+            bat_pairs_find(&way->between, bat_min_int(a, b), bat_max_int(a, b)) >= 0)
             status = refine(rim, i, splits);
     }
     return status;
@@ -205,32 +229,31 @@ static void place_corners(bat_rim *rim, const bat_lattice *l)
 }
 
 /* Corners at one place in (u, v) must be one vertex of the mesh. */
-static batten_status check_places(const bat_rim *rim, const bat_sides *sides, bat_pairs *splits,
+static batten_status check_places(const bat_rim *rim, const bat_sides *sides, in_the_way *way,
                                   bool *is_simple)
 {
-    batten_status status = BATTEN_OK;
     int *vertex = bat_array((size_t)sides->vertex_count, sizeof *vertex);
     if (!vertex)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < rim->count; i++) /* 0: none so far */
         vertex[rim->vertex_of[i]] = rim->corners[i].vertex + 1;
-    for (int i = 0; status == BATTEN_OK && i < rim->count; i++)
+    for (int i = 0; i < rim->count; i++)
         if (vertex[rim->vertex_of[i]] != rim->corners[i].vertex + 1) {
             *is_simple = false;
-            status = refine_at(rim, rim->vertex_of[i], -1, splits);
+            way->at[rim->vertex_of[i]] = true;
         }
     bat_release(vertex);
-    return status;
+    return BATTEN_OK;
 }
 
-static batten_status keep_sides(const bat_rim *rim, bat_sides *sides, bat_pairs *splits,
-                                bool *is_simple)
+static batten_status keep_sides(const bat_rim *rim, bat_sides *sides, in_the_way *way,
+                                bat_pairs *splits, bool *is_simple)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < rim->count; i++) {
         const int a = rim->vertex_of[i], b = rim->vertex_of[rim->corners[i].next];
         bat_side_result result;
-        int other[2] = {-1, -1};
+        int other[2] = {-1, -1}, index;
         if (a == b)
             continue;
         status = bat_sides_keep(sides, a, b, &result, other);
@@ -238,10 +261,28 @@ static batten_status keep_sides(const bat_rim *rim, bat_sides *sides, bat_pairs 
             continue;
         *is_simple = false;
         status = refine(rim, i, splits);
-        if (status == BATTEN_OK)
-            status =
-                refine_at(rim, other[0], result == BAT_SIDE_TOUCHES ? -1 : other[1], splits);
+        if (result == BAT_SIDE_TOUCHES)
+            way->at[other[0]] = true;
+        else if (status == BATTEN_OK)
+            status = bat_pairs_add(&way->between, bat_min_int(other[0], other[1]),
+                                   bat_max_int(other[0], other[1]), &index);
     }
+    return status;
+}
+
+static batten_status keep_all(const bat_rim *rim, bat_sides *sides, bat_pairs *splits,
+                              bool *is_simple)
+{
+    in_the_way way;
+    batten_status status = way_begin(&way, sides->vertex_count);
+    if (status != BATTEN_OK)
+        return status;
+    status = check_places(rim, sides, &way, is_simple);
+    if (status == BATTEN_OK)
+        status = keep_sides(rim, sides, &way, splits, is_simple);
+    if (status == BATTEN_OK && !*is_simple)
+        status = refine_way(rim, &way, splits);
+    way_end(&way);
     return status;
 }
 
@@ -258,9 +299,7 @@ batten_status bat_rim_triangles(bat_rim *rim, const bat_lattice *lattice, bat_si
     }
     if (status != BATTEN_OK)
         return status;
-    status = check_places(rim, sides, splits, is_simple);
-    if (status == BATTEN_OK)
-        status = keep_sides(rim, sides, splits, is_simple);
+    status = keep_all(rim, sides, splits, is_simple);
     if (status == BATTEN_OK && *is_simple)
         status = bat_sides_settle(sides);
     if (status != BATTEN_OK || !*is_simple)

@@ -1,0 +1,7 @@
+#include "promise.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz_promise(data, size, BATTEN_FORMAT_FTM, BATTEN_FORMAT_STEP);
+    return 0;
+}
