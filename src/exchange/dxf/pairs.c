@@ -44,8 +44,10 @@ static bool read_code(bat_span text, int *code)
     if (text.length == 0 || text.length > 5 ||
         batten_number_read(text.bytes, text.length, &value, NULL) != BATTEN_OK)
         return false;
+    if (!(value >= -5 && value <= 1071))
+        return false;
     *code = (int)value;
-    return value == *code && value >= -5 && value <= 1071;
+    return value == *code;
 }
 
 /* *more is false at the end; a code without a value ends the text too. */

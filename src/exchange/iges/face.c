@@ -328,6 +328,8 @@ static batten_status sample_sides(bat_iges_face *face, bat_list *points)
     for (size_t k = 0; k < points->count; k++)
         add_to_box(&box, p + 3 * k);
     face->size = points->count ? bat_iges_size_of_box(box) : 0;
+    if (status == BATTEN_OK && isinf(face->size)) /* every gap would be within it */
+        status = bat_fail(BATTEN_OVERFLOW, "its edges reach too far to be measured");
     return status;
 }
 

@@ -354,6 +354,10 @@ static batten_status finish(bat_iges_item *item, bat_builder *builder, bool is_s
     if (builder->parts.vertex_count == 0)
         box = batten_surface_box(builder->parts.faces[0].surface);
     const double size = bat_iges_size_of_box(box);
+    if (isinf(size)) {
+        bat_builder_end(builder);
+        return bat_fail(BATTEN_OVERFLOW, "its edges reach too far to be measured");
+    }
     builder->parts.tolerance = bat_iges_tolerance_of_miss(
         item->reading, bat_iges_tolerance(item->reading, size), item->reading->body_miss, size);
     if (!whole)

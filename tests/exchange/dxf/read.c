@@ -358,3 +358,13 @@ TEST(what_is_written_as_dxf_reads_back)
     batten_curve_unref(spline);
     batten_curve_unref(arc);
 }
+
+TEST(N4_codes_beyond_an_integer_are_refused)
+{
+    static const char *const codes[] = {"1e154", "-1e99", "1e10", "1.5", "1072", "-6", "nan"};
+    for (int i = 0; i < COUNT(codes); i++) {
+        char text[80];
+        snprintf(text, sizeof text, "0\nSECTION\n2\nENTITIES\n%s\nLINE\n0\nEOF\n", codes[i]);
+        check_refused(text, BATTEN_FORMAT_DXF, BATTEN_BAD_FORMAT, "t:5: ");
+    }
+}

@@ -217,3 +217,15 @@ TEST(Q6_boundaries_that_say_nothing_or_do_not_meet_leave_the_face_out)
     iges_add(&plane, 108, 0, 0, 0, root, "108,0.,0.,1.,0.,0,0.,0.,0.,1.;");
     iges_check_left_out(&plane, "a plane without bounds");
 }
+
+TEST(N2_a_face_too_large_to_be_measured_is_left_out)
+{
+    iges_text file = iges_begin();
+    iges_add(&file, 110, 0, 0, 0, part, "110,1.,1.,0.,2.,1.,0.;");
+    iges_add(&file, 110, 0, 0, 0, part, "110,2.,1.,0.,2.,2.,0.;");
+    iges_add(&file, 110, 0, 0, 0, part, "110,2.,2.,1.E300,1.,2.,0.;");
+    iges_add(&file, 110, 0, 0, 0, part, "110,1.,2.,0.,1.,1.,0.;");
+    iges_add(&file, 102, 0, 0, 0, part, "102,4,1,3,5,7;");
+    iges_add(&file, 108, 1, 0, 0, root, "108,0.,0.,1.,0.,9,0.,0.,0.,1.;");
+    iges_check_left_out(&file, "reach too far to be measured");
+}
