@@ -138,8 +138,8 @@ typedef struct batten_trace_report {
  * is (a strip that winds around and around) becomes several faces.
  *
  * Files say that they are better than they are. A face whose edges are farther off than the
- * tolerance is traced with ten times that, and so on up to a thousandth of the body and a
- * hundredth of the face, and has a note; the tolerance of the result is `miss` then.
+ * tolerance is traced with ten times that, and so on up to 5e-3 of the size of the body and 1e-2
+ * of that of the face, and has a note; the tolerance of the result is `miss` then.
  *
  * Given parameter curves are kept, mapped to the domain of the edge, when they are good there
  * at four places of each span and 16 at least. Others are exact where the edge lies in a plane,

@@ -298,10 +298,10 @@ static batten_status trace_loops(bat_trace *trace, bat_trace_face *face)
 
 bool bat_trace_loosen(bat_trace *trace, bat_trace_face *face)
 {
-    const double looser = 10 * face->chart.tolerance;
-    if (looser > 1e-3 * trace->size || looser > 1e-2 * face->chart.size)
+    const double most = bat_min(5e-3 * trace->size, 1e-2 * face->chart.size);
+    if (face->chart.tolerance >= most)
         return false;
-    bat_chart_loosen(&face->chart, looser);
+    bat_chart_loosen(&face->chart, bat_min(10 * face->chart.tolerance, most));
     return true;
 }
 

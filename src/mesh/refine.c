@@ -87,7 +87,8 @@ static bool cross_crease(const bat_face_mesh *f, const bat_side_triangle *t, dou
     return false;
 }
 
-/* How far the edges at its corners are from the surface: nearer to it the triangle cannot be. */
+/* How far the edges at its corners are from the surface: nearer to it the triangle cannot be.
+ */
 static double off_of(const bat_face_mesh *f, const bat_side_triangle *t)
 {
     double off = 0;

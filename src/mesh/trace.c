@@ -65,11 +65,12 @@ static batten_status trace_numbered(const bat_meshing *m, const batten_body *bod
 static batten_status trace_loosely(const bat_meshing *m, const batten_body *body,
                                    double *tolerance, int *failed, batten_body **out)
 {
-    static const double parts[] = {0.05, 0.3, 1};
+    /* The body's own first: near poles coarse curves swing about in (u, v). */
+    static const double parts[] = {0, 0.05, 0.3, 1};
     const double own = batten_body_view(body)->tolerance;
     batten_body *best = NULL;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < 3 && (i == 0 || *failed > 0); i++) {
+    for (size_t i = 0; i < sizeof parts / sizeof *parts && (i == 0 || *failed > 0); i++) {
         const double tried = bat_max(own, parts[i] * m->chord);
         batten_trace_report report;
         batten_body *made = NULL;

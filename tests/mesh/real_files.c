@@ -33,8 +33,8 @@ static void add(const batten_object *object, sums *sum)
     sum->bodies++;
     sum->watertight += facts.is_watertight;
     sum->failed += report.failed;
-    sum->area += m.area;
-    sum->meshed_area += facts.area;
+    sum->area += report.failed ? 0 : m.area;
+    sum->meshed_area += report.failed ? 0 : facts.area;
     sum->volume += facts.is_watertight ? m.volume : 0;
     sum->meshed_volume += facts.volume;
     CHECK(!m.is_closed || facts.is_watertight || report.failed > 0);
@@ -60,8 +60,8 @@ static const struct {
     const char *file;
     int watertight, failed; /* bodies, faces */
 } cases[] = {
-    {"step/acis_crankshaft.stp", 0, 1},
-    {"step/acis_u_joint.stp", 0, 1},
+    {"step/acis_crankshaft.stp", 0, 1}, /* an edge runs along another beyond its surface */
+    {"step/acis_u_joint.stp", 1, 0},
     {"step/autodesk_conical.step", 1, 0},
     {"step/autodesk_periodic.step", 1, 0},
     {"step/catia_block.stp", 1, 0},
@@ -103,6 +103,7 @@ static const struct {
     {"wings_blades/bladex_tip.iges", 0, 0},
     {"wings_blades/bladex_upper.iges", 0, 0},
     {"hull_surfaces/cargo_hull_surface.igs", 0, 0},
+    {"iges/euclid_bearing.iges", 0, 0},
     {"iges/euclid_hammer.iges", 0, 0},
     {"iges/femap_multisolids.igs", 5, 0},
     {"iges/femap_nozzle.igs", 1, 0},
@@ -113,6 +114,7 @@ static const struct {
     {"iges/inventor_cube_msbo.igs", 1, 0},
     {"iges/occt_45_faces.iges", 0, 0},
     {"iges/pipe.iges", 0, 0},
+    {"iges/pipe_deformed.iges", 0, 0},
     {"iges/pipe_hollow.iges", 0, 0},
     {"iges/rhino_sphere.igs", 1, 0},
     {"hull_surfaces/ropax_maxsurf.igs", 0, 0},
@@ -132,6 +134,7 @@ static const struct {
     {"g2/surface.g2", 0, 0},
     {"g2/test_bezier.g2", 0, 0},
     {"g2/test_bounded_sf_1.g2", 0, 0},
+    {"g2/trimmed_parts.g2", 0, 2}, /* loops that cross themselves where they close */
     {"g2/trimmed_sfs.g2", 0, 0},
 };
 
@@ -143,7 +146,8 @@ TEST(bodies_of_many_programs_have_meshes_of_their_area_and_volume)
         const sums s = mesh_file(cases[i].file);
         CHECK_INT(s.watertight, cases[i].watertight);
         CHECK_INT(s.failed, cases[i].failed);
-        CHECK_NEAR(s.meshed_area / s.area, 1, 8e-3);
+        if (s.area > 0)
+            CHECK_NEAR(s.meshed_area / s.area, 1, 8e-3);
         if (s.volume > 0)
             CHECK_NEAR(s.meshed_volume / s.volume, 1, 1e-2);
     }

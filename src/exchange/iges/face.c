@@ -176,7 +176,10 @@ static batten_status put_vertex(const putting *put, size_t k)
     if (status != BATTEN_OK)
         return status;
     const double gap = distance(p, q);
-    if (gap > bat_max(100 * tolerance, 1e-3 * put->face->size))
+    const bool is_open = gap > bat_max(100 * tolerance, 1e-3 * put->face->size);
+    if (is_open && k == 0)
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "a loop ends %g from where it begins", gap);
+    if (is_open)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "part %zu of a loop begins %g from the end of the one before", k + 1,
                         gap);

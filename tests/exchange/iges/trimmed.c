@@ -198,7 +198,7 @@ TEST(Q6_boundaries_that_say_nothing_or_do_not_meet_leave_the_face_out)
         {"142,1,1,0,0,2;", "its boundary D5 has no curve"},
         {"142,1,1,0,99,2;", "it refers to entity D99, which is missing"},
         {"142,1,1,0,5,2;", "as a curve, which is a 142"},
-        {"142,1,1,0,3,2;", "part 1 of a loop begins 5.19615 from the end"},
+        {"142,1,1,0,3,2;", "a loop ends 5.19615 from where it begins"},
     };
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
