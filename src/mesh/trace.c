@@ -60,17 +60,18 @@ static batten_status trace_numbered(const bat_meshing *m, const batten_body *bod
 }
 
 /* Files promise more than they keep: where edges are farther off their faces than they say, but
- * not farther than triangles may be, the faces are meshed all the same. The edges stay what is
- * shared. */
+ * not farther than tracing bears or triangles may be, the faces are meshed all the same. The
+ * edges stay what is shared. */
 static batten_status trace_loosely(const bat_meshing *m, const batten_body *body,
-                                   double *tolerance, int *failed, batten_body **out)
+                                   double *tolerance, batten_trace_report *told,
+                                   batten_body **out)
 {
     /* The body's own first: near poles coarse curves swing about in (u, v). */
     static const double parts[] = {0, 0.05, 0.3, 1};
     const double own = batten_body_view(body)->tolerance;
     batten_body *best = NULL;
     batten_status status = BATTEN_OK;
-    for (size_t i = 0; i < sizeof parts / sizeof *parts && (i == 0 || *failed > 0); i++) {
+    for (size_t i = 0; i < sizeof parts / sizeof *parts && (i == 0 || told->failed > 0); i++) {
         const double tried = bat_max(own, parts[i] * m->chord);
         batten_trace_report report;
         batten_body *made = NULL;
@@ -79,10 +80,10 @@ static batten_status trace_loosely(const bat_meshing *m, const batten_body *body
         status = batten_body_trace(body, tried, m->job, NULL, &report, &made);
         if (status != BATTEN_OK)
             break;
-        const bool better = !best || report.failed < *failed;
+        const bool better = !best || report.failed < told->failed;
         if (better) {
             *tolerance = tried;
-            *failed = report.failed;
+            *told = report;
         }
         batten_body_unref(better ? best : made);
         best = better ? made : best;
@@ -112,23 +113,24 @@ batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, batten_
                                 int **names)
 {
     const batten_body_parts *parts = batten_body_view(body);
+    batten_trace_report told = {0};
     double tolerance = 0;
-    int failed = 0;
     *names = NULL;
     if (!needs_tracing(parts)) {
         *traced = batten_body_ref(body);
         return BATTEN_OK;
     }
     batten_body *made = NULL;
-    batten_status status = trace_loosely(m, body, &tolerance, &failed, &made);
+    batten_status status = trace_loosely(m, body, &tolerance, &told, &made);
     if (status != BATTEN_OK)
         return status;
-    m->report.failed += failed;
-    if (tolerance > bat_max(parts->tolerance, 0.05 * m->chord))
+    m->report.failed += told.failed;
+    if (told.miss > bat_max(parts->tolerance, 0.05 * m->chord))
         batten_notes_remark(m->notes, "", 0, "",
-                            "edges are farther off their faces than %g, but not than %g",
-                            parts->tolerance, tolerance);
-    if (failed == 0) {
+                            "edges are up to %g off their faces, more than %g, which the body "
+                            "states",
+                            told.miss, parts->tolerance);
+    if (told.failed == 0) {
         *traced = made;
         return BATTEN_OK;
     }

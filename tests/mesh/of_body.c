@@ -298,16 +298,13 @@ TEST(a_body_without_faces_is_an_empty_mesh_or_refused)
     batten_body_unref(body);
 }
 
-/* Edges 0.002 above their face, in a body that promises 1e-9. */
-TEST(edges_off_their_face_are_borne_up_to_the_chord)
+/* A square of side 2 whose edges are at a height over it, in a body that promises 1e-9. */
+static batten_body *raised_edges(double height)
 {
-    static const double corners[4][3] = {
-        {0, 0, 0.002}, {2, 0, 0.002}, {2, 2, 0.002}, {0, 2, 0.002}};
+    const double corners[4][3] = {
+        {0, 0, height}, {2, 0, height}, {2, 2, height}, {0, 2, height}};
     sheet s;
-    batten_mesh_report report;
     batten_body *body = NULL;
-    batten_mesh *mesh = NULL;
-    batten_mesh_options options = batten_mesh_defaults();
     int vertices[4], edge;
     sheet_begin(&s, 2, 2);
     CHECK_OK(bat_builder_loop(&s.builder));
@@ -324,15 +321,34 @@ TEST(edges_off_their_face_are_borne_up_to_the_chord)
     const batten_status status = bat_builder_finish(&s.builder, false, &body);
     if (test_memory_failed(status, BATTEN_OK))
         SKIP("no memory for the body");
-    options.chord = 0.01;
-    const batten_mesh_facts f = mesh_of(body, &options, &report, NULL);
-    CHECK_INT(report.failed, 0);
-    CHECK_NEAR(report.chord, 0.002, 1e-6);
-    CHECK_NEAR(f.area, 4, 1e-12);
-    options.chord = 0.001;
-    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
-    CHECK_INT(report.failed, 1);
-    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
-    batten_mesh_unref(mesh);
-    batten_body_unref(body);
+    return body;
+}
+
+/* Up to 5e-3 of the size of the body they are traced, and up to the chord. */
+TEST(edges_off_their_face_are_borne_and_told)
+{
+    static const struct {
+        double height, chord;
+        bool borne;
+    } cases[] = {
+        {0.002, 0.01, true}, {0.002, 0.001, true}, {0.02, 0.03, true}, {0.02, 0.001, false}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_mesh_report report;
+        batten_mesh *mesh = NULL;
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_body *body = raised_edges(cases[i].height);
+        options.chord = cases[i].chord;
+        CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+        CHECK_INT(report.failed, !cases[i].borne);
+        if (cases[i].borne) {
+            batten_mesh_facts f;
+            CHECK_OK(batten_mesh_check(mesh, &f));
+            CHECK_NEAR(report.chord, cases[i].height, 1e-6);
+            CHECK_NEAR(f.area, 4, 1e-2);
+        } else {
+            CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
+        }
+        batten_mesh_unref(mesh);
+        batten_body_unref(body);
+    }
 }
