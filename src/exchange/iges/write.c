@@ -210,19 +210,12 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
 static void note_losses(bat_iges_writing *w, const batten_object *object)
 {
     const batten_body_parts *parts = batten_body_view(object->body);
-    int turned = 0;
-    for (int f = 0; f < parts->face_count; f++)
-        turned += parts->faces[f].reversed;
     if (parts->face_count > 1)
         batten_notes_add(w->notes, "", 0, object->name,
                          "its %d faces are written as a group of trimmed surfaces, which do "
                          "not share their edges%s",
                          parts->face_count,
                          parts->is_solid ? "; that it is a solid is lost" : "");
-    if (turned)
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "%d faces are against their surfaces; IGES has no side for them",
-                         turned);
 }
 
 static batten_status write_body(bat_iges_writing *w, const batten_object *object)

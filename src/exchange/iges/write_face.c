@@ -1,33 +1,66 @@
 /*
  * Faces as trimmed surfaces: 144 of a surface and, for each loop, a curve on it, 142, of two
  * composites, 102: one in the parameters, one in space, whose members are pairs. The outer loop
- * runs counter-clockwise in (u, v), also when the face has its outside on the other side: that
- * side is lost.
+ * runs counter-clockwise in (u, v). A trimmed surface has no side of its own, so a face with
+ * its outside against its surface is written on the surface reversed in u, with its curves
+ * mirrored there: their control points only change signs.
  */
 #include "exchange/iges/writing.h"
 #include "exchange/prepare.h"
 
+#include <string.h>
+
 static const bat_iges_look part = {.is_part = true};
 static const bat_iges_look parameters = {.is_part = true, .use = 5};
 
-/* The curve, clamped, as the loop goes along it. */
-static batten_status along_loop(const batten_curve *curve, bool reversed, batten_curve **out)
+/* The clamped curve in (u, v) as one in (-u, v). */
+static batten_status mirror(const batten_curve *curve, batten_curve **out)
 {
-    batten_curve *clamped = NULL;
-    batten_status status = batten_curve_clamp(curve, &clamped);
-    if (status == BATTEN_OK && reversed)
-        status = batten_curve_reverse(clamped, out);
-    else if (status == BATTEN_OK)
-        *out = batten_curve_ref(clamped);
-    batten_curve_unref(clamped);
+    const int count = batten_curve_point_count(curve);
+    double *points = bat_array(2 * (size_t)count, sizeof *points);
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    memcpy(points, batten_curve_points(curve), 2 * (size_t)count * sizeof *points);
+    for (int i = 0; i < count; i++)
+        points[2 * i] = -points[2 * i];
+    const batten_status status =
+        batten_curve_create(2, batten_curve_degree(curve), count, points,
+                            batten_curve_weights(curve), batten_curve_knots(curve), out);
+    bat_release(points);
+    return status;
+}
+
+static void put_in_place(batten_curve **curve, batten_curve **made)
+{
+    batten_curve_unref(*curve);
+    *curve = *made;
+    *made = NULL;
+}
+
+/* The curve, clamped, as the loop goes along it; `mirrored` when it is on a reversed surface.
+ */
+static batten_status along_loop(const batten_curve *curve, bool reversed, bool mirrored,
+                                batten_curve **out)
+{
+    batten_curve *along = NULL, *made = NULL;
+    batten_status status = batten_curve_clamp(curve, &along);
+    if (status == BATTEN_OK && reversed) {
+        status = batten_curve_reverse(along, &made);
+        put_in_place(&along, &made);
+    }
+    if (status == BATTEN_OK && mirrored) {
+        status = mirror(along, &made);
+        put_in_place(&along, &made);
+    }
+    *out = along;
     return status;
 }
 
 static batten_status put_member(bat_iges_writing *w, const batten_curve *curve, bool reversed,
-                                const bat_iges_look *look, int *id)
+                                bool mirrored, const bat_iges_look *look, int *id)
 {
     batten_curve *along = NULL;
-    const batten_status status = along_loop(curve, reversed, &along);
+    const batten_status status = along_loop(curve, reversed, mirrored, &along);
     if (status == BATTEN_OK)
         *id = bat_iges_put_curve(w, along, 0, *look);
     batten_curve_unref(along);
@@ -54,35 +87,33 @@ static int put_composite(bat_iges_writing *w, const int *members, int count,
 /* The members of a loop in the parameters and in space. Poles have none: a curve in space that
  * is a point makes others stumble, and so do members without a partner. */
 static batten_status put_members(bat_iges_writing *w, const batten_body_parts *p,
-                                 const batten_body_loop *loop, bool backwards, int *members[2],
+                                 const batten_body_loop *loop, bool mirrored, int *members[2],
                                  int counts[2])
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < loop->count; i++) {
-        const batten_body_use *use =
-            &p->uses[loop->first + (backwards ? loop->count - 1 - i : i)];
+        const batten_body_use *use = &p->uses[loop->first + i];
         const batten_curve *curve = p->edges[use->edge].curve;
-        const bool reversed = use->reversed != backwards;
         if (!curve)
             continue;
         if (use->parameters)
-            status =
-                put_member(w, use->parameters, reversed, &parameters, &members[0][counts[0]++]);
+            status = put_member(w, use->parameters, use->reversed, mirrored, &parameters,
+                                &members[0][counts[0]++]);
         if (status == BATTEN_OK)
-            status = put_member(w, curve, reversed, &part, &members[1][counts[1]++]);
+            status =
+                put_member(w, curve, use->reversed, false, &part, &members[1][counts[1]++]);
     }
     return status;
 }
 
 static batten_status put_loop(bat_iges_writing *w, const batten_body_parts *p,
-                              const batten_body_loop *loop, bool backwards, int surface,
-                              int *id)
+                              const batten_body_loop *loop, bool mirrored, int surface, int *id)
 {
     int *memory = bat_array(2 * (size_t)loop->count, sizeof *memory), counts[2] = {0};
     int *members[2] = {memory, memory + (memory ? loop->count : 0)};
     if (!memory)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = put_members(w, p, loop, backwards, members, counts);
+    batten_status status = put_members(w, p, loop, mirrored, members, counts);
     *id = 0;
     if (status == BATTEN_OK && counts[1] > 0) {
         const int b =
@@ -138,6 +169,14 @@ batten_status bat_iges_put_face(bat_iges_writing *w, const batten_body_parts *pa
     const batten_object object = {.name = f->name, .surface = f->surface};
     batten_surface *surface = NULL;
     batten_status status = bat_prepare_surface(&object, w->tolerance, w->notes, &surface);
+    if (status != BATTEN_OK)
+        return status;
+    if (f->reversed) {
+        batten_surface *turned = NULL;
+        status = batten_surface_reverse(surface, BATTEN_U, &turned);
+        batten_surface_unref(surface);
+        surface = turned;
+    }
     if (status != BATTEN_OK)
         return status;
     if (f->count == 0) {
