@@ -4,6 +4,7 @@
 #include "numeric/vector.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- measures of loops ---- */
@@ -104,6 +105,50 @@ static void turn_all(bat_trace *trace, bat_trace_face *face)
     }
 }
 
+static int by_number(const void *a, const void *b)
+{
+    const int x = *(const int *)a, y = *(const int *)b;
+    return (x > y) - (x < y);
+}
+
+/* Are all edges of the loop seams, gone along once each way? */
+static batten_status is_all_seams(const bat_trace *trace, const bat_trace_face *face, int loop,
+                                  bool *is)
+{
+    const batten_body_loop range = face->loops.loops[loop];
+    int *edges = bat_array((size_t)range.count, sizeof *edges), sum = 0;
+    if (!edges)
+        return BATTEN_OUT_OF_MEMORY;
+    int count = 0;
+    for (int i = range.first; i < range.first + range.count; i++) {
+        const bat_trace_use *use = &face->loops.uses[i];
+        if (trace->builder.parts.edges[use->edge].curve)
+            edges[count++] = use->reversed ? -1 - use->edge : use->edge;
+    }
+    qsort(edges, (size_t)count, sizeof *edges, by_number);
+    /* Those against their edges come first, the last of the edges leading. */
+    for (int i = 0; i < count; i++)
+        sum += edges[i] < 0;
+    *is = count > 0 && 2 * sum == count;
+    for (int i = 0; *is && i < sum; i++)
+        *is = edges[sum - 1 - i] == -1 - edges[sum + i];
+    bat_release(edges);
+    return BATTEN_OK;
+}
+
+/* Is the loop the border of the whole of a surface without an end, cut open along seams? Which
+ * way it runs says nothing then: where all its edges begin and end in one vertex, files may
+ * give them in an order that is another way around. */
+static batten_status is_cut_open(const bat_trace *trace, const bat_trace_face *face, int loop,
+                                 double area, bool *is)
+{
+    const bat_chart *chart = &face->chart;
+    *is = false;
+    if (!(chart->complete && fabs(area) > chart->period[0] * chart->period[1] / 2))
+        return BATTEN_OK;
+    return is_all_seams(trace, face, loop, is);
+}
+
 /* Loops that make no turn: the largest is the outer one, and runs counter-clockwise. */
 static batten_status right_plain(bat_trace *trace, bat_trace_face *face)
 {
@@ -119,8 +164,15 @@ static batten_status right_plain(bat_trace *trace, bat_trace_face *face)
     bool any = false;
     for (int i = 0; status == BATTEN_OK && i < loops->loop_count; i++)
         any = any || areas[i] > 0;
+    bool open = false;
+    if (status == BATTEN_OK && !any)
+        status = is_cut_open(trace, face, outer, areas[outer], &open);
     /* All are holes of a surface without an end. */
-    const bool is_all = !any && face->chart.complete;
+    const bool is_all = !any && face->chart.complete && !open;
+    if (status == BATTEN_OK && open) {
+        bat_trace_turn(loops, outer);
+        areas[outer] = -areas[outer];
+    }
     if (status == BATTEN_OK && !is_all && areas[outer] < 0) {
         turn_all(trace, face);
         for (int i = 0; i < loops->loop_count; i++)

@@ -341,6 +341,34 @@ TEST(bands_around_a_torus_get_a_seam)
     }
 }
 
+/* All edges begin and end in one vertex: the order in which they come may be another way
+ * around. */
+TEST(a_torus_cut_open_along_two_circles_is_the_whole_of_it)
+{
+    static const int loops[][4] = {
+        {1, 2, -1, -2}, {-1, 2, 1, -2}, {2, 1, -2, -1}, {-2, 1, 2, -1}};
+    for (int side = 0; side < 2; side++)
+        for (size_t i = 0; i < COUNT(loops); i++) {
+            hand m = hand_begin();
+            batten_trace_report report;
+            batten_curve *circle = NULL;
+            const batten_frame across = {.origin = {3, 0, 0}, .x = {1, 0, 0}, .z = {0, -1, 0}};
+            hand_arc(&m, 4, 0, 0, 360);
+            CHECK_OK(batten_curve_arc_in(&across, 1, 0, 2 * acos(-1), &circle));
+            hand_edge(&m, circle);
+            hand_face(&m, hand_torus(), side);
+            hand_loop(&m, 4, loops[i]);
+            batten_body *body = hand_trace(&m, 1e-6, &report);
+            CHECK_INT(report.failed, 0);
+            CHECK_INT(report.seams, 0);
+            CHECK_INT(batten_body_view(body)->face_count, 1);
+            CHECK_INT(hand_shared(body), 2);
+            CHECK_NEAR(hand_area(body), 12 * acos(-1) * acos(-1), 1e-4);
+            CHECK_NEAR(hand_volume(body), (side ? -6 : 6) * acos(-1) * acos(-1), 1e-4);
+            batten_body_unref(body);
+        }
+}
+
 TEST(a_pipe_bend_between_two_circles_gets_a_seam)
 {
     for (int side = 0; side < 2; side++) {
