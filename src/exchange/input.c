@@ -167,8 +167,7 @@ void bat_input_release(bat_input *input, size_t count, size_t size, void *memory
     bat_release(memory);
 }
 
-/* Room for `count` more. */
-static batten_status reserve(bat_input *input, bat_list *list, size_t count)
+batten_status bat_list_reserve(bat_input *input, bat_list *list, size_t count)
 {
     size_t capacity = list->capacity ? list->capacity : 16;
     if (count <= list->capacity - list->count)
@@ -188,7 +187,7 @@ static batten_status reserve(bat_input *input, bat_list *list, size_t count)
 
 batten_status bat_list_append(bat_input *input, bat_list *list, const void *items, size_t count)
 {
-    batten_status status = reserve(input, list, count);
+    batten_status status = bat_list_reserve(input, list, count);
     if (status != BATTEN_OK || count == 0)
         return status;
     memcpy((char *)list->items + list->count * list->size, items, count * list->size);

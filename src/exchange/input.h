@@ -48,6 +48,8 @@ typedef struct {
     size_t size, count, capacity;
     void *items;
 } bat_list;
+/* Room for `count` more. */
+batten_status bat_list_reserve(bat_input *input, bat_list *list, size_t count);
 batten_status bat_list_add(bat_input *input, bat_list *list, const void *item);
 batten_status bat_list_append(bat_input *input, bat_list *list, const void *items,
                               size_t count);

@@ -1,4 +1,5 @@
 #include "exchange/iges/parameters.h"
+#include "base/real.h"
 
 #include <batten/number.h>
 #include <limits.h>
@@ -110,36 +111,51 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
     return BATTEN_OK;
 }
 
-static batten_status add_token(bat_input *input, bat_list *tokens, const bat_iges_token *token)
+/* A number directly before a delimiter, which most tokens are; false for all others. */
+static bool read_plain_token(bat_iges_delimiters delimiters, bat_span text, size_t begin,
+                             size_t *end, bat_iges_token *token)
 {
-    if (tokens->count == tokens->capacity)
-        return bat_list_add(input, tokens, token);
-    ((bat_iges_token *)tokens->items)[tokens->count++] = *token;
-    return BATTEN_OK;
+    const char *last = text.bytes + text.length;
+    const char *stop = bat_number_quick(text.bytes + begin, last, &token->value);
+    if (!stop || stop == last || !ends(delimiters, *stop))
+        return false;
+    *end = (size_t)(stop - text.bytes);
+    token->begin = (uint32_t)begin;
+    token->length = (uint32_t)(*end - begin);
+    token->kind = BAT_IGES_NUMBER;
+    return true;
 }
 
 batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters,
                                 bat_iges_parameters *parameters, size_t *at, bool *done)
 {
     const bat_span text = {parameters->text.items, parameters->text.count};
+    bat_list *tokens = &parameters->tokens;
     batten_status status = BATTEN_OK;
     if (text.length > UINT32_MAX)
         return bat_fail(BATTEN_BAD_FORMAT, "its parameters have more than %u characters",
                         UINT32_MAX);
     *done = false;
     while (status == BATTEN_OK && !*done) {
-        bat_iges_token token = {.kind = BAT_IGES_EMPTY};
         const size_t begin = past_blanks(text, *at);
         size_t end = begin;
         if (begin == text.length)
             return BATTEN_OK;
-        if (!ends(delimiters, text.bytes[begin]))
-            status = read_token(input, delimiters, text, begin, &end, &token);
+        if (tokens->count == tokens->capacity)
+            status = bat_list_reserve(input, tokens, 1);
+        if (status != BATTEN_OK)
+            return status;
+        bat_iges_token *token = (bat_iges_token *)tokens->items + tokens->count;
+        if (!read_plain_token(delimiters, text, begin, &end, token)) {
+            *token = (bat_iges_token){.kind = BAT_IGES_EMPTY};
+            if (!ends(delimiters, text.bytes[begin]))
+                status = read_token(input, delimiters, text, begin, &end, token);
+        }
         if (status != BATTEN_OK || end == text.length)
             return status;
         *done = text.bytes[end] == delimiters.terminator;
         *at = end + 1;
-        status = add_token(input, &parameters->tokens, &token);
+        tokens->count++;
     }
     return status;
 }

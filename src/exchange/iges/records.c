@@ -62,13 +62,19 @@ static int next_number(bat_iges_file *file, bat_span record)
 static batten_status add_data(bat_iges_file *file, bat_span record, int line, bool is_damaged)
 {
     const bool is_short = record.length < DATA_COLUMNS;
-    const bat_iges_data data = {.at = (size_t)(record.bytes - file->input->data),
-                                .number = is_damaged ? -1 : next_number(file, record),
-                                .line = line,
-                                .columns =
-                                    (unsigned char)(is_short ? record.length : DATA_COLUMNS),
-                                .is_damaged = is_damaged};
-    return bat_list_add(file->input, &file->data, &data);
+    bat_list *list = &file->data;
+    batten_status status = BATTEN_OK;
+    if (list->count == list->capacity)
+        status = bat_list_reserve(file->input, list, 1);
+    if (status != BATTEN_OK)
+        return status;
+    ((bat_iges_data *)list->items)[list->count++] =
+        (bat_iges_data){.at = (size_t)(record.bytes - file->input->data),
+                        .number = is_damaged ? -1 : next_number(file, record),
+                        .line = line,
+                        .columns = (unsigned char)(is_short ? record.length : DATA_COLUMNS),
+                        .is_damaged = is_damaged};
+    return BATTEN_OK;
 }
 
 /* A record of the directory as it came. */
@@ -421,6 +427,30 @@ static batten_status check_data(const bat_iges_file *file, size_t first, size_t 
     return BATTEN_OK;
 }
 
+/* Append the first 64 characters of a record; is `sought` among them? */
+static batten_status append_columns(bat_input *input, bat_list *text, const char *from,
+                                    char sought, bool *found)
+{
+    const uint64_t ones = 0x0101010101010101u, pattern = (unsigned char)sought * ones;
+    batten_status status = BATTEN_OK;
+    if (text->capacity - text->count < DATA_COLUMNS)
+        status = bat_list_reserve(input, text, DATA_COLUMNS);
+    if (status != BATTEN_OK)
+        return status;
+    char *to = (char *)text->items + text->count;
+    uint64_t zeros = 0;
+    for (size_t i = 0; i < DATA_COLUMNS; i += 8) {
+        uint64_t eight;
+        memcpy(&eight, from + i, sizeof eight);
+        memcpy(to + i, &eight, sizeof eight);
+        eight ^= pattern;
+        zeros |= (eight - ones) & ~eight;
+    }
+    text->count += DATA_COLUMNS;
+    *found = (zeros & 0x80 * ones) != 0;
+    return BATTEN_OK;
+}
+
 /* Append records from *next on, up to one in which the terminator stands: there they may end.
  */
 static batten_status gather(const bat_iges_file *file, size_t *next, bat_list *text)
@@ -430,6 +460,11 @@ static batten_status gather(const bat_iges_file *file, size_t *next, bat_list *t
     for (bool found = false; status == BATTEN_OK && !found && *next < file->data.count;) {
         const bat_iges_data *record = &data[(*next)++];
         const bat_span columns = {file->input->data + record->at, record->columns};
+        if (columns.length == DATA_COLUMNS) {
+            status = append_columns(file->input, text, columns.bytes,
+                                    file->delimiters.terminator, &found);
+            continue;
+        }
         found = memchr(columns.bytes, file->delimiters.terminator, columns.length) != NULL;
         status = append(file->input, text, columns, DATA_COLUMNS);
     }
