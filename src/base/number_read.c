@@ -218,27 +218,37 @@ static inline uint64_t eight_digits(uint64_t digits)
            32;
 }
 
-/* The digits from c on, put behind those of the value; beyond 19 it means nothing. */
-static inline const char *quick_digits(const char *c, const char *end, uint64_t *value)
+/* The digits among eight characters up to the first that is none, put behind those of the
+ * value: how many. */
+static inline int some_digits(const char *c, uint64_t *value)
 {
     static const uint64_t tens[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
     const uint64_t ones = 0x0101010101010101u;
-    while (end - c >= 8) {
-        uint64_t chunk;
-        memcpy(&chunk, c, sizeof chunk);
+    uint64_t chunk;
+    memcpy(&chunk, c, sizeof chunk);
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-        chunk = __builtin_bswap64(chunk);
+    chunk = __builtin_bswap64(chunk);
 #endif
-        /* Marks what is no digit; carries come from such bytes only, so the lowest is right. */
-        const uint64_t digits = chunk - '0' * ones;
-        const uint64_t others = ((chunk + 0x46 * ones) | digits) & 0x80 * ones;
-        if (others) {
-            const int count = __builtin_ctzll(others) / 8;
-            *value = tens[count] * *value + eight_digits(digits << 8 * (7 - count) << 8);
-            return c + count;
-        }
+    /* Marks what is no digit; carries come from such bytes only, so the lowest is right. */
+    const uint64_t digits = chunk - '0' * ones;
+    const uint64_t others = ((chunk + 0x46 * ones) | digits) & 0x80 * ones;
+    if (!others) {
         *value = 100000000 * *value + eight_digits(digits);
-        c += 8;
+        return 8;
+    }
+    const int bit = __builtin_ctzll(others); /* 7, 15 .. 63 */
+    *value = tens[bit >> 3] * *value + eight_digits(digits << (63 - bit) << 8);
+    return bit >> 3;
+}
+
+/* The digits from c on; beyond 19 the value means nothing. */
+static const char *quick_digits(const char *c, const char *end, uint64_t *value)
+{
+    while (end - c >= 8) {
+        const int count = some_digits(c, value);
+        c += count;
+        if (count < 8)
+            return c;
     }
     for (; c < end && is_digit(*c); c++)
         *value = 10 * *value + (uint64_t)(*c - '0');
@@ -246,24 +256,25 @@ static inline const char *quick_digits(const char *c, const char *end, uint64_t 
 }
 
 /* w 10^k as a double; false when 64 bits leave it open. */
-static bool quick_double(uint64_t w, int k, uint64_t *bits)
+static inline bool quick_double(uint64_t w, int k, uint64_t *bits)
 {
     const int shift = __builtin_clzll(w);
     const uint64_t high =
         (uint64_t)(((bat_wide)(w << shift) * quick_powers[k + QUICK_POWER]) >> 64);
     /* The true product is above `high` by less than 2. */
     const int short_of = !(high >> 63), drop = 11 - short_of;
-    const uint64_t rest = high & (((uint64_t)1 << drop) - 1), half = (uint64_t)1 << (drop - 1);
-    if (rest == half || rest == half - 1)
+    const uint64_t mask = ((uint64_t)1 << drop) - 1;
+    if (((high - (mask >> 1)) & mask) <= 1) /* a rest of half the last place, or one less */
         return false;
     const int exponent = 64 - short_of - shift + bat_floor_log2_of_power(k);
-    *bits = ((uint64_t)(exponent + 1022) << BAT_FRACTION_BITS) + (high >> drop) + (rest > half);
+    *bits = ((uint64_t)(exponent + 1022) << BAT_FRACTION_BITS) + (high >> drop) +
+            (high >> (drop - 1) & 1);
     return true;
 }
 
-const char *bat_number_quick(const char *text, const char *end, double *value)
+/* With any places, and with an exponent. */
+static const char *read_quickly(const char *c, const char *end, double *value)
 {
-    const char *c = text;
     const bool is_negative = c < end && *c == '-';
     uint64_t w = 0, bits = 0;
     int64_t exponent = 0, places = 0;
@@ -292,6 +303,36 @@ const char *bat_number_quick(const char *text, const char *end, double *value)
     if (w != 0 && (exponent < -QUICK_POWER || exponent > QUICK_POWER ||
                    !quick_double(w, (int)exponent, &bits)))
         return NULL;
+    bits |= (uint64_t)is_negative << 63;
+    memcpy(value, &bits, sizeof bits);
+    return c;
+}
+
+/* What a number of at most 7 digits, a '.', at most 23 more and the character behind them take.
+ */
+enum { COMMON_ROOM = 40 };
+
+/* Most numbers are such, and this is the shortest way to them. */
+const char *bat_number_quick(const char *text, const char *end, double *value)
+{
+    if (end - text < COMMON_ROOM)
+        return read_quickly(text, end, value);
+    const bool is_negative = *text == '-';
+    const char *c = text + is_negative;
+    uint64_t w = 0, bits = 0;
+    const int before = some_digits(c, &w);
+    if (before == 0 || before == 8 || c[before] != '.')
+        return read_quickly(text, end, value);
+    c += before + 1;
+    int places = some_digits(c, &w);
+    if (places == 8)
+        places += some_digits(c + 8, &w);
+    if (places == 16)
+        places += some_digits(c + 16, &w);
+    c += places;
+    if (before + places > 19 || *c == 'E' || *c == 'e' ||
+        (w != 0 && !quick_double(w, -places, &bits)))
+        return read_quickly(text, end, value);
     bits |= (uint64_t)is_negative << 63;
     memcpy(value, &bits, sizeof bits);
     return c;

@@ -23,12 +23,12 @@ void bat_iges_parameters_end(bat_iges_parameters *parameters)
 
 /* ---- tokens ---- */
 
-static bool ends(bat_iges_delimiters delimiters, char c)
+static inline bool ends(bat_iges_delimiters delimiters, char c)
 {
     return c == delimiters.delimiter || c == delimiters.terminator;
 }
 
-static size_t past_blanks(bat_span text, size_t at)
+static inline size_t past_blanks(bat_span text, size_t at)
 {
     while (at < text.length && text.bytes[at] == ' ')
         at++;
@@ -112,8 +112,8 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
 }
 
 /* A number directly before a delimiter, which most tokens are; false for all others. */
-static bool read_plain_token(bat_iges_delimiters delimiters, bat_span text, size_t begin,
-                             size_t *end, bat_iges_token *token)
+static inline bool read_plain_token(bat_iges_delimiters delimiters, bat_span text, size_t begin,
+                                    size_t *end, bat_iges_token *token)
 {
     const char *last = text.bytes + text.length;
     const char *stop = bat_number_quick(text.bytes + begin, last, &token->value);
@@ -223,7 +223,13 @@ batten_status bat_iges_real(const bat_iges_parameters *parameters, size_t index,
 batten_status bat_iges_reals(const bat_iges_parameters *parameters, size_t first, size_t count,
                              double *values)
 {
+    const bat_iges_token *tokens = parameters->tokens.items;
+    const size_t have = parameters->tokens.count;
     for (size_t i = 0; i < count; i++) {
+        if (first + i < have && tokens[first + i].kind == BAT_IGES_NUMBER) {
+            values[i] = tokens[first + i].value;
+            continue;
+        }
         batten_status status = bat_iges_real(parameters, first + i, &values[i]);
         if (status != BATTEN_OK)
             return status;

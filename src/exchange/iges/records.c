@@ -8,6 +8,18 @@
 #define RECORD 80
 #define LETTER 72 /* where the letter of the section stands */
 
+/* ---- many characters at once ---- */
+
+/* Compilers make one instruction of a comparison of all. */
+typedef unsigned char characters __attribute__((vector_size(16)));
+
+static inline bool any_of(characters marks)
+{
+    uint64_t halves[2];
+    memcpy(halves, &marks, sizeof halves);
+    return (halves[0] | halves[1]) != 0;
+}
+
 /* ---- records ---- */
 
 /* A number in blanks or after zeros; -1 when there is none. */
@@ -142,16 +154,15 @@ static bool is_blank_record(bat_span record)
  * all do, and this is the fastest way to see it. */
 static bool is_plain_record(const bat_input *input, size_t at)
 {
-    const uint64_t ones = 0x0101010101010101u;
-    uint64_t found = 0;
+    characters below = {0};
     if (input->size - at <= RECORD || input->data[at + RECORD] != '\n')
         return false;
-    for (size_t i = 0; i < RECORD; i += 8) {
-        uint64_t eight;
-        memcpy(&eight, input->data + at + i, sizeof eight);
-        found |= (eight - ' ' * ones) & ~eight; /* below a blank */
+    for (size_t i = 0; i < RECORD; i += sizeof below) {
+        characters some;
+        memcpy(&some, input->data + at + i, sizeof some);
+        below |= (characters)(some < ' ');
     }
-    return (found & 128 * ones) == 0;
+    return !any_of(below);
 }
 
 static batten_status read_records(bat_iges_file *file)
@@ -172,7 +183,9 @@ static batten_status read_records(bat_iges_file *file)
         line += line < INT_MAX;
         if (line % 1024 == 0)
             status = bat_input_step(input, at);
-        if (status == BATTEN_OK && !is_blank_record(record)) {
+        if (status == BATTEN_OK && is_plain && section == 'P' && record.bytes[LETTER] == 'P') {
+            status = add_data(file, record, line, false); /* nearly always */
+        } else if (status == BATTEN_OK && !is_blank_record(record)) {
             if (section == 'T') {
                 batten_notes_add(input->notes, input->file, line, "",
                                  "text follows the last record; not read");
@@ -431,23 +444,21 @@ static batten_status check_data(const bat_iges_file *file, size_t first, size_t 
 static batten_status append_columns(bat_input *input, bat_list *text, const char *from,
                                     char sought, bool *found)
 {
-    const uint64_t ones = 0x0101010101010101u, pattern = (unsigned char)sought * ones;
     batten_status status = BATTEN_OK;
     if (text->capacity - text->count < DATA_COLUMNS)
         status = bat_list_reserve(input, text, DATA_COLUMNS);
     if (status != BATTEN_OK)
         return status;
     char *to = (char *)text->items + text->count;
-    uint64_t zeros = 0;
-    for (size_t i = 0; i < DATA_COLUMNS; i += 8) {
-        uint64_t eight;
-        memcpy(&eight, from + i, sizeof eight);
-        memcpy(to + i, &eight, sizeof eight);
-        eight ^= pattern;
-        zeros |= (eight - ones) & ~eight;
+    characters same = {0};
+    for (size_t i = 0; i < DATA_COLUMNS; i += sizeof same) {
+        characters some;
+        memcpy(&some, from + i, sizeof some);
+        memcpy(to + i, &some, sizeof some);
+        same |= (characters)(some == (unsigned char)sought);
     }
     text->count += DATA_COLUMNS;
-    *found = (zeros & 0x80 * ones) != 0;
+    *found = any_of(same);
     return BATTEN_OK;
 }
 
