@@ -58,7 +58,7 @@ static int line_of(const bat_input *input, size_t at)
     return line;
 }
 
-batten_status bat_input_as_text(bat_input *input)
+batten_status bat_input_past_mark(bat_input *input)
 {
     if (begins(input, "\xff\xfe", 2) || begins(input, "\xfe\xff", 2))
         return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
@@ -67,6 +67,14 @@ batten_status bat_input_as_text(bat_input *input)
         input->data += 3;
         input->size -= 3;
     }
+    return BATTEN_OK;
+}
+
+batten_status bat_input_as_text(bat_input *input)
+{
+    const batten_status status = bat_input_past_mark(input);
+    if (status != BATTEN_OK)
+        return status;
     while (input->size > 0 && input->data[input->size - 1] == '\x1a')
         input->size--;
     const char *zero = input->size ? memchr(input->data, 0, input->size) : NULL;

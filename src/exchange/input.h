@@ -23,6 +23,8 @@ typedef struct {
 /* Fill in the defaults and check the size of the file. */
 batten_status bat_input_begin(const char *data, size_t size, const batten_read_options *options,
                               const batten_job *job, batten_notes *notes, bat_input *input);
+/* Skip a byte order mark, refuse UTF-16: of what begins as text, whatever follows. */
+batten_status bat_input_past_mark(bat_input *input);
 /* Skip a byte order mark, drop a final control-Z, refuse UTF-16 and zero bytes. */
 batten_status bat_input_as_text(bat_input *input);
 

@@ -9,6 +9,8 @@ static batten_status read_as(bat_input *input, batten_format format, batten_mode
         return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "%s files cannot be read",
                               row ? row->title : "such");
     batten_status status = row->is_binary ? BATTEN_OK : bat_input_as_text(input);
+    if (status == BATTEN_OK && bat_past_white(input) == input->size)
+        status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "the file is empty");
     if (status == BATTEN_OK)
         status = row->read(input, &model);
     if (status != BATTEN_OK)

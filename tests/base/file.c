@@ -18,10 +18,17 @@ static bat_file_calls real_system;
 static int call_count, fail_call, fail_errno;
 static const char *failed_call;
 
+/* The calls in their order, a blank behind each. */
+static char calls_made[2000];
+
 static bool must_fail(const char *name)
 {
+    if (strlen(calls_made) + strlen(name) + 2 < sizeof calls_made)
+        strcat(strcat(calls_made, name), " ");
     if (++call_count != fail_call)
         return false;
+    if (fail_errno == 0)
+        kill(getpid(), SIGKILL);
     failed_call = name;
     errno = fail_errno;
     return true;
@@ -92,6 +99,7 @@ static void install(int call, int reason)
     fail_call = call;
     fail_errno = reason;
     failed_call = "";
+    calls_made[0] = '\0';
     bat_system = (bat_file_calls){
         failing_open,   failing_stat,  failing_readlink, failing_read,   failing_write,
         failing_fchmod, failing_fsync, failing_close,    failing_rename, failing_unlink};
@@ -341,6 +349,54 @@ TEST(W1_whichever_call_of_a_save_fails_a_whole_file_remains_and_no_stray)
         }
 }
 
+/* A save whose process is killed at a call; false when it came to its end. */
+static bool save_and_be_killed(const char *path, int call)
+{
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        install(call, 0);
+        _exit(save(path, "new hull") == BATTEN_OK ? 0 : 1);
+    }
+    CHECK(waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status) ? WTERMSIG(status) == SIGKILL : status == 0);
+    return WIFSIGNALED(status);
+}
+
+TEST(W2_a_process_killed_at_any_call_of_a_save_leaves_a_whole_file)
+{
+    const char *where = folder("killed"), *path = in(where, "hull.step");
+    int call = 0;
+    bool is_killed = true;
+    if (test_cases(1000) < 1000)
+        SKIP("the allocations are those of other tests");
+    while (is_killed) {
+        put(path, "old hull");
+        is_killed = save_and_be_killed(path, ++call);
+        CHECK(holds(path, "new hull") || (is_killed && holds(path, "old hull")));
+    }
+    CHECK(call > 10);
+}
+
+/* What is not on the disk when it takes the new name is lost with the power. */
+TEST(W3_the_bytes_are_on_the_disk_before_the_name_and_the_name_before_success)
+{
+    const char *path = in(folder("power"), "hull.step");
+    put(path, "old hull");
+    install(0, EIO);
+    const batten_status status = save(path, "new hull");
+    uninstall();
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return;
+    const char *last = calls_made, *next = calls_made;
+    while ((next = strstr(next, "write ")))
+        last = next++;
+    const char *bytes = strstr(last, "fsync "), *name = strstr(last, "rename ");
+    CHECK(bytes != NULL && name != NULL && bytes < name);
+    const char *opened = strstr(name, "open folder ");
+    CHECK(opened != NULL && strstr(opened, "fsync ") != NULL);
+}
+
 TEST(W1_a_full_device_is_reported)
 {
     if (access("/dev/full", W_OK) != 0)
@@ -392,7 +448,7 @@ TEST(W8_the_closing_of_a_device_is_checked)
     CHECK(closed == BATTEN_FILE_ERROR || closed == BATTEN_OUT_OF_MEMORY);
 }
 
-TEST(the_mode_of_a_file_is_kept)
+TEST(W4_the_mode_of_a_file_is_kept)
 {
     const char *path = in(folder("mode"), "a");
     struct stat about;
@@ -409,7 +465,7 @@ TEST(the_mode_of_a_file_is_kept)
     CHECK(stat(path, &about) == 0 && (about.st_mode & 07777) == 0640);
 }
 
-TEST(the_target_of_a_link_is_replaced)
+TEST(W4_the_target_of_a_link_is_replaced)
 {
     const char *where = folder("links");
     const char *other = folder("links/other"), *target = in(other, "target");
@@ -433,7 +489,7 @@ TEST(the_target_of_a_link_is_replaced)
     CHECK_INT(entry_count(other), 3);
 }
 
-TEST(a_ring_of_links_is_refused)
+TEST(W4_a_ring_of_links_is_refused)
 {
     const char *where = folder("ring");
     CHECK(symlink("b", in(where, "a")) == 0 || errno == EEXIST);

@@ -50,13 +50,22 @@ static bool read_code(bat_span text, int *code)
     return value == *code;
 }
 
+/* Only blank lines from here on. */
+static bool is_blank_from(const bat_input *input, size_t at)
+{
+    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
+                                input->data[at] == '\r'))
+        at++;
+    return at == input->size;
+}
+
 /* *more is false at the end; a code without a value ends the text too. */
 static batten_status next_group(bat_dxf_pairs *pairs, bat_dxf_group *group, bool *more)
 {
     bat_span text;
-    do
-        *more = next_line(pairs, &text);
-    while (*more && trim(text).length == 0 && pairs->at == pairs->input->size);
+    *more = next_line(pairs, &text);
+    if (*more && trim(text).length == 0 && is_blank_from(pairs->input, pairs->at))
+        *more = false;
     if (!*more)
         return BATTEN_OK;
     if (!read_code(text, &group->code)) {

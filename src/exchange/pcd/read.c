@@ -385,7 +385,9 @@ batten_status bat_read_pcd(bat_input *input, batten_model **out)
         return status;
     r->input = input;
     r->read.size = 3 * sizeof(double);
-    status = read_header(r);
+    status = bat_input_past_mark(input);
+    if (status == BATTEN_OK)
+        status = read_header(r);
     if (status == BATTEN_OK)
         status = read_points(r);
     if (status == BATTEN_OK)

@@ -25,7 +25,8 @@ typedef struct {
 
 static const bat_ply_property *properties_of(const reading *r, const bat_ply_element *element)
 {
-    return (const bat_ply_property *)r->header.properties.items + element->first;
+    const bat_ply_property *all = r->header.properties.items;
+    return all ? all + element->first : NULL;
 }
 
 static int role_of(const bat_ply_property *property)
@@ -233,10 +234,21 @@ static batten_status read_items(reading *r, const bat_ply_element *element, size
     return status;
 }
 
+static batten_status leave_out(reading *r, const bat_ply_element *element)
+{
+    batten_notes_add(r->input->notes, r->input->file, 0, "",
+                     "the %zu items '%.*s' are left out", element->count,
+                     bat_min_int((int)element->name.length, 40), element->name.bytes);
+    r->input->left_out++;
+    return BATTEN_OK;
+}
+
 static batten_status read_element(reading *r, const bat_ply_element *element)
 {
-    if (element->count == 0 || element->properties == 0)
+    if (element->count == 0)
         return BATTEN_OK;
+    if (element->properties == 0)
+        return bat_word_is(element->name, "vertex") ? leave_out(r, element) : BATTEN_OK;
     const size_t corners = list_of_corners(properties_of(r, element), element->properties);
     batten_status status = make_room(r, element);
     if (status != BATTEN_OK)
@@ -245,10 +257,7 @@ static batten_status read_element(reading *r, const bat_ply_element *element)
         return read_vertices(r, element);
     if (bat_word_is(element->name, "face") && corners != SIZE_MAX && r->has_vertices)
         return read_items(r, element, corners);
-    batten_notes_add(r->input->notes, r->input->file, 0, "",
-                     "the %zu items '%.*s' are left out", element->count,
-                     bat_min_int((int)element->name.length, 40), element->name.bytes);
-    r->input->left_out++;
+    leave_out(r, element);
     return read_items(r, element, SIZE_MAX);
 }
 
@@ -286,7 +295,9 @@ batten_status bat_read_ply(bat_input *input, batten_model **out)
                  .values = {.size = sizeof(double)},
                  .columns = {.size = sizeof(column)}};
     batten_model *model = NULL;
-    batten_status status = bat_ply_header_read(input, &r.header);
+    batten_status status = bat_input_past_mark(input);
+    if (status == BATTEN_OK)
+        status = bat_ply_header_read(input, &r.header);
     r.items = (bat_ply_items){
         .input = input, .form = r.header.form, .at = r.header.body, .line = r.header.line - 1};
     if (status == BATTEN_OK)

@@ -183,7 +183,10 @@ batten_status bat_read_stl(bat_input *input, batten_model **out)
     batten_model *model = NULL;
     const bool bytes = has_size_of_bytes(input) || (!is_text(input) && input->size >= BEFORE &&
                                                     memchr(input->data, 0, input->size));
-    batten_status status = bytes ? BATTEN_OK : bat_input_as_text(input);
+    /* Zero bytes are also those of text in UTF-16. */
+    batten_status status = has_size_of_bytes(input) ? BATTEN_OK
+                           : bytes                  ? bat_input_past_mark(input)
+                                                    : bat_input_as_text(input);
     if (status == BATTEN_OK && !bytes && !is_text(input))
         status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "%s",
                                 input->size ? "this is no STL: neither 'solid' and 'facet' nor "

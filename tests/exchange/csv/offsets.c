@@ -46,7 +46,7 @@ TEST(each_dialect_gives_the_same_table)
 TEST(what_is_no_table_of_offsets_is_refused)
 {
     check_refused("1,2,3\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");
-    check_refused("", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");
+    check_refused("", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "the file is empty");
     check_refused("x,z,y\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "there is no point");
     check_refused("x,z,y\n1,2,\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT,
                   "there is no point");

@@ -62,7 +62,7 @@ TEST(F7_other_forms_of_IGES_are_refused_by_name)
     snprintf(text, sizeof text, "%72sB      1\n", "");
     check_refused(text, BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED, "binary form");
     check_refused("1 2\n", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "no IGES file");
-    check_refused("", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "no IGES file");
+    check_refused("", BATTEN_FORMAT_IGES, BATTEN_BAD_FORMAT, "the file is empty");
 }
 
 TEST(F2_a_file_cut_at_any_byte_is_refused_or_partly_read)

@@ -113,7 +113,7 @@ TEST(F1_headers_of_clouds_that_are_none_are_refused_by_line)
     static const struct {
         const char *text, *words;
     } cases[] = {
-        {"", "t:1: the file ends within the header"},
+        {"", "t: the file is empty"},
         {HEADER "NONSENSE\n", "t:3: the header is no good here: no line"},
         {HEADER "FIELDS x y\nDATA ascii\n", "no field is z"},
         {HEADER "FIELDS x y z\nSIZE 4 4\n", "fewer words than fields"},

@@ -385,3 +385,12 @@ TEST(an_element_without_properties_is_passed_over)
     CHECK_INT(batten_model_count(model), 0);
     batten_model_unref(model);
 }
+
+TEST(P2_vertices_without_properties_are_no_points)
+{
+    batten_model *model = NULL;
+    const batten_status status =
+        read_text("ply\nformat ascii 1.0\nelement vertex 1\nend_header\n\n", BATTEN_FORMAT_PLY,
+                  NULL, &model);
+    CHECK(status != BATTEN_OK && model == NULL);
+}

@@ -1,0 +1,340 @@
+/* What holds for each reader alike: one small file of every format, bent in the ways of the
+ * catalogue. */
+#define _XOPEN_SOURCE 700
+#include <limits.h>
+#include <locale.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "exchange/every_format.h"
+#include "exchange/reading.h"
+
+/* All that was read, as bytes: two models are the same when these are. */
+static char *as_bytes(const batten_model *model, batten_format format, size_t *size)
+{
+    char *data = NULL;
+    CHECK_OK(write_bytes(model, format == BATTEN_FORMAT_OFFSETS ? format : BATTEN_FORMAT_STEP,
+                         &data, size));
+    return data;
+}
+
+static void check_same(const batten_model *a, const batten_model *b, batten_format format)
+{
+    size_t n = 0, m = 0;
+    char *p = as_bytes(a, format, &n), *q = as_bytes(b, format, &m);
+    CHECK(n == m && memcmp(p, q, n) == 0);
+    batten_release(p);
+    batten_release(q);
+}
+
+/* Memory failing in turn is the affair of each reader's own tests. */
+static void only_once(void)
+{
+    if (test_cases(1000) < 1000)
+        SKIP("the allocations are those of other tests");
+}
+
+TEST(F1_nothing_in_a_file_is_refused_by_each_reader)
+{
+    static const char *const texts[] = {"",   "x",    " \n\t\r\n \n", "\xff",
+                                        "\n", "\x1a", "\xef\xbb\xbf"};
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int i = 0; i < COUNT(texts); i++) {
+            batten_model *model = NULL;
+            const batten_status status =
+                read_text(texts[i], every_format[f].format, NULL, &model);
+            CHECK(status != BATTEN_OK && status != BATTEN_PARTLY_READ && model == NULL);
+            CHECK(strlen(batten_message()) > 3);
+        }
+}
+
+TEST(F2_no_cut_harms_any_reader)
+{
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (size_t length = 0; length < strlen(every_format[f].text); length++) {
+            batten_model *model = NULL;
+            batten_notes *notes = NULL;
+            char *exact = malloc(length ? length : 1); /* reading past the end shows */
+            CHECK(exact != NULL);
+            memcpy(exact, every_format[f].text, length);
+            CHECK_OK(batten_notes_create(10, &notes));
+            const batten_status status =
+                read_bytes(exact, length, every_format[f].format, notes, &model);
+            free(exact);
+            CHECK((status == BATTEN_OK || status == BATTEN_PARTLY_READ) == (model != NULL));
+            /* All that is left of a last record or line may be enough. */
+            if (every_format[f].has_end && length + 10 < strlen(every_format[f].text))
+                CHECK(status != BATTEN_OK || count_warnings(notes) > 0);
+            batten_notes_free(notes);
+            batten_model_unref(model);
+        }
+}
+
+/* ---- ends of lines ---- */
+
+static char *with_ends(const char *text, const char *const ends[2])
+{
+    char *made = test_array(2 * strlen(text) + 1, 1), *to = made;
+    int line = 0;
+    for (; *text; text++) {
+        const char *put = *text == '\n' ? ends[line++ % 2] : (const char[]){*text, 0};
+        memcpy(to, put, strlen(put));
+        to += strlen(put);
+    }
+    return made;
+}
+
+static void check_as(int f, const char *text, size_t size)
+{
+    batten_model *plain = NULL, *model = NULL;
+    CHECK_OK(read_text(every_format[f].text, every_format[f].format, NULL, &plain));
+    CHECK_OK(read_bytes(text, size, every_format[f].format, NULL, &model));
+    check_same(plain, model, every_format[f].format);
+    batten_model_unref(plain);
+    batten_model_unref(model);
+}
+
+TEST(F3_ends_of_lines_mean_the_same_to_each_reader)
+{
+    static const char *const ends[][2] = {{"\r\n", "\r\n"}, {"\r", "\r"}, {"\r\n", "\n"}};
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int e = 0; e < COUNT(ends); e++) {
+            const char *text = with_ends(every_format[f].text, ends[e]);
+            check_as(f, text, strlen(text));
+        }
+}
+
+TEST(F3_blank_lines_after_the_end_and_a_missing_newline_mean_nothing)
+{
+    static const char *const tails[] = {"\n\n \n", "\x1a", "\r\n\x1a"};
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++) {
+        const size_t length = strlen(every_format[f].text);
+        check_as(f, every_format[f].text, length - 1);
+        for (int i = 0; i < COUNT(tails); i++) {
+            char *text = test_array(length + 8, 1);
+            sprintf(text, "%s%s", every_format[f].text, tails[i]);
+            check_as(f, text, strlen(text));
+        }
+    }
+}
+
+/* ---- encodings ---- */
+
+TEST(F4_a_byte_order_mark_means_nothing_to_each_reader)
+{
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++) {
+        const char *text = every_format[f].text;
+        char *marked = test_array(strlen(text) + 4, 1);
+        sprintf(marked, "\xef\xbb\xbf%s", text);
+        check_as(f, marked, strlen(marked));
+    }
+}
+
+TEST(F4_UTF_16_and_zero_bytes_are_refused_by_each_reader)
+{
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int way = 0; way < 3; way++) {
+            const char *text = every_format[f].text;
+            const size_t length = strlen(text);
+            char *wide = test_array(2 * length + 4, 1);
+            batten_model *model = NULL;
+            size_t size = 2 * length + 2;
+            memcpy(wide, way == 1 ? "\xfe\xff" : "\xff\xfe", 2);
+            for (size_t i = 0; i < length; i++)
+                wide[2 + 2 * i + (way == 1)] = text[i];
+            if (way == 2) { /* one zero byte in the middle of plain text */
+                memcpy(wide, text, size = length);
+                wide[length / 2] = '\0';
+            }
+            const batten_status status =
+                read_bytes(wide, size, every_format[f].format, NULL, &model);
+            CHECK(status != BATTEN_OK && status != BATTEN_PARTLY_READ && model == NULL);
+        }
+}
+
+TEST(F4_bytes_that_are_no_text_harm_no_reader)
+{
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++) {
+        char *text = test_array(strlen(every_format[f].text) + 1, 1);
+        for (size_t i = 0; i < strlen(every_format[f].text); i++) {
+            batten_model *model = NULL;
+            strcpy(text, every_format[f].text);
+            text[i] = '\xe9';
+            read_text(text, every_format[f].format, NULL, &model);
+            batten_model_unref(model);
+        }
+    }
+}
+
+/* ---- locales, names, content ---- */
+
+TEST(F5_each_reader_and_writer_ignores_the_locale)
+{
+    only_once();
+    if (!setlocale(LC_ALL, "de_DE.UTF-8"))
+        SKIP("the locale de_DE.UTF-8 is not installed");
+    setlocale(LC_ALL, "C");
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int to = BATTEN_FORMAT_OFFSETS; to <= BATTEN_FORMAT_OFF; to++) {
+            batten_model *plain = NULL, *other = NULL;
+            char *a = NULL, *b = NULL;
+            size_t n = 0, m = 0;
+            CHECK_OK(read_text(every_format[f].text, every_format[f].format, NULL, &plain));
+            const batten_status one = write_bytes(plain, (batten_format)to, &a, &n);
+            setlocale(LC_ALL, "de_DE.UTF-8");
+            const batten_status reading =
+                read_text(every_format[f].text, every_format[f].format, NULL, &other);
+            const batten_status two =
+                reading == BATTEN_OK ? write_bytes(other, (batten_format)to, &b, &m) : reading;
+            setlocale(LC_ALL, "C");
+            CHECK_INT(reading, BATTEN_OK);
+            CHECK_INT(one, two);
+            CHECK(n == m && (n == 0 || memcmp(a, b, n) == 0));
+            batten_release(a);
+            batten_release(b);
+            batten_model_unref(plain);
+            batten_model_unref(other);
+        }
+}
+
+TEST(F7_each_format_is_known_by_its_content_and_refused_as_another)
+{
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int as = 0; as < COUNT(every_format); as++) {
+            batten_model *model = NULL;
+            const batten_status status =
+                read_text(every_format[f].text, every_format[as].format, NULL, &model);
+            const bool rows = !every_format[f].is_known && !every_format[as].is_known;
+            if (f == as || !rows)
+                CHECK((status == BATTEN_OK) == (f == as));
+            batten_model_unref(model);
+        }
+    for (int f = 0; f < COUNT(every_format); f++) {
+        const char *path = test_scratch("other.xyz");
+        batten_model *model = NULL, *plain = NULL;
+        if (!every_format[f].is_known)
+            continue;
+        CHECK_OK(batten_save_file(path, every_format[f].text, strlen(every_format[f].text)));
+        CHECK_OK(batten_read_file(path, NULL, NULL, NULL, &model));
+        CHECK_OK(read_text(every_format[f].text, every_format[f].format, NULL, &plain));
+        check_same(plain, model, every_format[f].format);
+        batten_model_unref(model);
+        batten_model_unref(plain);
+    }
+}
+
+TEST(F8_each_reader_takes_odd_names_of_files)
+{
+    static const char *const names[] = {"a b", "a'b\"", "a\nb", "\xff\xfe", "-x", "%s%n"};
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int i = 0; i < COUNT(names); i++) {
+            const char *path = test_scratch(names[i]);
+            batten_read_options options = batten_read_defaults();
+            batten_model *model = NULL;
+            options.format = every_format[f].format;
+            CHECK_OK(
+                batten_save_file(path, every_format[f].text, strlen(every_format[f].text)));
+            CHECK_OK(batten_read_file(path, &options, NULL, NULL, &model));
+            batten_model_unref(model);
+            CHECK_OK(batten_save_file(path, "\x01", 1));
+            CHECK(batten_read_file(path, &options, NULL, NULL, &model) != BATTEN_OK);
+        }
+}
+
+/* ---- a small stack ---- */
+
+static void *read_all_small(void *user)
+{
+    for (int f = 0; f < COUNT(every_format); f++) {
+        batten_model *model = NULL;
+        read_text(every_format[f].text, every_format[f].format, NULL, &model);
+        batten_model_unref(model);
+    }
+    for (int i = 0; i < COUNT(nested); i++) {
+        batten_model *model = NULL;
+        read_text(((char **)user)[i], nested[i].format, NULL, &model);
+        batten_model_unref(model);
+    }
+    return NULL;
+}
+
+TEST(S4_each_reader_works_in_a_small_stack_however_deep_its_file_is)
+{
+    enum { DEPTH = 100000, STACK = 256 * 1024 };
+    char *texts[COUNT(nested)];
+    pthread_attr_t attributes;
+    pthread_t thread;
+    only_once();
+    for (int i = 0; i < COUNT(nested); i++) {
+        const size_t length = strlen(nested[i].open);
+        texts[i] = test_array(strlen(nested[i].before) + DEPTH * length + 1, 1);
+        char *to = texts[i] + sprintf(texts[i], "%s", nested[i].before);
+        for (int k = 0; k < DEPTH; k++, to += length)
+            memcpy(to, nested[i].open, length);
+    }
+    CHECK(pthread_attr_init(&attributes) == 0);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    CHECK(pthread_attr_setstacksize(&attributes, STACK) == 0);
+#endif
+    CHECK(pthread_create(&thread, &attributes, read_all_small, texts) == 0);
+    CHECK(pthread_join(thread, NULL) == 0);
+    pthread_attr_destroy(&attributes);
+}
+
+/* ---- time ---- */
+
+/* Copy text with numbers in the place of @ and ^. */
+static char *copy_with(char *to, const char *text, int number, int count)
+{
+    for (; *text; text++)
+        if (*text == '@' || *text == '^')
+            to += sprintf(to, "%d", *text == '@' ? number : count);
+        else
+            *to++ = *text;
+    *to = '\0';
+    return to;
+}
+
+static double seconds_to_read(int f, int count)
+{
+    const every *e = &every_format[f];
+    const size_t one = strlen(e->again) + 32;
+    char *text = test_array(strlen(e->before) + (size_t)count * one + strlen(e->after) + 64, 1);
+    char *to = copy_with(text, e->before, 0, count);
+    for (int k = 0; k < count; k++)
+        to = copy_with(to, e->again, k + 1000, count);
+    strcpy(to, e->after);
+    double best = 1e9;
+    for (int attempt = 0; attempt < 3; attempt++) {
+        batten_model *model = NULL;
+        const clock_t start = clock();
+        const batten_status status = read_text(text, e->format, NULL, &model);
+        best = fmin(best, (double)(clock() - start) / CLOCKS_PER_SEC);
+        CHECK_INT(status, BATTEN_OK);
+        batten_model_unref(model);
+    }
+    return best;
+}
+
+/* Four times as much takes four times as long; were it quadratic, sixteen times. */
+TEST(S3_each_reader_takes_time_in_proportion_to_the_file)
+{
+    enum { FEW = 2000 };
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        if (every_format[f].again) {
+            const double one = seconds_to_read(f, FEW), four = seconds_to_read(f, 4 * FEW);
+            if (four > 10 * fmax(one, 1e-3))
+                printf("%s: %g s, then %g s\n", batten_format_name(every_format[f].format), one,
+                       four);
+            CHECK(four <= 10 * fmax(one, 1e-3));
+        }
+}
