@@ -79,7 +79,8 @@ BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
                                                  const batten_object *object,
                                                  const batten_affine *map);
 /** The same model with instances replaced by what they place, named "instance/object"; the
- * model itself when it has none.
+ * model itself when it has none. Objects without a layer or a colour have that of the instance,
+ * and are hidden when an instance around them is.
  * @return TOO_LARGE for more than a million objects */
 BATTEN_API batten_status batten_model_flat(const batten_model *model, batten_model **out);
 /** How deep instances lie within instances: 0 without any. */

@@ -81,12 +81,15 @@ typedef struct batten_picture_options {
     double distance;        /**< of the eye from the middle of what is drawn, model units, for
                                  perspective in line drawings; 0: parallel projection */
     double stereo_angle;    /**< between both eyes, radians; 5 degrees */
+    batten_notes *notes;    /**< receives faces of bodies that cannot be drawn; NULL */
 } batten_picture_options;
 BATTEN_API batten_picture_options batten_picture_defaults(void);
 
 /**
- * Draw points, offsets, curves and the isoparametric lines of surfaces as lines, both axes at
- * one scale. Up to eight objects are told apart by colours, more are named where they end.
+ * Draw points, offsets, curves, the isoparametric lines of surfaces, the edges of bodies and
+ * those of meshes where they end or turn by more than 30 degrees as lines, both axes at one
+ * scale. Instances are drawn where they are placed; hidden objects only when all are. Up to
+ * eight objects are told apart by colours, more are named where they end.
  * @return BATTEN_OK, BAD_ARGUMENT (no objects, sizes), NOT_FINITE, TOO_LARGE, OVERFLOW,
  * OUT_OF_MEMORY
  */

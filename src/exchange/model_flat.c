@@ -3,6 +3,7 @@
 
 #include <batten/model.h>
 #include <batten/text.h>
+#include <string.h>
 
 enum { MOST_OBJECTS = 1000000, DEEPEST = 32 };
 
@@ -12,6 +13,8 @@ typedef struct {
     batten_affine place;
     int next;
     size_t name_length; /* of the path so far */
+    batten_object look; /* what instances give to objects without a layer and colour of their
+                           own; hidden when any of them is */
 } level;
 
 typedef struct {
@@ -28,9 +31,23 @@ static void set_name(flattening *f, const char *name)
     batten_text_add(&f->path, "%s%s", f->path.length ? "/" : "", name);
 }
 
+/* The object with what the instances around it say of its looks. */
+static batten_object dressed(const batten_object *object, const batten_object *look)
+{
+    batten_object made = *object;
+    made.is_hidden |= look->is_hidden;
+    if (!object->has_colour && look->has_colour) {
+        made.has_colour = true;
+        memcpy(made.colour, look->colour, sizeof made.colour);
+    }
+    if (!*object->layer && look->layer)
+        made.layer = look->layer;
+    return made;
+}
+
 static batten_status add_object(flattening *f, const batten_object *object)
 {
-    batten_object named = *object;
+    batten_object named = dressed(object, &f->levels[f->depth].look);
     if (batten_model_count(f->made) == MOST_OBJECTS)
         return bat_fail(BATTEN_TOO_LARGE, "the instances place more than %d objects",
                         MOST_OBJECTS);
@@ -61,7 +78,8 @@ static batten_status add_all(flattening *f)
         f->levels[++f->depth] =
             (level){.model = object->definition,
                     .place = batten_affine_compose(object->place, at->place),
-                    .name_length = f->path.length};
+                    .name_length = f->path.length,
+                    .look = dressed(object, &at->look)};
     }
     return status;
 }

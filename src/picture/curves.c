@@ -1,5 +1,6 @@
 #include "picture/axes.h"
 #include "picture/drawing.h"
+#include "picture/flat.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -94,9 +95,10 @@ static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
         return gather_stations(s);
     case BATTEN_OBJECT_TRIANGLES:
         return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
-    case BATTEN_OBJECT_POINTS:
-    case BATTEN_OBJECT_BODY: /* the model was made flat, and its bodies and meshes lines */
     case BATTEN_OBJECT_MESH:
+        return bat_stroke_mesh(s->object->mesh, BAT_MESH_EDGES_OR_ALL, NULL, &s->lines);
+    case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_BODY: /* the model was made flat, and its bodies meshes */
     case BATTEN_OBJECT_INSTANCE:
         break;
     }
@@ -579,10 +581,17 @@ void bat_drawing_free(bat_drawing *d)
 batten_status batten_draw(const batten_model *model, const batten_picture_options *options,
                           char **data, size_t *size)
 {
-    bat_drawing d = {.model = model, .options = options};
-    batten_status status = bat_drawing_prepare(&d);
+    bat_drawing d = {.options = options};
+    batten_model *flat = NULL;
+    batten_status status = bat_canvas_check_size(options->width, options->height);
+    if (status == BATTEN_OK)
+        status = bat_picture_model(model, options, NULL, &flat);
+    d.model = flat;
+    if (status == BATTEN_OK)
+        status = bat_drawing_prepare(&d);
     if (status == BATTEN_OK)
         status = draw_picture(&d, data, size);
     bat_drawing_free(&d);
+    batten_model_unref(flat);
     return status;
 }

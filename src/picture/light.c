@@ -126,3 +126,19 @@ bat_light bat_light_curvature(const bat_scene *scene, double curvature, const do
                                                : bat_colour_diverging(curvature / scene->range);
     return times(bat_light_of(colour), 0.55 + 0.5 * diffuse(scene, n));
 }
+
+bat_light bat_light_of_sample(const bat_scene *scene, bat_light albedo, double curvature,
+                              const double n[3])
+{
+    switch (scene->shading) {
+    case BATTEN_SHADING_ZEBRA:
+        return bat_light_zebra(scene, n);
+    case BATTEN_SHADING_ISOPHOTES:
+        return bat_light_isophotes(scene, n);
+    case BATTEN_SHADING_GAUSSIAN:
+    case BATTEN_SHADING_MEAN:
+        return bat_light_curvature(scene, curvature, n);
+    default:
+        return bat_light_plain(scene, albedo, n);
+    }
+}

@@ -40,4 +40,8 @@ bat_light bat_light_curvature(const bat_scene *scene, double curvature, const do
 /* The same without light, sRGB, for t in -1 .. 1. */
 bat_colour bat_colour_diverging(double t);
 
+/* What the shading of the scene makes of a sample: one of these. */
+bat_light bat_light_of_sample(const bat_scene *scene, bat_light albedo, double curvature,
+                              const double n[3]);
+
 #endif

@@ -1,4 +1,6 @@
+#include "picture/flat.h"
 #include "picture/light.h"
+#include "picture/mesh_solid.h"
 #include "picture/raster.h"
 #include "picture/sheet.h"
 #include "picture/smooth_edges.h"
@@ -39,8 +41,9 @@ typedef struct {
     const batten_job *job;
     bat_view view;
     bat_scene scene;
-    int solid_count;
+    int solid_count, mesh_count;
     solid *solids;
+    bat_mesh_solid *meshes;
     bat_strokes curves; /* and rows of points; after fit_picture in samples too */
     style *styles;
     double least, greatest; /* raw curvatures */
@@ -72,26 +75,32 @@ static double diagonal(const batten_box *box)
                  box->high.z - box->low.z);
 }
 
-/* The box of the surfaces; their count, 0 when there is none. */
-static int surfaces_box(const batten_model *model, batten_box *box)
+static void extend(batten_box *box, const batten_box *b, bool is_first)
 {
-    int count = 0;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (!is_surface(object))
-            continue;
-        const batten_box b = batten_surface_box(object->surface);
-        if (count++ == 0) {
-            *box = b;
-            continue;
-        }
-        box->low = (batten_vec3){bat_min(box->low.x, b.low.x), bat_min(box->low.y, b.low.y),
-                                 bat_min(box->low.z, b.low.z)};
-        box->high =
-            (batten_vec3){bat_max(box->high.x, b.high.x), bat_max(box->high.y, b.high.y),
-                          bat_max(box->high.z, b.high.z)};
+    if (is_first) {
+        *box = *b;
+        return;
     }
-    return count;
+    box->low = (batten_vec3){bat_min(box->low.x, b->low.x), bat_min(box->low.y, b->low.y),
+                             bat_min(box->low.z, b->low.z)};
+    box->high = (batten_vec3){bat_max(box->high.x, b->high.x), bat_max(box->high.y, b->high.y),
+                              bat_max(box->high.z, b->high.z)};
+}
+
+/* Count the surfaces and meshes, and find their box. */
+static void count_shapes(picture *p, batten_box *box)
+{
+    for (int i = 0; i < batten_model_count(p->model); i++) {
+        const batten_object *object = batten_model_object(p->model, i);
+        const bool is_mesh = object->kind == BATTEN_OBJECT_MESH;
+        if (!is_mesh && !is_surface(object))
+            continue;
+        const batten_box b =
+            is_mesh ? batten_mesh_box(object->mesh) : batten_surface_box(object->surface);
+        extend(box, &b, p->solid_count + p->mesh_count == 0);
+        p->solid_count += !is_mesh;
+        p->mesh_count += is_mesh;
+    }
 }
 
 static bat_colour colour_of(const batten_object *object, bat_colour otherwise)
@@ -152,6 +161,25 @@ static batten_status gather_solids(picture *p, double size)
         status = make_solid(p, object, size, &p->solids[count]);
         p->solids[count].smooth = p->smooth[i];
         p->solids[count++].albedo = bat_light_of(colour_of(object, soft));
+    }
+    return status;
+}
+
+static batten_status gather_meshes(picture *p)
+{
+    const bool all_edges = p->options->shading == BATTEN_SHADING_ISOLINES;
+    const int wanted = p->mesh_count;
+    p->mesh_count = 0;
+    p->meshes = bat_array((size_t)wanted, sizeof *p->meshes);
+    batten_status status = p->meshes ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < batten_model_count(p->model) && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(p->model, i);
+        if (object->kind != BATTEN_OBJECT_MESH)
+            continue;
+        status = bat_mesh_solid_make(object->mesh, all_edges, &p->scene,
+                                     bat_light_of(colour_of(object, soft)),
+                                     &p->meshes[p->mesh_count]);
+        p->mesh_count += status == BATTEN_OK;
     }
     return status;
 }
@@ -252,22 +280,28 @@ static batten_status choose_range(picture *p, double size)
 
 /* ---- from space to samples ---- */
 
-static void project_points(const bat_view *view, size_t count, double *points, double low[2],
-                           double high[2])
+typedef struct {
+    const bat_view *view;
+    double low[2], high[2];
+} projection;
+
+static void project_points(void *user, size_t count, double *points)
 {
+    projection *to = user;
     for (size_t i = 0; i < count; i++) {
         double q[3];
-        bat_view_project(view, points + 3 * i, q);
+        bat_view_project(to->view, points + 3 * i, q);
         memcpy(points + 3 * i, q, sizeof q);
         for (int k = 0; k < 2; k++) {
-            low[k] = bat_min(low[k], q[k]);
-            high[k] = bat_max(high[k], q[k]);
+            to->low[k] = bat_min(to->low[k], q[k]);
+            to->high[k] = bat_max(to->high[k], q[k]);
         }
     }
 }
 
-static void move_points(const bat_plot *plot, size_t count, double *points)
+static void move_points(void *user, size_t count, double *points)
 {
+    const bat_plot *plot = user;
     for (size_t i = 0; i < count; i++) {
         double *p = points + 3 * i;
         p[0] = BAT_SAMPLES * bat_plot_x(plot, p[0]);
@@ -287,26 +321,36 @@ static bat_rectangle stage(const picture *p)
                            bat_max(o->height - top - bottom, 8)};
 }
 
+typedef void change_points(void *user, size_t count, double *points);
+
+static void change_strokes(const bat_strokes *strokes, change_points *change, void *user)
+{
+    for (size_t i = 0; i < strokes->count; i++)
+        change(user, strokes->strokes[i].count, strokes->strokes[i].points);
+}
+
+static void change_all(const picture *p, change_points *change, void *user)
+{
+    for (int i = 0; i < p->solid_count; i++) {
+        const bat_tiles *t = &p->solids[i].tiles;
+        change(user, t->count_u * t->count_v, t->points);
+    }
+    for (int i = 0; i < p->mesh_count; i++) {
+        change(user, (size_t)p->meshes[i].mesh->vertex_count, p->meshes[i].points);
+        change_strokes(&p->meshes[i].lines, change, user);
+    }
+    change_strokes(&p->curves, change, user);
+}
+
 static batten_status fit_picture(picture *p)
 {
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < p->solid_count; i++) {
-        const bat_tiles *t = &p->solids[i].tiles;
-        project_points(&p->view, t->count_u * t->count_v, t->points, low, high);
-    }
-    for (size_t i = 0; i < p->curves.count; i++)
-        project_points(&p->view, p->curves.strokes[i].count, p->curves.strokes[i].points, low,
-                       high);
-    const bat_plot plot = bat_plot_fit(stage(p), low, high);
+    projection seen = {&p->view, {HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
+    change_all(p, project_points, &seen);
+    bat_plot plot = bat_plot_fit(stage(p), seen.low, seen.high);
     if (!isfinite(plot.x0) || !isfinite(plot.y0) || !(plot.scale > 0))
         return bat_fail(BATTEN_OVERFLOW, "coordinates from %g to %g are too large to draw",
-                        low[0], high[0]);
-    for (int i = 0; i < p->solid_count; i++) {
-        const bat_tiles *t = &p->solids[i].tiles;
-        move_points(&plot, t->count_u * t->count_v, t->points);
-    }
-    for (size_t i = 0; i < p->curves.count; i++)
-        move_points(&plot, p->curves.strokes[i].count, p->curves.strokes[i].points);
+                        seen.low[0], seen.high[0]);
+    change_all(p, move_points, &plot);
     return BATTEN_OK;
 }
 
@@ -339,15 +383,7 @@ static void shade_solid(const void *user, const bat_fragment *f, float colour[3]
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : s->scene->eye[k];
 
-    bat_light light;
-    if (s->scene->shading == BATTEN_SHADING_ZEBRA)
-        light = bat_light_zebra(s->scene, n);
-    else if (s->scene->shading == BATTEN_SHADING_ISOPHOTES)
-        light = bat_light_isophotes(s->scene, n);
-    else if (curvature_of(s->scene->shading) != BAT_CURVATURE_NONE)
-        light = bat_light_curvature(s->scene, f->value[CURVATURE], n);
-    else
-        light = bat_light_plain(s->scene, s->albedo, n);
+    const bat_light light = bat_light_of_sample(s->scene, s->albedo, f->value[CURVATURE], n);
     const double ink = is_on_line(s, f, 0) || is_on_line(s, f, 1) ? 0.12 : 1;
     put((bat_light){ink * light.red, ink * light.green, ink * light.blue}, colour);
 }
@@ -439,6 +475,15 @@ static void fill_edges(bat_raster *band, const solid *s)
         fill_edge(band, s, n - 1, n, m);
 }
 
+static void fill_mesh_lines(bat_raster *band, const bat_mesh_solid *m)
+{
+    const bat_light a = m->albedo, ink = {0.05 * a.red, 0.05 * a.green, 0.05 * a.blue};
+    const double half = 0.7 * BAT_SAMPLES, nearer = 2 * BAT_SAMPLES;
+    for (size_t i = 0; i < m->lines.count; i++)
+        fill_segment(band, m->lines.strokes[i].points, m->lines.strokes[i].points + 3, half,
+                     nearer, &ink);
+}
+
 /* A disc that faces the eye, before the surface by its radius: a point on it, or near it, is
  * seen whole. */
 static void fill_dot(bat_raster *band, const double *at, const style *i)
@@ -507,8 +552,12 @@ static batten_status fill_image(const picture *p, bat_canvas *canvas)
         bat_raster_begin(&band, y * BAT_SAMPLES, height * BAT_SAMPLES, top, bottom);
         for (int i = 0; i < p->solid_count; i++)
             fill_solid(&band, &p->solids[i]);
+        for (int i = 0; i < p->mesh_count; i++)
+            bat_mesh_solid_fill(&band, &p->meshes[i]);
         for (int i = 0; i < p->solid_count; i++)
             fill_edges(&band, &p->solids[i]);
+        for (int i = 0; i < p->mesh_count; i++)
+            fill_mesh_lines(&band, &p->meshes[i]);
         fill_curves(&band, p);
         bat_raster_resolve(&band, pixels + (size_t)y * stride, stride);
         status = ask(p, (double)y / height);
@@ -606,13 +655,14 @@ static batten_status prepare(picture *p)
 {
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
     const batten_picture_options *o = p->options;
-    p->solid_count = surfaces_box(p->model, &box);
+    count_shapes(p, &box);
     const double size = diagonal(&box);
-    if (p->solid_count == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "none of the %d objects of the model is a surface in space: there is "
-                        "nothing to shade",
-                        batten_model_count(p->model));
+    if (p->solid_count + p->mesh_count == 0)
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "none of the %d objects of the model is a surface in space, a body or a "
+            "mesh: there is nothing to shade",
+            batten_model_count(p->model));
     if (!isfinite(size))
         return bat_fail(BATTEN_OVERFLOW, "coordinates up to %g are too large to draw",
                         box.high.x);
@@ -621,6 +671,8 @@ static batten_status prepare(picture *p)
     p->scene = bat_scene_make(o->shading, &p->view, longest_axis(&box), o->stripes);
 
     batten_status status = gather_solids(p, size);
+    if (status == BATTEN_OK)
+        status = gather_meshes(p);
     if (status == BATTEN_OK)
         status = gather_curves(p);
     if (status == BATTEN_OK && curvature_of(o->shading) != BAT_CURVATURE_NONE)
@@ -633,23 +685,29 @@ batten_status batten_draw_shaded(const batten_model *model,
                                  char **data, size_t *size)
 {
     picture p = {.options = options, .job = job};
-    batten_model *patches = NULL;
+    batten_model *flat = NULL, *patches = NULL;
     batten_status status = check_options(options);
     if (status == BATTEN_OK)
-        status = batten_model_with_patches(model, BATTEN_PATCHES_POLE, &patches);
+        status = bat_picture_model(model, options, job, &flat);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(flat, BATTEN_PATCHES_POLE, &patches);
     p.model = patches;
     if (status == BATTEN_OK)
-        status = bat_smooth_edges(model, patches, &p.smooth);
+        status = bat_smooth_edges(flat, patches, &p.smooth);
     if (status == BATTEN_OK)
         status = prepare(&p);
     if (status == BATTEN_OK)
         status = make_picture(&p, data, size);
     for (int i = 0; p.solids && i < p.solid_count; i++)
         bat_tiles_free(&p.solids[i].tiles);
+    for (int i = 0; p.meshes && i < p.mesh_count; i++)
+        bat_mesh_solid_free(&p.meshes[i]);
     bat_release(p.solids);
+    bat_release(p.meshes);
     bat_release(p.smooth);
     bat_strokes_free(&p.curves);
     bat_release(p.styles);
     batten_model_unref(patches);
+    batten_model_unref(flat);
     return status;
 }

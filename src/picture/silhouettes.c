@@ -76,6 +76,15 @@ static batten_status add_object(bat_wires *w, const bat_eye *eye, int object)
     return status;
 }
 
+static batten_status add_outline(bat_wires *w, const bat_eye *eye, int object)
+{
+    bat_mesh_eye at = {.is_far = !(eye->distance > 0)};
+    for (int k = 0; k < 3; k++)
+        at.at[k] =
+            at.is_far ? eye->view.eye[k] : eye->centre[k] + eye->distance * eye->view.eye[k];
+    return bat_wires_add_mesh(w, BAT_WIRE_SILHOUETTE, object, BAT_MESH_OUTLINE, &at);
+}
+
 static bool is_same(const bat_eye *a, const bat_eye *b)
 {
     bool same = a->distance == b->distance;
@@ -91,9 +100,13 @@ batten_status bat_wires_add_silhouettes(bat_wires *w, const bat_eye *eye)
     bat_wires_drop(w, w->lasting);
     w->has_silhouettes = false;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++)
-        if (w->options->silhouettes && bat_wires_shows(batten_model_object(w->model, i)))
+    for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++) {
+        const batten_object *object = batten_model_object(w->model, i);
+        if (w->options->silhouettes && bat_wires_shows(object))
             status = add_object(w, eye, i);
+        else if (w->options->silhouettes && object->kind == BATTEN_OBJECT_MESH)
+            status = add_outline(w, eye, i);
+    }
     w->has_silhouettes = status == BATTEN_OK;
     w->silhouettes_of = *eye;
     return status;

@@ -29,6 +29,23 @@ batten_status bat_stroke_isoline_within(const batten_surface *surface,
  * coordinate is constant: with one triangle `isolines` - 1 for each, fewer with more. */
 batten_status bat_stroke_triangles(const batten_triangles *triangles, int isolines,
                                    bat_strokes *lines);
+/* Which edges of a mesh are drawn: where it ends or turns by more than 30 degrees, of a body's
+ * mesh those between its faces; these, or all when there are none; all; those between triangles
+ * that face the eye and others. */
+typedef enum {
+    BAT_MESH_EDGES,
+    BAT_MESH_EDGES_OR_ALL,
+    BAT_MESH_ALL,
+    BAT_MESH_OUTLINE
+} bat_mesh_lines;
+typedef struct {
+    double at[3]; /* of the eye; far away: the direction to it */
+    bool is_far;
+} bat_mesh_eye;
+batten_status bat_stroke_mesh(const batten_mesh *mesh, bat_mesh_lines which,
+                              const bat_mesh_eye *eye, bat_strokes *lines);
+/* Of unit length; 0 of a triangle without area. */
+void bat_triangle_normal(const batten_mesh_parts *mesh, int triangle, double n[3]);
 /* Does the isoline shrink to a point, as at a pole? */
 bool bat_stroke_is_point(const bat_stroke *stroke, double tolerance);
 void bat_stroke_free(bat_stroke *stroke);

@@ -1,5 +1,6 @@
 /* Line drawings of surfaces on a sheet: one view, three views, or a stereo pair. */
 #include "picture/axes.h"
+#include "picture/flat.h"
 #include "picture/wires.h"
 
 #include <stdio.h>
@@ -452,10 +453,12 @@ batten_status batten_draw_surface_lines(const batten_model *model,
     drawing d = {.options = options,
                  .wires = {.options = options, .job = job},
                  .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
-    batten_model *patches = NULL; /* triangles as surfaces with a pole */
+    batten_model *flat = NULL, *patches = NULL; /* triangles as surfaces with a pole */
     batten_status status = check_options(options);
     if (status == BATTEN_OK)
-        status = batten_model_with_patches(model, BATTEN_PATCHES_POLE, &patches);
+        status = bat_picture_model(model, options, job, &flat);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(flat, BATTEN_PATCHES_POLE, &patches);
     d.wires.model = patches;
     if (status == BATTEN_OK)
         status = prepare(&d);
@@ -463,5 +466,6 @@ batten_status batten_draw_surface_lines(const batten_model *model,
         status = make_sheet(&d, data, size);
     bat_wires_free(&d.wires);
     batten_model_unref(patches);
+    batten_model_unref(flat);
     return status;
 }

@@ -68,27 +68,67 @@ static size_t tile_points(const bat_tiles *t)
     return t->count_u * t->count_v;
 }
 
+static const batten_mesh_parts *mesh_of(const bat_wires *w, int object)
+{
+    const batten_object *o = batten_model_object(w->model, object);
+    return o->kind == BATTEN_OBJECT_MESH ? batten_mesh_view(o->mesh) : NULL;
+}
+
+static void count_room(const bat_wires *w, size_t *points, size_t *facets)
+{
+    *points = *facets = 0;
+    for (int i = 0; i < batten_model_count(w->model); i++) {
+        const batten_mesh_parts *mesh = mesh_of(w, i);
+        *points += mesh ? (size_t)mesh->vertex_count : tile_points(&w->tiles[i]);
+        *facets += mesh ? (size_t)mesh->triangle_count : 2 * tile_points(&w->tiles[i]);
+    }
+}
+
+/* Triangles are plane and hide all that is behind them; curves that they come near to, as those
+ * of the shape that they were made from, are not. */
+static void add_mesh(bat_facets *f, const batten_mesh_parts *mesh, size_t base)
+{
+    for (size_t i = 0; i < (size_t)mesh->triangle_count; i++) {
+        const int *c = mesh->corners + 3 * i;
+        add_facet(f, base + (size_t)c[0], base + (size_t)c[1], base + (size_t)c[2], 0.3);
+    }
+}
+
+typedef struct {
+    const bat_eye *eye;
+    double scale, x0, y0;
+} sheet;
+
+static void add_points(bat_facets *f, const sheet *s, size_t count, const double *points)
+{
+    for (size_t k = 0; k < count; k++) {
+        double q[3], *p = f->points + 3 * f->point_count++;
+        bat_eye_project(s->eye, points + 3 * k, q);
+        p[0] = s->x0 + s->scale * q[0];
+        p[1] = s->y0 - s->scale * q[1];
+        p[2] = s->scale * q[2];
+    }
+}
+
 batten_status bat_wires_facets(const bat_wires *w, const bat_eye *eye, double scale, double x0,
                                double y0, bat_facets *out)
 {
-    const int count = batten_model_count(w->model);
+    const sheet s = {eye, scale, x0, y0};
     bat_facets f = {0};
-    for (int i = 0; i < count; i++)
-        f.capacity += 2 * tile_points(&w->tiles[i]);
-    f.points = bat_array3(f.capacity / 2, 3, sizeof *f.points);
+    size_t points = 0;
+    count_room(w, &points, &f.capacity);
+    f.points = bat_array3(points, 3, sizeof *f.points);
     f.facets = bat_array(f.capacity, sizeof *f.facets);
     batten_status status = f.points && f.facets ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+    for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++) {
+        const batten_mesh_parts *mesh = mesh_of(w, i);
         const bat_tiles *t = &w->tiles[i];
         const size_t base = f.point_count;
-        for (size_t k = 0; k < tile_points(t); k++) {
-            double q[3], *p = f.points + 3 * f.point_count++;
-            bat_eye_project(eye, t->points + 3 * k, q);
-            p[0] = x0 + scale * q[0];
-            p[1] = y0 - scale * q[1];
-            p[2] = scale * q[2];
-        }
-        if (tile_points(t) > 0)
+        add_points(&f, &s, mesh ? (size_t)mesh->vertex_count : tile_points(t),
+                   mesh ? mesh->points : t->points);
+        if (mesh)
+            add_mesh(&f, mesh, base);
+        else if (tile_points(t) > 0)
             add_tiles(&f, t, base);
     }
     if (status == BATTEN_OK)

@@ -314,12 +314,14 @@ batten_status bat_wires_measure(bat_wires *w)
 {
     int count = 0;
     for (int i = 0; i < batten_model_count(w->model); i++)
-        count += bat_wires_shows(batten_model_object(w->model, i));
+        count += bat_wires_shows(batten_model_object(w->model, i)) ||
+                 batten_model_object(w->model, i)->kind == BATTEN_OBJECT_MESH;
     if (count == 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "none of the %d objects of the model is a surface in space: nothing "
-                        "hides a line",
-                        batten_model_count(w->model));
+        return bat_fail(
+            BATTEN_BAD_ARGUMENT,
+            "none of the %d objects of the model is a surface in space, a body or a "
+            "mesh: nothing hides a line",
+            batten_model_count(w->model));
     batten_model_box(w->model, &w->box);
     const batten_vec3 a = w->box.low, b = w->box.high;
     w->size = hypot(hypot(b.x - a.x, b.y - a.y), b.z - a.z);
@@ -349,6 +351,33 @@ static batten_status gather_object(bat_wires *w, int i, int surfaces)
     return status;
 }
 
+batten_status bat_wires_add_mesh(bat_wires *w, bat_wire_kind kind, int object,
+                                 bat_mesh_lines which, const bat_mesh_eye *eye)
+{
+    bat_strokes lines = {0};
+    batten_status status =
+        bat_stroke_mesh(batten_model_object(w->model, object)->mesh, which, eye, &lines);
+    for (size_t i = 0; i < lines.count && status == BATTEN_OK; i++) {
+        status = bat_wires_add(w, kind, object, 0, lines.strokes[i]);
+        lines.strokes[i] = (bat_stroke){0, NULL}; /* taken over */
+    }
+    bat_strokes_free(&lines);
+    return status;
+}
+
+/* After the edges of surfaces, which are compared with those that are there. A smooth mesh is
+ * seen by its silhouettes, when these are drawn. */
+static batten_status gather_meshes(bat_wires *w)
+{
+    const bat_mesh_lines which =
+        w->options->silhouettes ? BAT_MESH_EDGES : BAT_MESH_EDGES_OR_ALL;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++)
+        if (batten_model_object(w->model, i)->kind == BATTEN_OBJECT_MESH)
+            status = bat_wires_add_mesh(w, BAT_WIRE_EDGE, i, which, NULL);
+    return status;
+}
+
 batten_status bat_wires_gather(bat_wires *w, double scale)
 {
     const int count = batten_model_count(w->model);
@@ -362,6 +391,8 @@ batten_status bat_wires_gather(bat_wires *w, double scale)
     batten_status status = w->tiles ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count && status == BATTEN_OK; i++)
         status = gather_object(w, i, surfaces);
+    if (status == BATTEN_OK)
+        status = gather_meshes(w);
     if (status == BATTEN_OK && w->options->contours)
         status = add_all_contours(w);
     w->lasting = w->count;

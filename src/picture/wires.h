@@ -66,6 +66,10 @@ batten_status bat_wires_add_contour(bat_wires *wires, bat_wire_kind kind, int ob
                                     double value, const batten_polyline *line);
 void bat_wires_drop(bat_wires *wires, size_t count);
 
+/* Edges of a mesh, each as a wire. */
+batten_status bat_wires_add_mesh(bat_wires *wires, bat_wire_kind kind, int object,
+                                 bat_mesh_lines which, const bat_mesh_eye *eye);
+
 /* Is it a surface that is drawn? */
 bool bat_wires_shows(const batten_object *object);
 

@@ -90,9 +90,15 @@ static batten_picture_options options_of(const bat_run *run)
 static bool has_surfaces(const batten_model *model)
 {
     for (int i = 0; i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_SURFACE ||
-            batten_model_object(model, i)->kind == BATTEN_OBJECT_TRIANGLES)
+        switch (batten_model_object(model, i)->kind) {
+        case BATTEN_OBJECT_SURFACE:
+        case BATTEN_OBJECT_TRIANGLES:
+        case BATTEN_OBJECT_BODY:
+        case BATTEN_OBJECT_MESH:
             return true;
+        default:
+            break;
+        }
     return false;
 }
 
@@ -111,7 +117,7 @@ static batten_status draw(bat_run *run, const batten_model *model,
         return bat_fail(BATTEN_UNSUPPORTED, "shaded pictures are written as .png, not as '%s'",
                         run->name);
     if (wanted && !has_surfaces(model))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'shading' needs a surface");
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'shading' needs a surface, body or mesh");
     if (wants_lines(options) && wanted)
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
@@ -136,6 +142,7 @@ static batten_status run(bat_run *run)
     batten_model *model = NULL;
     if (!batten_picture_format_of_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
+    options.notes = run->notes;
     batten_status status = bat_merge(run, "picture", &model);
     if (status == BATTEN_OK)
         status = draw(run, model, &options);
@@ -145,10 +152,13 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_picture = {
     .shown =
-        {"picture", "A drawing of curves, a shaded picture of surfaces",
+        {"picture", "A drawing of curves, a shaded picture of surfaces, bodies, meshes",
          "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
-         "surfaces\n"
-         "shaded as .png, with dots for points, else as isoparametric lines. With 'hidden',\n"
+         "surfaces,\n"
+         "bodies and meshes shaded as .png, with dots for points, else as isoparametric lines "
+         "and "
+         "edges; small\n"
+         "meshes with all edges of their triangles unless 'shading' is plain. With 'hidden',\n"
          "'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in every "
          "format.",
          "features:\n"
