@@ -46,6 +46,7 @@ typedef struct {
     int *edge_uses;      /* [use_count] uses in the order of their edges */
     bat_sheet *sheets;   /* [face_count] */
     bool *failed;        /* [face_count] */
+    bool *spread;        /* [face_count] border corners are where the edges are, see rim.h */
     bat_pairs taken;     /* directed edges between points of edges */
 
     int triangle_count, triangle_room;

@@ -88,8 +88,9 @@ static batten_status make_lists(bat_meshing *m)
     m->edge_uses = bat_array((size_t)p->use_count, sizeof *m->edge_uses);
     m->sheets = bat_array((size_t)p->face_count, sizeof *m->sheets);
     m->failed = bat_array((size_t)p->face_count, sizeof *m->failed);
+    m->spread = bat_array((size_t)p->face_count, sizeof *m->spread);
     if (!m->edges || !m->use_face || !m->edge_first || !m->edge_uses || !m->sheets ||
-        !m->failed)
+        !m->failed || !m->spread)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < p->face_count; i++) {
         const batten_body_face *face = &p->faces[i];
@@ -125,6 +126,7 @@ static void release_all(bat_meshing *m)
     bat_release(m->edge_uses);
     bat_release(m->sheets);
     bat_release(m->failed);
+    bat_release(m->spread);
     bat_pairs_end(&m->taken);
     bat_release(m->corners);
     bat_release(m->normals);
@@ -133,7 +135,8 @@ static void release_all(bat_meshing *m)
 
 /* ---- borders ---- */
 
-enum { MOST_ROUNDS = 12 };
+/* When finer samples alone have not helped for some rounds, corners are spread. */
+enum { SPREAD_ROUND = 4, MOST_ROUNDS = 12 };
 
 /* Edges of different curves between the same two vertices must not be one edge of the mesh. */
 static batten_status find_twins(const bat_meshing *m, bat_pairs *splits)
@@ -241,7 +244,9 @@ static batten_status try_border(bat_meshing *m, int face, bat_pairs *splits, boo
     return status;
 }
 
-static batten_status try_borders(bat_meshing *m, bat_pairs *splits, bool last, bool *ask)
+/* *any: some face is to be tried again. */
+static batten_status try_borders(bat_meshing *m, bat_pairs *splits, int round, bool *ask,
+                                 bool *any)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < m->parts->face_count; i++) {
@@ -255,8 +260,10 @@ static batten_status try_borders(bat_meshing *m, bat_pairs *splits, bool last, b
             simple = true;
         }
         ask[i] = !simple;
-        if (!simple && last && status == BATTEN_OK)
+        if (!simple && round == MOST_ROUNDS && status == BATTEN_OK)
             give_up(m, i, "its border crosses or touches itself in (u, v)");
+        if (!simple && round == SPREAD_ROUND)
+            *any = m->spread[i] = true;
     }
     return status;
 }
@@ -278,7 +285,7 @@ static batten_status settle_borders(bat_meshing *m)
         any = false;
         status = find_twins(m, &splits);
         if (status == BATTEN_OK)
-            status = try_borders(m, &splits, last, ask);
+            status = try_borders(m, &splits, round, ask, &any);
         if (status == BATTEN_OK && !last)
             status = apply_splits(m, &splits, ask, &any);
     }

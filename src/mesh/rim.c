@@ -19,7 +19,35 @@ static batten_status add_corner(bat_rim *rim, const bat_rim_corner *corner)
     return BATTEN_OK;
 }
 
-static batten_status add_samples(bat_rim *rim, const bat_meshing *m, const batten_body_use *use)
+/* By the step of Gauss and Newton to the foot of the point; steps of a twentieth of the domain
+ * or more, as near poles, are not taken. */
+static batten_status spread(const bat_sheet *sheet, const double *point, double uv[2])
+{
+    double d[9], at[2] = {uv[0], uv[1]}, aa = 0, ab = 0, bb = 0, ar = 0, br = 0;
+    bat_sheet_wrap(sheet, at);
+    const batten_status status = batten_surface_evaluate(sheet->surface, at[0], at[1], 1, d);
+    if (status != BATTEN_OK)
+        return status;
+    for (int k = 0; k < 3; k++) {
+        const double off = point[k] - d[k];
+        aa += d[3 + k] * d[3 + k];
+        ab += d[3 + k] * d[6 + k];
+        bb += d[6 + k] * d[6 + k];
+        ar += d[3 + k] * off;
+        br += d[6 + k] * off;
+    }
+    const double det = aa * bb - ab * ab;
+    const double step[2] = {(bb * ar - ab * br) / det, (aa * br - ab * ar) / det};
+    for (int k = 0; k < 2; k++)
+        if (!(det > 0 && fabs(step[k]) < (sheet->domain[k].b - sheet->domain[k].a) / 20))
+            return BATTEN_OK;
+    uv[0] += step[0];
+    uv[1] += step[1];
+    return BATTEN_OK;
+}
+
+static batten_status add_samples(bat_rim *rim, const bat_meshing *m, int face,
+                                 const batten_body_use *use)
 {
     const bat_polyline *line = &m->edges[use->edge];
     batten_status status = BATTEN_OK;
@@ -29,6 +57,8 @@ static batten_status add_samples(bat_rim *rim, const bat_meshing *m, const batte
                                  .edge = use->edge,
                                  .segment = use->reversed ? at - 1 : at};
         status = batten_curve_evaluate(use->parameters, line->t[at], 0, corner.uv);
+        if (status == BATTEN_OK && m->spread[face])
+            status = spread(&m->sheets[face], m->points[corner.vertex], corner.uv);
         if (status == BATTEN_OK)
             status = add_corner(rim, &corner);
     }
@@ -127,7 +157,7 @@ batten_status bat_rim_begin(bat_rim *rim, const bat_meshing *m, int face,
         const int first = rim->count;
         for (int k = 0; status == BATTEN_OK && k < loop->count; k++) {
             const batten_body_use *use = &m->parts->uses[loop->first + k];
-            status = m->parts->edges[use->edge].curve ? add_samples(rim, m, use)
+            status = m->parts->edges[use->edge].curve ? add_samples(rim, m, face, use)
                                                       : add_pole(rim, m, use, lattice);
         }
         if (status == BATTEN_OK && rim->count > first)

@@ -22,7 +22,10 @@ typedef struct {
     bool has_poles;
 } bat_rim;
 
-/* @param lattice its seeds on the line of a pole become corners there; NULL: none */
+/* Edges that are off their surface, or beyond its end, may have curves in (u, v) that touch
+ * where they themselves do not. When the face is `spread` each corner is where, by the tangent
+ * plane, the edge is, also beyond the end.
+ * @param lattice its seeds on the line of a pole become corners there; NULL: none */
 batten_status bat_rim_begin(bat_rim *rim, const bat_meshing *m, int face,
                             const bat_lattice *lattice);
 void bat_rim_end(bat_rim *rim);
