@@ -216,6 +216,7 @@ static void note_losses(bat_iges_writing *w, const batten_object *object)
                          "not share their edges%s",
                          parts->face_count,
                          parts->is_solid ? "; that it is a solid is lost" : "");
+    bat_iges_note_ends(w, parts, object->name);
 }
 
 static batten_status write_body(bat_iges_writing *w, const batten_object *object)

@@ -56,6 +56,31 @@ static batten_status along_loop(const batten_curve *curve, bool reversed, bool m
     return status;
 }
 
+static double distance(const double a[3], const double b[3])
+{
+    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* The curve of an edge, clamped, with ends that miss their vertices moved to them, so that
+ * loops, which have no vertices in IGES, close. */
+static batten_status meet_vertices(const bat_iges_writing *w, const batten_body_parts *p,
+                                   const batten_body_edge *edge, batten_curve **out)
+{
+    batten_curve *curve = NULL, *made = NULL;
+    batten_status status = batten_curve_clamp(edge->curve, &curve);
+    for (int end = 0; status == BATTEN_OK && end < 2; end++) {
+        const int last = end ? batten_curve_point_count(curve) - 1 : 0;
+        const double *vertex = p->vertices + 3 * (size_t)edge->vertices[end];
+        if (distance(batten_curve_points(curve) + 3 * (size_t)last, vertex) <= w->tolerance)
+            continue;
+        status = batten_curve_with_point(curve, last, vertex, &made);
+        put_in_place(&curve, &made);
+    }
+    *out = curve;
+    return status;
+}
+
 static batten_status put_member(bat_iges_writing *w, const batten_curve *curve, bool reversed,
                                 bool mirrored, const bat_iges_look *look, int *id)
 {
@@ -64,6 +89,17 @@ static batten_status put_member(bat_iges_writing *w, const batten_curve *curve, 
     if (status == BATTEN_OK)
         *id = bat_iges_put_curve(w, along, 0, *look);
     batten_curve_unref(along);
+    return status;
+}
+
+static batten_status put_edge(bat_iges_writing *w, const batten_body_parts *p,
+                              const batten_body_use *use, int *id)
+{
+    batten_curve *curve = NULL;
+    batten_status status = meet_vertices(w, p, &p->edges[use->edge], &curve);
+    if (status == BATTEN_OK)
+        status = put_member(w, curve, use->reversed, false, &part, id);
+    batten_curve_unref(curve);
     return status;
 }
 
@@ -93,15 +129,14 @@ static batten_status put_members(bat_iges_writing *w, const batten_body_parts *p
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < loop->count; i++) {
         const batten_body_use *use = &p->uses[loop->first + i];
-        const batten_curve *curve = p->edges[use->edge].curve;
-        if (!curve)
+        const batten_body_edge *edge = &p->edges[use->edge];
+        if (!edge->curve)
             continue;
         if (use->parameters)
             status = put_member(w, use->parameters, use->reversed, mirrored, &parameters,
                                 &members[0][counts[0]++]);
         if (status == BATTEN_OK)
-            status =
-                put_member(w, curve, use->reversed, false, &part, &members[1][counts[1]++]);
+            status = put_edge(w, p, use, &members[1][counts[1]++]);
     }
     return status;
 }
@@ -187,4 +222,28 @@ batten_status bat_iges_put_face(bat_iges_writing *w, const batten_body_parts *pa
     }
     batten_surface_unref(surface);
     return status;
+}
+
+void bat_iges_note_ends(const bat_iges_writing *w, const batten_body_parts *parts,
+                        const char *name)
+{
+    int count = 0;
+    double largest = 0;
+    for (int e = 0; e < parts->edge_count; e++)
+        for (int end = 0; end < 2 && parts->edges[e].curve; end++) {
+            const batten_interval domain = batten_curve_domain(parts->edges[e].curve);
+            const double at = end ? domain.b : domain.a;
+            double p[3];
+            if (batten_curve_evaluate(parts->edges[e].curve, at, 0, p) != BATTEN_OK)
+                continue;
+            const double gap =
+                distance(p, parts->vertices + 3 * (size_t)parts->edges[e].vertices[end]);
+            count += gap > w->tolerance;
+            largest = bat_max(largest, gap);
+        }
+    if (count)
+        batten_notes_add(w->notes, "", 0, name,
+                         "%d ends of edges miss their vertices, by %g at most; they are moved "
+                         "to them",
+                         count, largest);
 }

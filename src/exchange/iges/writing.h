@@ -74,5 +74,8 @@ int bat_iges_put_points(bat_iges_writing *w, const double *points, int count, in
 /* A face as a trimmed surface, or, when nothing bounds it, as a surface. */
 batten_status bat_iges_put_face(bat_iges_writing *w, const batten_body_parts *parts, int face,
                                 int name, const bat_iges_look *look, int *id);
+/* Say how many ends of edges were moved to their vertices, and how far. */
+void bat_iges_note_ends(const bat_iges_writing *w, const batten_body_parts *parts,
+                        const char *name);
 
 #endif

@@ -316,6 +316,46 @@ TEST(faces_keep_their_outside_on_surfaces_that_are_reversed_for_them)
     batten_body_unref(body);
 }
 
+TEST(edges_that_miss_their_vertices_are_moved_to_them)
+{
+    static const double miss = 0.05;
+    double vertices[DRILLED_VERTICES][3];
+    batten_body *body = NULL, *loose = NULL;
+    batten_model *model = NULL, *back = NULL;
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_IGES;
+    CHECK_OK(drilled_box(&body));
+    batten_body_parts parts = *batten_body_view(body);
+    memcpy(vertices, drilled_vertices, sizeof vertices);
+    vertices[7][0] += miss; /* in the plane of the top and of the back */
+    parts.vertices = vertices[0];
+    parts.tolerance = miss;
+    CHECK_OK(batten_body_create(&parts, &loose));
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "block", .kind = BATTEN_OBJECT_BODY, .body = loose}));
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    if (batten_notes_dropped(notes) == 0)
+        CHECK(has_note(notes, "3 ends of edges miss their vertices, by 0.05 at most"));
+    CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
+    CHECK_INT(batten_model_count(back), DRILLED_FACES);
+    const batten_body_parts *top = batten_body_view(batten_model_object(back, 5)->body);
+    int met = 0;
+    for (int k = 0; k < top->vertex_count; k++)
+        met += memcmp(top->vertices + 3 * k, vertices[7], sizeof vertices[7]) == 0;
+    CHECK_INT(met, 1);
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_body_unref(loose);
+    batten_body_unref(body);
+}
+
 TEST(faces_of_bodies_read_back_and_write_the_same_bytes)
 {
     const batten_frame frame = batten_frame_world();
