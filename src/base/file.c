@@ -1,4 +1,5 @@
 #define _XOPEN_SOURCE 700
+#define _DEFAULT_SOURCE /* madvise */
 #include "base/file.h"
 #include "base/base.h"
 
@@ -9,6 +10,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -53,6 +55,20 @@ static batten_status too_large(const loading *load)
                     bat_shown(load->path, strlen(load->path), shown), load->limit);
 }
 
+/* Asking the system for its small pages one by one takes longer than filling them. It may well
+ * refuse: this is a wish. */
+static void prefer_large_pages(char *data, size_t size)
+{
+#ifdef MADV_HUGEPAGE
+    const size_t large = (size_t)2 << 20, before = (large - (uintptr_t)data % large) % large;
+    if (size >= before + large)
+        madvise(data + before, (size - before) / large * large, MADV_HUGEPAGE);
+#else
+    (void)data;
+    (void)size;
+#endif
+}
+
 /* Room for `capacity` bytes, but for no more than one beyond the limit. */
 static batten_status reserve(loading *load, size_t capacity)
 {
@@ -61,6 +77,7 @@ static batten_status reserve(loading *load, size_t capacity)
     char *data = bat_resize(load->data, capacity + 1, 1);
     if (!data)
         return BATTEN_OUT_OF_MEMORY;
+    prefer_large_pages(data, capacity);
     load->data = data;
     load->capacity = capacity;
     return BATTEN_OK;
