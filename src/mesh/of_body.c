@@ -225,8 +225,9 @@ static batten_status try_border(bat_meshing *m, int face, bat_pairs *splits, boo
     batten_status status = bat_rim_begin(&rim, m, face, NULL);
     if (status != BATTEN_OK)
         return status;
-    if (rim.count > (double)m->most + 1000) /* each is a side of a triangle */
-        status = bat_fail(BATTEN_TOO_LARGE, "a face needs more than %d triangles", m->most);
+    if (rim.count >
+        (double)m->most + 1000) /* each side is one of a triangle; edges were fewer */
+        status = bat_fail(BATTEN_COINCIDENT, "its border crosses or touches itself in (u, v)");
     else
         status = bat_work_step(&m->work, (uint64_t)rim.count, 0.1, "borders of faces");
     bat_rim_box(&rim, box);

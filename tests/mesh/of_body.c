@@ -352,3 +352,24 @@ TEST(edges_off_their_face_are_borne_and_told)
         batten_body_unref(body);
     }
 }
+
+/* However fine their samples, they stay on one another: that must not take time with the square
+ * of the samples, nor go on beyond what is allowed. */
+TEST(S3_a_border_that_lies_on_itself_is_given_up_in_time)
+{
+    sheet s;
+    batten_mesh *mesh = NULL;
+    batten_mesh_report report;
+    batten_mesh_options options = batten_mesh_defaults();
+    options.most = 5000;
+    sheet_begin(&s, 4, 4);
+    sheet_circle(&s, 2, 2, 1.5, false);
+    sheet_circle(&s, 2, 2, 1, true);
+    sheet_circle(&s, 2, 2, 1, true);
+    batten_body *body = sheet_end(&s);
+    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+    CHECK_INT(report.failed, 1);
+    CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
+    batten_mesh_unref(mesh);
+    batten_body_unref(body);
+}
