@@ -8,17 +8,16 @@ static const char *const kept[] = {
         "tables of offsets, with the names of stations and lines, no unit",
     [BATTEN_FORMAT_POINTS] = "points in rows; of curves those that they were made from",
     [BATTEN_FORMAT_AEROFOIL] = "one row of points x, y, and a name",
-    [BATTEN_FORMAT_IGES] = "curves, surfaces, faces, shells, solids; names, colours, levels, "
-                           "groups, unit; instances are read where they are placed",
+    [BATTEN_FORMAT_IGES] = "curves, surfaces, bodies (written face by face); names, colours, "
+                           "levels, groups, unit",
     [BATTEN_FORMAT_STEP] =
         "curves, surfaces, faces, shells, solids, assemblies; names, colours, "
         "layers, groups, unit; meshes in AP242",
-    [BATTEN_FORMAT_DXF] = "lines, polylines, arcs, ellipses, splines; layers, colours; "
+    [BATTEN_FORMAT_DXF] = "lines, polylines, arcs, ellipses, splines; layers, colours, unit; "
                           "blocks are read where they are inserted",
     [BATTEN_FORMAT_SVG] = "plane curves at true scale: what text and pictures are is not read",
     [BATTEN_FORMAT_GCODE] = "chains of lines and arcs as paths of a tool",
-    [BATTEN_FORMAT_G2] =
-        "curves, surfaces and trimmed faces, as they are; colours, no names, no unit",
+    [BATTEN_FORMAT_G2] = "curves, surfaces and trimmed faces; colours, no names, no unit",
     [BATTEN_FORMAT_OBJ] = "meshes with normals, free-form curves and surfaces; names, no unit",
     [BATTEN_FORMAT_STL] = "triangles alone, no unit; binary numbers have 7 digits",
     [BATTEN_FORMAT_PLY] = "a mesh or points, with colours, normals and values; no unit",
