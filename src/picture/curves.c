@@ -107,8 +107,11 @@ static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
 
 static bat_colour colour_of(const batten_object *object, int index, int count)
 {
+    /* Colours of faces are often too pale for lines. */
+    const double share = object->kind == BATTEN_OBJECT_MESH ? 0.5 : 1;
     if (object->has_colour)
-        return (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
+        return (bat_colour){share * object->colour[0], share * object->colour[1],
+                            share * object->colour[2]};
     return palette[count <= COLOURED ? index : 0];
 }
 

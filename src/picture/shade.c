@@ -479,9 +479,11 @@ static void fill_mesh_lines(bat_raster *band, const bat_mesh_solid *m)
 {
     const bat_light a = m->albedo, ink = {0.05 * a.red, 0.05 * a.green, 0.05 * a.blue};
     const double half = 0.7 * BAT_SAMPLES, nearer = 2 * BAT_SAMPLES;
-    for (size_t i = 0; i < m->lines.count; i++)
-        fill_segment(band, m->lines.strokes[i].points, m->lines.strokes[i].points + 3, half,
-                     nearer, &ink);
+    for (size_t i = 0; i < m->lines.count; i++) {
+        const bat_stroke *s = &m->lines.strokes[i];
+        for (size_t k = 0; k + 1 < s->count; k++)
+            fill_segment(band, s->points + 3 * k, s->points + 3 * (k + 1), half, nearer, &ink);
+    }
 }
 
 /* A disc that faces the eye, before the surface by its radius: a point on it, or near it, is

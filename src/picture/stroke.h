@@ -44,6 +44,10 @@ typedef struct {
 } bat_mesh_eye;
 batten_status bat_stroke_mesh(const batten_mesh *mesh, bat_mesh_lines which,
                               const bat_mesh_eye *eye, bat_strokes *lines);
+/* Edges between vertices [vertex_count][3] as polylines that end where other than two of the
+ * edges meet. */
+batten_status bat_chain_edges(int vertex_count, const double *points, size_t count,
+                              const int (*ends)[2], bat_strokes *out);
 /* Of unit length; 0 of a triangle without area. */
 void bat_triangle_normal(const batten_mesh_parts *mesh, int triangle, double n[3]);
 /* Does the isoline shrink to a point, as at a pole? */

@@ -80,23 +80,13 @@ static bool is_outline(const batten_mesh_parts *mesh, const side *sides, size_t 
     return sign[0] * sign[1] < 0;
 }
 
-static batten_status add_side(const batten_mesh_parts *mesh, const side *s, bat_strokes *lines)
-{
-    double *points = bat_array(6, sizeof *points);
-    if (!points)
-        return BATTEN_OUT_OF_MEMORY;
-    memcpy(points, mesh->points + 3 * (size_t)s->from, 3 * sizeof *points);
-    memcpy(points + 3, mesh->points + 3 * (size_t)s->to, 3 * sizeof *points);
-    return bat_strokes_add(lines, (bat_stroke){2, points});
-}
-
-static batten_status add_sides(const batten_mesh_parts *mesh, const side *sides,
-                               bat_mesh_lines which, const bat_mesh_eye *eye,
-                               bat_strokes *lines)
+/* The wanted edges, once each; as many as there are sides have room. */
+static size_t choose(const batten_mesh_parts *mesh, const side *sides, bat_mesh_lines which,
+                     const bat_mesh_eye *eye, int (*ends)[2])
 {
     const size_t count = 3 * (size_t)mesh->triangle_count;
-    batten_status status = BATTEN_OK;
-    for (size_t i = 0, next; i < count && status == BATTEN_OK; i = next) {
+    size_t kept = 0;
+    for (size_t i = 0, next; i < count; i = next) {
         next = i + 1;
         while (next < count && sides[next].from == sides[i].from &&
                sides[next].to == sides[i].to)
@@ -108,9 +98,9 @@ static batten_status add_sides(const batten_mesh_parts *mesh, const side *sides,
             (which == BAT_MESH_OUTLINE ? is_outline(mesh, sides + i, next - i, eye)
                                        : is_feature(mesh, sides + i, next - i));
         if (wanted)
-            status = add_side(mesh, &sides[i], lines);
+            memcpy(ends[kept++], (int[2]){sides[i].from, sides[i].to}, sizeof *ends);
     }
-    return status;
+    return kept;
 }
 
 batten_status bat_stroke_mesh(const batten_mesh *mesh, bat_mesh_lines which,
@@ -121,12 +111,19 @@ batten_status bat_stroke_mesh(const batten_mesh *mesh, bat_mesh_lines which,
     if (status != BATTEN_OK)
         return status;
     const batten_mesh_parts *parts = batten_mesh_view(welded);
-    const size_t before = lines->count;
     side *sides = sort_sides(parts);
-    status = sides ? add_sides(parts, sides, which, eye, lines) : BATTEN_OUT_OF_MEMORY;
+    int(*ends)[2] = bat_array3((size_t)parts->triangle_count, 3, sizeof *ends);
+    status = sides && ends ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    size_t count = 0;
+    if (status == BATTEN_OK)
+        count = choose(parts, sides, which, eye, ends);
     /* What is smooth everywhere would not be seen. */
-    if (status == BATTEN_OK && which == BAT_MESH_EDGES_OR_ALL && lines->count == before)
-        status = add_sides(parts, sides, BAT_MESH_ALL, eye, lines);
+    if (status == BATTEN_OK && which == BAT_MESH_EDGES_OR_ALL && count == 0)
+        count = choose(parts, sides, BAT_MESH_ALL, eye, ends);
+    if (status == BATTEN_OK)
+        status = bat_chain_edges(parts->vertex_count, parts->points, count,
+                                 (const int(*)[2])ends, lines);
+    bat_release(ends);
     bat_release(sides);
     batten_mesh_unref(welded);
     return status;

@@ -177,8 +177,11 @@ static bat_pen pen_of(const drawing *d, const bat_wire *wire)
     static const double widths[BAT_WIRE_KINDS] = {0.5, 0.9, 1.4, 1.4, 1.8};
     const batten_object *object = batten_model_object(d->wires.model, wire->object);
     bat_pen pen = {{0.13, 0.17, 0.24}, widths[wire->kind], BAT_SOLID};
+    /* Colours of faces are often too pale for lines. */
+    const double share = object->kind == BATTEN_OBJECT_MESH ? 0.5 : 1;
     if (object->has_colour)
-        pen.colour = (bat_colour){object->colour[0], object->colour[1], object->colour[2]};
+        pen.colour = (bat_colour){share * object->colour[0], share * object->colour[1],
+                                  share * object->colour[2]};
     if (wire->kind == BAT_WIRE_CONTOUR) {
         pen.colour = contour_colour;
         /* Each fifth is stronger, as on maps. */
