@@ -40,37 +40,31 @@ static bool unit_option(const arguments *given, const char *name, double *metres
     return false;
 }
 
-/* The same numbers under another unit. */
-static batten_status state_unit(double metres, batten_model **model)
+static batten_status to_unit(double metres, batten_model **model)
 {
-    batten_model *stated = NULL;
-    batten_status status = batten_model_create(metres, &stated);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(*model); i++)
-        status = batten_model_add(stated, batten_model_object(*model, i));
-    if (status != BATTEN_OK) {
-        batten_model_unref(stated);
-        return status;
+    batten_model *changed = NULL;
+    batten_status status = batten_model_to_unit(*model, metres, &changed);
+    if (status == BATTEN_OK) {
+        batten_model_unref(*model);
+        *model = changed;
     }
-    batten_model_unref(*model);
-    *model = stated;
-    return BATTEN_OK;
+    return status;
 }
 
-static batten_status change_unit(double from, double to, batten_model **model)
+/* Numbers without a unit are in `from`, or else, with a note, in `to` already. */
+static batten_status change_unit(double from, double to, batten_notes *notes,
+                                 batten_model **model)
 {
     batten_status status = BATTEN_OK;
-    if (batten_model_unit_metres(*model) == 0 && from == 0)
-        from = to > 0 ? to : 1;
-    if (from > 0 && batten_model_unit_metres(*model) == 0)
-        status = state_unit(from, model);
-    if (status == BATTEN_OK && to > 0 && to != batten_model_unit_metres(*model)) {
-        batten_model *changed = NULL;
-        status = batten_model_to_unit(*model, to, &changed);
-        if (status == BATTEN_OK) {
-            batten_model_unref(*model);
-            *model = changed;
-        }
-    }
+    if (batten_model_unit_metres(*model) == 0 && from > 0)
+        status = to_unit(from, model);
+    else if (batten_model_unit_metres(*model) == 0 && to > 0)
+        batten_notes_add(notes, "", 0, "",
+                         "the file does not say its unit; its numbers are taken to be in %s "
+                         "already (--from-unit says otherwise)",
+                         batten_unit_name(to));
+    if (status == BATTEN_OK && to > 0 && to != batten_model_unit_metres(*model))
+        status = to_unit(to, model);
     return status;
 }
 
@@ -80,7 +74,8 @@ typedef struct {
     batten_format format;
     const char *from_unit, *unit; /* NULL: not stated, or without a name */
     tally read, written, left_out;
-    int approximated;
+    int approximated, faces; /* faces: left out of meshes */
+    bool is_partly;          /* something could not be meshed */
 } outcome;
 
 static void text_report(batten_text *text, const outcome *o)
@@ -94,6 +89,8 @@ static void text_report(batten_text *text, const outcome *o)
         batten_text_add(text, "; unit %s", o->unit);
     if (o->approximated)
         batten_text_add(text, "; %d approximated", o->approximated);
+    if (o->faces)
+        batten_text_add(text, "; %d face%s left out", o->faces, o->faces == 1 ? "" : "s");
     if (tally_sum(o->left_out)) {
         batten_text_add(text, "; left out: ");
         tally_text(text, o->left_out);
@@ -116,7 +113,8 @@ static void json_report(batten_text *text, const outcome *o, const char *input,
     tally_json(text, o->written);
     batten_text_add(text, ", \"left_out\": ");
     tally_json(text, o->left_out);
-    batten_text_add(text, ", \"approximated\": %d,\n  \"messages\": ", o->approximated);
+    batten_text_add(text, ", \"approximated\": %d, \"faces_left_out\": %d,\n  \"messages\": ",
+                    o->approximated, o->faces);
     notes_json(text, notes);
     batten_text_add(text, "}\n");
 }
@@ -161,6 +159,8 @@ static batten_status write_model(const batten_model *model, const batten_write_o
     const tally_changes behind = tally_notes(model, notes, first);
     o->left_out = behind.left_out;
     o->approximated = behind.approximated;
+    o->faces = behind.faces;
+    o->is_partly = behind.is_failed || behind.faces > 0;
     o->written =
         tally_without(tally_of(prepared), tally_notes(prepared, notes, second).left_out);
     batten_model_unref(prepared);
@@ -193,11 +193,22 @@ static bool schema_option(const arguments *given, batten_step_schema *schema)
     return !word;
 }
 
+/* A length that was given must be above 0. */
+static bool is_above_zero(const arguments *given, const char *name, double value)
+{
+    if (!arguments_has(given, name) || value > 0)
+        return true;
+    complain("batten convert: --%s is %g; it must be above 0", name, value);
+    return false;
+}
+
 static bool write_options(const arguments *given, batten_write_options *write)
 {
     double degrees = 0;
     if (!arguments_number("convert", given, "tolerance", &write->tolerance) ||
         !arguments_number("convert", given, "chord", &write->mesh.chord) ||
+        !is_above_zero(given, "tolerance", write->tolerance) ||
+        !is_above_zero(given, "chord", write->mesh.chord) ||
         !arguments_number("convert", given, "angle", &degrees) ||
         !schema_option(given, &write->schema) ||
         !formats_option("convert", given, "format", &write->format))
@@ -220,12 +231,12 @@ static int convert(const arguments *given, batten_format format, const double un
     int exit = input_read_as(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
         o->from_unit = batten_unit_name(batten_model_unit_metres(model));
-        batten_status status = change_unit(units[0], units[1], &model);
+        batten_status status = change_unit(units[0], units[1], notes, &model);
         if (status == BATTEN_OK)
             status = write_model(model, write, notes, o);
         if (status == BATTEN_OK) {
             const int reported = report(given, o, notes);
-            exit = reported == EXIT_DONE ? exit : reported;
+            exit = reported != EXIT_DONE ? reported : o->is_partly ? EXIT_PARTLY : exit;
         } else {
             failed_show(notes);
             exit = output_failed("convert", status);
@@ -275,7 +286,7 @@ const command command_convert = {
         "written is counted;\n"
         "what had to be approximated or left out is reported. Exit status 3 when only a "
         "part of IN could\n"
-        "be read.",
+        "be read, or meshed.",
     .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

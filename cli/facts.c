@@ -67,6 +67,7 @@ static facts body_facts(const batten_body *body)
         .counted = {"face", "edge", "vertex", "shell"},
         .counts = {parts->face_count, parts->edge_count, parts->vertex_count,
                    parts->shell_count},
+        .controls = true,
         .box = batten_body_box(body),
     };
 }

@@ -152,19 +152,18 @@ static void add_totals(batten_text *text, const batten_model *model)
     }
 }
 
-static double size_of(const batten_model *model)
+/* Ends within a billionth of the object's size are the same point. */
+static double tolerance_of(const batten_object *object)
 {
-    batten_box box;
-    if (!batten_model_box(model, &box))
-        return 1;
-    return box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z);
+    const batten_box box = facts_of(object, 0).box;
+    const double size =
+        box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z);
+    return 1e-9 * size;
 }
 
 static int print(const char *file, const batten_model *model, const batten_notes *notes,
                  bool json)
 {
-    /* Ends within a billionth of the model's size are the same point. */
-    const double tolerance = 1e-9 * size_of(model);
     const char *unit = batten_unit_name(batten_model_unit_metres(model));
     batten_text text = BATTEN_TEXT;
     if (json) {
@@ -183,7 +182,7 @@ static int print(const char *file, const batten_model *model, const batten_notes
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        const facts f = facts_of(object, tolerance);
+        const facts f = facts_of(object, tolerance_of(object));
         if (json) {
             batten_text_add(&text, "%s\n    ", i ? "," : "");
             add_json(&text, object, &f);
@@ -220,10 +219,10 @@ static int flatten(batten_model **model, batten_notes *notes, int exit)
 /* What is wrong with the objects goes to the notes. The exit status, or EXIT_FAILED. */
 static int lint(const batten_model *model, batten_notes *notes, int exit)
 {
-    const double tolerance = 1e-9 * size_of(model);
     batten_status status = BATTEN_OK;
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
-        status = lint_object(batten_model_object(model, i), tolerance, notes);
+        status = lint_object(batten_model_object(model, i),
+                             tolerance_of(batten_model_object(model, i)), notes);
     return status == BATTEN_OK ? exit : output_failed("info", status);
 }
 

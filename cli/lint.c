@@ -101,10 +101,10 @@ static batten_status lint_body(const batten_object *object, batten_notes *notes)
     }
     if (status == BATTEN_OK && batten_notes_dropped(own) > 0)
         batten_notes_add(notes, "", 0, object->name, "and %d more", batten_notes_dropped(own));
-    if (status == BATTEN_OK && faults.free_edges > 0)
-        batten_notes_remark(notes, "", 0, object->name,
-                            "%d free edges, %d shared ones; free ones are the rim of a sheet",
-                            faults.free_edges, faults.shared_edges);
+    if (status == BATTEN_OK && faults.free_edges > 0 && parts->is_solid)
+        batten_notes_add(notes, "", 0, object->name,
+                         "it calls itself a solid, and has %d edges of one face",
+                         faults.free_edges);
     batten_notes_free(own);
     return status;
 }
@@ -113,8 +113,12 @@ static batten_status lint_mesh(const batten_object *object, batten_notes *notes)
 {
     batten_mesh_facts f;
     batten_status status = batten_mesh_check(object->mesh, &f);
-    if (status != BATTEN_OK)
+    if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
         return status;
+    if (status != BATTEN_OK) {
+        batten_notes_add(notes, "", 0, object->name, "%s", batten_message());
+        return BATTEN_OK;
+    }
     const struct {
         int count;
         const char *what;

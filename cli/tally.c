@@ -1,5 +1,6 @@
 #include "tally.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const names[TALLY_KINDS][2] = {
@@ -33,11 +34,15 @@ static bool begins(const char *text, const char *with)
 
 tally_changes tally_notes(const batten_model *model, const batten_notes *notes, int first)
 {
-    tally_changes found = {{{0}}, 0};
+    static const char faces[] = "faces left out of the mesh: ";
+    tally_changes found = {{{0}}, 0, 0, false};
     for (int i = first; i < batten_notes_count(notes); i++) {
         const batten_note *note = batten_notes_at(notes, i);
         const int object = batten_model_find(model, note->entity);
         found.approximated += begins(note->text, "approximated");
+        found.is_failed |= begins(note->text, "left out, as it cannot be meshed");
+        if (begins(note->text, faces))
+            found.faces += (int)strtol(note->text + sizeof faces - 1, NULL, 10);
         if (object >= 0 && begins(note->text, "left out"))
             found.left_out.count[batten_model_object(model, object)->kind]++;
     }

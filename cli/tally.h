@@ -15,6 +15,8 @@ tally tally_of(const batten_model *model);
 typedef struct {
     tally left_out;
     int approximated;
+    int faces;      /* of bodies, that could not be meshed */
+    bool is_failed; /* an object could not be meshed at all */
 } tally_changes;
 tally_changes tally_notes(const batten_model *model, const batten_notes *notes, int first);
 /* The kinds without those of `less`, none below 0. */

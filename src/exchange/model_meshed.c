@@ -1,6 +1,8 @@
 /* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
 #include "exchange/model_meshed.h"
 
+#include <string.h>
+
 /* Definitions that were meshed, and what became of them: each once, however often it is placed.
  */
 typedef struct {
@@ -70,9 +72,37 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
                             "approximated within %g by %d triangles", report.chord,
                             batten_mesh_view(*out)->triangle_count);
     if (status == BATTEN_OK && report.failed > 0)
-        batten_notes_add(m->notes, "", 0, object->name, "%d face%s not in the mesh",
-                         report.failed, report.failed == 1 ? " is" : "s are");
+        batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
+                         report.failed);
+    if (status == BATTEN_OK && report.failed > 0 &&
+        batten_mesh_view(*out)->triangle_count == 0) {
+        batten_mesh_unref(*out);
+        *out = NULL;
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "none of its %d faces can be", report.failed);
+    }
     return status;
+}
+
+/* A mesh has one colour: that of the body, else that which all its faces have. */
+static void take_colour(const batten_object *object, meshing *m, batten_object *meshed)
+{
+    if (object->kind != BATTEN_OBJECT_BODY || object->has_colour)
+        return;
+    const batten_body_parts *parts = batten_body_view(object->body);
+    const batten_body_face *faces = parts->faces;
+    bool any = false, same = true;
+    for (int i = 0; i < parts->face_count; i++) {
+        any |= faces[i].has_colour;
+        same &= faces[i].has_colour == faces[0].has_colour &&
+                memcmp(faces[i].colour, faces[0].colour, sizeof faces[i].colour) == 0;
+    }
+    if (any && same) {
+        meshed->has_colour = true;
+        memcpy(meshed->colour, faces[0].colour, sizeof meshed->colour);
+    } else if (any) {
+        batten_notes_add(m->notes, "", 0, object->name,
+                         "its faces have several colours; a mesh has one, they are left out");
+    }
 }
 
 /* What ends all work, and not that on one object alone. */
@@ -101,6 +131,7 @@ static batten_status add_meshed(batten_model *made, const batten_object *object,
     meshed.triangles = NULL;
     meshed.body = NULL;
     meshed.mesh = mesh;
+    take_colour(object, m, &meshed);
     if (status == BATTEN_OK)
         status = batten_model_add(made, &meshed);
     batten_mesh_unref(mesh);

@@ -15,6 +15,11 @@ static batten_status read_as(bat_input *input, batten_format format, batten_mode
         status = row->read(input, &model);
     if (status != BATTEN_OK)
         return status;
+    if (batten_model_count(model) == 0 && (input->is_cut || input->left_out > 0)) {
+        batten_model_unref(model);
+        return bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "nothing of it could be read%s",
+                              input->is_cut ? "; the end of the file is missing" : "");
+    }
     *out = model;
     if (input->is_cut)
         return bat_input_fail(

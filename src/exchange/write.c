@@ -100,8 +100,11 @@ static batten_status mesh_what_is_not_held(const bat_format_row *row, const batt
     unsigned kinds = row->holds & BAT_HOLDS(MESH) ? BAT_SHAPES & ~row->holds : 0;
     if (row->holds & BAT_HOLDS(SURFACE))
         kinds &= ~BAT_HOLDS(TRIANGLES);
+    batten_mesh_options mesh = options->mesh;
+    if (mesh.chord == 0)
+        mesh.chord = options->tolerance; /* what one asks of all shapes holds for meshes too */
     if (kinds)
-        return bat_model_meshed(model, kinds, &options->mesh, NULL, notes, out);
+        return bat_model_meshed(model, kinds, &mesh, NULL, notes, out);
     *out = batten_model_ref(model);
     return BATTEN_OK;
 }
@@ -121,17 +124,21 @@ batten_status batten_write_prepare(const batten_model *model,
                                    const batten_write_options *options, batten_notes *notes,
                                    batten_model **out)
 {
-    const bat_format_row *row = NULL;
+    const bat_format_row *found = NULL;
     batten_model *meshed = NULL, *prepared = NULL;
-    batten_status status = find_writer(options, &row);
+    batten_status status = find_writer(options, &found);
+    if (status != BATTEN_OK)
+        return status;
+    bat_format_row row = *found;
+    if (row.format == BATTEN_FORMAT_STEP && options->schema != BATTEN_STEP_AP242)
+        row.holds &= ~BAT_HOLDS(MESH);
+    status = mesh_what_is_not_held(&row, model, options, notes, &meshed);
     if (status == BATTEN_OK)
-        status = mesh_what_is_not_held(row, model, options, notes, &meshed);
-    if (status == BATTEN_OK)
-        status = bat_format_prepare(row, meshed, notes, &prepared);
+        status = bat_format_prepare(&row, meshed, notes, &prepared);
     batten_model_unref(meshed);
-    if (status == BATTEN_OK && row->holds && batten_model_count(model) > 0 &&
+    if (status == BATTEN_OK && row.holds && batten_model_count(model) > 0 &&
         batten_model_count(prepared) == 0)
-        status = nothing(row, model);
+        status = nothing(&row, model);
     if (status == BATTEN_OK)
         *out = prepared;
     else

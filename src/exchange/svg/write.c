@@ -8,7 +8,7 @@
 /* SVG counts y downwards, and its numbers are millimetres here. */
 typedef struct {
     batten_text *text;
-    double scale, left, top, tolerance;
+    double scale, left, top, bottom, tolerance;
     double rounding; /* of coordinates: halving makes nothing nearer than that */
     int shapes;
     double off; /* of the object: how far the pieces are that halving does not mend */
@@ -194,6 +194,12 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
         batten_notes_add(notes, "", 0, object->name, "left out: it lies in no plane");
         return BATTEN_OK;
     }
+    const batten_box box = batten_curve_box(object->curve);
+    if (box.high.z > box.low.z)
+        batten_notes_add(
+            notes, "", 0, object->name,
+            "it is drawn as seen along z; that it reaches from z = %g to %g is lost", box.low.z,
+            box.high.z);
     batten_status status = bat_path_of(object, &is_path, &path);
     if (status != BATTEN_OK)
         return status;
@@ -224,6 +230,7 @@ static void begin_sheet(writing *w, const batten_model *model)
                           bat_max(fabs(box.low.y), fabs(box.high.y)));
     w->left = box.low.x - margin / w->scale;
     w->top = box.high.y + margin / w->scale;
+    w->bottom = box.low.y - margin / w->scale;
     const double width = w->scale * (box.high.x - box.low.x) + 2 * margin;
     const double height = w->scale * (box.high.y - box.low.y) + 2 * margin;
     batten_text_add(w->text, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
@@ -247,6 +254,10 @@ batten_status bat_write_svg(const batten_model *model, const batten_write_option
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
         status = put_object(&w, batten_model_object(model, i), notes);
     batten_text_add(text, "</svg>\n");
+    if (batten_model_count(model) > 0)
+        batten_notes_remark(notes, "", 0, "",
+                            "the lower left corner of the sheet is x = %g, y = %g of the model",
+                            w.left, w.bottom);
     if (status == BATTEN_OK && w.shapes == 0 && batten_model_count(model) > 0)
         status = bat_fail(BATTEN_UNSUPPORTED, "SVG files hold curves, and there are none");
     return status;
