@@ -14,8 +14,10 @@
 static char *as_bytes(const batten_model *model, batten_format format, size_t *size)
 {
     char *data = NULL;
-    CHECK_OK(write_bytes(model, format == BATTEN_FORMAT_OFFSETS ? format : BATTEN_FORMAT_STEP,
-                         &data, size));
+    batten_write_options options = batten_write_defaults();
+    options.format = format == BATTEN_FORMAT_OFFSETS ? format : BATTEN_FORMAT_STEP;
+    options.schema = BATTEN_STEP_AP242; /* which has meshes */
+    CHECK_OK(batten_write_memory(model, &options, NULL, &data, size));
     return data;
 }
 

@@ -389,12 +389,15 @@ static batten_status write_model(bat_step_writing *w, const batten_model *model,
 
 static const char *schema_name(batten_step_schema schema)
 {
-    static const char *const names[] = {
-        [BATTEN_STEP_AP214] = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }",
-        [BATTEN_STEP_AP203] = "CONFIG_CONTROL_DESIGN",
-        [BATTEN_STEP_AP242] = "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 "
-                              "1 1 4 }"};
-    return names[schema];
+    switch (schema) {
+    case BATTEN_STEP_AP203:
+        return "CONFIG_CONTROL_DESIGN";
+    case BATTEN_STEP_AP242:
+        return "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }";
+    case BATTEN_STEP_AP214:
+        break;
+    }
+    return "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }";
 }
 
 static void put_header(bat_step *step, const batten_write_options *options)
