@@ -5,13 +5,16 @@
 
 #include <string.h>
 
+/* Count an entity as left out, and say why unless that is NULL. */
 static batten_status leave_out(bat_iges_reading *reading, const bat_iges_entry *entry,
                                const char *why)
 {
-    bat_iges_note(reading, entry, "%.300s; left out", why);
+    char name[BAT_IGES_TYPE_NAME];
+    bat_iges_name_of_type(entry->type, name);
+    if (why)
+        bat_iges_note(reading, entry, "%.300s; left out", why);
     reading->input->left_out++;
-    return bat_census_leave(reading->input, &reading->census,
-                            bat_iges_row_of(entry->type)->name);
+    return bat_census_leave(reading->input, &reading->census, name);
 }
 
 static batten_object_kind kind_of(const bat_iges_item *item)
@@ -86,6 +89,41 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
 
 /* ---- roots ---- */
 
+/* Is it the first that is left out for this? Drawings have thousands of such entities. */
+static bool is_first_for(bat_iges_reading *reading, int reason)
+{
+    enum { MOST = sizeof reading->reasons / sizeof reading->reasons[0] };
+    for (int k = 0; k < reading->reason_count; k++)
+        if (reading->reasons[k] == reason)
+            return false;
+    if (reading->reason_count == MOST)
+        return false;
+    reading->reasons[reading->reason_count++] = reason;
+    return true;
+}
+
+static batten_status leave_out_type(bat_iges_reading *reading, const bat_iges_entry *entry)
+{
+    return leave_out(reading, entry,
+                     is_first_for(reading, entry->type)
+                         ? "entities of this type are not read; this is the first of them"
+                         : NULL);
+}
+
+/* What the directory says that an entity of a drawing or of a definition is for. */
+static batten_status leave_out_use(bat_iges_reading *reading, const bat_iges_entry *entry)
+{
+    static const char *const uses[] = {"geometry",    "annotation",         "a definition",
+                                       "other",       "logic and position", "parameters",
+                                       "construction"};
+    const bool is_known = entry->use > 0 && entry->use < (int)(sizeof uses / sizeof uses[0]);
+    if (is_first_for(reading, -1 - entry->use))
+        bat_iges_note(reading, entry,
+                      "its use is %d, %s, and not geometry; left out, the first such entity",
+                      entry->use, is_known ? uses[entry->use] : "unknown");
+    return leave_out(reading, entry, NULL);
+}
+
 /* Geometry that stands for itself; what a drawing or a definition needs is none. */
 static batten_status add_root(bat_iges_reading *reading, size_t place)
 {
@@ -96,10 +134,11 @@ static batten_status add_root(bat_iges_reading *reading, size_t place)
     if (row->kind == BAT_IGES_AUXILIARY || row->kind == BAT_IGES_PART ||
         reading->shapes[place].is_part || entry->use == 5)
         return BATTEN_OK;
-    if (entry->use != 0 || row->kind == BAT_IGES_UNKNOWN) {
-        reading->input->left_out++;
-        return bat_census_leave(reading->input, &reading->census, row->name);
-    }
+    if (row->kind == BAT_IGES_UNKNOWN)
+        return leave_out_type(reading, entry);
+    /* Points are often called logical or positional where they are meant as they are. */
+    if (entry->use != 0 && !(entry->use == 4 && row->kind == BAT_IGES_POINTS))
+        return leave_out_use(reading, entry);
     reading->orphans += entry->subordinate == 1 || entry->subordinate == 3;
     return bat_iges_add(reading, entry, reading->model);
 }

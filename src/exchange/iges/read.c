@@ -5,6 +5,7 @@
 #include "exchange/iges/objects.h"
 #include "exchange/iges/references.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* ---- recognition ---- */
@@ -100,6 +101,24 @@ enum {
     STANDARD = 20
 };
 
+/* The flag and the name are shown where there are any. */
+static void note_no_unit(const bat_input *input, bool said, int flag, bat_span name)
+{
+    char word[BAT_SHOWN_SIZE] = "", number[32] = "";
+    if (said)
+        snprintf(number, sizeof number, "the flag %d", flag);
+    if (name.length > 0)
+        bat_shown(name.bytes, name.length < 80 ? name.length : 80, word);
+    if (said || name.length > 0)
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "its unit has %s%s%s%s%s, which IGES does not know; taken as inch",
+                         number, said && word[0] ? " and " : "", word[0] ? "the name '" : "",
+                         word, word[0] ? "'" : "");
+    else
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "the file does not say its unit; taken as inch");
+}
+
 static batten_status read_unit(bat_iges_reading *reading)
 {
     const bat_iges_parameters *global = &reading->file.global;
@@ -115,8 +134,7 @@ static batten_status read_unit(bat_iges_reading *reading)
     double unit = said && flag != 3 ? bat_iges_unit_of_flag(flag) : by_name;
     if (unit == 0) {
         unit = 0.0254;
-        batten_notes_add(input->notes, input->file, 0, "",
-                         "the file does not say its unit; taken as inch");
+        note_no_unit(input, said, flag, name);
     } else if (by_name > 0 && by_name != unit) {
         batten_notes_add(input->notes, input->file, 0, "",
                          "the unit has the flag %d and the name '%.*s'; the flag counts", flag,

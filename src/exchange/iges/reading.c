@@ -24,11 +24,13 @@ double bat_iges_tolerance(const bat_iges_reading *reading, double size)
 
 /* ---- what is said of an entity ---- */
 
-enum { WHAT = 64, SENTENCE = 400 };
+enum { WHAT = BAT_IGES_TYPE_NAME + 16, SENTENCE = 400 };
 
 static void say_what(const bat_iges_entry *entry, char what[WHAT])
 {
-    snprintf(what, WHAT, "#%d %s", entry->id, bat_iges_row_of(entry->type)->name);
+    char name[BAT_IGES_TYPE_NAME];
+    bat_iges_name_of_type(entry->type, name);
+    snprintf(what, WHAT, "#%d %s", entry->id, name);
 }
 
 void bat_iges_note(const bat_iges_reading *reading, const bat_iges_entry *entry,
@@ -252,6 +254,14 @@ static batten_status keep(bat_iges_reading *reading, const bat_iges_entry *entry
     return status;
 }
 
+static batten_status refuse_kind(const bat_iges_entry *entry, bat_iges_kind kind)
+{
+    char name[BAT_IGES_TYPE_NAME];
+    bat_iges_name_of_type(entry->type, name);
+    return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d as a %s, which is a %s",
+                    entry->id, kind == BAT_IGES_CURVE ? "curve" : "surface", name);
+}
+
 /* An entry of a kind, decoded. */
 static batten_status keep_kind(bat_iges_reading *reading, int id, bat_iges_kind kind,
                                const bat_iges_shape **out)
@@ -261,9 +271,7 @@ static batten_status keep_kind(bat_iges_reading *reading, int id, bat_iges_kind 
     if (status != BATTEN_OK)
         return status;
     if (bat_iges_row_of(entry->type)->kind != kind)
-        return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d as a %s, which is a %s", id,
-                        kind == BAT_IGES_CURVE ? "curve" : "surface",
-                        bat_iges_row_of(entry->type)->name);
+        return refuse_kind(entry, kind);
     status = keep(reading, entry);
     if (status == BATTEN_OK)
         *out = bat_iges_shape_of(reading, entry);

@@ -36,6 +36,9 @@ typedef struct {
 
 /* The row of a type; one of the kind UNKNOWN when there is none. */
 const bat_iges_row *bat_iges_row_of(int type);
+enum { BAT_IGES_TYPE_NAME = 48 };
+/* "150 block"; a type without a row by its number. */
+void bat_iges_name_of_type(int type, char name[BAT_IGES_TYPE_NAME]);
 
 typedef enum { BAT_IGES_NEW, BAT_IGES_BUSY, BAT_IGES_READ, BAT_IGES_BAD } bat_iges_state;
 
@@ -68,6 +71,8 @@ typedef struct {
     /* Oddities that are said once: */
     int orphans, turned_loops, swapped_loops, gaps, loose;
     double largest_gap, largest_miss;
+    int reasons[32]; /* for which an entity was left out: its type, or -1 - its use */
+    int reason_count;
     batten_model *model;
 } bat_iges_reading;
 

@@ -4,7 +4,10 @@
 #include "exchange/iges/instances.h"
 #include "exchange/iges/surfaces.h"
 
+#include <stdio.h>
+
 #define ANY (-1000000), 1000000
+#define UNREAD BAT_IGES_UNKNOWN, ANY, NULL, NULL
 
 static const bat_iges_row rows[] = {
     {0, "0 nothing", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
@@ -22,20 +25,46 @@ static const bat_iges_row rows[] = {
     {122, "122 tabulated cylinder", BAT_IGES_SURFACE, 0, 0, bat_iges_read_tabulated, "p"},
     {123, "123 direction", BAT_IGES_AUXILIARY, 0, 0, NULL, NULL},
     {124, "124 matrix", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
+    {125, "125 flash", UNREAD},
     {126, "126 B-spline curve", BAT_IGES_CURVE, 0, 5, bat_iges_read_nurbs_curve, NULL},
     {128, "128 B-spline surface", BAT_IGES_SURFACE, 0, 9, bat_iges_read_nurbs_surface, NULL},
     {130, "130 offset curve", BAT_IGES_CURVE, 0, 0, bat_iges_read_offset_curve, "p.p"},
+    {132, "132 connect point", UNREAD},
+    {134, "134 node", UNREAD},
+    {136, "136 finite element", UNREAD},
     {140, "140 offset surface", BAT_IGES_SURFACE, 0, 0, bat_iges_read_offset_surface, "....p"},
     {141, "141 boundary", BAT_IGES_PART, 0, 0, NULL, "..pn(p.n(p))"},
     {142, "142 curve on a surface", BAT_IGES_PART, 0, 0, NULL, ".ppp"},
     {143, "143 bounded surface", BAT_IGES_BODY, 0, 0, bat_iges_read_bounded, ".pn(p)"},
     {144, "144 trimmed surface", BAT_IGES_BODY, 0, 0, bat_iges_read_trimmed, "p.np(p)"},
+    {150, "150 block", UNREAD},
+    {152, "152 wedge", UNREAD},
+    {154, "154 cylinder", UNREAD},
+    {156, "156 cone", UNREAD},
+    {158, "158 sphere", UNREAD},
+    {160, "160 torus", UNREAD},
+    {162, "162 solid of revolution", UNREAD},
+    {164, "164 solid of extrusion", UNREAD},
+    {168, "168 ellipsoid", UNREAD},
+    {180, "180 Boolean tree", UNREAD},
+    {184, "184 assembly of solids", UNREAD},
     {186, "186 solid", BAT_IGES_BODY, 0, 0, bat_iges_read_solid, "p.n(p.)"},
     {190, "190 plane surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "ppp"},
     {192, "192 cylindrical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp.p"},
     {194, "194 conical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp..p"},
     {196, "196 spherical surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "p.pp"},
     {198, "198 toroidal surface", BAT_IGES_SURFACE, 0, 1, bat_iges_read_unbounded, "pp..p"},
+    {202, "202 angular dimension", UNREAD},
+    {206, "206 diameter dimension", UNREAD},
+    {210, "210 label", UNREAD},
+    {212, "212 note", UNREAD},
+    {214, "214 leader", UNREAD},
+    {216, "216 linear dimension", UNREAD},
+    {218, "218 ordinate dimension", UNREAD},
+    {220, "220 point dimension", UNREAD},
+    {222, "222 radius dimension", UNREAD},
+    {228, "228 symbol", UNREAD},
+    {230, "230 hatched area", UNREAD},
     {302, "302 definition of an associativity", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
     {304, "304 line font", BAT_IGES_AUXILIARY, ANY, NULL, NULL},
     {308, "308 subfigure", BAT_IGES_PART, 0, 0, bat_iges_read_definition, "..n(p)"},
@@ -71,4 +100,13 @@ const bat_iges_row *bat_iges_row_of(int type)
             high = middle;
     }
     return &unknown;
+}
+
+void bat_iges_name_of_type(int type, char name[BAT_IGES_TYPE_NAME])
+{
+    const bat_iges_row *row = bat_iges_row_of(type);
+    if (row->type == type)
+        snprintf(name, BAT_IGES_TYPE_NAME, "%s", row->name);
+    else
+        snprintf(name, BAT_IGES_TYPE_NAME, "%d, a type that is not known", type);
 }

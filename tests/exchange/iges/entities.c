@@ -1,3 +1,4 @@
+#include "exchange/iges/reading.h"
 #include "exchange/iges/text.h"
 
 static void check_left_out(int type, const char *parameters, const char *words)
@@ -237,7 +238,19 @@ TEST(what_is_hidden_says_so_and_definitions_are_not_read)
     batten_model_unref(model);
     iges_text other = iges_begin();
     iges_add(&other, 110, 0, 0, 0, "00000200", IGES_LINE);
-    iges_check_left_out(&other, "1 read, 1 left out");
+    iges_check_left_out(&other, "its use is 2, a definition, and not geometry; left out");
+}
+
+TEST(points_that_are_called_positional_are_read)
+{
+    iges_text file = iges_begin();
+    iges_add(&file, 116, 0, 0, 0, "00020400", "116,1.,2.,3.,0;");
+    iges_add(&file, 402, 1, 0, 0, "00000000", "402,1,1;");
+    batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+    CHECK_INT(batten_model_count(model), 1);
+    CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_POINTS);
+    CHECK_TEXT(batten_model_object(model, 0)->group, "group D3");
+    batten_model_unref(model);
 }
 
 TEST(references_say_what_is_a_part_and_flags_that_disagree_are_noted)
@@ -261,6 +274,14 @@ TEST(P4_entities_of_other_types_are_counted_by_name)
     iges_text file = iges_begin();
     iges_add(&file, 150, 0, 0, 0, "00000000", "150,1.,2.,3.;");
     iges_check_left_out(&file, "0 read, 1 left out");
+    char name[BAT_IGES_TYPE_NAME];
+    bat_iges_name_of_type(150, name);
+    CHECK_TEXT(name, "150 block");
+    bat_iges_name_of_type(5001, name);
+    CHECK_TEXT(name, "5001, a type that is not known");
+    iges_text named = iges_begin();
+    iges_add(&named, 158, 0, 0, 0, "00000000", "158,1.;");
+    iges_check_left_out(&named, "entities of this type are not read; this is the first");
     check_refused(iges_one(777, "777,1;"), BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED,
                   "none of its 1 entities could be read");
     iges_text empty = iges_begin();

@@ -26,9 +26,11 @@ TEST(the_unit_is_that_of_the_flag_or_of_the_name)
         {"2,1HM", "the flag counts", 0.001},
         {",2HMM", "", 0.001},
         {",", "does not say its unit; taken as inch", 0.0254},
-        {"3,4HEL L", "does not say its unit", 0.0254},
-        {"3,20Haaaaaaaaaaaaaaaaaaaa", "does not say its unit", 0.0254},
-        {"77,2HMM", "does not say its unit", 0.0254},
+        {"3,4HEL L", "has the flag 3 and the name 'EL L', which", 0.0254},
+        {"3,20Haaaaaaaaaaaaaaaaaaaa", "the name 'aaaaaaaaaaaaaaaaaaaa'", 0.0254},
+        {"77,2HMM", "has the flag 77 and the name 'MM', which", 0.0254},
+        {"77,", "has the flag 77, which IGES does not know", 0.0254},
+        {",3HFOO", "has the name 'FOO', which", 0.0254},
     };
     for (int i = 0; i < COUNT(cases); i++) {
         char global[200];
