@@ -35,9 +35,10 @@ const command command_draw = {
     .name = "draw",
     .usage = "IN -o PICTURE [--lines-plan]",
     .summary = "pictures: curves with combs, shaded surfaces, lines drawings",
-    .manual = "What is drawn depends on what is in IN: points and curves as lines, surfaces "
-              "shaded in a PNG and as\n"
-              "lines elsewhere. --lines-plan draws a hull as naval architects do.",
+    .manual = "What is drawn depends on what is in IN: points and curves as lines; surfaces, "
+              "bodies and meshes\n"
+              "shaded in a PNG and as lines elsewhere. --lines-plan draws a hull as naval "
+              "architects do.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -30,8 +30,8 @@ batten_status bat_stroke_isoline_within(const batten_surface *surface,
 batten_status bat_stroke_triangles(const batten_triangles *triangles, int isolines,
                                    bat_strokes *lines);
 /* Which edges of a mesh are drawn: where it ends or turns by more than 30 degrees, of a body's
- * mesh those between its faces; these, or all when there are none; all; those between triangles
- * that face the eye and others. */
+ * mesh those between its faces; these, or all when there are none; all; others between
+ * triangles that face the eye and those that do not. */
 typedef enum {
     BAT_MESH_EDGES,
     BAT_MESH_EDGES_OR_ALL,

@@ -93,10 +93,12 @@ static size_t choose(const batten_mesh_parts *mesh, const side *sides, bat_mesh_
             next++;
         if (sides[i].from == sides[i].to)
             continue;
+        /* Outlines along other lines are drawn as these. */
+        const bool feature = is_feature(mesh, sides + i, next - i);
+        const bool outline =
+            which == BAT_MESH_OUTLINE && !feature && is_outline(mesh, sides + i, next - i, eye);
         const bool wanted =
-            which == BAT_MESH_ALL ||
-            (which == BAT_MESH_OUTLINE ? is_outline(mesh, sides + i, next - i, eye)
-                                       : is_feature(mesh, sides + i, next - i));
+            which == BAT_MESH_ALL || outline || (which != BAT_MESH_OUTLINE && feature);
         if (wanted)
             memcpy(ends[kept++], (int[2]){sides[i].from, sides[i].to}, sizeof *ends);
     }
