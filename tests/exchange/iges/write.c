@@ -376,6 +376,10 @@ TEST(faces_of_bodies_read_back_and_write_the_same_bytes)
     batten_model *back = round_trip(model);
     CHECK_INT(batten_model_count(back), DRILLED_FACES + 1);
     CHECK_TEXT(batten_model_object(back, 6)->name, "block.7");
+    CHECK(!batten_model_object(back, 6)->has_colour);
+    CHECK(batten_model_object(back, 5)->has_colour);
+    for (int k = 0; k < 3; k++) /* that of the face */
+        CHECK_NEAR(batten_model_object(back, 5)->colour[k], 1 - 0.5 * k, 0);
     CHECK_TEXT(batten_model_object(back, 6)->group, "parts/block");
     CHECK_TEXT(batten_model_object(back, 6)->layer, "solids");
     CHECK_TEXT(batten_model_object(back, DRILLED_FACES)->group, "parts");
