@@ -163,6 +163,11 @@ typedef struct {
     int *edges;    /* [count] */
 } putting;
 
+double bat_iges_open_gap(const bat_iges_face *face)
+{
+    return bat_max(100 * face->ground.tolerance, 1e-3 * face->size);
+}
+
 /* The vertex between two sides: halfway where they miss each other. */
 static batten_status put_vertex(const putting *put, size_t k)
 {
@@ -176,7 +181,7 @@ static batten_status put_vertex(const putting *put, size_t k)
     if (status != BATTEN_OK)
         return status;
     const double gap = distance(p, q);
-    const bool is_open = gap > bat_max(100 * tolerance, 1e-3 * put->face->size);
+    const bool is_open = gap > bat_iges_open_gap(put->face);
     if (is_open && k == 0)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "a loop ends %g from where it begins", gap);
     if (is_open)
@@ -377,6 +382,8 @@ batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *
             status = bat_fail(BATTEN_TOO_FEW_POINTS, "loop %zu is a point", k + 1);
         if (status == BATTEN_OK)
             status = link_sides(&loops[k]);
+        if (status == BATTEN_OK)
+            status = bat_iges_close_loop(face, &loops[k]);
     }
     if (status == BATTEN_OK) {
         raise_tolerance(face);

@@ -63,6 +63,12 @@ batten_status bat_iges_add_loop(bat_iges_face *face);
 batten_status bat_iges_add_sides(bat_iges_face *face, const bat_iges_curves *space,
                                  const bat_iges_curves *flat, int said);
 
+/* What is farther apart does not meet. */
+double bat_iges_open_gap(const bat_iges_face *face);
+/* A loop that is open, with both ends on one border of a surface that closes nowhere, gets the
+ * part of the border between them, with a note; others stay as they are. */
+batten_status bat_iges_close_loop(bat_iges_face *face, bat_iges_loop *loop);
+
 /* Put all of it into the builder as one face: loops head to tail, turned the right way around
  * and the outer one first as far as that can be told, vertices and seams shared. With
  * `border` the outer loop is the border of the surface. */
