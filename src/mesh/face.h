@@ -22,6 +22,8 @@ typedef struct {
     bat_sides sides;
     int count, room; /* of vertices: those of the triangles in the plane */
     bat_face_vertex *vertices;
+    double enough; /* triangles, after which they are not divided any more; 0: not known yet */
+    bool has_enough;
 } bat_face_mesh;
 
 /* Put a point in, when it is not too near to others; *added may be NULL. */

@@ -1,6 +1,7 @@
 /* Triangles of a face that are not near enough get points. */
 #include "mesh/face.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum { BATCH = 256, SAMPLES = 4, MOST_ROUNDS = 64 };
@@ -215,6 +216,7 @@ static batten_status mend(bat_face_mesh *f, const batch *b, int index)
     if (is_at_pole && has_other) /* the samples are not in the triangle of the plane */
         memcpy(at, other_place, sizeof at);
     cross_crease(f, t, at);
+    f->sides.last = task->triangle; /* the walk to the point begins near to it */
     batten_status status = bat_face_insert(f, at, widest, nearest, &added);
     if (status == BATTEN_OK && !added && has_other)
         status = bat_face_insert(f, other_place, widest, nearest, &added);
@@ -236,6 +238,32 @@ static batten_status run(bat_face_mesh *f, batch *b, int count)
     return status;
 }
 
+/* Faces seldom need more than some tens of what was foreseen. Where a surface turns about, or
+ * an edge lies beside it by more than the chord, triangles look away however often they are
+ * divided: then it is enough, and a note says so. */
+static bool is_enough(bat_face_mesh *f)
+{
+    if (f->sides.count <= f->enough)
+        return false;
+    const int face = bat_meshing_name(f->m, f->face);
+    char entity[32];
+    snprintf(entity, sizeof entity, "face %d", face);
+    if (!f->has_enough)
+        batten_notes_add(f->m->notes, "", 0, entity,
+                         "face %d was divided no further at %d triangles; some are folded, or "
+                         "farther than the chord from the surface",
+                         face, f->sides.count);
+    f->has_enough = true;
+    return true;
+}
+
+static void set_enough(bat_face_mesh *f)
+{
+    const double foreseen = f->sides.count + f->lattice->predicted;
+    if (f->enough == 0)
+        f->enough = bat_min(20000 + 64 * foreseen, 2.0 * f->m->most + 20000);
+}
+
 batten_status bat_face_refine(bat_face_mesh *f)
 {
     batch *b = bat_array(1, sizeof *b);
@@ -243,11 +271,14 @@ batten_status bat_face_refine(bat_face_mesh *f)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = BATTEN_OK;
     bool found = true;
+    set_enough(f);
     for (int round = 0; status == BATTEN_OK && found && round < MOST_ROUNDS; round++) {
         int count = 0;
         found = false;
         for (int i = 0; status == BATTEN_OK && i < f->sides.count; i++) {
             const bat_side_triangle *t = &f->sides.triangles[i];
+            if (count == 0 && is_enough(f))
+                break;
             if (t->inside && !t->done && !bat_face_vanishes(f, t))
                 choose_samples(f, i, b, count++);
             if (count == BATCH || (count && i + 1 == f->sides.count)) {

@@ -373,3 +373,44 @@ TEST(S3_a_border_that_lies_on_itself_is_given_up_in_time)
     batten_mesh_unref(mesh);
     batten_body_unref(body);
 }
+
+/* The surface (s^2, y, s^3): its normal is turned about along s = 0, at a cusp. */
+static batten_body *cusp(void)
+{
+    const double u[] = {0, 0, 0, 0, 1, 1, 1, 1}, v[] = {0, 0, 2, 2};
+    const double a = -0.371, b = 0.629; /* s there is in no middle */
+    const double x[] = {a * a, (a * a + 2 * a * b) / 3, (b * b + 2 * a * b) / 3, b * b};
+    const double z[] = {a * a * a, a * a * b, a * b * b, b * b * b};
+    double points[8][3];
+    const batten_axis along = {3, 4, u, false}, across = {1, 2, v, false};
+    batten_surface *surface = NULL;
+    batten_body *body = NULL;
+    for (int i = 0; i < 8; i++) {
+        points[i][0] = x[i / 2];
+        points[i][1] = i % 2 ? 2 : 0;
+        points[i][2] = z[i / 2];
+    }
+    CHECK_OK(batten_surface_create(3, &along, &across, points[0], NULL, &surface));
+    CHECK_OK(batten_body_of_surface("cusp", surface, 1e-9, &body));
+    batten_surface_unref(surface);
+    return body;
+}
+
+TEST(a_face_that_turns_about_is_divided_so_far_and_no_further)
+{
+    batten_mesh_report report;
+    batten_mesh *mesh = NULL;
+    batten_notes *notes = NULL;
+    batten_mesh_options options = batten_mesh_defaults();
+    batten_body *body = cusp();
+    options.chord = 1e-5;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_mesh_of_body(body, &options, NULL, notes, &report, &mesh));
+    CHECK_INT(report.failed, 0);
+    CHECK(batten_mesh_view(mesh)->triangle_count < 100000);
+    CHECK_INT(batten_notes_count(notes), 1);
+    CHECK(strstr(batten_notes_at(notes, 0)->text, "face 0 was divided no further at"));
+    batten_notes_free(notes);
+    batten_mesh_unref(mesh);
+    batten_body_unref(body);
+}
