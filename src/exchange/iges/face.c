@@ -19,8 +19,9 @@ static double distance(const double a[3], const double b[3])
 /* ---- which way sides run ---- */
 
 /* Sides in a row of which each begins where the one before ends; some files have them run as
- * they like. */
-static batten_status link_sides(bat_iges_loop *loop)
+ * they like. Sides that meet stay as they are: of those that close, alone or two together, the
+ * other ends may be nearer by a rounding error. */
+static batten_status link_sides(bat_iges_loop *loop, double tolerance)
 {
     bat_iges_side *sides = loop->sides.items;
     double a[3], b[3], c[3], d[3];
@@ -38,11 +39,11 @@ static batten_status link_sides(bat_iges_loop *loop)
         /* The first may have to turn as well. */
         const double kept = bat_min(distance(b, c), distance(b, d)),
                      turned = bat_min(distance(a, c), distance(a, d));
-        if (k == 1 && turned < kept) {
+        if (k == 1 && kept > tolerance && turned < kept) {
             sides[0].reversed = !sides[0].reversed;
             memcpy(b, a, sizeof b);
         }
-        if (distance(b, d) < distance(b, c))
+        if (distance(b, c) > tolerance && distance(b, d) < distance(b, c))
             sides[k].reversed = !sides[k].reversed;
     }
     return status;
@@ -381,7 +382,7 @@ batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *
         if (loops[k].sides.count == 0)
             status = bat_fail(BATTEN_TOO_FEW_POINTS, "loop %zu is a point", k + 1);
         if (status == BATTEN_OK)
-            status = link_sides(&loops[k]);
+            status = link_sides(&loops[k], face->ground.tolerance);
         if (status == BATTEN_OK)
             status = bat_iges_close_loop(face, &loops[k]);
     }

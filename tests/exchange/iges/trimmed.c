@@ -244,6 +244,25 @@ TEST(a_loop_that_lacks_its_part_along_the_border_is_closed_there)
     }
 }
 
+TEST(sides_that_meet_are_not_turned_for_a_rounding_error)
+{
+    /* A triangle of two sides, of which the far ends are nearer than those that meet. */
+    iges_text file = iges_begin();
+    iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+    iges_add(&file, 110, 0, 0, 0, part, "110,1.,1.,0.,3.,3.,0.;");
+    iges_add(&file, 106, 11, 0, 0, part, "106,1,3,0.,3.,3.000000000001,1.,3.,1.,1.;");
+    iges_add(&file, 102, 0, 0, 0, part, "102,2,3,5;");
+    iges_add(&file, 110, 0, 0, 0, flat, "110,1.,1.,0.,3.,3.,0.;");
+    iges_add(&file, 106, 11, 0, 0, flat, "106,1,3,0.,3.,3.000000000001,1.,3.,1.,1.;");
+    iges_add(&file, 102, 0, 0, 0, flat, "102,2,9,11;");
+    iges_add(&file, 142, 0, 0, 0, part, "142,0,1,13,7,3;");
+    iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,15;");
+    batten_model *model = read_body(&file, "");
+    const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
+    CHECK(!p->uses[0].reversed && !p->uses[1].reversed);
+    batten_model_unref(model);
+}
+
 TEST(N2_a_face_too_large_to_be_measured_is_left_out)
 {
     iges_text file = iges_begin();
