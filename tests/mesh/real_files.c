@@ -127,6 +127,7 @@ static const struct {
     {"iges/pipe.iges", 0, 0},
     {"iges/pipe_deformed.iges", 0, 0},
     {"iges/pipe_hollow.iges", 0, 0},
+    {"iges/pipe_hollow_deformed.iges", 0, 0},
     {"iges/rhino_sphere.igs", 1, 0},
     {"hull_surfaces/ropax_maxsurf.igs", 0, 0},
     {"iges/sot404_package.igs", 0, 0},
