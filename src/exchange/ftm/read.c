@@ -167,7 +167,8 @@ static batten_status read_edges(reading *r)
             status = next_whole(r, "the mark of a crease", 0, 1, &crease);
         if (status == BATTEN_OK)
             status = next_whole(r, "a mark of an edge", INT_MIN, INT_MAX, &mark);
-        r->crease_count += crease;
+        if (status == BATTEN_OK)
+            r->crease_count += crease;
     }
     return status;
 }

@@ -67,3 +67,14 @@ TEST(published_ships_have_their_nets)
         batten_model_unref(model);
     }
 }
+
+TEST(N4_a_mark_of_a_crease_that_is_none_is_refused)
+{
+    static const char edge[] = "\n0\n0\n2\n0\n1\n";
+    const char *found = strstr(net, edge);
+    char text[sizeof net + 20];
+    CHECK(found != NULL);
+    const size_t at = (size_t)(found - net) + strlen(edge);
+    snprintf(text, sizeof text, "%.*s2147483647%s", (int)at, net, net + at + 1);
+    check_refused(text, BATTEN_FORMAT_FTM, BATTEN_BAD_FORMAT, "the mark of a crease");
+}
