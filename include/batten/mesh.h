@@ -91,8 +91,8 @@ typedef struct batten_mesh_report {
  * options out of range, and a chord in the roundoff of the size; CANCELLED, INCOMPLETE
  *
  * What is beyond `most` is refused before the work, by an estimate from second derivatives at
- * samples. A face whose border crosses itself in (u, v) gets finer samples along the edges that
- * cross, and is left out when that does not help. The distance reached is that of samples, four
+ * samples. A face whose border crosses itself in (u, v) gets finer samples there, then corners
+ * where its edges truly are, else it is left out. The distance reached is that of samples, four
  * in each triangle, from its plane. Cost: O(n log n) for n triangles; 200,000 of a bicubic
  * surface in half a second.
  * Source: [FMM86] for the bound, [Bowyer81] and [Sloan93] for the triangles.
