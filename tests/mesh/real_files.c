@@ -165,3 +165,52 @@ TEST(bodies_of_many_programs_have_meshes_of_their_area_and_volume)
             CHECK_NEAR(s.meshed_volume / s.volume, 1, 1e-2);
     }
 }
+
+/* What became of the bodies of a file, made larger. */
+typedef struct {
+    int bodies, watertight, failed, triangles;
+} outcome;
+
+static outcome mesh_larger(const batten_model *flat, double factor)
+{
+    const batten_affine map = {.m = {{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}}};
+    outcome sum = {0};
+    for (int i = 0; i < batten_model_count(flat); i++) {
+        batten_body *body = NULL;
+        batten_mesh *mesh = NULL;
+        batten_mesh_report report = {0};
+        batten_mesh_facts facts;
+        CHECK_OK(batten_body_transform(batten_model_object(flat, i)->body, &map, &body));
+        CHECK_OK(batten_mesh_of_body(body, NULL, NULL, NULL, &report, &mesh));
+        CHECK_OK(batten_mesh_check(mesh, &facts));
+        sum.bodies++;
+        sum.watertight += facts.is_watertight;
+        sum.failed += report.failed;
+        sum.triangles += batten_mesh_view(mesh)->triangle_count;
+        batten_mesh_unref(mesh);
+        batten_body_unref(body);
+    }
+    return sum;
+}
+
+/* All tolerances go with the size: by a power of two nothing changes at all; by another factor
+ * rounding does, and with it how many triangles there are, but no face is lost. */
+TEST(the_unit_does_not_change_which_faces_are_meshed)
+{
+    static const double factors[] = {1024, 1000, 1 / 0.0254, 1 / 0.3048};
+    batten_model *model = NULL, *flat = NULL;
+    CHECK_OK(
+        batten_read_file(test_data("step/femap_multisolids.stp"), NULL, NULL, NULL, &model));
+    CHECK_OK(batten_model_flat(model, &flat));
+    const outcome as_is = mesh_larger(flat, 1);
+    CHECK_INT(as_is.bodies, 5);
+    for (size_t i = 0; i < COUNT(factors); i++) {
+        const outcome larger = mesh_larger(flat, factors[i]);
+        CHECK_INT(larger.watertight, 5);
+        CHECK_INT(larger.failed, 0);
+        if (factors[i] == 1024)
+            CHECK_INT(larger.triangles, as_is.triangles);
+    }
+    batten_model_unref(flat);
+    batten_model_unref(model);
+}
