@@ -56,7 +56,8 @@ static void check_finite(const batten_model *model)
             CHECK(are_finite(o->points, 3 * (size_t)o->point_count));
         if (o->curve)
             CHECK(are_finite(batten_curve_points(o->curve),
-                             3 * (size_t)batten_curve_point_count(o->curve)));
+                             (size_t)batten_curve_dimension(o->curve) *
+                                 (size_t)batten_curve_point_count(o->curve)));
         if (o->mesh)
             CHECK(are_finite(batten_mesh_view(o->mesh)->points,
                              3 * (size_t)batten_mesh_view(o->mesh)->vertex_count));
