@@ -42,7 +42,8 @@ static double at(batten_interval domain, double t)
     return t == 1 ? domain.b : domain.a + t * (domain.b - domain.a);
 }
 
-static void put_face(FILE *table, int index, const batten_surface *surface,
+/* @param mirrored  the file has the surface reversed in u */
+static void put_face(FILE *table, int index, const batten_surface *surface, bool mirrored,
                      const batten_affine *place, double mm)
 {
     for (int i = 0; i <= FACE_SAMPLES; i++)
@@ -50,7 +51,7 @@ static void put_face(FILE *table, int index, const batten_surface *surface,
             const double u = (double)i / FACE_SAMPLES, v = (double)j / FACE_SAMPLES;
             double p[3];
             CHECK(batten_surface_evaluate(
-                surface, at(batten_surface_domain(surface, BATTEN_U), u),
+                surface, at(batten_surface_domain(surface, BATTEN_U), mirrored ? 1 - u : u),
                 at(batten_surface_domain(surface, BATTEN_V), v), 0, p));
             const batten_vec3 q = batten_affine_apply(*place, (batten_vec3){p[0], p[1], p[2]});
             fprintf(table, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", index, u, v, q.x * mm,
@@ -70,32 +71,34 @@ static void put_edge(FILE *table, int index, const batten_curve *curve, double m
 }
 
 /* The points of the objects, placed; the index goes on. */
-static void put_objects(FILE *table, int *index, const batten_model *model,
+static void put_objects(FILE *table, int *index, const batten_model *model, bool is_iges,
                         const batten_affine *place)
 {
     const double mm = batten_model_unit_metres(model) * 1000;
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
         if (object->surface)
-            put_face(table, (*index)++, object->surface, place, mm);
+            put_face(table, (*index)++, object->surface, false, place, mm);
         if (object->curve)
             put_edge(table, (*index)++, object->curve, mm);
         if (object->definition) {
             const batten_affine inner = batten_affine_compose(object->place, *place);
-            put_objects(table, index, object->definition, &inner);
+            put_objects(table, index, object->definition, is_iges, &inner);
         }
         const batten_body_parts *parts = object->body ? batten_body_view(object->body) : NULL;
         for (int f = 0; parts && f < parts->face_count; f++)
-            put_face(table, (*index)++, parts->faces[f].surface, place, mm);
+            put_face(table, (*index)++, parts->faces[f].surface,
+                     is_iges && parts->faces[f].reversed, place, mm);
     }
 }
 
-static void put_table(const char *name, const batten_model *model)
+/* IGES has faces against their surfaces on reversed ones. */
+static void put_table(const char *name, const batten_model *model, bool is_iges)
 {
     const batten_affine identity = batten_affine_identity();
     FILE *table = open_table(name);
     int index = 0;
-    put_objects(table, &index, model, &identity);
+    put_objects(table, &index, model, is_iges, &identity);
     fclose(table);
 }
 
@@ -110,7 +113,7 @@ static void put_file(const char *name, const char *ending, const batten_model *m
 /* Write the model as both kinds of file, and the table of its points. */
 static void put_model(const char *name, const batten_model *model)
 {
-    put_table(name, model);
+    put_table(name, model, false);
     put_file(name, "step", model, NULL);
     put_file(name, "igs", model, NULL);
 }
@@ -266,11 +269,11 @@ static void put_block(void)
         batten_write_options options = batten_write_defaults();
         options.schema = forms[k].schema;
         options.no_parameter_curves = forms[k].no_parameter_curves;
-        put_table(forms[k].name, model);
+        put_table(forms[k].name, model, false);
         put_file(forms[k].name, "step", model, &options);
         expect(forms[k].name, 1, 8, block_area(), block_volume());
     }
-    put_table("block-faces", model);
+    put_table("block-faces", model, true);
     put_file("block-faces", "igs", model, NULL);
     expect("block-faces", 0, 8, block_area(), 0);
     batten_model_unref(model);
@@ -287,7 +290,7 @@ static void put_sheets(void)
     CHECK(batten_body_of_surface("ball", surface, 1e-6, &body));
     CHECK(batten_model_add(
         model, &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_BODY, .body = body}));
-    put_table("sphere", model);
+    put_table("sphere", model, false);
     put_file("sphere", "step", model, NULL);
     put_file("sphere", "igs", model, NULL);
     expect("sphere", 0, 1, 4 * pi * 15 * 15, 4 * pi * 15 * 15 * 15 / 3);
@@ -318,10 +321,10 @@ static void put_assembly(void)
     place(all, "second", pair,
           batten_affine_rotation((batten_vec3){0, 50, 0}, (batten_vec3){0, 0, 1}, -2));
     place(all, "third", part, batten_affine_translation(0, 0, 70));
-    put_table("assembly", all);
+    put_table("assembly", all, false);
     put_file("assembly", "step", all, NULL);
     expect("assembly", 5, 40, 5 * block_area(), 5 * block_volume());
-    put_table("copies", all);
+    put_table("copies", all, true);
     put_file("copies", "igs", all, NULL);
     expect("copies", 0, 40, 5 * block_area(), 0);
     batten_model_unref(all);

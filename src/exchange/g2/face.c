@@ -86,12 +86,15 @@ static batten_status start_of(const batten_curve *curve, double point[3])
 }
 
 /* Edges and uses of a loop, head to tail: the start of each curve is a vertex. A pole ends
- * where it begins, and the next curve goes on from there; so no loop may end with one. */
+ * where it begins, and the next curve goes on from there; so a loop begins with those at its
+ * end. */
 static batten_status build_loop(bat_builder *builder, const bat_list *trims, double tolerance)
 {
     const trim *items = trims->items;
     const int count = (int)trims->count;
-    const int turn = is_point(items[count - 1].space, tolerance) ? count - 1 : 0;
+    int turn = count;
+    while (turn > 0 && is_point(items[turn - 1].space, tolerance))
+        turn--;
     int first = 0, vertex = 0, edge = 0;
     bool after_pole = false;
     batten_status status = bat_builder_loop(builder);
