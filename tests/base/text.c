@@ -150,3 +150,18 @@ TEST(F5_messages_and_texts_have_points_in_german)
         check_text(&text, "2.25");
     batten_text_free(&text);
 }
+
+TEST(bytes_may_come_before_what_is_there)
+{
+    batten_text text = BATTEN_TEXT;
+    bat_text_insert(&text, "b", 1);
+    bat_text_insert(&text, "", 0);
+    bat_text_insert(&text, "a", 1);
+    bat_text_reserve(&text, 1000);
+    batten_text_bytes(&text, "", 0);
+    batten_text_add(&text, "%d", 3);
+    if (!text.failed)
+        CHECK_TEXT(text.bytes, "ab3");
+    CHECK(text.failed || text.capacity >= 1000);
+    batten_text_free(&text);
+}

@@ -97,8 +97,11 @@ TEST(svg_notes_what_is_beyond_the_tolerance)
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     /* Twice where memory failed and it was written again. */
     CHECK(batten_notes_count(notes) + batten_notes_dropped(notes) >= 1);
-    if (batten_notes_count(notes) > 0)
-        CHECK_CONTAINS(batten_notes_at(notes, 0)->text, "not within the tolerance 1e-300");
+    bool said = batten_notes_dropped(notes) > 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        said |=
+            strstr(batten_notes_at(notes, i)->text, "not within the tolerance 1e-300") != NULL;
+    CHECK(said);
     batten_release(data);
     batten_curve_unref(curve);
     batten_notes_free(notes);
