@@ -2,8 +2,15 @@
 
 #include <string.h>
 
-static facts curve_facts(const batten_curve *curve, double tolerance)
+static double tolerance_in(batten_box box)
 {
+    return 1e-9 *
+           (box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z));
+}
+
+static facts curve_facts(const batten_curve *curve)
+{
+    const batten_box box = batten_curve_box(curve);
     return (facts){
         .type = "curve",
         .kind = batten_curve_is_periodic(curve) ? "periodic nurbs" : "nurbs",
@@ -12,14 +19,14 @@ static facts curve_facts(const batten_curve *curve, double tolerance)
         .degree = {batten_curve_degree(curve)},
         .points = {batten_curve_point_count(curve)},
         .rational = batten_curve_is_rational(curve),
-        .closed = {batten_curve_is_closed(curve, tolerance)},
+        .closed = {batten_curve_is_closed(curve, tolerance_in(box))},
         .domain = {batten_curve_domain(curve)},
         .controls = true,
-        .box = batten_curve_box(curve),
+        .box = box,
     };
 }
 
-static facts surface_facts(const batten_surface *surface, double tolerance)
+static facts surface_facts(const batten_surface *surface)
 {
     facts f = {
         .type = "surface",
@@ -30,7 +37,8 @@ static facts surface_facts(const batten_surface *surface, double tolerance)
     };
     for (int d = 0; d < 2; d++) {
         f.domain[d] = batten_surface_domain(surface, (batten_direction)d);
-        f.closed[d] = batten_surface_is_closed(surface, (batten_direction)d, tolerance);
+        f.closed[d] =
+            batten_surface_is_closed(surface, (batten_direction)d, tolerance_in(f.box));
     }
     if (strcmp(f.kind, "nurbs") == 0) {
         f.controls = true;
@@ -75,7 +83,7 @@ static facts body_facts(const batten_body *body)
 static facts mesh_facts(const batten_mesh *mesh)
 {
     const batten_mesh_parts *parts = batten_mesh_view(mesh);
-    batten_mesh_facts found;
+    batten_mesh_facts found = {0};
     const bool checked = batten_mesh_check(mesh, &found) == BATTEN_OK;
     return (facts){
         .type = "mesh",
@@ -86,6 +94,8 @@ static facts mesh_facts(const batten_mesh *mesh)
         .remark = !checked              ? NULL
                   : found.is_watertight ? "watertight"
                                         : "not watertight",
+        .mesh_checked = checked,
+        .mesh = found,
         .box = batten_mesh_box(mesh),
     };
 }
@@ -108,13 +118,13 @@ static batten_box points_box(const batten_object *object)
     return box;
 }
 
-facts facts_of(const batten_object *object, double tolerance)
+static facts facts_without_tolerance(const batten_object *object)
 {
     switch (object->kind) {
     case BATTEN_OBJECT_CURVE:
-        return curve_facts(object->curve, tolerance);
+        return curve_facts(object->curve);
     case BATTEN_OBJECT_SURFACE:
-        return surface_facts(object->surface, tolerance);
+        return surface_facts(object->surface);
     case BATTEN_OBJECT_OFFSETS:
         return (facts){.type = "offsets",
                        .kind = "table",
@@ -137,4 +147,11 @@ facts facts_of(const batten_object *object, double tolerance)
                    .dimension = 3,
                    .points = {object->point_count},
                    .box = points_box(object)};
+}
+
+facts facts_of(const batten_object *object)
+{
+    facts f = facts_without_tolerance(object);
+    f.tolerance = tolerance_in(f.box);
+    return f;
 }

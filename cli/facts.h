@@ -13,16 +13,19 @@ typedef struct {
     bool controls; /* the box is that of the control points */
     batten_interval domain[2];
     batten_box box;
+    double tolerance;       /* ends within it are the same point: 1e-9 of the object's size */
     const char *counted[4]; /* what the counts are of: "faces", ... */
     int counts[4];
     const char *remark; /* "watertight", ...; NULL for none */
+    bool mesh_checked;  /* of a mesh: `mesh` was found */
+    batten_mesh_facts mesh;
 } facts;
 
-/* @param tolerance ends within it are the same point */
-facts facts_of(const batten_object *object, double tolerance);
+facts facts_of(const batten_object *object);
 
-/* Go over the object: near knots, poles, edges that are tiny, free or used the same way twice,
- * gaps, loops that touch. Notes name it; remarks say what is unusual but not wrong. */
-batten_status lint_object(const batten_object *object, double tolerance, batten_notes *notes);
+/* Go over the object, whose facts are given: near knots, poles, edges that are tiny, free or
+ * used the same way twice, gaps, loops that touch. Notes name it; remarks say what is unusual
+ * but not wrong. */
+batten_status lint_object(const batten_object *object, const facts *f, batten_notes *notes);
 
 #endif

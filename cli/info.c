@@ -152,17 +152,8 @@ static void add_totals(batten_text *text, const batten_model *model)
     }
 }
 
-/* Ends within a billionth of the object's size are the same point. */
-static double tolerance_of(const batten_object *object)
-{
-    const batten_box box = facts_of(object, 0).box;
-    const double size =
-        box.high.x - box.low.x + (box.high.y - box.low.y) + (box.high.z - box.low.z);
-    return 1e-9 * size;
-}
-
-static int print(const char *file, const batten_model *model, const batten_notes *notes,
-                 bool json)
+static int print(const char *file, const batten_model *model, const facts *found,
+                 const batten_notes *notes, bool json)
 {
     const char *unit = batten_unit_name(batten_model_unit_metres(model));
     batten_text text = BATTEN_TEXT;
@@ -182,12 +173,11 @@ static int print(const char *file, const batten_model *model, const batten_notes
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        const facts f = facts_of(object, tolerance_of(object));
         if (json) {
             batten_text_add(&text, "%s\n    ", i ? "," : "");
-            add_json(&text, object, &f);
+            add_json(&text, object, &found[i]);
         } else {
-            add_line(&text, object, &f);
+            add_line(&text, object, &found[i]);
         }
     }
     if (json) {
@@ -217,13 +207,41 @@ static int flatten(batten_model **model, batten_notes *notes, int exit)
 }
 
 /* What is wrong with the objects goes to the notes. The exit status, or EXIT_FAILED. */
-static int lint(const batten_model *model, batten_notes *notes, int exit)
+static int lint(const batten_model *model, const facts *found, batten_notes *notes, int exit)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
-        status = lint_object(batten_model_object(model, i),
-                             tolerance_of(batten_model_object(model, i)), notes);
+        status = lint_object(batten_model_object(model, i), &found[i], notes);
     return status == BATTEN_OK ? exit : output_failed("info", status);
+}
+
+/* The facts of every object, found once (a mesh is checked for them); NULL without memory. */
+static facts *facts_of_all(const batten_model *model)
+{
+    const int count = batten_model_count(model);
+    facts *found = batten_array((size_t)count + 1, sizeof *found);
+    for (int i = 0; found && i < count; i++)
+        found[i] = facts_of(batten_model_object(model, i));
+    return found;
+}
+
+static int tell(const arguments *given, const batten_model *model, batten_notes *notes,
+                int exit)
+{
+    const bool json = arguments_has(given, "json");
+    facts *found = facts_of_all(model);
+    if (!found)
+        return output_failed("info", BATTEN_OUT_OF_MEMORY);
+    if (!arguments_has(given, "no-lint"))
+        exit = lint(model, found, notes, exit);
+    if (exit != EXIT_FAILED) {
+        const int printed = print(given->files[0], model, found, notes, json);
+        exit = printed == EXIT_DONE ? exit : printed;
+        if (!json)
+            notes_show(notes);
+    }
+    batten_release(found);
+    return exit;
 }
 
 static int run(const arguments *given)
@@ -235,15 +253,8 @@ static int run(const arguments *given)
     int exit = input_read(given->files[0], notes, &model);
     if (exit != EXIT_FAILED)
         exit = flatten(&model, notes, exit);
-    if (exit != EXIT_FAILED && !arguments_has(given, "no-lint"))
-        exit = lint(model, notes, exit);
-    if (exit != EXIT_FAILED) {
-        const bool json = arguments_has(given, "json");
-        const int printed = print(given->files[0], model, notes, json);
-        exit = printed == EXIT_DONE ? exit : printed;
-        if (!json)
-            notes_show(notes);
-    }
+    if (exit != EXIT_FAILED)
+        exit = tell(given, model, notes, exit);
     batten_model_unref(model);
     batten_notes_free(notes);
     return exit;

@@ -109,16 +109,23 @@ static batten_status lint_body(const batten_object *object, batten_notes *notes)
     return status;
 }
 
-static batten_status lint_mesh(const batten_object *object, batten_notes *notes)
+/* Why the mesh could not be checked, found by asking once more. */
+static batten_status note_unchecked(const batten_object *object, batten_notes *notes)
 {
     batten_mesh_facts f;
-    batten_status status = batten_mesh_check(object->mesh, &f);
+    const batten_status status = batten_mesh_check(object->mesh, &f);
     if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
         return status;
-    if (status != BATTEN_OK) {
-        batten_notes_add(notes, "", 0, object->name, "%s", batten_message());
-        return BATTEN_OK;
-    }
+    batten_notes_add(notes, "", 0, object->name, "%s", batten_message());
+    return BATTEN_OK;
+}
+
+static batten_status lint_mesh(const batten_object *object, const facts *told,
+                               batten_notes *notes)
+{
+    if (!told->mesh_checked)
+        return note_unchecked(object, notes);
+    const batten_mesh_facts f = told->mesh;
     const struct {
         int count;
         const char *what;
@@ -136,17 +143,17 @@ static batten_status lint_mesh(const batten_object *object, batten_notes *notes)
     return BATTEN_OK;
 }
 
-batten_status lint_object(const batten_object *object, double tolerance, batten_notes *notes)
+batten_status lint_object(const batten_object *object, const facts *f, batten_notes *notes)
 {
     switch (object->kind) {
     case BATTEN_OBJECT_CURVE:
         return lint_curve(object, notes);
     case BATTEN_OBJECT_SURFACE:
-        return lint_surface(object, tolerance, notes);
+        return lint_surface(object, f->tolerance, notes);
     case BATTEN_OBJECT_BODY:
         return lint_body(object, notes);
     case BATTEN_OBJECT_MESH:
-        return lint_mesh(object, notes);
+        return lint_mesh(object, f, notes);
     default:
         return BATTEN_OK;
     }

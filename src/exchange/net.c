@@ -3,20 +3,17 @@
 #include <string.h>
 
 batten_status bat_net_transpose(bat_input *input, size_t count_u, size_t count_v, size_t width,
-                                double **values)
+                                const double *values, double **out)
 {
     double *turned = NULL;
-    if (!*values)
-        return BATTEN_OK;
     batten_status status =
         bat_input_array(input, count_u * count_v * width, sizeof *turned, &turned);
     if (status != BATTEN_OK)
         return status;
     for (size_t j = 0; j < count_v; j++)
         for (size_t i = 0; i < count_u; i++)
-            memcpy(&turned[(i * count_v + j) * width], &(*values)[(j * count_u + i) * width],
+            memcpy(&turned[(i * count_v + j) * width], &values[(j * count_u + i) * width],
                    width * sizeof *turned);
-    bat_release(*values);
-    *values = turned;
+    *out = turned;
     return BATTEN_OK;
 }

@@ -3,9 +3,9 @@
 #define BAT_NET_H
 #include "exchange/input.h"
 
-/* Numbers that run with u fastest, `width` at a time, put into our order, v fastest; NULL stays
- * NULL. */
+/* count_u x count_v numbers, `width` at a time, that run with u fastest, in our order, v
+ * fastest; the caller releases them. */
 batten_status bat_net_transpose(bat_input *input, size_t count_u, size_t count_v, size_t width,
-                                double **values);
+                                const double *values, double **out);
 
 #endif

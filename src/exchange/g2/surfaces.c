@@ -3,6 +3,20 @@
 #include "exchange/net.h"
 #include "numeric/vector.h"
 
+static batten_status transpose(bat_words *words, const batten_axis axes[2], size_t width,
+                               double **values)
+{
+    double *turned = NULL;
+    const batten_status status =
+        bat_net_transpose(words->input, (size_t)axes[0].point_count,
+                          (size_t)axes[1].point_count, width, *values, &turned);
+    if (status != BATTEN_OK)
+        return status;
+    bat_release(*values);
+    *values = turned;
+    return BATTEN_OK;
+}
+
 /* The points of a net, and its weights. */
 static batten_status read_net(bat_words *words, int dimension, bool rational,
                               const batten_axis axes[2], double **points, double **weights)
@@ -15,9 +29,9 @@ static batten_status read_net(bat_words *words, int dimension, bool rational,
     if (status == BATTEN_OK && rational)
         status = bat_g2_divide_weights(words, dimension, count_u * count_v, *points, weights);
     if (status == BATTEN_OK)
-        status = bat_net_transpose(words->input, count_u, count_v, (size_t)dimension, points);
-    if (status == BATTEN_OK)
-        status = bat_net_transpose(words->input, count_u, count_v, 1, weights);
+        status = transpose(words, axes, (size_t)dimension, points);
+    if (status == BATTEN_OK && rational)
+        status = transpose(words, axes, 1, weights);
     return status;
 }
 

@@ -1,6 +1,7 @@
 #include "exchange/iges/surfaces.h"
 #include "exchange/iges/curves.h"
 #include "exchange/iges/references.h"
+#include "exchange/net.h"
 
 #include <batten/even_speed.h>
 #include <batten/skin.h>
@@ -8,23 +9,6 @@
 #include <string.h>
 
 /* ---- 128: B-spline surface ---- */
-
-/* Numbers that run with u fastest, `width` at a time, put into our order, v fastest. */
-static batten_status turned(bat_input *input, size_t count_u, size_t count_v, size_t width,
-                            const double *values, double **out)
-{
-    double *made = NULL;
-    batten_status status =
-        bat_input_array(input, count_u * count_v * width, sizeof *made, &made);
-    if (status != BATTEN_OK)
-        return status;
-    for (size_t j = 0; j < count_v; j++)
-        for (size_t i = 0; i < count_u; i++)
-            memcpy(&made[(i * count_v + j) * width], &values[(j * count_u + i) * width],
-                   width * sizeof *made);
-    *out = made;
-    return BATTEN_OK;
-}
 
 static batten_status restrict_surface(batten_direction direction, batten_interval range,
                                       batten_surface **surface)
@@ -78,9 +62,9 @@ static batten_status make_surface(bat_iges_item *item, const net *n, const doubl
     const size_t count = n->count_u * n->count_v;
     double *turned_weights = NULL, *turned_points = NULL;
     batten_status status =
-        turned(input, n->count_u, n->count_v, 3, weights + count, &turned_points);
+        bat_net_transpose(input, n->count_u, n->count_v, 3, weights + count, &turned_points);
     if (status == BATTEN_OK && bat_iges_weights_matter(item, n->head[6] != 0, count, weights))
-        status = turned(input, n->count_u, n->count_v, 1, weights, &turned_weights);
+        status = bat_net_transpose(input, n->count_u, n->count_v, 1, weights, &turned_weights);
     if (status == BATTEN_OK) {
         const batten_axis u = {n->head[2], (int)n->count_u, numbers, false};
         const batten_axis v = {n->head[3], (int)n->count_v, numbers + n->knots_u, false};
