@@ -332,5 +332,8 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
         status = run(&p, command, v);
         p.before = command;
     }
-    return status == BATTEN_OK ? hand_over(&p) : status;
+    if (status != BATTEN_OK && status != BATTEN_BAD_FORMAT)
+        return status;
+    const batten_status handed = hand_over(&p); /* what stands before an arc that failed too */
+    return handed == BATTEN_OK ? status : handed;
 }

@@ -119,13 +119,18 @@ batten_status bat_svg_arc(bat_svg_row *row, double rx, double ry, double angle, 
         e.rx *= reach;
         e.ry *= reach;
     }
-    const double ux = px / e.rx, uy = py / e.ry, u = ux * ux + uy * uy;
-    const double side = (large == sweep ? -1 : 1) * sqrt(bat_max(0, 1 - u) / u);
+    const double ux = px / e.rx, uy = py / e.ry, u = hypot(ux, uy);
+    const double side = (large == sweep ? -1 : 1) * sqrt(bat_max(0, 1 - u * u)) / u;
     const double qx = side * e.rx * uy, qy = -side * e.ry * ux;
     e.cx = e.cosine * qx - e.sine * qy + (row->x + x) / 2;
     e.cy = e.sine * qx + e.cosine * qy + (row->y + y) / 2;
     const double start = atan2((py - qy) / e.ry, (px - qx) / e.rx);
     double turn = atan2((-py - qy) / e.ry, (-px - qx) / e.rx) - start;
+    if (!isfinite(turn))
+        return bat_fail(BATTEN_BAD_FORMAT,
+                        "its arc with the half axes %g and %g to (%g, %g) cannot be computed: "
+                        "their sizes lie too far apart",
+                        rx, ry, x, y);
     if (sweep && turn <= 0)
         turn += 2 * BAT_PI;
     if (!sweep && turn >= 0)

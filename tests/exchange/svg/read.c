@@ -113,6 +113,27 @@ TEST(arcs_of_paths_lie_on_their_ellipses)
     batten_model_unref(model);
 }
 
+TEST(arcs_that_cannot_be_computed_are_noted_and_keep_what_stands_before)
+{
+    static const char *const ends[] = {"A1e-310 1e-310 0 0 1 1e10 3",
+                                       "A1e-300 1e300 0 0 1 30 20",
+                                       "A1e300 1e-300 30 1 1 30 20"};
+    for (int i = 0; i < COUNT(ends); i++) {
+        char text[200];
+        batten_model *model = NULL;
+        snprintf(text, sizeof text, "<path d=\"M1 2L3 4%s\"/>", ends[i]);
+        CHECK_STATUS(read_text(sheet(text), BATTEN_FORMAT_AUTO, NULL, &model),
+                     BATTEN_PARTLY_READ);
+        CHECK_INT(batten_model_count(model), 1);
+        CHECK_INT(batten_curve_point_count(batten_model_object(model, 0)->curve), 2);
+        batten_model_unref(model);
+    }
+    /* Half axes that are too long by far are an arc still, all but straight. */
+    batten_model *model = read_shapes("<path d=\"M10 20A1e12 1e12 0 0 1 30 20\"/>");
+    check_point(model, 0, 1, 30, 30);
+    batten_model_unref(model);
+}
+
 TEST(shapes_are_curves)
 {
     batten_model *model =
