@@ -1,8 +1,10 @@
 /* Give each file of the folders named to the target, once: so that corpora are tests under any
  * compiler. With --damage COUNT: so many damaged copies of them instead, the same in every run;
- * --first N begins with the Nth of them. */
+ * --first N begins with the Nth of them. With --faults COUNT: each file is read with so many of
+ * its allocations failing, one after another. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#include "faults.h"
 #include "mutate.h"
 #include "promise.h"
 #include "survive.h"
@@ -174,16 +176,38 @@ static int survive_damage(const seeds *all, size_t first, size_t count)
     return status != 0;
 }
 
+static int survive_faults(const seeds *all, long most)
+{
+    int status = 0;
+    const batten_format format = format_of(FUZZ_NAME);
+    for (int i = 0; i < all->count && format != BATTEN_FORMAT_AUTO; i++)
+        status |= !fuzz_faults(all->files[i].name, all->files[i].bytes, all->files[i].size,
+                               format, most);
+    printf("%d files read with failing memory\n", all->count);
+    return status;
+}
+
+static void replay(const seeds *all)
+{
+    for (int i = 0; i < all->count; i++)
+        LLVMFuzzerTestOneInput(all->files[i].bytes, all->files[i].size);
+    printf("%d files replayed\n", all->count);
+}
+
 int main(int count, char **words)
 {
     static seeds all;
     size_t damaged = 0, first = 0;
+    long faults = 0;
     int status = 0;
+    fuzz_faults_begin();
     for (int i = 1; i < count; i++) {
         if (strcmp(words[i], "--damage") == 0 && i + 1 < count)
             damaged = (size_t)strtoul(words[++i], NULL, 10);
         else if (strcmp(words[i], "--first") == 0 && i + 1 < count)
             first = (size_t)strtoul(words[++i], NULL, 10);
+        else if (strcmp(words[i], "--faults") == 0 && i + 1 < count)
+            faults = strtol(words[++i], NULL, 10);
         else
             load_folder(&all, words[i]);
     }
@@ -194,10 +218,10 @@ int main(int count, char **words)
     qsort(all.files, (size_t)all.count, sizeof all.files[0], compare);
     if (damaged > 0 && all.count > 0)
         status = survive_damage(&all, first, damaged);
-    for (int i = 0; damaged == 0 && i < all.count; i++)
-        LLVMFuzzerTestOneInput(all.files[i].bytes, all.files[i].size);
-    if (damaged == 0)
-        printf("%d files replayed\n", all.count);
+    else if (faults > 0)
+        status = survive_faults(&all, faults);
+    else
+        replay(&all);
     if (all.count == 0)
         status = 1;
     while (all.count > 0)
