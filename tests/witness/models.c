@@ -23,7 +23,7 @@
 static const char *folder;
 
 /* Samples along each parameter of a face, and along an edge. */
-enum { FACE_SAMPLES = 12, EDGE_SAMPLES = 100 };
+enum { FACE_SAMPLES = 31, EDGE_SAMPLES = 1000 };
 
 static FILE *open_table(const char *name)
 {
