@@ -81,3 +81,12 @@ int bat_definitions_index(const bat_definitions *d, const batten_model *model)
 {
     return d->table[place_of(d, model)] - 1;
 }
+
+void bat_definitions_rising(const bat_definitions *d, int *order)
+{
+    const int deepest = batten_model_depth(d->models[0]); /* 32 at most */
+    for (int depth = 0, at = 0; depth <= deepest; depth++)
+        for (int i = 0; i < d->count; i++)
+            if (batten_model_depth(d->models[i]) == depth)
+                order[at++] = i;
+}

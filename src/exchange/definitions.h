@@ -17,5 +17,8 @@ batten_status bat_definitions_find(const batten_model *model, bat_definitions *o
 void bat_definitions_end(bat_definitions *definitions);
 /* The index of a model that was found. */
 int bat_definitions_index(const bat_definitions *definitions, const batten_model *model);
+/* The indices in an order in which each comes after those that it places: by rising depth.
+ * order: [count]. */
+void bat_definitions_rising(const bat_definitions *definitions, int *order);
 
 #endif

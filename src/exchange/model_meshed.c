@@ -1,60 +1,15 @@
 /* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
 #include "exchange/model_meshed.h"
+#include "exchange/model_change.h"
 
 #include <string.h>
 
-/* Definitions that were meshed, and what became of them: each once, however often it is placed.
- */
 typedef struct {
     unsigned kinds; /* that become meshes */
     const batten_mesh_options *options;
     const batten_job *job;
     batten_notes *notes;
-    int count, room;
-    const batten_model **from; /* [count] */
-    batten_model **to;         /* [count] */
 } meshing;
-
-static batten_status mesh_model(const batten_model *model, meshing *m, batten_model **out);
-
-static batten_status remember(meshing *m, const batten_model *from, batten_model *to)
-{
-    if (m->count == m->room) {
-        const int room = bat_max_int(8, 2 * m->room);
-        const batten_model **sources = bat_resize(m->from, (size_t)room, sizeof *sources);
-        if (!sources)
-            return BATTEN_OUT_OF_MEMORY;
-        m->from = sources;
-        batten_model **made = bat_resize(m->to, (size_t)room, sizeof *made);
-        if (!made)
-            return BATTEN_OUT_OF_MEMORY;
-        m->to = made;
-        m->room = room;
-    }
-    m->from[m->count] = from;
-    m->to[m->count++] = batten_model_ref(to);
-    return BATTEN_OK;
-}
-
-static batten_status add_instance(batten_model *made, const batten_object *object, meshing *m)
-{
-    batten_object placed = *object;
-    batten_model *definition = NULL;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; i < m->count && !definition; i++)
-        if (m->from[i] == object->definition)
-            definition = batten_model_ref(m->to[i]);
-    if (!definition) {
-        status = mesh_model(object->definition, m, &definition);
-        if (status == BATTEN_OK)
-            status = remember(m, object->definition, definition);
-    }
-    placed.definition = definition;
-    if (status == BATTEN_OK)
-        status = batten_model_add(made, &placed);
-    batten_model_unref(definition);
-    return status;
-}
 
 /* The shape of one object as a mesh. */
 static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
@@ -112,12 +67,11 @@ static bool is_final(batten_status status)
            status == BATTEN_INCOMPLETE || status == BATTEN_TOO_LARGE;
 }
 
-static batten_status add_meshed(batten_model *made, const batten_object *object, meshing *m)
+static batten_status add_meshed(void *context, batten_model *made, const batten_object *object)
 {
+    meshing *m = context;
     batten_mesh *mesh = NULL;
     batten_object meshed = *object;
-    if (object->kind == BATTEN_OBJECT_INSTANCE)
-        return add_instance(made, object, m);
     if (!(m->kinds & 1u << object->kind))
         return batten_model_add(made, object);
     batten_status status = mesh_shape(object, m, &mesh);
@@ -138,31 +92,12 @@ static batten_status add_meshed(batten_model *made, const batten_object *object,
     return status;
 }
 
-/* Instances lie at most 32 deep, and so does the recursion. */
-static batten_status mesh_model(const batten_model *model, meshing *m, batten_model **out)
-{
-    batten_model *made = NULL;
-    batten_status status = batten_model_create(batten_model_unit_metres(model), &made);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
-        status = add_meshed(made, batten_model_object(model, i), m);
-    if (status == BATTEN_OK)
-        *out = made;
-    else
-        batten_model_unref(made);
-    return status;
-}
-
 batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
                                const batten_mesh_options *options, const batten_job *job,
                                batten_notes *notes, batten_model **out)
 {
     meshing m = {.kinds = kinds, .options = options, .job = job, .notes = notes};
-    const batten_status status = mesh_model(model, &m, out);
-    for (int i = 0; i < m.count; i++)
-        batten_model_unref(m.to[i]);
-    bat_release(m.from);
-    bat_release(m.to);
-    return status;
+    return bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
 }
 
 batten_status batten_model_meshed(const batten_model *model, const batten_mesh_options *options,

@@ -142,34 +142,6 @@ static batten_status put_mesh(writing *w, const batten_object *object, int id, b
 
 /* ---- definitions ---- */
 
-typedef struct {
-    int depth, index;
-} ranked;
-
-static int compare_depth(const void *a, const void *b)
-{
-    const ranked *one = a, *other = b;
-    if (one->depth != other->depth)
-        return one->depth < other->depth ? -1 : 1;
-    return (one->index > other->index) - (one->index < other->index);
-}
-
-/* What is placed in others lies less deep than these. */
-static batten_status find_order(writing *w)
-{
-    const int count = w->definitions.count;
-    ranked *ranks = bat_array((size_t)count, sizeof *ranks);
-    if (!ranks)
-        return BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < count; i++)
-        ranks[i] = (ranked){batten_model_depth(w->definitions.models[i]), i};
-    qsort(ranks, (size_t)count, sizeof *ranks, compare_depth);
-    for (int i = 0; i < count; i++)
-        w->order[i] = ranks[i].index;
-    bat_release(ranks);
-    return BATTEN_OK;
-}
-
 /* Colours in the order in which their objects will come. */
 static void put_colours(writing *w)
 {
@@ -315,7 +287,7 @@ batten_status bat_write_3mf(const batten_model *model, const batten_write_option
     if (status == BATTEN_OK)
         status = make_room(&w);
     if (status == BATTEN_OK)
-        status = find_order(&w);
+        bat_definitions_rising(&w.definitions, w.order);
     if (status == BATTEN_OK)
         status = put_model(&w, model);
     if (status == BATTEN_OK) {
