@@ -60,10 +60,9 @@ static void note_unit(double metres, batten_notes *notes)
 
 /* ---- offsets ---- */
 
-/* A field in quotes, its own doubled; what would end the line becomes a blank. */
-static void put_quoted(batten_text *text, const char *field)
+void bat_put_quoted(batten_text *text, const char *field)
 {
-    batten_text_bytes(text, ",\"", 2);
+    batten_text_bytes(text, "\"", 1);
     for (; *field; field++) {
         const char c = *field == '\n' || *field == '\r' ? ' ' : *field;
         batten_text_bytes(text, c == '"' ? "\"\"" : &c, c == '"' ? 2 : 1);
@@ -127,11 +126,15 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
     batten_text_number(text, point->z);
     batten_text_bytes(text, ",", 1);
     batten_text_number(text, point->y);
-    if (needed.line)
-        put_quoted(text,
-                   point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
-    if (needed.section)
-        put_quoted(text, station->name);
+    if (needed.line) {
+        batten_text_bytes(text, ",", 1);
+        bat_put_quoted(text,
+                       point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
+    }
+    if (needed.section) {
+        batten_text_bytes(text, ",", 1);
+        bat_put_quoted(text, station->name);
+    }
     batten_text_bytes(text, "\n", 1);
 }
 

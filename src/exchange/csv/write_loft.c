@@ -43,17 +43,6 @@ static batten_status find_points(writing *w)
     return BATTEN_OK;
 }
 
-/* A field in quotes, its own doubled; what would end the line becomes a blank. */
-static void put_name(writing *w, const char *name)
-{
-    batten_text_bytes(w->text, "\"", 1);
-    for (; *name; name++) {
-        const char c = *name == '\n' || *name == '\r' ? ' ' : *name;
-        batten_text_bytes(w->text, c == '"' ? "\"\"" : &c, c == '"' ? 2 : 1);
-    }
-    batten_text_bytes(w->text, "\"", 1);
-}
-
 /* "1-7-4" is 1 foot, 7 inches and 4 eighths. */
 static void put_feet(writing *w, double value)
 {
@@ -71,7 +60,7 @@ static void put_stations(writing *w)
     batten_text_add(w->text, "axis,name");
     for (int s = 0; s < w->stations; s++) {
         batten_text_bytes(w->text, ",", 1);
-        put_name(w, batten_offsets_station(w->offsets, s)->name);
+        bat_put_quoted(w->text, batten_offsets_station(w->offsets, s)->name);
     }
     batten_text_add(w->text, "\nlength,station");
     for (int s = 0; s < w->stations; s++) {
@@ -85,7 +74,7 @@ static void put_block(writing *w, const char *axis, bool heights)
 {
     for (int line = 0; line < w->lines; line++) {
         batten_text_add(w->text, "%s,", line == 0 ? axis : "");
-        put_name(w, batten_offsets_line(w->offsets, line)->name);
+        bat_put_quoted(w->text, batten_offsets_line(w->offsets, line)->name);
         for (int s = 0; s < w->stations; s++) {
             const int at = w->at[line * w->stations + s];
             batten_text_bytes(w->text, ",", 1);

@@ -181,11 +181,11 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
         return BATTEN_OK;
     if (b->is_at_work || depth >= DEEPEST)
         return bat_fail(BATTEN_BAD_FORMAT,
-                        "block '%.60s' holds itself, or lies more than %d deep", b->name,
+                        "block '%.60s' holds itself, or lies more than %d deep", b->is.name,
                         DEEPEST);
     b->is_at_work = true;
     f.polyline.vertices.size = 4 * sizeof(double);
-    bat_dxf_pairs_begin(&f.pairs, r->input, b->at, b->line);
+    bat_dxf_pairs_begin(&f.pairs, r->input, b->is.at, b->line);
     batten_status status = batten_model_create(r->unit_metres, &f.model);
     if (status == BATTEN_OK)
         status = fill(&f, "ENDBLK");

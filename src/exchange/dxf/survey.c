@@ -24,9 +24,9 @@ static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 /* Bad numbers of a layer are as if they were not there. */
 static batten_status read_layer(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 {
-    bat_dxf_layer_entry made = {.is_hidden = false};
+    bat_dxf_layer_entry made = {.is.at = pairs->next_at};
     int colour = 7, flags = 0, full = -1;
-    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    bat_dxf_get_text(pairs, 2, sizeof made.is.name, made.is.name);
     (void)bat_dxf_get_integer(pairs, 62, 7, &colour);
     (void)bat_dxf_get_integer(pairs, 70, 0, &flags);
     (void)bat_dxf_get_integer(pairs, 420, -1, &full);
@@ -41,8 +41,8 @@ static batten_status read_layer(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 
 static batten_status read_block(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
 {
-    bat_dxf_block made = {.at = pairs->next_at, .line = pairs->next_line};
-    bat_dxf_get_text(pairs, 2, sizeof made.name, made.name);
+    bat_dxf_block made = {.is.at = pairs->next_at, .line = pairs->next_line};
+    bat_dxf_get_text(pairs, 2, sizeof made.is.name, made.is.name);
     batten_status status = bat_dxf_get_point(pairs, 10, (batten_vec3){0, 0, 0}, &made.base);
     if (status == BATTEN_BAD_FORMAT) {
         batten_notes_add(r->input->notes, r->input->file, pairs->line, "BLOCK",
@@ -72,17 +72,11 @@ static batten_status survey_entity(bat_dxf_reading *r, const bat_dxf_pairs *pair
     return BATTEN_OK;
 }
 
-static int compare_blocks(const void *a, const void *b)
+static int compare(const void *a, const void *b)
 {
-    const bat_dxf_block *one = a, *other = b;
+    const bat_dxf_named *one = a, *other = b;
     const int order = strcmp(one->name, other->name);
     return order ? order : (one->at > other->at) - (one->at < other->at);
-}
-
-static int compare_layers(const void *a, const void *b)
-{
-    const bat_dxf_layer_entry *one = a, *other = b;
-    return strcmp(one->name, other->name);
 }
 
 batten_status bat_dxf_survey(bat_dxf_reading *r)
@@ -102,36 +96,36 @@ batten_status bat_dxf_survey(bat_dxf_reading *r)
     r->input->is_cut = !ended;
     bat_dxf_pairs_end(&pairs);
     if (r->layers.count)
-        qsort(r->layers.items, r->layers.count, sizeof(bat_dxf_layer_entry), compare_layers);
+        qsort(r->layers.items, r->layers.count, sizeof(bat_dxf_layer_entry), compare);
     if (r->blocks.count)
-        qsort(r->blocks.items, r->blocks.count, sizeof(bat_dxf_block), compare_blocks);
+        qsort(r->blocks.items, r->blocks.count, sizeof(bat_dxf_block), compare);
     return status;
+}
+
+/* The first of a sorted list that has the name. */
+static void *find(const bat_list *list, const char *name)
+{
+    unsigned char *items = list->items;
+    size_t low = 0, high = list->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (strcmp(((bat_dxf_named *)(void *)(items + middle * list->size))->name, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == list->count)
+        return NULL;
+    bat_dxf_named *found = (void *)(items + low * list->size);
+    return strcmp(found->name, name) == 0 ? found : NULL;
 }
 
 const bat_dxf_layer_entry *bat_dxf_find_layer(const bat_dxf_reading *r, const char *name)
 {
-    const bat_dxf_layer_entry *layers = r->layers.items;
-    size_t low = 0, high = r->layers.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (strcmp(layers[middle].name, name) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < r->layers.count && strcmp(layers[low].name, name) == 0 ? &layers[low] : NULL;
+    return find(&r->layers, name);
 }
 
 bat_dxf_block *bat_dxf_find_block(const bat_dxf_reading *r, const char *name)
 {
-    bat_dxf_block *blocks = r->blocks.items;
-    size_t low = 0, high = r->blocks.count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (strcmp(blocks[middle].name, name) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < r->blocks.count && strcmp(blocks[low].name, name) == 0 ? &blocks[low] : NULL;
+    return find(&r->blocks, name);
 }

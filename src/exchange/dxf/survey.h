@@ -4,17 +4,22 @@
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/pairs.h"
 
+/* What is asked for by name; of those with the same name, the first that stands in the text. */
 typedef struct {
     char name[BAT_DXF_NAME];
+    size_t at; /* where the text goes on after it */
+} bat_dxf_named;
+
+typedef struct {
+    bat_dxf_named is;
     bool is_hidden, has_colour;
     double colour[3];
 } bat_dxf_layer_entry;
 
 /* A block stands in the text until an INSERT asks for it. */
 typedef struct {
-    char name[BAT_DXF_NAME];
+    bat_dxf_named is;
     batten_vec3 base;
-    size_t at;
     int line;
     bool is_at_work; /* to find blocks that hold themselves */
     batten_model *model;
