@@ -3,6 +3,7 @@
 #include "body/parameters.h"
 #include "body/trace.h"
 #include "numeric/vector.h"
+#include "spline/curve.h"
 
 #include <batten/inspect.h>
 #include <stdint.h>
@@ -174,12 +175,7 @@ static batten_status shift(batten_curve **curve, const double by[2])
     if (by[0] == 0 && by[1] == 0)
         return BATTEN_OK;
     const batten_affine map = batten_affine_translation(by[0], by[1], 0);
-    const batten_status status = batten_curve_transform(*curve, &map, &moved);
-    if (status == BATTEN_OK) {
-        batten_curve_unref(*curve);
-        *curve = moved;
-    }
-    return status;
+    return bat_curve_replace(batten_curve_transform(*curve, &map, &moved), curve, &moved);
 }
 
 /* Move the use to where the loop is, `at`; a pole is put in between where there is one. */

@@ -1,4 +1,5 @@
 #include "exchange/prepare.h"
+#include "spline/surface.h"
 
 batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
 {
@@ -26,12 +27,8 @@ static batten_status clamp(batten_direction direction, batten_surface **surface)
     batten_surface *clamped = NULL;
     if (is_clamped(*surface, direction))
         return BATTEN_OK;
-    batten_status status = batten_surface_clamp(*surface, direction, &clamped);
-    if (status == BATTEN_OK) {
-        batten_surface_unref(*surface);
-        *surface = clamped;
-    }
-    return status;
+    return bat_surface_replace(batten_surface_clamp(*surface, direction, &clamped), surface,
+                               &clamped);
 }
 
 batten_status bat_prepare_surface(const batten_object *object, double tolerance,

@@ -1,4 +1,5 @@
 #include "exchange/iges/curves.h"
+#include "spline/curve.h"
 
 #include <batten/standard.h>
 #include <string.h>
@@ -76,12 +77,8 @@ static batten_status restrict_curve(batten_interval range, batten_curve **curve)
     batten_curve *part = NULL;
     if (range.a == domain.a && range.b == domain.b)
         return BATTEN_OK;
-    batten_status status = batten_curve_subrange(*curve, range.a, range.b, &part);
-    if (status == BATTEN_OK) {
-        batten_curve_unref(*curve);
-        *curve = part;
-    }
-    return status;
+    return bat_curve_replace(batten_curve_subrange(*curve, range.a, range.b, &part), curve,
+                             &part);
 }
 
 /* K, M, four properties, knots, weights, points, the interval, and a normal. */

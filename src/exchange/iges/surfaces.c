@@ -2,6 +2,7 @@
 #include "exchange/iges/curves.h"
 #include "exchange/iges/references.h"
 #include "exchange/net.h"
+#include "spline/surface.h"
 
 #include <batten/even_speed.h>
 #include <batten/skin.h>
@@ -17,13 +18,8 @@ static batten_status restrict_surface(batten_direction direction, batten_interva
     batten_surface *part = NULL;
     if (range.a == domain.a && range.b == domain.b)
         return BATTEN_OK;
-    batten_status status =
-        batten_surface_subrange(*surface, direction, range.a, range.b, &part);
-    if (status == BATTEN_OK) {
-        batten_surface_unref(*surface);
-        *surface = part;
-    }
-    return status;
+    return bat_surface_replace(
+        batten_surface_subrange(*surface, direction, range.a, range.b, &part), surface, &part);
 }
 
 /* K1, K2, M1, M2 and five properties. */

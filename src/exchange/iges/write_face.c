@@ -7,6 +7,7 @@
  */
 #include "exchange/iges/writing.h"
 #include "exchange/prepare.h"
+#include "spline/curve.h"
 
 #include <string.h>
 
@@ -30,13 +31,6 @@ static batten_status mirror(const batten_curve *curve, batten_curve **out)
     return status;
 }
 
-static void put_in_place(batten_curve **curve, batten_curve **made)
-{
-    batten_curve_unref(*curve);
-    *curve = *made;
-    *made = NULL;
-}
-
 /* The curve, clamped, as the loop goes along it; `mirrored` when it is on a reversed surface.
  */
 static batten_status along_loop(const batten_curve *curve, bool reversed, bool mirrored,
@@ -44,14 +38,10 @@ static batten_status along_loop(const batten_curve *curve, bool reversed, bool m
 {
     batten_curve *along = NULL, *made = NULL;
     batten_status status = batten_curve_clamp(curve, &along);
-    if (status == BATTEN_OK && reversed) {
-        status = batten_curve_reverse(along, &made);
-        put_in_place(&along, &made);
-    }
-    if (status == BATTEN_OK && mirrored) {
-        status = mirror(along, &made);
-        put_in_place(&along, &made);
-    }
+    if (status == BATTEN_OK && reversed)
+        status = bat_curve_replace(batten_curve_reverse(along, &made), &along, &made);
+    if (status == BATTEN_OK && mirrored)
+        status = bat_curve_replace(mirror(along, &made), &along, &made);
     *out = along;
     return status;
 }
@@ -74,8 +64,8 @@ static batten_status meet_vertices(const bat_iges_writing *w, const batten_body_
         const double *vertex = p->vertices + 3 * (size_t)edge->vertices[end];
         if (distance(batten_curve_points(curve) + 3 * (size_t)last, vertex) <= w->tolerance)
             continue;
-        status = batten_curve_with_point(curve, last, vertex, &made);
-        put_in_place(&curve, &made);
+        status = bat_curve_replace(batten_curve_with_point(curve, last, vertex, &made), &curve,
+                                   &made);
     }
     *out = curve;
     return status;
