@@ -88,31 +88,31 @@ static double random_double(test_random *random)
     }
 }
 
-/* The significant digits of a written number. */
-static int digit_count(const char *text)
+/* The significant digits of a written number, to digits[64]: how many. */
+static int significant_digits(const char *text, char *digits)
 {
-    int count = 0, zeros = 0;
-    for (const char *c = text; *c && *c != 'e'; c++) {
-        if (*c < '0' || *c > '9' || (*c == '0' && count == 0))
-            continue;
-        zeros = *c == '0' ? zeros + 1 : 0;
-        count++;
-    }
-    return count - zeros;
+    int count = 0;
+    for (const char *c = text; *c && *c != 'e'; c++)
+        if (*c >= '0' && *c <= '9' && (*c != '0' || count > 0))
+            digits[count++] = *c;
+    while (count > 0 && digits[count - 1] == '0')
+        count--;
+    digits[count] = 0;
+    return count;
 }
 
 /* The C library's own conversions are correctly rounded and serve as a witness in the C locale.
  */
 static void check_round_trip(double value, bool is_shortest)
 {
-    char text[BATTEN_NUMBER_SIZE] = "", shorter[64];
+    char text[BATTEN_NUMBER_SIZE] = "", shorter[64], digits[64];
     const int length = batten_number_write(value, text);
     CHECK_INT(length, strlen(text));
     CHECK_BITS(strtod(text, NULL), value);
     CHECK_BITS(read_all(text), value);
-    const int digits = digit_count(text);
-    if (is_shortest && digits > 1) {
-        snprintf(shorter, sizeof shorter, "%.*e", digits - 2, value);
+    const int count = significant_digits(text, digits);
+    if (is_shortest && count > 1) {
+        snprintf(shorter, sizeof shorter, "%.*e", count - 2, value);
         CHECK(strtod(shorter, NULL) != value);
     }
 }
@@ -132,6 +132,23 @@ TEST(numbers_of_people_survive_writing_and_reading)
         check_round_trip(test_random_int(&random, -10000000, 10000000) /
                              units[test_random_int(&random, 0, COUNT(units) - 1)],
                          true);
+}
+
+/* Most of them have 16 or 17 digits. */
+TEST(coordinates_have_the_nearest_of_the_fewest_digits)
+{
+    test_random random = test_random_begin("coordinates");
+    for (int i = test_cases(100000); i > 0; i--) {
+        const double value =
+            test_random_in(&random, -1, 1) * pow(10, test_random_int(&random, -8, 9));
+        char text[BATTEN_NUMBER_SIZE], rounded[64], digits[64], expected[64];
+        check_round_trip(value, true);
+        batten_number_write(value, text);
+        const int count = significant_digits(text, digits);
+        snprintf(rounded, sizeof rounded, "%.*e", count - 1, value);
+        significant_digits(rounded, expected);
+        CHECK_TEXT(digits, expected);
+    }
 }
 
 TEST(powers_of_two_and_their_neighbours_survive_writing_and_reading)
