@@ -190,7 +190,19 @@ void bat_corners_end(bat_corners *corners)
     bat_release(corners->source);
 }
 
-/* ---- remarks ---- */
+/* ---- names and remarks ---- */
+
+bat_span bat_name_core(const char *name, const char *otherwise)
+{
+    bat_span core = {name, strlen(name)};
+    while (core.length > 0 && (unsigned char)core.bytes[0] <= ' ') {
+        core.bytes++;
+        core.length--;
+    }
+    while (core.length > 0 && (unsigned char)core.bytes[core.length - 1] <= ' ')
+        core.length--;
+    return core.length > 0 ? core : (bat_span){otherwise, strlen(otherwise)};
+}
 
 void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes)
 {

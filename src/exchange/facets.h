@@ -1,7 +1,7 @@
-/* What the formats of meshes share: triangles of polygons, normals, remarks on units. */
+/* What the formats of meshes share: triangles of polygons, normals, names, remarks on units. */
 #ifndef BAT_FACETS_H
 #define BAT_FACETS_H
-#include "base/base.h"
+#include "exchange/input.h"
 #include <batten/exchange.h>
 
 /* The unit normal of a triangle; 0 0 0 when it has none. Right for corners of any size. */
@@ -33,6 +33,10 @@ typedef struct {
 } bat_corners;
 batten_status bat_number_corners(const batten_mesh_parts *parts, bat_corners *out);
 void bat_corners_end(bat_corners *corners);
+
+/* A name for one line of text, without the blanks and control characters around it; `otherwise`
+ * when nothing is left. */
+bat_span bat_name_core(const char *name, const char *otherwise);
 
 /* Say in which unit the numbers of a file without units are. */
 void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes);

@@ -57,20 +57,15 @@ static void put_point(writing *w, const double *point, const double *weight,
 
 static void put_name(writing *w, const char *statement, const char *name, const char *otherwise)
 {
-    const char *begin = name, *end = name + strlen(name);
-    while (begin < end && (unsigned char)*begin <= ' ')
-        begin++;
-    while (end > begin && (unsigned char)end[-1] <= ' ')
-        end--;
+    const bat_span core = bat_name_core(name, otherwise);
+    char before = ' ';
     put(w, statement);
     put(w, " ");
-    if (begin == end)
-        put(w, otherwise);
-    for (char before = ' '; begin < end; begin++) {
+    for (size_t i = 0; i < core.length; i++) {
         /* A word that begins with # would begin a comment. */
-        const char c = (unsigned char)*begin < ' '      ? ' '
-                       : *begin == '#' && before == ' ' ? '_'
-                                                        : *begin;
+        const char c = (unsigned char)core.bytes[i] < ' '      ? ' '
+                       : core.bytes[i] == '#' && before == ' ' ? '_'
+                                                               : core.bytes[i];
         batten_text_bytes(w->text, &c, 1);
         before = c;
     }

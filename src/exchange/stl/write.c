@@ -104,18 +104,12 @@ static void put_numbers(batten_text *text, const double numbers[3])
     put(text, "\n");
 }
 
-/* As a word or words of one line, without blanks around them. */
 static void put_name(batten_text *text, const char *name)
 {
-    const char *begin = name, *end = name + strlen(name);
-    while (begin < end && (unsigned char)*begin <= ' ')
-        begin++;
-    while (end > begin && (unsigned char)end[-1] <= ' ')
-        end--;
-    if (begin < end)
-        put(text, " ");
-    for (; begin < end; begin++) {
-        const char c = (unsigned char)*begin < ' ' ? ' ' : *begin;
+    const bat_span core = bat_name_core(name, "mesh");
+    put(text, " ");
+    for (size_t i = 0; i < core.length; i++) {
+        const char c = (unsigned char)core.bytes[i] < ' ' ? ' ' : core.bytes[i];
         batten_text_bytes(text, &c, 1);
     }
     put(text, "\n");

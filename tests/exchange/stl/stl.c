@@ -235,6 +235,16 @@ TEST(text_is_written_so)
     batten_model_unref(model);
 }
 
+TEST(a_name_of_control_characters_is_written_as_none)
+{
+    const batten_mesh_parts parts = tetrahedron();
+    batten_model *model = model_of(&parts, "\x14 \t");
+    batten_model *back = check_second(model, BATTEN_FORMAT_STL, true);
+    CHECK_TEXT(batten_model_object(back, 0)->name, "mesh");
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
 TEST(bytes_are_written_so)
 {
     static const double points[] = {0, 0, 0, 1, 0, 0, 0, 1.5, 0};
