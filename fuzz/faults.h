@@ -1,4 +1,4 @@
-/* What a file must not do when memory fails while it is read. */
+/* What a file must not do when memory fails, or a limit is reached, while it is read. */
 #ifndef FUZZ_FAULTS_H
 #define FUZZ_FAULTS_H
 #include <batten/exchange.h>
@@ -13,5 +13,7 @@ void fuzz_faults_begin(void);
  * and no memory is kept. False, with a line on stderr, when it was not so. */
 bool fuzz_faults(const char *name, const uint8_t *data, size_t size, batten_format format,
                  long most);
+/* The same with each limit, and the budget of work, very low in turn. */
+bool fuzz_limits(const char *name, const uint8_t *data, size_t size, batten_format format);
 
 #endif

@@ -1,4 +1,5 @@
 #include "promise.h"
+#include "exchange/recognise.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -235,11 +236,24 @@ static void check_written(const batten_model *model, const char *first, size_t f
     batten_release(third);
 }
 
+/* What the content and the name tell alone: one of the formats, or a refusal. */
+static void check_recognition(const char *data, size_t size)
+{
+    bat_input input;
+    batten_format format = BATTEN_FORMAT_AUTO;
+    batten_read_options options = batten_read_defaults();
+    options.file_name = "fuzz." FUZZ_NAME;
+    if (bat_input_begin(data, size, &options, NULL, NULL, &input) == BATTEN_OK)
+        demand((bat_recognise(&input, &format) == BATTEN_OK) == (format != BATTEN_FORMAT_AUTO),
+               "a format comes with success alone");
+}
+
 void fuzz_promise(const uint8_t *data, size_t size, batten_format read, batten_format written)
 {
     batten_model *model = NULL;
     batten_notes *notes = NULL;
     const int forms = written == BATTEN_FORMAT_STL || written == BATTEN_FORMAT_PLY ? 2 : 1;
+    check_recognition((const char *)data, size);
     if (batten_notes_create(20, &notes) != BATTEN_OK)
         return;
     const batten_status status = read_as((const char *)data, size, read, notes, &model);

@@ -1,7 +1,7 @@
 /* Give each file of the folders named to the target, once: so that corpora are tests under any
  * compiler. With --damage COUNT: so many damaged copies of them instead, the same in every run;
  * --first N begins with the Nth of them. With --faults COUNT: each file is read with so many of
- * its allocations failing, one after another. */
+ * its allocations failing, one after another, and with low limits. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "faults.h"
@@ -180,10 +180,12 @@ static int survive_faults(const seeds *all, long most)
 {
     int status = 0;
     const batten_format format = format_of(FUZZ_NAME);
-    for (int i = 0; i < all->count && format != BATTEN_FORMAT_AUTO; i++)
-        status |= !fuzz_faults(all->files[i].name, all->files[i].bytes, all->files[i].size,
-                               format, most);
-    printf("%d files read with failing memory\n", all->count);
+    for (int i = 0; i < all->count && format != BATTEN_FORMAT_AUTO; i++) {
+        const seed *file = &all->files[i];
+        status |= !fuzz_faults(file->name, file->bytes, file->size, format, most);
+        status |= !fuzz_limits(file->name, file->bytes, file->size, format);
+    }
+    printf("%d files read with failing memory and low limits\n", all->count);
     return status;
 }
 

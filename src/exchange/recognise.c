@@ -130,7 +130,7 @@ batten_status bat_recognise(bat_input *input, batten_format *format)
         if (!row->recognise)
             continue;
         status = row->recognise(input, &is_such);
-        if (is_such)
+        if (status == BATTEN_OK && is_such)
             *format = row->format;
     }
     if (status == BATTEN_OK && !is_such)

@@ -1,4 +1,5 @@
 #include "exchange/reading.h"
+#include "exchange/recognise.h"
 
 TEST(text_is_recognised_by_its_content)
 {
@@ -83,4 +84,13 @@ TEST(text_that_is_none_of_these_is_refused)
     check_refused("1 2 3 4 5\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "2 or 3 coordinates");
     check_refused("1 1e999\n1 2\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "too large");
     check_refused("x\n\"1 2\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT, "quote");
+}
+
+TEST(a_format_comes_with_success_alone)
+{
+    bat_input input;
+    batten_format format = BATTEN_FORMAT_AUTO;
+    CHECK_OK(bat_input_begin("OFF BINARY\n", 11, NULL, NULL, NULL, &input));
+    CHECK_STATUS(bat_recognise(&input, &format), BATTEN_UNSUPPORTED);
+    CHECK_INT(format, BATTEN_FORMAT_AUTO);
 }
