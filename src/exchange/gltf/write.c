@@ -288,20 +288,26 @@ static bool is_sheared(const batten_affine *place)
     return false;
 }
 
-/* The place among axes with y up, columns first. */
+/* The place among axes with y up, columns first. None is the same as the identity. */
 static void put_matrix(writing *w, const batten_object *object, batten_text *text)
 {
     static const int from[3] = {0, 2, 1};
     static const double sign[3] = {1, 1, -1};
     const batten_affine *place = &object->place;
     double m[16] = {0};
+    bool is_moved = false;
     for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++)
+        for (int column = 0; column < 3; column++) {
             m[4 * column + row] =
                 sign[row] * sign[column] * place->m[from[row]][from[column]] + 0.0;
+            is_moved = is_moved || m[4 * column + row] != (row == column);
+        }
         m[12 + row] = sign[row] * w->unit * place->t[from[row]] + 0.0;
+        is_moved = is_moved || m[12 + row] != 0;
     }
     m[15] = 1;
+    if (!is_moved)
+        return;
     batten_text_add(text, ",\"matrix\":[");
     put_numbers(text, 16, m);
     batten_text_add(text, "]");

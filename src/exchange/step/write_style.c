@@ -38,7 +38,7 @@ static int put_stroke(bat_step *step, int colour)
 static int put_marker(bat_step *step, int colour)
 {
     return bat_step_add(step, "POINT_STYLE",
-                        "'',MARKER_TYPE(.POINT.),POSITIVE_LENGTH_MEASURE(1.),#%d", colour);
+                        "'',MARKER_TYPE(.DOT.),POSITIVE_LENGTH_MEASURE(1.),#%d", colour);
 }
 
 /* The PRESENTATION_STYLE_ASSIGNMENT of a colour: one that was written before, if it is among

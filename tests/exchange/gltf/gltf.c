@@ -83,6 +83,29 @@ TEST(instances_are_nodes_that_share_a_mesh)
     batten_model_unref(model);
 }
 
+/* A matrix that says nothing is not written: checkers of glTF object to it. */
+TEST(an_instance_that_stays_in_place_has_no_matrix)
+{
+    batten_model *model = placed_model(0.001);
+    const batten_model *inner = batten_model_object(model, 0)->definition;
+    batten_model *still = NULL;
+    char *data = NULL;
+    const char *bytes = NULL;
+    size_t size = 0, count = 0;
+    CHECK_OK(batten_model_create(0.001, &still));
+    CHECK_OK(batten_model_add(still, &(batten_object){.name = "bolt",
+                                                      .kind = BATTEN_OBJECT_INSTANCE,
+                                                      .definition = inner,
+                                                      .place = batten_affine_identity()}));
+    CHECK_OK(write_form(still, BATTEN_FORMAT_GLTF, false, NULL, &data, &size));
+    const char *json = check_chunks(data, size, &bytes, &count);
+    CHECK(strstr(json, "\"matrix\"") == NULL);
+    CHECK_CONTAINS(json, "{\"name\":\"bolt\",\"children\":[1]}");
+    batten_release(data);
+    batten_model_unref(still);
+    batten_model_unref(model);
+}
+
 TEST(colours_become_materials_of_linear_light)
 {
     batten_model *model = placed_model(1);

@@ -115,6 +115,23 @@ TEST(an_empty_model_gives_an_empty_product)
     batten_model_unref(model);
 }
 
+/* ISO 10303-46, marker_type: dot, x, plus, asterisk, ring, square, triangle. */
+TEST(coloured_points_have_a_marker_that_the_standard_knows)
+{
+    static const double points[] = {0, 0, 0, 1, 2, 3};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_model_add(model, &(batten_object){.has_colour = true,
+                                                      .colour = {1, 0.5, 0},
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = 2,
+                                                      .points = points}));
+    const char *text = step_text(model, NULL);
+    step_check(text);
+    CHECK_CONTAINS(text, "POINT_STYLE('',MARKER_TYPE(.DOT.),POSITIVE_LENGTH_MEASURE(1.),#");
+    batten_model_unref(model);
+}
+
 TEST(colours_are_styles_of_faces_and_curves)
 {
     test_random random = test_random_begin(__func__);
