@@ -1,5 +1,5 @@
-#include "exchange/reading.h"
 #include "exchange/recognise.h"
+#include "exchange/reading.h"
 
 TEST(text_is_recognised_by_its_content)
 {
