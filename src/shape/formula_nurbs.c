@@ -17,7 +17,9 @@ enum {
     DEGREE = 5,
     ROUNDS = 64,
     MOST_POINTS = 4000000,
-    PROBES = 7 /* measurements of a span, between the abscissae */
+    JUDGED = 16384, /* points from which on it is asked whether more of them will do */
+    GROWTH = 16,    /* points so many times as many show how errors fall with them */
+    PROBES = 7      /* measurements of a span, between the abscissae */
 };
 
 static const double probes[PROBES] = {0.03, 0.08, 0.3, 0.5, 0.7, 0.92, 0.97};
@@ -355,12 +357,37 @@ static batten_status try_once(task *t, bool *changed)
     return status == BATTEN_OK ? refine_both(t, changed) : status;
 }
 
+/* How many points a spline had, and its error. */
+typedef struct {
+    double points, error;
+} attempt;
+
+/* Would the points that are needed be far too many, when errors go on falling as they did since
+ * there were a sixteenth of them? Where the surface jumps they do not fall at all. */
+static bool is_hopeless(const task *t, const attempt *attempts, int round)
+{
+    const attempt *now = &attempts[round];
+    int before = round;
+    while (before > 0 && attempts[before].points > now->points / GROWTH)
+        before--;
+    if (now->points < JUDGED || attempts[before].points > now->points / GROWTH)
+        return false;
+    const double fall = attempts[before].error / now->error, wanted = now->error / t->tolerance;
+    const double times = pow(GROWTH, log(wanted) / log(fall));
+    return wanted > 1 && (!(fall > 1) || now->points * times > GROWTH * (double)MOST_POINTS);
+}
+
 static batten_status search(task *t)
 {
+    attempt attempts[ROUNDS];
     bool changed = true;
     batten_status status = BATTEN_OK;
-    for (int round = 0; round < ROUNDS && changed && status == BATTEN_OK; round++)
+    for (int round = 0; round < ROUNDS && changed && status == BATTEN_OK; round++) {
         status = try_once(t, &changed);
+        attempts[round] = (attempt){(double)t->lines[0].count * t->lines[1].count, t->error};
+        if (status == BATTEN_OK && is_hopeless(t, attempts, round))
+            break;
+    }
     if (status == BATTEN_TOLERANCE_NOT_MET || (status == BATTEN_OK && changed))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d x %d control points come to %g of the %s surface; %g was wanted",

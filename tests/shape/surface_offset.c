@@ -299,3 +299,19 @@ TEST(K7_offsets_of_huge_and_tiny_surfaces)
         batten_surface_unref(big);
     }
 }
+
+/* A plane patch that is folded onto itself: across the fold the normal turns round, and no
+ * number of points will do. */
+TEST(an_offset_that_jumps_is_given_up_before_it_has_millions_of_points)
+{
+    static const double points[] = {0, 0, 0, 0, 1, 3, 0, 2, 1, 0, 2, 0}, knots[] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_surface_offset_options options = batten_surface_offset_defaults();
+    batten_surface *folded = NULL, *made = NULL;
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, (double[]){2, 1, 1, 1}, &folded));
+    options.tolerance = 1e-9;
+    CHECK_STATUS(batten_surface_offset(folded, 0.5, &options, NULL, &made),
+                 BATTEN_TOLERANCE_NOT_MET);
+    CHECK_MESSAGE("171 x 261 control points come to 1.27");
+    batten_surface_unref(folded);
+}
