@@ -138,19 +138,71 @@ static void right_loops(bat_iges_face *face, bool border)
 
 /* ---- edges and vertices ---- */
 
+double bat_iges_open_gap(const bat_iges_face *face)
+{
+    return bat_max(100 * face->ground.tolerance, 1e-3 * face->size);
+}
+
+/* How far apart two sides are, which may run as they like. */
+static batten_status gap_between(const bat_iges_side *side, const bat_iges_side *next,
+                                 double *gap)
+{
+    double p[2][3], q[2][3];
+    batten_status status = BATTEN_OK;
+    for (int last = 0; status == BATTEN_OK && last < 2; last++) {
+        status = end_of(side, last, p[last]);
+        if (status == BATTEN_OK)
+            status = end_of(next, last, q[last]);
+    }
+    if (status == BATTEN_OK)
+        *gap = bat_min(bat_min(distance(p[0], q[0]), distance(p[0], q[1])),
+                       bat_min(distance(p[1], q[0]), distance(p[1], q[1])));
+    return status;
+}
+
+static bool is_point(const bat_iges_face *face, const bat_iges_side *side)
+{
+    return !(bat_iges_size_of_curve(side->space) > face->ground.tolerance);
+}
+
+/* What is dropped must be where its neighbours are. */
+static batten_status check_points(const bat_iges_face *face, const bat_iges_loop *loop)
+{
+    const bat_iges_side *sides = loop->sides.items;
+    const size_t count = loop->sides.count;
+    for (size_t k = 0; k < count; k++) {
+        const size_t next = (k + 1) % count;
+        double gap = 0;
+        if (!is_point(face, &sides[k]) && !is_point(face, &sides[next]))
+            continue;
+        const batten_status status = gap_between(&sides[k], &sides[next], &gap);
+        if (status != BATTEN_OK)
+            return status;
+        if (gap > bat_iges_open_gap(face))
+            return bat_fail(BATTEN_NOT_COMPATIBLE,
+                            "part %zu of a loop begins %g from the end of the one before",
+                            next + 1, gap);
+    }
+    return BATTEN_OK;
+}
+
 /* Sides of no length are poles, which need no edge. */
-static void drop_points(bat_iges_loop *loop, double tolerance)
+static batten_status drop_points(const bat_iges_face *face, bat_iges_loop *loop)
 {
     bat_iges_side *sides = loop->sides.items;
     size_t kept = 0;
+    const batten_status status = check_points(face, loop);
+    if (status != BATTEN_OK)
+        return status;
     for (size_t k = 0; k < loop->sides.count; k++)
-        if (bat_iges_size_of_curve(sides[k].space) > tolerance) {
+        if (!is_point(face, &sides[k])) {
             sides[kept++] = sides[k];
         } else {
             batten_curve_unref(sides[k].space);
             batten_curve_unref(sides[k].flat);
         }
     loop->sides.count = kept;
+    return BATTEN_OK;
 }
 
 /* Vertices and edges of a loop that are looked at for ones that are the same. */
@@ -163,11 +215,6 @@ typedef struct {
     int *vertices; /* [count + 1]: at the beginning of each side */
     int *edges;    /* [count] */
 } putting;
-
-double bat_iges_open_gap(const bat_iges_face *face)
-{
-    return bat_max(100 * face->ground.tolerance, 1e-3 * face->size);
-}
 
 /* The vertex between two sides: halfway where they miss each other. */
 static batten_status put_vertex(const putting *put, size_t k)
@@ -312,21 +359,11 @@ static batten_status put_border(const bat_iges_face *face, bat_builder *builder)
 
 /* ---- the whole face ---- */
 
-static void add_to_box(batten_box *box, const double p[3])
-{
-    double *low[] = {&box->low.x, &box->low.y, &box->low.z};
-    double *high[] = {&box->high.x, &box->high.y, &box->high.z};
-    for (int i = 0; i < 3; i++) {
-        *low[i] = bat_min(*low[i], p[i]);
-        *high[i] = bat_max(*high[i], p[i]);
-    }
-}
-
 /* Points of all sides, and how large the box of them is. */
 static batten_status sample_sides(bat_iges_face *face, bat_list *points)
 {
     const bat_iges_loop *loops = face->loops.items;
-    batten_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    batten_box box = bat_iges_no_box;
     batten_status status = BATTEN_OK;
     for (size_t l = 0; status == BATTEN_OK && l < face->loops.count; l++) {
         const bat_iges_side *sides = loops[l].sides.items;
@@ -335,7 +372,7 @@ static batten_status sample_sides(bat_iges_face *face, bat_list *points)
     }
     const double *p = points->items;
     for (size_t k = 0; k < points->count; k++)
-        add_to_box(&box, p + 3 * k);
+        bat_iges_add_to_box(&box, p + 3 * k);
     face->size = points->count ? bat_iges_size_of_box(box) : 0;
     if (status == BATTEN_OK && isinf(face->size)) /* every gap would be within it */
         status = bat_fail(BATTEN_OVERFLOW, "its edges reach too far to be measured");
@@ -378,8 +415,8 @@ batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *
     batten_surface *made = NULL;
     batten_status status = settle_ground(face, &made);
     for (size_t k = 0; status == BATTEN_OK && k < face->loops.count; k++) {
-        drop_points(&loops[k], face->ground.tolerance);
-        if (loops[k].sides.count == 0)
+        status = drop_points(face, &loops[k]);
+        if (status == BATTEN_OK && loops[k].sides.count == 0)
             status = bat_fail(BATTEN_TOO_FEW_POINTS, "loop %zu is a point", k + 1);
         if (status == BATTEN_OK)
             status = link_sides(&loops[k], face->ground.tolerance);

@@ -332,28 +332,34 @@ static batten_status add_shell(bat_iges_reading *reading, int id, bool agrees,
                : status;
 }
 
+/* The box of all vertices and edges; without any, of the first face. */
+static batten_box box_of(const batten_body_parts *parts)
+{
+    batten_box box = bat_iges_no_box;
+    if (parts->vertex_count == 0)
+        return batten_surface_box(parts->faces[0].surface);
+    for (int k = 0; k < parts->vertex_count; k++)
+        bat_iges_add_to_box(&box, parts->vertices + 3 * (size_t)k);
+    for (int k = 0; k < parts->edge_count; k++) {
+        const batten_box own = batten_curve_box(parts->edges[k].curve);
+        bat_iges_add_to_box(&box, (double[]){own.low.x, own.low.y, own.low.z});
+        bat_iges_add_to_box(&box, (double[]){own.high.x, own.high.y, own.high.z});
+    }
+    return box;
+}
+
 /* Make the body, with the tolerance that its size allows. A shell that lost a face is not
  * closed any more. */
 static batten_status finish(bat_iges_item *item, bat_builder *builder, bool is_solid,
                             bool whole, batten_status status)
 {
-    batten_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     if (status == BATTEN_OK && builder->parts.face_count == 0)
         status = bat_fail(BATTEN_BAD_FORMAT, "none of its faces could be read");
     if (status != BATTEN_OK) {
         bat_builder_end(builder);
         return status;
     }
-    for (int k = 0; k < builder->parts.vertex_count; k++) {
-        const double *p = builder->parts.vertices + 3 * (size_t)k;
-        box.low = (batten_vec3){bat_min(box.low.x, p[0]), bat_min(box.low.y, p[1]),
-                                bat_min(box.low.z, p[2])};
-        box.high = (batten_vec3){bat_max(box.high.x, p[0]), bat_max(box.high.y, p[1]),
-                                 bat_max(box.high.z, p[2])};
-    }
-    if (builder->parts.vertex_count == 0)
-        box = batten_surface_box(builder->parts.faces[0].surface);
-    const double size = bat_iges_size_of_box(box);
+    const double size = bat_iges_size_of_box(box_of(&builder->parts));
     if (isinf(size)) {
         bat_builder_end(builder);
         return bat_fail(BATTEN_OVERFLOW, "its edges reach too far to be measured");

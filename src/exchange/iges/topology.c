@@ -143,8 +143,8 @@ static batten_status fit_curve(bat_iges_reading *reading, const batten_curve *cu
                                const double p[3], const double q[3], batten_curve **out)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    const double tolerance =
-        bat_iges_tolerance(reading, bat_max(bat_iges_size_of_curve(curve), distance(p, q)));
+    const double size = bat_max(bat_iges_size_of_curve(curve), distance(p, q)),
+                 tolerance = bat_iges_tolerance(reading, size);
     double a[3], b[3], miss = 0;
     batten_status status = batten_curve_evaluate(curve, domain.a, 0, a);
     if (status == BATTEN_OK)
@@ -160,11 +160,16 @@ static batten_status fit_curve(bat_iges_reading *reading, const batten_curve *cu
     if (turned <= tolerance)
         return batten_curve_reverse(curve, out);
     status = bat_curve_part(curve, p, q, true, tolerance, out, &miss);
-    if (status == BATTEN_OK && miss > tolerance) {
-        reading->gaps++;
-        reading->largest_gap = bat_max(reading->largest_gap, miss);
+    if (status != BATTEN_OK || !(miss > tolerance))
+        return status;
+    if (miss > bat_max(100 * tolerance, 1e-3 * size)) {
+        batten_curve_unref(*out);
+        *out = NULL;
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "an edge misses its vertices by %g", miss);
     }
-    return status;
+    reading->gaps++;
+    reading->largest_gap = bat_max(reading->largest_gap, miss);
+    return BATTEN_OK;
 }
 
 batten_status bat_iges_body_edge(bat_iges_reading *reading, bat_builder *builder, int id,

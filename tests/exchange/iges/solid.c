@@ -141,3 +141,22 @@ TEST(P1_solids_of_nothing_are_left_out)
         iges_check_partly(&file, cases[i].words);
     }
 }
+
+/* A disc whose only vertex is off its circle: a face may be loose, but not as loose as that. */
+TEST(an_edge_far_off_its_vertices_leaves_the_face_out)
+{
+    static const char *const vertices[] = {"502,1,1.,0.,1e300;", "502,1,1.,0.,4e9;",
+                                           "502,1,1.,0.,0.01;"};
+    for (size_t k = 0; k < 3; k++) {
+        iges_text file = iges_begin();
+        iges_add(&file, 116, 0, 0, 0, part, "116,0.,0.,0.;");
+        iges_add(&file, 123, 0, 0, 0, part, "123,0.,0.,1.;");
+        iges_add(&file, 190, 0, 0, 0, part, "190,1,3;");
+        iges_add(&file, 502, 1, 0, 0, part, vertices[k]);
+        iges_add(&file, 100, 0, 0, 0, part, "100,0.,0.,0.,1.,0.,1.,0.;");
+        iges_add(&file, 504, 1, 0, 0, part, "504,1,9,7,1,7,1;");
+        iges_add(&file, 508, 1, 0, 0, part, "508,1,0,11,1,1,0;");
+        iges_add(&file, 510, 1, 0, 0, "00000000", "510,5,1,1,13;");
+        iges_check_left_out(&file, "an edge misses its vertices by");
+    }
+}

@@ -274,3 +274,24 @@ TEST(N2_a_face_too_large_to_be_measured_is_left_out)
     iges_add(&file, 108, 1, 0, 0, root, "108,0.,0.,1.,0.,9,0.,0.,0.,1.;");
     iges_check_left_out(&file, "reach too far to be measured");
 }
+
+/* A circle 4e9 away is but a point beside the size of the loop, and yet it is not where the
+ * loop is. */
+TEST(a_part_of_a_loop_is_not_dropped_for_its_size_when_it_is_elsewhere)
+{
+    iges_text file = iges_begin();
+    char text[80];
+    const int axis = iges_add(&file, 110, 0, 0, 0, part, "110,0.,0.,0.,0.,0.,1.;");
+    const int side = iges_add(&file, 110, 0, 0, 0, part, "110,1.,0.,0.,1.,0.,2.;");
+    snprintf(text, sizeof text, "120,%d,%d,0.,6.283185307179586;", axis, side);
+    const int cylinder = iges_add(&file, 120, 0, 0, 0, part, text);
+    const int bottom = iges_add(&file, 100, 0, 0, 0, part, "100,0.,0.,0.,1.,0.,1.,0.;");
+    const int top = iges_add(&file, 100, 0, 0, 0, part, "100,4294967298.,0.,0.,1.,0.,1.,0.;");
+    snprintf(text, sizeof text, "102,4,%d,%d,%d,%d;", bottom, side, top, side);
+    const int loop = iges_add(&file, 102, 0, 0, 0, part, text);
+    snprintf(text, sizeof text, "142,1,%d,0,%d,2;", cylinder, loop);
+    const int boundary = iges_add(&file, 142, 0, 0, 0, part, text);
+    snprintf(text, sizeof text, "144,%d,1,0,%d;", cylinder, boundary);
+    iges_add(&file, 144, 0, 0, 0, root, text);
+    iges_check_left_out(&file, "part 3 of a loop begins 4.29497e+09 from the end of the one");
+}
