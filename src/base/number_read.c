@@ -1,4 +1,5 @@
 #include "base/decimal.h"
+#include "base/digits.h"
 #include "base/real.h"
 
 #include <string.h>
@@ -183,15 +184,7 @@ static uint64_t to_double(const decimal *d)
 
 /* ---- reading quickly ---- */
 
-/*
- * Nearly all numbers of files have at most 19 digits and a small exponent. For them 64 bits of
- * the power of ten say enough, but where what is cut off may lie on either side of the middle
- * between two doubles; those few, and all others, go the long way. Source: [Lemire21].
- */
-enum { QUICK_POWER = 27 };
-
-/* The first 64 bits of 10^k, k = -27 .. 27, cut off. */
-static const uint64_t quick_powers[2 * QUICK_POWER + 1] = {
+const uint64_t bat_quick_powers[2 * BAT_QUICK_POWER + 1] = {
     0x9e74d1b791e07e48u, 0xc612062576589ddau, 0xf79687aed3eec551u, 0x9abe14cd44753b52u,
     0xc16d9a0095928a27u, 0xf1c90080baf72cb1u, 0x971da05074da7beeu, 0xbce5086492111aeau,
     0xec1e4a7db69561a5u, 0x9392ee8e921d5d07u, 0xb877aa3236a4b449u, 0xe69594bec44de15bu,
@@ -208,36 +201,22 @@ static const uint64_t quick_powers[2 * QUICK_POWER + 1] = {
     0x84595161401484a0u, 0xa56fa5b99019a5c8u, 0xcecb8f27f4200f3au,
 };
 
-/* Eight digits less '0' each, the first of them the least byte, as a number: pairs, then fours,
- * then all. */
-static inline uint64_t eight_digits(uint64_t digits)
-{
-    digits = digits * 10 + (digits >> 8);
-    return ((digits & 0x000000ff000000ffu) * 0x000f424000000064u +
-            ((digits >> 16) & 0x000000ff000000ffu) * 0x0000271000000001u) >>
-           32;
-}
+const uint64_t bat_small_tens[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 
 /* The digits among eight characters up to the first that is none, put behind those of the
  * value: how many. */
 static inline int some_digits(const char *c, uint64_t *value)
 {
-    static const uint64_t tens[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
-    const uint64_t ones = 0x0101010101010101u;
-    uint64_t chunk;
-    memcpy(&chunk, c, sizeof chunk);
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    chunk = __builtin_bswap64(chunk);
-#endif
+    const uint64_t chunk = bat_eight_characters(c);
     /* Marks what is no digit; carries come from such bytes only, so the lowest is right. */
-    const uint64_t digits = chunk - '0' * ones;
-    const uint64_t others = ((chunk + 0x46 * ones) | digits) & 0x80 * ones;
+    const uint64_t digits = chunk - '0' * BAT_BYTES;
+    const uint64_t others = ((chunk + 0x46 * BAT_BYTES) | digits) & 0x80 * BAT_BYTES;
     if (!others) {
-        *value = 100000000 * *value + eight_digits(digits);
+        *value = 100000000 * *value + bat_eight_digits(digits);
         return 8;
     }
     const int bit = __builtin_ctzll(others); /* 7, 15 .. 63 */
-    *value = tens[bit >> 3] * *value + eight_digits(digits << (63 - bit) << 8);
+    *value = bat_small_tens[bit >> 3] * *value + bat_eight_digits(digits << (63 - bit) << 8);
     return bit >> 3;
 }
 
@@ -253,23 +232,6 @@ static const char *quick_digits(const char *c, const char *end, uint64_t *value)
     for (; c < end && is_digit(*c); c++)
         *value = 10 * *value + (uint64_t)(*c - '0');
     return c;
-}
-
-/* w 10^k as a double; false when 64 bits leave it open. */
-static inline bool quick_double(uint64_t w, int k, uint64_t *bits)
-{
-    const int shift = __builtin_clzll(w);
-    const uint64_t high =
-        (uint64_t)(((bat_wide)(w << shift) * quick_powers[k + QUICK_POWER]) >> 64);
-    /* The true product is above `high` by less than 2. */
-    const int short_of = !(high >> 63), drop = 11 - short_of;
-    const uint64_t mask = ((uint64_t)1 << drop) - 1;
-    if (((high - (mask >> 1)) & mask) <= 1) /* a rest of half the last place, or one less */
-        return false;
-    const int exponent = 64 - short_of - shift + bat_floor_log2_of_power(k);
-    *bits = ((uint64_t)(exponent + 1022) << BAT_FRACTION_BITS) + (high >> drop) +
-            (high >> (drop - 1) & 1);
-    return true;
 }
 
 /* With any places, and with an exponent. */
@@ -300,8 +262,8 @@ static const char *read_quickly(const char *c, const char *end, double *value)
     if (c < end && (*c == 'e' || *c == 'E'))
         c = read_exponent(c, end, &exponent);
     exponent -= places;
-    if (w != 0 && (exponent < -QUICK_POWER || exponent > QUICK_POWER ||
-                   !quick_double(w, (int)exponent, &bits)))
+    if (w != 0 && (exponent < -BAT_QUICK_POWER || exponent > BAT_QUICK_POWER ||
+                   !bat_quick_double(w, (int)exponent, &bits)))
         return NULL;
     bits |= (uint64_t)is_negative << 63;
     memcpy(value, &bits, sizeof bits);
@@ -331,7 +293,7 @@ const char *bat_number_quick(const char *text, const char *end, double *value)
         places += some_digits(c + 16, &w);
     c += places;
     if (before + places > 19 || *c == 'E' || *c == 'e' ||
-        (w != 0 && !quick_double(w, -places, &bits)))
+        (w != 0 && !bat_quick_double(w, -places, &bits)))
         return read_quickly(text, end, value);
     bits |= (uint64_t)is_negative << 63;
     memcpy(value, &bits, sizeof bits);

@@ -85,7 +85,7 @@ static batten_status restrict_curve(batten_interval range, batten_curve **curve)
 batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
 {
     int head[6] = {0};
-    double *numbers = NULL;
+    const double *numbers = NULL;
     batten_status status = BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && k < 6; k++)
         status = bat_iges_integer(item->parameters, k + 1, &head[k]);
@@ -96,7 +96,9 @@ batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
     const int degree = head[1];
     const size_t count = (size_t)head[0] + 1, knots = count + (size_t)degree + 1,
                  end = 7 + knots + 4 * count;
-    status = bat_iges_real_array(item, 7, knots + 4 * count, &numbers);
+    status = bat_iges_need(item, end);
+    if (status == BATTEN_OK)
+        status = bat_iges_reals_in_place(item->parameters, 7, knots + 4 * count, &numbers);
     if (status == BATTEN_OK) {
         const double *weights = numbers + knots;
         const bool rational = bat_iges_weights_matter(item, head[4] != 0, count, weights);
@@ -107,7 +109,6 @@ batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
         status = restrict_curve(bat_iges_interval(item, end, batten_curve_domain(item->curve)),
                                 &item->curve);
     item->own = end + 5;
-    bat_release(numbers);
     return status;
 }
 

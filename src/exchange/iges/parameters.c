@@ -1,4 +1,5 @@
 #include "exchange/iges/parameters.h"
+#include "base/digits.h"
 #include "base/real.h"
 
 #include <batten/number.h>
@@ -10,15 +11,23 @@
 
 void bat_iges_parameters_begin(bat_iges_parameters *parameters)
 {
-    *parameters =
-        (bat_iges_parameters){.text = {.size = 1}, .tokens = {.size = sizeof(bat_iges_token)}};
+    *parameters = (bat_iges_parameters){.text = {.size = 1},
+                                        .tokens = {.size = sizeof(bat_iges_token)},
+                                        .values = {.size = sizeof(double)}};
 }
 
 void bat_iges_parameters_end(bat_iges_parameters *parameters)
 {
     bat_release(parameters->text.items);
     bat_release(parameters->tokens.items);
+    bat_release(parameters->values.items);
     bat_iges_parameters_begin(parameters);
+}
+
+void bat_iges_parameters_clear(bat_iges_parameters *parameters)
+{
+    parameters->text.count = parameters->tokens.count = parameters->values.count = 0;
+    parameters->odd = 0;
 }
 
 /* ---- tokens ---- */
@@ -30,6 +39,11 @@ static inline bool ends(bat_iges_delimiters delimiters, char c)
 
 static inline size_t past_blanks(bat_span text, size_t at)
 {
+    for (; text.length - at >= 8; at += 8) {
+        const uint64_t others = bat_eight_characters(text.bytes + at) ^ ' ' * BAT_BYTES;
+        if (others)
+            return at + (size_t)(__builtin_ctzll(others) >> 3);
+    }
     while (at < text.length && text.bytes[at] == ' ')
         at++;
     return at;
@@ -64,7 +78,7 @@ static batten_status read_string(const bat_input *input, bat_iges_delimiters del
 }
 
 /* A number that is not written as we write it: with a D, or none at all. */
-static bat_iges_token odd_token(bat_span text, size_t begin, size_t end)
+static bat_iges_token odd_token(bat_span text, size_t begin, size_t end, double *value)
 {
     char copy[LONGEST_NUMBER];
     bat_iges_token token = {.begin = (uint32_t)begin, .kind = BAT_IGES_OTHER};
@@ -77,29 +91,29 @@ static bat_iges_token odd_token(bat_span text, size_t begin, size_t end)
         return token;
     for (size_t i = begin; i < end; i++)
         copy[i - begin] = text.bytes[i] == 'D' || text.bytes[i] == 'd' ? 'E' : text.bytes[i];
-    if (batten_number_read(copy, end - begin, &token.value, NULL) == BATTEN_OK)
+    if (batten_number_read(copy, end - begin, value, NULL) == BATTEN_OK)
         token.kind = BAT_IGES_NUMBER;
     return token;
 }
 
 /* The token at `begin`; *end is where its delimiter is, or the end of the text. */
 static batten_status read_token(const bat_input *input, bat_iges_delimiters delimiters,
-                                bat_span text, size_t begin, size_t *end, bat_iges_token *token)
+                                bat_span text, size_t begin, size_t *end, bat_iges_token *token,
+                                double *value)
 {
     size_t used = 0, skip = 0;
     const char first = text.bytes[begin];
     const bool is_number =
         (first >= '0' && first <= '9') || first == '-' || first == '.' || first == '+';
-    if (is_number && batten_number_read(text.bytes + begin, text.length - begin, &token->value,
+    if (is_number && batten_number_read(text.bytes + begin, text.length - begin, value,
                                         &used) == BATTEN_OK) {
         *end = past_blanks(text, begin + used);
         if (*end < text.length && ends(delimiters, text.bytes[*end])) {
-            token->begin = (uint32_t)begin;
-            token->length = (uint32_t)used;
-            token->kind = BAT_IGES_NUMBER;
+            *token = (bat_iges_token){(uint32_t)begin, (uint32_t)used, BAT_IGES_NUMBER};
             return BATTEN_OK;
         }
     }
+    *value = 0;
     const long length = hollerith(text, begin, &skip);
     if (length >= 0)
         return read_string(input, delimiters, text, skip, (size_t)length, end, token);
@@ -107,55 +121,137 @@ static batten_status read_token(const bat_input *input, bat_iges_delimiters deli
         if (ends(delimiters, text.bytes[*end]))
             break;
     if (*end < text.length)
-        *token = odd_token(text, begin, *end);
+        *token = odd_token(text, begin, *end, value);
     return BATTEN_OK;
 }
 
 /* A number directly before a delimiter, which most tokens are; false for all others. */
 static inline bool read_plain_token(bat_iges_delimiters delimiters, bat_span text, size_t begin,
-                                    size_t *end, bat_iges_token *token)
+                                    size_t *end, bat_iges_token *token, double *value)
 {
     const char *last = text.bytes + text.length;
-    const char *stop = bat_number_quick(text.bytes + begin, last, &token->value);
+    const char *stop = bat_number_quick(text.bytes + begin, last, value);
     if (!stop || stop == last || !ends(delimiters, *stop))
         return false;
     *end = (size_t)(stop - text.bytes);
-    token->begin = (uint32_t)begin;
-    token->length = (uint32_t)(*end - begin);
-    token->kind = BAT_IGES_NUMBER;
+    *token = (bat_iges_token){(uint32_t)begin, (uint32_t)(*end - begin), BAT_IGES_NUMBER};
     return true;
+}
+
+/* The text is also gone through in blocks, for each of which 64 bits say what is no digit. As
+ * many characters must be there behind the text as a number is looked at in one go. */
+enum { BLOCK = 64, BEHIND = 24 };
+
+/* Numbers that stand in the block of *at whole, delimiters included, up to the first other
+ * token: of those bits each has one for its sign, if any, one for its point and one for its
+ * delimiter. Finding them does not wait for the numbers before. */
+static bool read_block(bat_iges_delimiters delimiters, bat_iges_parameters *parameters,
+                       size_t *at)
+{
+    const size_t block = *at / BLOCK * BLOCK;
+    const char *text = (const char *)parameters->text.items + block;
+    size_t begin = *at - block, count = parameters->tokens.count;
+    uint64_t marks = bat_no_digits(text) >> begin << begin, bits;
+    bool done = false;
+    bat_iges_token *tokens = parameters->tokens.items;
+    double *values = parameters->values.items;
+    while (marks && !done) {
+        const uint64_t is_negative = text[begin] == '-';
+        uint64_t rest = marks & (marks - is_negative); /* without the lowest, the sign */
+        if (!rest)
+            break;
+        const size_t digits = begin + is_negative, point = (size_t)__builtin_ctzll(rest);
+        size_t end = point, places = 0;
+        rest &= rest - 1;
+        if (text[point] == '.') {
+            if (!rest)
+                break;
+            end = (size_t)__builtin_ctzll(rest);
+            places = end - point - 1;
+            rest &= rest - 1;
+        }
+        done = text[end] == delimiters.terminator;
+        if ((!done && text[end] != delimiters.delimiter) ||
+            !bat_number_of_digits(text + digits, (int)(point - digits), (int)places, &bits)) {
+            done = false;
+            break;
+        }
+        bits |= is_negative << 63;
+        memcpy(&values[count], &bits, sizeof bits);
+        tokens[count++] = (bat_iges_token){(uint32_t)(block + begin), (uint32_t)(end - begin),
+                                           BAT_IGES_NUMBER};
+        begin = end + 1;
+        marks = rest;
+    }
+    parameters->tokens.count = parameters->values.count = count;
+    *at = block + begin;
+    return done;
+}
+
+/* Room for the tokens of a block, and one more. */
+static batten_status make_room(bat_input *input, bat_iges_parameters *parameters)
+{
+    batten_status status = BATTEN_OK;
+    if (parameters->tokens.capacity - parameters->tokens.count <= BLOCK)
+        status = bat_list_reserve(input, &parameters->tokens, BLOCK + 1);
+    if (status == BATTEN_OK && parameters->values.capacity - parameters->values.count <= BLOCK)
+        status = bat_list_reserve(input, &parameters->values, BLOCK + 1);
+    return status;
+}
+
+/* The token at `begin`, of any kind. */
+static batten_status read_any_token(bat_input *input, bat_iges_delimiters delimiters,
+                                    bat_iges_parameters *parameters, size_t begin, size_t *end)
+{
+    const bat_span text = {parameters->text.items, parameters->text.count};
+    bat_iges_token *token =
+        (bat_iges_token *)parameters->tokens.items + parameters->tokens.count;
+    double *value = (double *)parameters->values.items + parameters->values.count;
+    batten_status status = BATTEN_OK;
+    *end = begin;
+    if (!read_plain_token(delimiters, text, begin, end, token, value)) {
+        *token = (bat_iges_token){.kind = BAT_IGES_EMPTY};
+        *value = 0;
+        if (!ends(delimiters, text.bytes[begin]))
+            status = read_token(input, delimiters, text, begin, end, token, value);
+    }
+    if (status != BATTEN_OK || *end == text.length)
+        return status;
+    parameters->odd += token->kind == BAT_IGES_STRING || token->kind == BAT_IGES_OTHER;
+    parameters->tokens.count++;
+    parameters->values.count++;
+    return BATTEN_OK;
 }
 
 batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters,
                                 bat_iges_parameters *parameters, size_t *at, bool *done)
 {
-    const bat_span text = {parameters->text.items, parameters->text.count};
-    bat_list *tokens = &parameters->tokens;
-    batten_status status = BATTEN_OK;
-    if (text.length > UINT32_MAX)
+    if (parameters->text.count > UINT32_MAX)
         return bat_fail(BATTEN_BAD_FORMAT, "its parameters have more than %u characters",
                         UINT32_MAX);
+    batten_status status = bat_list_reserve(input, &parameters->text, BEHIND);
+    const bat_span text = {parameters->text.items, parameters->text.count};
     *done = false;
     while (status == BATTEN_OK && !*done) {
-        const size_t begin = past_blanks(text, *at);
-        size_t end = begin;
-        if (begin == text.length)
-            return BATTEN_OK;
-        if (tokens->count == tokens->capacity)
-            status = bat_list_reserve(input, tokens, 1);
-        if (status != BATTEN_OK)
+        size_t end = 0;
+        *at = past_blanks(text, *at);
+        status = make_room(input, parameters);
+        if (status != BATTEN_OK || *at == text.length)
             return status;
-        bat_iges_token *token = (bat_iges_token *)tokens->items + tokens->count;
-        if (!read_plain_token(delimiters, text, begin, &end, token)) {
-            *token = (bat_iges_token){.kind = BAT_IGES_EMPTY};
-            if (!ends(delimiters, text.bytes[begin]))
-                status = read_token(input, delimiters, text, begin, &end, token);
+        if (text.length - *at / BLOCK * BLOCK >= BLOCK) {
+            const size_t block = *at / BLOCK;
+            *done = read_block(delimiters, parameters, at);
+            if (*done)
+                break;
+            *at = past_blanks(text, *at);
+            if (*at / BLOCK > block)
+                continue;
         }
+        status = read_any_token(input, delimiters, parameters, *at, &end);
         if (status != BATTEN_OK || end == text.length)
             return status;
         *done = text.bytes[end] == delimiters.terminator;
         *at = end + 1;
-        tokens->count++;
     }
     return status;
 }
@@ -208,33 +304,39 @@ static batten_status refuse(const bat_iges_parameters *parameters, size_t index)
                     is_large ? "is too large for a number" : "is not a number");
 }
 
+static bool is_odd(const bat_iges_token *token)
+{
+    return token->kind == BAT_IGES_STRING || token->kind == BAT_IGES_OTHER;
+}
+
 batten_status bat_iges_real(const bat_iges_parameters *parameters, size_t index, double *value)
 {
-    const bat_iges_token *token = token_at(parameters, index);
-    if (token->kind == BAT_IGES_NUMBER)
-        *value = token->value;
-    else if (token->kind == BAT_IGES_EMPTY)
-        *value = 0;
-    else
+    if (is_odd(token_at(parameters, index)))
         return refuse(parameters, index);
+    *value = index < parameters->values.count
+                 ? ((const double *)parameters->values.items)[index]
+                 : 0;
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_reals_in_place(const bat_iges_parameters *parameters, size_t first,
+                                      size_t count, const double **values)
+{
+    assert(first + count <= parameters->values.count);
+    for (size_t i = first; parameters->odd > 0 && i < first + count; i++)
+        if (is_odd(token_at(parameters, i)))
+            return refuse(parameters, i);
+    *values = (const double *)parameters->values.items + first;
     return BATTEN_OK;
 }
 
 batten_status bat_iges_reals(const bat_iges_parameters *parameters, size_t first, size_t count,
                              double *values)
 {
-    const bat_iges_token *tokens = parameters->tokens.items;
-    const size_t have = parameters->tokens.count;
-    for (size_t i = 0; i < count; i++) {
-        if (first + i < have && tokens[first + i].kind == BAT_IGES_NUMBER) {
-            values[i] = tokens[first + i].value;
-            continue;
-        }
-        batten_status status = bat_iges_real(parameters, first + i, &values[i]);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    return BATTEN_OK;
+    batten_status status = BATTEN_OK;
+    for (size_t i = 0; status == BATTEN_OK && i < count; i++)
+        status = bat_iges_real(parameters, first + i, &values[i]);
+    return status;
 }
 
 batten_status bat_iges_integer(const bat_iges_parameters *parameters, size_t index, int *value)

@@ -13,7 +13,6 @@ typedef enum {
 } bat_iges_token_kind;
 
 typedef struct {
-    double value;           /* of a number */
     uint32_t begin, length; /* where it stands in the text; of a string its characters */
     bat_iges_token_kind kind;
 } bat_iges_token;
@@ -22,6 +21,8 @@ typedef struct {
 typedef struct {
     bat_list text;   /* of char: the columns of the records, one after another */
     bat_list tokens; /* of bat_iges_token */
+    bat_list values; /* of double: of each token the number, or 0 */
+    size_t odd;      /* tokens that are neither numbers nor empty */
 } bat_iges_parameters;
 
 typedef struct {
@@ -30,6 +31,8 @@ typedef struct {
 
 void bat_iges_parameters_begin(bat_iges_parameters *parameters);
 void bat_iges_parameters_end(bat_iges_parameters *parameters);
+/* Forget what was read, but not the room for it. */
+void bat_iges_parameters_clear(bat_iges_parameters *parameters);
 
 /* Read on from *at, which is then behind the last token that was whole. *done when that ended
  * with the terminator; else there is more text to come. BAD_FORMAT with a message. */
@@ -44,6 +47,9 @@ bat_span bat_iges_text(const bat_iges_parameters *parameters, size_t index, bool
 batten_status bat_iges_real(const bat_iges_parameters *parameters, size_t index, double *value);
 batten_status bat_iges_reals(const bat_iges_parameters *parameters, size_t first, size_t count,
                              double *values);
+/* The same where they stand already, until the parameters are read anew; all must be there. */
+batten_status bat_iges_reals_in_place(const bat_iges_parameters *parameters, size_t first,
+                                      size_t count, const double **values);
 batten_status bat_iges_integer(const bat_iges_parameters *parameters, size_t index, int *value);
 
 #endif

@@ -354,7 +354,7 @@ void bat_iges_end(bat_iges_file *file)
 
 static bool may_delimit(char c)
 {
-    return c > ' ' && c < 127 && !strchr("0123456789+-.DEH", c);
+    return c > ' ' && c < 127 && !strchr("0123456789+-.DEHde", c);
 }
 
 static size_t past_blanks(bat_span text, size_t at)
@@ -492,7 +492,7 @@ batten_status bat_iges_read_parameters(bat_iges_file *file, const bat_iges_entry
     size_t next = place, at = 0;
     bool done = false;
     batten_status status = BATTEN_OK;
-    parameters->text.count = parameters->tokens.count = 0;
+    bat_iges_parameters_clear(parameters);
     if (place == file->data.count)
         return bat_fail(BATTEN_BAD_FORMAT, "its parameters should be in record %d, of %zu",
                         entry->data, file->data.count);

@@ -75,12 +75,12 @@ static batten_status make_surface(bat_iges_item *item, const net *n, const doubl
 batten_status bat_iges_read_nurbs_surface(bat_iges_item *item)
 {
     net n;
-    double *numbers = NULL;
+    const double *numbers = NULL;
     batten_status status = read_net(item, &n);
     if (status != BATTEN_OK)
         return status;
     const size_t count = n.knots_u + n.knots_v + 4 * n.count_u * n.count_v;
-    status = bat_iges_real_array(item, 10, count, &numbers);
+    status = bat_iges_reals_in_place(item->parameters, 10, count, &numbers);
     if (status == BATTEN_OK)
         status = make_surface(item, &n, numbers);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
@@ -91,7 +91,6 @@ batten_status bat_iges_read_nurbs_surface(bat_iges_item *item)
                                   &item->surface);
     }
     item->own = 10 + count + 4;
-    bat_release(numbers);
     return status;
 }
 

@@ -146,8 +146,8 @@ TEST(Q2_other_delimiters_are_read_and_nonsense_is_refused)
     CHECK_BITS(batten_model_unit_metres(model), 0.001);
     batten_model_unref(model);
 
-    const char *const nonsense[] = {"1H11H;1", "1HHH1H;H", "1H,,1H,,", "1H++1H;+",
-                                    "x,y",     "1H,",      ""};
+    const char *const nonsense[] = {"1H11H;1",  "1HHH1H;H", "1H,,1H,,", "1H++1H;+",
+                                    "1Hee1H;e", "x,y",      "1H,",      ""};
     for (int k = 0; k < COUNT(nonsense); k++) {
         iges_text bad = iges_begin();
         iges_add(&bad, 110, 0, 0, 0, "00000000", IGES_LINE);
