@@ -121,6 +121,27 @@ static bool is_regular(const double *su, const double *sv, double noise_u, doubl
     return bat_regular_normal(a, b, noise_u / lu, noise_v / lv, n);
 }
 
+/* The normal alone: the same bits as those of unit_cross. */
+static void unit_normal(const double *su, const double *sv, bat_jet n[3])
+{
+    const double lu = bat_norm(3, su), lv = bat_norm(3, sv);
+    double a[3], b[3], m[3];
+    for (int c = 0; c < 3; c++) {
+        a[c] = su[c] / lu;
+        b[c] = sv[c] / lv;
+    }
+    for (int c = 0; c < 3; c++) {
+        const int i = (c + 1) % 3, j = (c + 2) % 3;
+        m[c] = a[i] * b[j] - a[j] * b[i];
+    }
+    const double size = bat_norm(3, m);
+    for (int c = 0; c < 3; c++)
+        m[c] /= size;
+    const double norm = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+    for (int c = 0; c < 3; c++)
+        n[c].d[0] = m[c] / norm;
+}
+
 batten_status bat_offset_point(const batten_surface *surface, double distance, double u,
                                double v, batten_side side_u, batten_side side_v, int order,
                                double *out)
@@ -135,7 +156,10 @@ batten_status bat_offset_point(const batten_surface *surface, double distance, d
     surface->kind->local(surface, u, v, side_u, side_v, &local);
     for (int k = 0; k < 2; k++)
         noise[k] = bat_derivative_noise(local.degree[k], local.span[k], local.largest);
-    if (is_regular(values + 3, values + 6, noise[0], noise[1])) {
+    const bool regular = is_regular(values + 3, values + 6, noise[0], noise[1]);
+    if (regular && order == 0) {
+        unit_normal(values + 3, values + 6, n);
+    } else if (regular) {
         take_jets(values, 1, 0, order, a);
         take_jets(values, 0, 1, order, b);
         unit_cross(a, b, 1, n);
