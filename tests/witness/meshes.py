@@ -1,6 +1,6 @@
-# Meshes that Batten wrote, read here by their formats' rules alone: python3 meshes.py FOLDER. All files of the
-# folder are of one closed solid; each must be closed, turned the same way throughout, and of the same volume.
-import json, os, re, struct, sys, zipfile
+# The meshes of this folder, read here by their formats' rules alone: each must be closed, turned outside throughout,
+# and have the triangles, the volume and the box that are in the file NAME.meshes.
+import glob, json, os, re, struct, sys, zipfile
 import xml.etree.ElementTree as xml
 
 
@@ -45,6 +45,14 @@ def obj(data):
     return points, faces
 
 
+def moved(matrix, points):
+    """Points by a matrix of four columns of three."""
+    return [tuple(matrix[9 + r] + sum(matrix[3 * c + r] * p[c] for c in range(3)) for r in range(3)) for p in points]
+
+
+STILL = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]
+
+
 def glb(data):
     magic, version, length, size, kind = struct.unpack_from("<4sIII4s", data)
     assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON") and size % 4 == 0
@@ -63,12 +71,25 @@ def glb(data):
                 assert min(column) == accessor["min"][k] and max(column) == accessor["max"][k]
         return found
 
-    for node in tree["nodes"]:
-        for part in tree["meshes"][node["mesh"]]["primitives"]:
-            first = len(points)
-            points += [(1000 * x, -1000 * z, 1000 * y) for x, y, z in rows(part["attributes"]["POSITION"], "<3f")]
-            indices = [first + row[0] for row in rows(part["indices"], "<I")]
-            faces += [tuple(indices[i:i + 3]) for i in range(0, len(indices), 3)]
+    def walk(index):
+        """The points and faces of a node with those below it."""
+        node = tree["nodes"][index]
+        near, corners = [], []
+        for part in tree["meshes"][node["mesh"]]["primitives"] if "mesh" in node else []:
+            indices = [len(near) + row[0] for row in rows(part["indices"], "<I")]
+            near += rows(part["attributes"]["POSITION"], "<3f")
+            corners += [tuple(indices[i:i + 3]) for i in range(0, len(indices), 3)]
+        for child in node.get("children", []):
+            p, f = walk(child)
+            corners += [tuple(len(near) + i for i in t) for t in f]
+            near += p
+        m = node.get("matrix")
+        return (moved([m[4 * c + r] for c in range(4) for r in range(3)], near) if m else near), corners
+
+    for root in tree["scenes"][tree["scene"]]["nodes"]:
+        p, f = walk(root)
+        faces += [tuple(len(points) + i for i in t) for t in f]
+        points += [(1000 * x, -1000 * z, 1000 * y) for x, y, z in p]
     return points, faces
 
 
@@ -78,12 +99,27 @@ def threemf(path):
     space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
     tree = xml.fromstring(archive.read("3D/3dmodel.model"))
     assert tree.get("unit") == "millimeter"
-    points, faces = [], []
-    for mesh in tree.iter(space + "mesh"):
-        first = len(points)
-        points += [tuple(float(v.get(k)) for k in "xyz") for v in mesh.iter(space + "vertex")]
-        faces += [tuple(first + int(t.get(k)) for k in ("v1", "v2", "v3")) for t in mesh.iter(space + "triangle")]
-    return points, faces
+    objects = {}
+
+    def gather(items):
+        """Those that build items or components name, where they stand."""
+        points, faces = [], []
+        for item in items:
+            p, f = objects[item.get("objectid")]
+            matrix = list(map(float, item.get("transform").split())) if item.get("transform") else STILL
+            faces += [tuple(len(points) + i for i in t) for t in f]
+            points += moved(matrix, p)
+        return points, faces
+
+    for item in tree.find(space + "resources").iter(space + "object"):  # each after those that it names
+        mesh, components = item.find(space + "mesh"), item.find(space + "components")
+        if components is not None:
+            objects[item.get("id")] = gather(components)
+        else:
+            objects[item.get("id")] = ([tuple(float(v.get(k)) for k in "xyz") for v in mesh.iter(space + "vertex")],
+                                       [tuple(int(t.get(k)) for k in ("v1", "v2", "v3"))
+                                        for t in mesh.iter(space + "triangle")])
+    return gather(tree.find(space + "build"))
 
 
 def check(points, faces):
@@ -100,16 +136,20 @@ def check(points, faces):
     return sum(n != edges.get((k, i), 0) for (i, k), n in edges.items()), volume
 
 
-failures, volumes = 0, []
-for name in sorted(os.listdir(sys.argv[1])):
-    path = os.path.join(sys.argv[1], name)
-    data = open(path, "rb").read()
-    read = {"stl": stl, "ply": ply, "obj": obj, "glb": glb}.get(name.rsplit(".", 1)[1])
-    points, faces = read(data) if read else threemf(path)
+failures = count = 0
+for name in sorted(sum((glob.glob("*." + ending) for ending in ("stl", "ply", "obj", "glb", "3mf")), [])):
+    base, ending = os.path.splitext(name)
+    expected = list(map(float, open(base + ".meshes").read().split()))
+    read = {".stl": stl, ".ply": ply, ".obj": obj, ".glb": glb}.get(ending)
+    points, faces = read(open(name, "rb").read()) if read else threemf(name)
     loose, volume = check(points, faces)
-    volumes.append(volume)
-    good = loose == 0 and volume > 0 and abs(volume - volumes[0]) < 1e-5 * volumes[0]
+    box = [f(p[k] for p in points) for f in (min, max) for k in range(3)]
+    size = max(map(abs, box))
+    # The curved walls of the hole are chords.
+    good = (loose, len(faces)) == (0, expected[0]) and abs(volume - expected[2]) < 1e-3 * expected[2] \
+        and all(abs(a - b) < 1e-6 * size for a, b in zip(box, expected[3:]))
     failures += not good
-    print("%-14s %d triangles, %d open edges, volume %.9g%s" % (name, len(faces), loose, volume, "" if good else "  FAILED"))
-print("WITNESS %d files, %d failed" % (len(volumes), failures))
-sys.exit(failures > 0)
+    count += 1
+    print("%-16s %d triangles, %d open edges, volume %.9g%s" % (name, len(faces), loose, volume, "" if good else "  FAILED"))
+print("WITNESS %d files, %d failed" % (count, failures))
+sys.exit(failures > 0 or count == 0)

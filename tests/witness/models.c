@@ -1,10 +1,13 @@
 /*
- * Files for other programs to read, and where the points of their shapes must be.
+ * Files for other programs to read, and what they must find in them.
  *
  *     batten-witness-models FOLDER
  *
- * For each shape there is a STEP and an IGES file in several units, and beside it a table:
- * index of the face or edge, u and v in 0..1, and x y z in millimetres.
+ * Shapes are NAME.step and NAME.igs, in several units. NAME.csv has their points: index of the
+ * face or edge, u and v in 0..1, and x y z in millimetres. NAME.expect has the numbers of
+ * solids and faces, the area and the volume, 0 where they are not known.
+ * Meshes are NAME.stl and so on. NAME.meshes has the number of triangles, how many of them
+ * are of different parts, the volume, and the box, lowest corner first; in millimetres.
  */
 #include "support/drilled_box.h"
 
@@ -25,10 +28,10 @@ static const char *folder;
 /* Samples along each parameter of a face, and along an edge. */
 enum { FACE_SAMPLES = 31, EDGE_SAMPLES = 1000 };
 
-static FILE *open_table(const char *name)
+static FILE *open_beside(const char *name, const char *ending)
 {
     char path[512];
-    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    snprintf(path, sizeof path, "%s/%s.%s", folder, name, ending);
     FILE *file = fopen(path, "w");
     if (!file) {
         perror(path);
@@ -96,7 +99,7 @@ static void put_objects(FILE *table, int *index, const batten_model *model, bool
 static void put_table(const char *name, const batten_model *model, bool is_iges)
 {
     const batten_affine identity = batten_affine_identity();
-    FILE *table = open_table(name);
+    FILE *table = open_beside(name, "csv");
     int index = 0;
     put_objects(table, &index, model, is_iges, &identity);
     fclose(table);
@@ -110,26 +113,20 @@ static void put_file(const char *name, const char *ending, const batten_model *m
     CHECK(batten_write_file(model, path, options, NULL));
 }
 
+static void expect(const char *name, int solids, int faces, double area, double volume)
+{
+    FILE *file = open_beside(name, "expect");
+    fprintf(file, "%d %d %.17g %.17g\n", solids, faces, area, volume);
+    fclose(file);
+}
+
 /* Write the model as both kinds of file, and the table of its points. */
-static void put_model(const char *name, const batten_model *model)
+static void put_model(const char *name, const batten_model *model, int faces)
 {
     put_table(name, model, false);
     put_file(name, "step", model, NULL);
     put_file(name, "igs", model, NULL);
-}
-
-/* What other programs must find: in FILE.expect. */
-static void expect(const char *name, int solids, int faces, double area, double volume)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s.expect", folder, name);
-    FILE *file = fopen(path, "w");
-    if (!file) {
-        perror(path);
-        exit(1);
-    }
-    fprintf(file, "%d %d %.17g %.17g\n", solids, faces, area, volume);
-    fclose(file);
+    expect(name, 0, faces, 0, 0);
 }
 
 static void add_surface(batten_model *model, const char *name, batten_surface *surface)
@@ -188,7 +185,7 @@ static void put_surfaces(const char *name, double unit)
     add_surface(model, "sphere: poles", surface);
     CHECK(batten_surface_torus(&frame, 25, 6, &surface));
     add_surface(model, "torus: closed twice", surface);
-    put_model(name, model);
+    put_model(name, model, 6);
     batten_model_unref(model);
 }
 
@@ -206,7 +203,7 @@ static void put_curves(const char *name, double unit)
     add_curve(model, "rational", curve);
     CHECK(batten_curve_create(3, 1, 2, points, NULL, line, &curve));
     add_curve(model, "line", curve);
-    put_model(name, model);
+    put_model(name, model, 0);
     batten_model_unref(model);
 }
 
@@ -220,7 +217,7 @@ static void put_both(void)
     add_surface(model, "patch \xc3\xbc", patch(true));
     CHECK(batten_curve_create(3, 3, 4, points, NULL, knots, &curve));
     add_curve(model, "curve's \\ name", curve);
-    put_model("both-mm", model);
+    put_model("both-mm", model, 1);
     batten_model_unref(model);
 }
 
@@ -308,6 +305,55 @@ static void place(batten_model *model, const char *name, const batten_model *def
                                                    .place = map}));
 }
 
+/* ---- meshes ---- */
+
+static double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+/* What STL has of the model: all parts where they stand. */
+static void expect_meshes(const char *name, const batten_model *model, int copies,
+                          const batten_write_options *options, double volume)
+{
+    batten_model *flat = NULL;
+    batten_write_options stl = *options;
+    int triangles = 0;
+    double low[3] = {1e300, 1e300, 1e300}, high[3] = {1e300, 1e300, 1e300}; /* of minus p */
+    stl.format = BATTEN_FORMAT_STL;
+    CHECK(batten_write_prepare(model, &stl, NULL, &flat));
+    for (int i = 0; i < batten_model_count(flat); i++) {
+        const batten_mesh_parts *p = batten_mesh_view(batten_model_object(flat, i)->mesh);
+        triangles += p->triangle_count;
+        for (int k = 0; k < 3 * p->vertex_count; k++) {
+            low[k % 3] = least(low[k % 3], p->points[k]);
+            high[k % 3] = least(high[k % 3], -p->points[k]);
+        }
+    }
+    FILE *file = open_beside(name, "meshes");
+    fprintf(file, "%d %d %.17g %.9g %.9g %.9g %.9g %.9g %.9g\n", triangles, triangles / copies,
+            volume, low[0], low[1], low[2], -high[0], -high[1], -high[2]);
+    fclose(file);
+    batten_model_unref(flat);
+}
+
+/* @param copies  of the same part */
+static void put_meshes(const char *name, const batten_model *model, int copies, double volume)
+{
+    static const char *const endings[] = {"stl", "ply", "obj", "glb", "3mf"};
+    batten_write_options options = batten_write_defaults();
+    char text[64];
+    options.mesh.chord = 1e-4;
+    for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++)
+        put_file(name, endings[k], model, &options);
+    expect_meshes(name, model, copies, &options, volume);
+    options.as_text = true;
+    snprintf(text, sizeof text, "%s-text", name);
+    for (int k = 0; k < 2; k++)
+        put_file(text, endings[k], model, &options);
+    expect_meshes(text, model, copies, &options, volume);
+}
+
 /* Two pairs of the block, and the block alone. */
 static void put_assembly(void)
 {
@@ -327,6 +373,8 @@ static void put_assembly(void)
     put_table("copies", all, true);
     put_file("copies", "igs", all, NULL);
     expect("copies", 0, 40, 5 * block_area(), 0);
+    put_meshes("placed", all, 5, 5 * block_volume());
+    put_meshes("part", part, 1, block_volume());
     batten_model_unref(all);
     batten_model_unref(pair);
     batten_model_unref(part);
