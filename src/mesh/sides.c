@@ -1,24 +1,7 @@
-#include "mesh/sides.h"
+#include "mesh/sides_triangles.h"
 
-#include "numeric/plane_signs.h"
 #include <batten/triangulate.h>
-#include <limits.h>
 #include <string.h>
-
-static int after(int k)
-{
-    return k == 2 ? 0 : k + 1;
-}
-
-static int before(int k)
-{
-    return k == 0 ? 2 : k - 1;
-}
-
-static const double *at(const bat_sides *s, int vertex)
-{
-    return s->at[vertex];
-}
 
 static int corner_index(const bat_side_triangle *t, int vertex)
 {
@@ -38,7 +21,7 @@ void bat_sides_end(bat_sides *s)
     *s = (bat_sides){0};
 }
 
-static batten_status grow_vertices(bat_sides *s, int room)
+batten_status bat_sides_grow_vertices(bat_sides *s, int room)
 {
     double(*places)[2] = bat_resize(s->at, (size_t)room, sizeof *places);
     if (!places)
@@ -56,7 +39,7 @@ static batten_status grow_vertices(bat_sides *s, int room)
     return BATTEN_OK;
 }
 
-static batten_status grow_triangles(bat_sides *s, int room)
+batten_status bat_sides_grow_triangles(bat_sides *s, int room)
 {
     bat_side_triangle *triangles = bat_resize(s->triangles, (size_t)room, sizeof *triangles);
     if (!triangles)
@@ -66,7 +49,7 @@ static batten_status grow_triangles(bat_sides *s, int room)
     return BATTEN_OK;
 }
 
-static batten_status grow_list(bat_sides *s, int room)
+batten_status bat_sides_grow_list(bat_sides *s, int room)
 {
     if (room <= s->list_room)
         return BATTEN_OK;
@@ -81,11 +64,11 @@ static batten_status grow_list(bat_sides *s, int room)
 
 static batten_status take(bat_sides *s, const batten_plane_triangles *made)
 {
-    batten_status status = grow_vertices(s, bat_max_int(64, made->vertex_count));
+    batten_status status = bat_sides_grow_vertices(s, bat_max_int(64, made->vertex_count));
     if (status == BATTEN_OK)
-        status = grow_triangles(s, bat_max_int(64, made->count));
+        status = bat_sides_grow_triangles(s, bat_max_int(64, made->count));
     if (status == BATTEN_OK)
-        status = grow_list(s, 64);
+        status = bat_sides_grow_list(s, 64);
     if (status != BATTEN_OK)
         return status;
     s->vertex_count = made->vertex_count;
@@ -122,16 +105,6 @@ batten_status bat_sides_begin(bat_sides *s, int count, const double (*points)[2]
 }
 
 /* ---- flips ---- */
-
-static void set_bit(unsigned char *bits, int k, bool on)
-{
-    *bits = (unsigned char)((*bits & ~(1u << k)) | (unsigned)on << k);
-}
-
-static bool bit(unsigned char bits, int k)
-{
-    return bits >> k & 1;
-}
 
 /* Edge `k` of `to` becomes what edge `j` of `from` was. */
 static void hand_over(bat_sides *s, const bat_side_triangle *from, int from_index, int j,
@@ -272,7 +245,7 @@ static batten_status collect(bat_sides *s, int a, int b, int *count, bat_side_re
             other[1] = left;
             return BATTEN_OK;
         }
-        const batten_status status = grow_list(s, 2 * *count + 2);
+        const batten_status status = bat_sides_grow_list(s, 2 * *count + 2);
         if (status != BATTEN_OK)
             return status;
         s->list[2 * *count] = right;
@@ -415,7 +388,7 @@ static void find_inside(bat_sides *s)
 
 batten_status bat_sides_settle(bat_sides *s)
 {
-    batten_status status = grow_list(s, s->count);
+    batten_status status = bat_sides_grow_list(s, s->count);
     if (status != BATTEN_OK)
         return status;
     s->waiting = bat_array((size_t)s->count, sizeof *s->waiting);
@@ -428,191 +401,5 @@ batten_status bat_sides_settle(bat_sides *s)
     for (int t = 0; t < s->count; t++)
         if (s->triangles[t].inside)
             s->last = t;
-    return BATTEN_OK;
-}
-
-/* ---- points ---- */
-
-static bool holds(const bat_sides *s, int t, const double *p)
-{
-    const int *c = s->triangles[t].corner;
-    return bat_orientation(at(s, c[0]), at(s, c[1]), p) >= 0 &&
-           bat_orientation(at(s, c[1]), at(s, c[2]), p) >= 0 &&
-           bat_orientation(at(s, c[2]), at(s, c[0]), p) >= 0;
-}
-
-/* The triangle that holds the point, or -1. Walks; sides can lead a walk round in circles, then
- * all are asked. */
-static int locate(const bat_sides *s, const double *p)
-{
-    int t = s->last;
-    for (int steps = 0; steps < s->count; steps++) {
-        const bat_side_triangle *here = &s->triangles[t];
-        int k = steps % 3, tried = 0;
-        while (tried < 3 && bat_orientation(at(s, here->corner[after(k)]),
-                                            at(s, here->corner[before(k)]), p) >= 0) {
-            k = after(k);
-            tried++;
-        }
-        if (tried == 3)
-            return t;
-        if (here->beside[k] < 0)
-            return -1;
-        t = here->beside[k];
-    }
-    for (t = 0; t < s->count; t++)
-        if (holds(s, t, p))
-            return t;
-    return -1;
-}
-
-/* Is the point a corner, or on a side, of the triangle that holds it? */
-static bool is_taken(const bat_sides *s, int t, const double *p)
-{
-    const bat_side_triangle *here = &s->triangles[t];
-    for (int k = 0; k < 3; k++) {
-        const double *c = at(s, here->corner[k]);
-        if ((c[0] == p[0] && c[1] == p[1]) ||
-            (bit(here->fixed, k) && bat_orientation(at(s, here->corner[after(k)]),
-                                                    at(s, here->corner[before(k)]), p) == 0))
-            return true;
-    }
-    return false;
-}
-
-/* The triangles with p in their circle, connected without crossing sides: first in the list.
- * Source: [Bowyer81]. */
-static batten_status find_cavity(bat_sides *s, int t, const double *p, int *count)
-{
-    s->stamp++;
-    s->triangles[t].stamp = s->stamp;
-    s->list[0] = t;
-    *count = 1;
-    for (int i = 0; i < *count; i++) {
-        const bat_side_triangle *here = &s->triangles[s->list[i]];
-        for (int k = 0; k < 3; k++) {
-            bat_side_triangle *n = here->beside[k] < 0 ? NULL : &s->triangles[here->beside[k]];
-            if (!n || bit(here->fixed, k) || n->stamp == s->stamp ||
-                bat_in_circle(at(s, n->corner[0]), at(s, n->corner[1]), at(s, n->corner[2]),
-                              p) <= 0)
-                continue;
-            n->stamp = s->stamp;
-            s->list[(*count)++] = here->beside[k];
-            const batten_status status = grow_list(s, 4 * *count + 8);
-            if (status != BATTEN_OK)
-                return status;
-        }
-    }
-    return BATTEN_OK;
-}
-
-static bool is_near(const double *p, const double *a, const double *b, double widest,
-                    double nearest)
-{
-    const double ax = a[0] - p[0], ay = a[1] - p[1], bx = b[0] - p[0], by = b[1] - p[1];
-    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by;
-    const double x = b[0] - a[0], y = b[1] - a[1], least = nearest * nearest * (x * x + y * y);
-    return aa < least || bb < least || ax * bx + ay * by < widest * sqrt(aa * bb);
-}
-
-/* The edges around the cavity, 3 t + k, behind it in the list. False when the point is too near
- * to one of them. */
-static bool find_rim(bat_sides *s, const double *p, int cavity, double widest, double nearest,
-                     int *count)
-{
-    *count = 0;
-    for (int i = 0; i < cavity; i++) {
-        const bat_side_triangle *here = &s->triangles[s->list[i]];
-        for (int k = 0; k < 3; k++) {
-            const bool fixed = bit(here->fixed, k);
-            if (!fixed && here->beside[k] >= 0 &&
-                s->triangles[here->beside[k]].stamp == s->stamp)
-                continue;
-            const double *a = at(s, here->corner[after(k)]),
-                         *b = at(s, here->corner[before(k)]);
-            if (bat_orientation(p, a, b) <= 0 || (fixed && is_near(p, a, b, widest, nearest)))
-                return false;
-            s->list[cavity + (*count)++] = 3 * s->list[i] + k;
-        }
-    }
-    return *count == cavity + 2;
-}
-
-/* A triangle from the point to each edge of the rim, in the places of the cavity and behind. */
-static void fill(bat_sides *s, int vertex, int cavity, int rim, bat_side_triangle *made)
-{
-    int *places = s->list, *edges = s->list + cavity;
-    for (int i = 0; i < rim; i++) {
-        const bat_side_triangle *old = &s->triangles[edges[i] / 3];
-        const int k = edges[i] % 3;
-        made[i] = (bat_side_triangle){
-            .corner = {vertex, old->corner[after(k)], old->corner[before(k)]},
-            .beside = {old->beside[k], -1, -1},
-            .fixed = bit(old->fixed, k),
-            .odd = bit(old->odd, k),
-            .inside = true,
-            .born = old->born + 1};
-    }
-    for (int i = 0; i < rim; i++) {
-        const int place = i < cavity ? places[i] : s->count++, *c = made[i].corner;
-        made[i].stamp = s->stamp;
-        made[i].born = bat_max_int(made[i].born, i < cavity ? s->triangles[place].born + 1 : 0);
-        edges[i] = place; /* its edge is taken over above */
-        s->start[c[1]] = i;
-        s->of[c[0]] = s->of[c[1]] = s->of[c[2]] = place;
-    }
-    for (int i = 0; i < rim; i++) {
-        const int next = s->start[made[i].corner[2]];
-        made[i].beside[1] = edges[next];
-        made[next].beside[2] = edges[i];
-    }
-    for (int i = 0; i < rim; i++) {
-        s->triangles[edges[i]] = made[i];
-        bat_side_triangle *n = made[i].beside[0] < 0 ? NULL : &s->triangles[made[i].beside[0]];
-        for (int k = 0; n && k < 3; k++)
-            if (n->corner[after(k)] == made[i].corner[2] &&
-                n->corner[before(k)] == made[i].corner[1])
-                n->beside[k] = edges[i];
-    }
-    s->last = edges[0];
-}
-
-batten_status bat_sides_insert(bat_sides *s, const double point[2], double widest,
-                               double nearest, int *vertex)
-{
-    int cavity = 0, rim = 0;
-    *vertex = -1;
-    const int t = locate(s, point);
-    if (t < 0)
-        return BATTEN_OK;
-    s->last = t;
-    if (!s->triangles[t].inside || is_taken(s, t, point))
-        return BATTEN_OK;
-    batten_status status = find_cavity(s, t, point, &cavity);
-    if (status != BATTEN_OK || !find_rim(s, point, cavity, widest, nearest, &rim))
-        return status;
-    if (s->vertex_count == s->vertex_room) {
-        status = s->vertex_count < INT_MAX / 8 ? grow_vertices(s, 2 * s->vertex_room)
-                                               : BATTEN_TOO_LARGE;
-        if (status != BATTEN_OK)
-            return status;
-    }
-    if (s->count + 2 > s->room) {
-        status = grow_triangles(s, 2 * s->room);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    bat_side_triangle few[32], *made = few;
-    if (rim > 32) {
-        made = bat_array((size_t)rim, sizeof *made);
-        if (!made)
-            return BATTEN_OUT_OF_MEMORY;
-    }
-    s->at[s->vertex_count][0] = point[0];
-    s->at[s->vertex_count][1] = point[1];
-    fill(s, s->vertex_count, cavity, rim, made);
-    if (made != few)
-        bat_release(made);
-    *vertex = s->vertex_count++;
     return BATTEN_OK;
 }
