@@ -3,7 +3,7 @@
 #include <batten/number.h>
 #include <string.h>
 
-static size_t past_separators(bat_span text, size_t at)
+size_t bat_svg_past_separators(bat_span text, size_t at)
 {
     while (at < text.length && (bat_is_white(text.bytes[at]) || text.bytes[at] == ','))
         at++;
@@ -36,7 +36,7 @@ static size_t number_length(const char *text, size_t left)
 
 bool bat_svg_number(bat_span text, size_t *at, double *value)
 {
-    const size_t begin = past_separators(text, *at);
+    const size_t begin = bat_svg_past_separators(text, *at);
     const size_t length = number_length(text.bytes + begin, text.length - begin);
     if (length == 0 || batten_number_read(text.bytes + begin, length, value, NULL) != BATTEN_OK)
         return false;
@@ -88,8 +88,8 @@ static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *ma
 batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
 {
     bat_svg_map whole = {1, 0, 0, 1, 0, 0};
-    for (size_t at = past_separators(text, 0); at < text.length;
-         at = past_separators(text, at)) {
+    for (size_t at = bat_svg_past_separators(text, 0); at < text.length;
+         at = bat_svg_past_separators(text, at)) {
         bat_svg_map step;
         double v[6] = {0};
         int count = 0;
@@ -102,7 +102,7 @@ batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
         at += at < text.length;
         while (count < 6 && bat_svg_number(text, &at, &v[count]))
             count++;
-        at = past_separators(text, at);
+        at = bat_svg_past_separators(text, at);
         if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
             return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d numbers",
                             (int)(name.length < 20 ? name.length : 20), name.bytes, count);
@@ -189,7 +189,7 @@ typedef struct {
 /* Flags of arcs may stand without anything between: "a1 1 0 0110 10". */
 static bool read_flag(parsing *p, double *value)
 {
-    p->at = past_separators(p->data, p->at);
+    p->at = bat_svg_past_separators(p->data, p->at);
     if (p->at >= p->data.length || (p->data.bytes[p->at] != '0' && p->data.bytes[p->at] != '1'))
         return false;
     *value = p->data.bytes[p->at++] - '0';
@@ -200,7 +200,7 @@ static int arguments_of(char command)
 {
     static const char commands[] = "MLHVCSQTAZ";
     static const int counts[] = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
-    const char *found = command ? strchr(commands, command) : NULL;
+    const char *found = strchr(commands, command);
     return found ? counts[found - commands] : -1;
 }
 
@@ -296,7 +296,7 @@ static batten_status run(parsing *p, char command, const double v[7])
  */
 static bool next_command(parsing *p)
 {
-    p->at = past_separators(p->data, p->at);
+    p->at = bat_svg_past_separators(p->data, p->at);
     const char c = p->at < p->data.length ? p->data.bytes[p->at] : '\0';
     if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
         p->command = c;
@@ -313,7 +313,7 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
     parsing p = {.data = data, .row = row, .take = take, .context = context};
     batten_status status = BATTEN_OK;
     row->points.count = 0;
-    while (status == BATTEN_OK && past_separators(data, p.at) < data.length) {
+    while (status == BATTEN_OK && bat_svg_past_separators(data, p.at) < data.length) {
         double v[7] = {0};
         const size_t at = p.at;
         const bool known = next_command(&p);
@@ -327,7 +327,7 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
                                   at + 1)
                        : status;
         }
-        if (small && !(row->points.count == 0 && command == 'M'))
+        if (small && row->points.count > 0)
             make_absolute(command, row, v);
         status = run(&p, command, v);
         p.before = command;

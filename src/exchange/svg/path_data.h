@@ -10,6 +10,8 @@ typedef struct {
 } bat_svg_map;
 bat_svg_map bat_svg_compose(bat_svg_map first, bat_svg_map then);
 
+/* Past blanks and commas from `at` on. */
+size_t bat_svg_past_separators(bat_span text, size_t at);
 /* The next number, past blanks and a comma; false when none stands there. *at goes behind it.
  */
 bool bat_svg_number(bat_span text, size_t *at, double *value);

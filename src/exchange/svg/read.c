@@ -1,6 +1,6 @@
 #include "exchange/census.h"
 #include "exchange/formats.h"
-#include "exchange/svg/path_data.h"
+#include "exchange/svg/shapes.h"
 #include "exchange/svg/svg.h"
 #include "exchange/svg/xml.h"
 
@@ -30,7 +30,7 @@ typedef struct {
     /* of the element at work */
     level look;
     char name[NAME], layer[NAME];
-    int parts;
+    int parts; /* that became curves */
 } reading;
 
 batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
@@ -51,31 +51,20 @@ batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
 
 /* ---- the sheet ---- */
 
-/* A length in millimetres; numbers alone are of 96 to an inch. 0 for percents and none. */
+/* A length in millimetres; 0 for none. */
 static double length_of(const bat_xml *xml, const char *name)
 {
-    static const struct {
-        const char *unit;
-        double millimetres;
-    } units[] = {{"mm", 1},        {"cm", 10},        {"in", 25.4}, {"pt", 25.4 / 72},
-                 {"pc", 25.4 / 6}, {"px", 25.4 / 96}, {"q", 0.25},  {"", 25.4 / 96}};
     bat_span text;
     size_t at = 0;
     double value = 0;
     if (!bat_xml_attribute(xml, name, &text) || !bat_svg_number(text, &at, &value))
         return 0;
-    const bat_span unit = {text.bytes + at, text.length - at};
-    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
-        if (unit.length == strlen(units[k].unit) &&
-            memcmp(unit.bytes, units[k].unit, unit.length) == 0)
-            return value * units[k].millimetres;
-    return 0;
+    return value * bat_svg_unit((bat_span){text.bytes + at, text.length - at});
 }
 
 /* From the numbers of the drawing to millimetres with y upwards, from the lower left corner. */
 static bat_svg_map sheet_of(const bat_xml *xml)
 {
-    const double pixel = 25.4 / 96;
     double width = length_of(xml, "width"), height = length_of(xml, "height");
     double box[4] = {0, 0, 0, 0};
     bat_span text = {"", 0};
@@ -86,14 +75,14 @@ static bat_svg_map sheet_of(const bat_xml *xml)
             count++;
     if (count < 4 || !(box[2] > 0 && box[3] > 0)) {
         box[0] = box[1] = 0;
-        box[2] = width > 0 ? width / pixel : 1;
-        box[3] = height > 0 ? height / pixel : 0;
+        box[2] = width > 0 ? width / BAT_SVG_PIXEL : 1;
+        box[3] = height > 0 ? height / BAT_SVG_PIXEL : 0;
     }
     if (!(width > 0))
-        width = height > 0 && box[3] > 0 ? height * box[2] / box[3] : box[2] * pixel;
+        width = height > 0 ? height * box[2] / box[3] : box[2] * BAT_SVG_PIXEL;
     /* As wide and as high as fits, in the middle, as the standard has it. */
     double scale = width / box[2];
-    if (height > 0 && box[3] > 0)
+    if (height > 0)
         scale = bat_min(scale, height / box[3]);
     const double right = (width - scale * box[2]) / 2;
     const double up = height > 0 ? (height - scale * box[3]) / 2 : 0;
@@ -157,7 +146,7 @@ static batten_status read_look(const reading *r, level *look)
     return status;
 }
 
-/* ---- shapes ---- */
+/* ---- curves ---- */
 
 /* One part of the element at work as a curve; parts after the first are numbered. */
 static batten_status take(void *context, const bat_svg_row *row)
@@ -165,8 +154,10 @@ static batten_status take(void *context, const bat_svg_row *row)
     reading *r = context;
     char name[NAME + 16];
     batten_curve *curve = NULL;
-    r->parts++;
-    if (r->parts > 1)
+    batten_status status = bat_svg_curve(row, &r->look.map, &curve);
+    if (status != BATTEN_OK || !curve)
+        return status;
+    if (++r->parts > 1)
         snprintf(name, sizeof name, "%s.%d", r->name, r->parts);
     else
         snprintf(name, sizeof name, "%s", r->name);
@@ -175,112 +166,12 @@ static batten_status take(void *context, const bat_svg_row *row)
                             .group = r->group,
                             .is_hidden = r->look.is_hidden,
                             .has_colour = r->look.has_colour,
-                            .kind = BATTEN_OBJECT_CURVE};
+                            .kind = BATTEN_OBJECT_CURVE,
+                            .curve = curve};
     memcpy(object.colour, r->look.colour, sizeof object.colour);
-    batten_status status = bat_svg_curve(row, &r->look.map, &curve);
-    object.curve = curve;
-    if (status == BATTEN_OK && curve)
-        status = batten_model_add(r->model, &object);
+    status = batten_model_add(r->model, &object);
     batten_curve_unref(curve);
     return status;
-}
-
-/* Numbers of attributes, 0 when they are missing. */
-static double number_of(const bat_xml *xml, const char *name)
-{
-    bat_span text;
-    size_t at = 0;
-    double value = 0;
-    return bat_xml_attribute(xml, name, &text) && bat_svg_number(text, &at, &value) ? value : 0;
-}
-
-static batten_status read_ellipse(reading *r, double rx, double ry)
-{
-    const double x = number_of(&r->xml, "cx"), y = number_of(&r->xml, "cy");
-    if (!(rx > 0 && ry > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", rx, ry);
-    batten_status status = bat_svg_move(&r->row, x + rx, y);
-    if (status == BATTEN_OK)
-        status = bat_svg_arc(&r->row, rx, ry, 0, false, true, x - rx, y);
-    if (status == BATTEN_OK)
-        status = bat_svg_arc(&r->row, rx, ry, 0, false, true, x + rx, y);
-    return status == BATTEN_OK ? take(r, &r->row) : status;
-}
-
-static batten_status read_rectangle(reading *r)
-{
-    const double x = number_of(&r->xml, "x"), y = number_of(&r->xml, "y");
-    const double w = number_of(&r->xml, "width"), h = number_of(&r->xml, "height");
-    double rx = number_of(&r->xml, "rx"), ry = number_of(&r->xml, "ry");
-    if (!(w > 0 && h > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "it is %g wide and %g high", w, h);
-    rx = bat_min(rx > 0 ? rx : ry, w / 2);
-    ry = bat_min(ry > 0 ? ry : rx, h / 2);
-    /* Clockwise from the upper left: each side, then the corner, which may be round. */
-    const double sides[4][2] = {
-        {x + w - rx, y}, {x + w, y + h - ry}, {x + rx, y + h}, {x, y + ry}};
-    const double corners[4][2] = {
-        {x + w, y + ry}, {x + w - rx, y + h}, {x, y + h - ry}, {x + rx, y}};
-    batten_status status = bat_svg_move(&r->row, x + rx, y);
-    for (int k = 0; status == BATTEN_OK && k < 4; k++) {
-        status = bat_svg_line(&r->row, sides[k][0], sides[k][1]);
-        if (status == BATTEN_OK)
-            status = bat_svg_arc(&r->row, rx, ry, 0, false, true, corners[k][0], corners[k][1]);
-    }
-    return status == BATTEN_OK ? take(r, &r->row) : status;
-}
-
-static batten_status read_polyline(reading *r, bool closed)
-{
-    bat_span text = {"", 0};
-    size_t at = 0;
-    double p[2], start[2] = {0, 0};
-    int count = 0;
-    batten_status status = BATTEN_OK;
-    (void)bat_xml_attribute(&r->xml, "points", &text);
-    r->row.points.count = 0;
-    while (status == BATTEN_OK && bat_svg_number(text, &at, &p[0]) &&
-           bat_svg_number(text, &at, &p[1])) {
-        if (count++ == 0) {
-            memcpy(start, p, sizeof p);
-            status = bat_svg_move(&r->row, p[0], p[1]);
-        } else {
-            status = bat_svg_line(&r->row, p[0], p[1]);
-        }
-    }
-    if (status == BATTEN_OK && count < 2)
-        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d points", count);
-    if (status == BATTEN_OK && closed)
-        status = bat_svg_line(&r->row, start[0], start[1]);
-    return status == BATTEN_OK ? take(r, &r->row) : status;
-}
-
-static batten_status read_line(reading *r)
-{
-    batten_status status =
-        bat_svg_move(&r->row, number_of(&r->xml, "x1"), number_of(&r->xml, "y1"));
-    if (status == BATTEN_OK)
-        status = bat_svg_line(&r->row, number_of(&r->xml, "x2"), number_of(&r->xml, "y2"));
-    return status == BATTEN_OK ? take(r, &r->row) : status;
-}
-
-static batten_status read_shape(reading *r)
-{
-    const bat_xml *xml = &r->xml;
-    bat_span data = {"", 0};
-    if (bat_xml_is(xml, "path")) {
-        (void)bat_xml_attribute(xml, "d", &data);
-        return bat_svg_path(data, &r->row, take, r);
-    }
-    if (bat_xml_is(xml, "line"))
-        return read_line(r);
-    if (bat_xml_is(xml, "rect"))
-        return read_rectangle(r);
-    if (bat_xml_is(xml, "circle"))
-        return read_ellipse(r, number_of(xml, "r"), number_of(xml, "r"));
-    if (bat_xml_is(xml, "ellipse"))
-        return read_ellipse(r, number_of(xml, "rx"), number_of(xml, "ry"));
-    return read_polyline(r, bat_xml_is(xml, "polygon"));
 }
 
 /* ---- elements ---- */
@@ -291,13 +182,6 @@ static bool is_one_of(const bat_xml *xml, const char *const *names)
         if (bat_xml_is(xml, *names))
             return true;
     return false;
-}
-
-static bool is_shape(const bat_xml *xml)
-{
-    static const char *const shapes[] = {"path",    "line",     "rect",    "circle",
-                                         "ellipse", "polyline", "polygon", NULL};
-    return is_one_of(xml, shapes);
 }
 
 /* A name as the census may have it. */
@@ -312,8 +196,8 @@ static batten_status leave_out(reading *r, const char *kind, const char *why)
 {
     r->input->left_out++;
     if (why)
-        batten_notes_add(r->input->notes, r->input->file, r->xml.line, kind, "%s; left out",
-                         why);
+        batten_notes_add(r->input->notes, r->input->file, r->xml.line, kind, "%s; %s", why,
+                         r->parts ? "what stands before it is kept" : "left out");
     return bat_census_leave(r->input, &r->census, kind);
 }
 
@@ -326,17 +210,20 @@ static batten_status add_shape(reading *r)
     r->number++;
     if (!r->name[0])
         snprintf(r->name, sizeof r->name, "%s %d", kind, r->number);
-    r->parts = 0;
     batten_status status = bat_input_limit(r->input, r->xml.line, (size_t)r->number,
                                            r->input->limits.entities, "shapes");
     if (status == BATTEN_OK)
         status = read_look(r, &r->look);
     if (status == BATTEN_OK)
-        status = read_shape(r);
+        status = bat_svg_shape(&r->xml, &r->row, take, r);
     if (bat_input_ends(status))
         return status;
-    return status == BATTEN_OK ? bat_census_read(r->input, &r->census, kind)
-                               : leave_out(r, kind, batten_message());
+    if (status != BATTEN_OK)
+        return leave_out(r, kind, batten_message());
+    if (r->parts == 0)
+        batten_notes_remark(r->input->notes, r->input->file, r->xml.line, kind,
+                            "it has no length; there is no curve of it");
+    return bat_census_read(r->input, &r->census, kind);
 }
 
 /* A group of elements, or the drawing itself. Names of groups follow one another: "a/b". */
@@ -375,6 +262,13 @@ static batten_status skip(reading *r)
     return BATTEN_OK;
 }
 
+static bool has_sheet(const bat_xml *xml)
+{
+    bat_span text;
+    return bat_xml_attribute(xml, "viewBox", &text) || bat_xml_attribute(xml, "x", &text) ||
+           bat_xml_attribute(xml, "y", &text);
+}
+
 static batten_status read_element(reading *r)
 {
     static const char *const silent[] = {"defs",     "style",     "script",   "title", "desc",
@@ -382,8 +276,14 @@ static batten_status read_element(reading *r)
                                          "symbol",   "pattern",   NULL};
     static const char *const groups[] = {"g", "svg", "a", "switch", NULL};
     char kind[32];
-    if (is_shape(&r->xml)) {
+    r->parts = 0;
+    if (bat_svg_is_shape(&r->xml)) {
         batten_status status = add_shape(r);
+        return status == BATTEN_OK ? skip(r) : status;
+    }
+    if (bat_xml_is(&r->xml, "svg") && has_sheet(&r->xml)) {
+        batten_status status =
+            leave_out(r, "svg", "a drawing within the drawing, on a sheet of its own");
         return status == BATTEN_OK ? skip(r) : status;
     }
     if (is_one_of(&r->xml, groups))

@@ -158,7 +158,7 @@ batten_status bat_svg_curve(const bat_svg_row *row, const bat_svg_map *map, batt
     const int pieces = (int)((row->points.count - 1) / 3);
     const int step = row->has_curves ? 1 : 3;
     const int count = row->has_curves ? 3 * pieces + 1 : pieces + 1;
-    if (row->points.count == 0 || pieces == 0)
+    if (pieces == 0)
         return BATTEN_OK;
     double *points = bat_array3((size_t)count, 2, sizeof *points);
     double *weights = bat_array((size_t)count, sizeof *weights);

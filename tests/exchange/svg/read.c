@@ -229,6 +229,12 @@ TEST(P2_a_bad_shape_is_left_out_and_the_next_is_read)
         {"<rect width=\"0\" height=\"5\"/>", "it is 0 wide"},
         {"<polyline points=\"1 1\"/>", "it has 1 points"},
         {"<text x=\"1\" y=\"2\">hello</text>", "0 read, 1 left out"},
+        {"<polyline points=\"1 1 2 2 3\"/>", "its points are broken after the first 2; what"},
+        {"<polygon points=\"1 1 2 2, 3 3 x\"/>", "its points are broken after the first 3"},
+        {"<path d=\"M0 0L1 1L2\"/>", "what stands before it is kept"},
+        {"<circle r=\"50%\"/>", "its r is '50%', which is no length"},
+        {"<rect width=\"wide\" height=\"1\"/>", "its width is 'wide', which is no length"},
+        {"<svg viewBox=\"0 0 1 1\"><path d=\"M0 0L1 1\"/></svg>", "on a sheet of its own"},
         {"<use href=\"#a\"/>", "0 read, 1 left out"},
     };
     for (int i = 0; i < COUNT(cases); i++) {
@@ -247,6 +253,24 @@ TEST(P2_a_bad_shape_is_left_out_and_the_next_is_read)
         batten_notes_free(notes);
         batten_model_unref(model);
     }
+}
+
+TEST(lengths_of_shapes_have_units)
+{
+    batten_model *model = read_shapes("<line x1=\"1in\" y1=\"2.54cm \" x2=\"96px\" y2=\"0\"/>"
+                                      "<circle cx=\"1\" cy=\"1\" r=\"1pc\"/>");
+    check_point(model, 0, 0, 96, 50 - 96);
+    check_point(model, 0, 1, 96, 50);
+    check_point(model, 1, 0, 17, 49);
+    batten_model_unref(model);
+}
+
+TEST(shapes_without_length_are_remarked_on)
+{
+    batten_model *model = read_noting(sheet("<line x1=\"1\" x2=\"1\"/><path d=\"\"/>"),
+                                      BATTEN_FORMAT_SVG, "it has no length");
+    CHECK_INT(batten_model_count(model), 0);
+    batten_model_unref(model);
 }
 
 TEST(S4_groups_within_groups_have_a_limit)
