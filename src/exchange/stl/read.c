@@ -23,9 +23,10 @@ static bool is_text(const bat_input *input)
            (bat_word_is_like(word, "facet") || bat_word_is_like(word, "endsolid"));
 }
 
+/* The count of triangles after a header. */
 static uint32_t promised(const bat_input *input)
 {
-    return input->size >= BEFORE ? bat_bytes_u32(input->data + HEADER) : 0;
+    return bat_bytes_u32(input->data + HEADER);
 }
 
 /* Many programs begin the bytes with "solid" too: the size decides. */

@@ -10,6 +10,7 @@ typedef struct {
     bat_stl_solid solid;
     size_t facets; /* of this solid, with those left out */
     bool inside;   /* a solid has begun and not ended */
+    bool passing;  /* what is left of a triangle that was left out */
     char *name;
 } reading;
 
@@ -64,6 +65,7 @@ static batten_status add_facet(reading *r)
                          "the file ends within triangle %zu", index + 1);
     } else {
         r->input->left_out++;
+        r->passing = true;
         batten_notes_add(r->input->notes, r->input->file, line, "",
                          "triangle %zu is left out: line %d is not what follows in a facet",
                          index + 1, r->words.line);
@@ -84,6 +86,7 @@ static batten_status begin_solid(reading *r)
         return status;
     bat_word_copy(name, name.length + 1, r->name);
     r->inside = true;
+    r->passing = false;
     r->facets = 0;
     return BATTEN_OK;
 }
@@ -91,8 +94,23 @@ static batten_status begin_solid(reading *r)
 static batten_status end_solid(reading *r)
 {
     batten_status status = bat_stl_end(&r->solid, r->name[0] ? r->name : "mesh", r->model);
-    r->inside = false;
+    r->inside = r->passing = false;
     return status;
+}
+
+/* A word that belongs neither to a triangle nor to a solid; those that follow it are passed. */
+static void note_stray(reading *r, bat_span word)
+{
+    char shown[BAT_SHOWN_SIZE];
+    const bool is_facet = bat_word_is_like(word, "facet");
+    if (r->passing && !is_facet)
+        return;
+    r->passing = true;
+    r->input->left_out += is_facet;
+    batten_notes_add(r->input->notes, r->input->file, r->words.line, "",
+                     is_facet ? "a triangle outside of a solid is left out: '%.40s'"
+                              : "'%.40s' is no word of a solid",
+                     bat_shown(word.bytes, word.length, shown));
 }
 
 static batten_status read_solids(reading *r)
@@ -101,16 +119,18 @@ static batten_status read_solids(reading *r)
     size_t steps = 0;
     batten_status status = BATTEN_OK;
     while (status == BATTEN_OK && bat_next_word(&r->words, &word)) {
-        if (bat_word_is_like(word, "facet") && r->inside)
+        if (bat_word_is_like(word, "facet") && r->inside) {
+            r->passing = false;
             status = add_facet(r);
-        else if (bat_word_is_like(word, "solid")) {
+        } else if (bat_word_is_like(word, "solid")) {
             status = r->inside ? end_solid(r) : BATTEN_OK;
             if (status == BATTEN_OK)
                 status = begin_solid(r);
         } else if (bat_word_is_like(word, "endsolid") && r->inside) {
             bat_rest_of_line(&r->words);
             status = end_solid(r);
-        }
+        } else
+            note_stray(r, word);
         if (status == BATTEN_OK && ++steps % 10000 == 0)
             status = bat_input_step(r->input, (size_t)(word.bytes - r->input->data));
     }

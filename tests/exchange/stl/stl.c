@@ -85,6 +85,23 @@ TEST(two_solids_are_two_objects)
     batten_model_unref(model);
 }
 
+TEST(P2_triangles_outside_of_solids_are_left_out)
+{
+    const char *facet = "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                        "endloop\nendfacet\n";
+    char text[600];
+    snprintf(text, sizeof text, "solid a\n%sendsolid a\n%s%s", facet, facet, facet);
+    batten_model *model = read_partly(text, strlen(text), BATTEN_FORMAT_STL,
+                                      "a triangle outside of a solid is left out");
+    CHECK_INT(batten_model_count(model), 1);
+    CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
+    batten_model_unref(model);
+    snprintf(text, sizeof text, "solid a\n%scolour 1 0 0\n%sendsolid a\n", facet, facet);
+    model = read_noting(text, BATTEN_FORMAT_STL, "'colour' is no word of a solid");
+    CHECK_INT(mesh_at(model, 0)->triangle_count, 2);
+    batten_model_unref(model);
+}
+
 TEST(N1_triangles_with_coordinates_that_are_no_numbers_are_left_out)
 {
     size_t size = 0;
