@@ -178,7 +178,7 @@ static batten_status prepare_direction(bat_obj *obj, int k, axis *d)
 static bool control_point(const bat_obj *obj, const bat_obj_corner *corner, double out[4])
 {
     const bat_obj_vertex *vertices = obj->vertices.items;
-    if (corner->vertex < 0 || (uint64_t)corner->vertex >= obj->vertices.count)
+    if ((uint64_t)corner->vertex >= obj->vertices.count)
         return false;
     const bat_obj_vertex *vertex = &vertices[corner->vertex];
     memcpy(out, vertex->point, sizeof vertex->point);

@@ -77,7 +77,8 @@ typedef struct {
     bat_scan scan;
     bool continues; /* the line goes on after the next end of a line */
     bat_list vertices, normals, corners, elements, parts, shapes;
-    size_t textures; /* vertices of texture */
+    int bad_vertices; /* left out */
+    size_t textures;  /* vertices of texture */
     bat_span object, group;
     bool is_new_part;
     bat_obj_free free;

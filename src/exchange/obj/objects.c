@@ -26,16 +26,17 @@ static const bat_obj_vertex *vertex_at(const bat_obj *obj, int64_t index)
     return (const bat_obj_vertex *)obj->vertices.items + index;
 }
 
+/* Elements have no indices below 0. */
 static bool is_vertex(const bat_obj *obj, int64_t index)
 {
-    return index >= 0 && (uint64_t)index < obj->vertices.count &&
+    return (uint64_t)index < obj->vertices.count &&
            bat_first_not_finite(vertex_at(obj, index)->point, 3) == 3;
 }
 
 static bool is_normal(const bat_obj *obj, int64_t index)
 {
     return index == INT64_MIN ||
-           (index >= 0 && (uint64_t)index < obj->normals.count &&
+           ((uint64_t)index < obj->normals.count &&
             bat_first_not_finite((const double *)obj->normals.items + 3 * index, 3) == 3);
 }
 
@@ -369,7 +370,7 @@ static batten_status make_part(making *m, const bat_obj_part *part, size_t end)
     return status;
 }
 
-/* A file of vertices alone is a cloud. */
+/* A file of vertices alone is a cloud, without those that are left out. */
 static batten_status make_cloud(making *m)
 {
     batten_status status = BATTEN_OK;
@@ -425,7 +426,8 @@ batten_status bat_obj_finish(bat_obj *obj, batten_model *model)
     for (size_t k = 0; status == BATTEN_OK && k < obj->parts.count; k++)
         status = make_part(&m, &parts[k],
                            k + 1 < obj->parts.count ? parts[k + 1].first : obj->elements.count);
-    if (status == BATTEN_OK && obj->elements.count == 0 && obj->input->left_out == 0)
+    if (status == BATTEN_OK && obj->elements.count == 0 &&
+        obj->input->left_out == obj->bad_vertices)
         status = make_cloud(&m);
     if (status == BATTEN_OK)
         remark_unused(obj);

@@ -102,6 +102,7 @@ static batten_status read_vertex(bat_obj *obj)
     }
     if (!good) {
         input->left_out++;
+        obj->bad_vertices++;
         batten_notes_add(input->notes, input->file, obj->scan.line, "",
                          "vertex %zu is left out: it is not of 3, 4 or 6 numbers",
                          obj->vertices.count + 1);

@@ -99,6 +99,17 @@ TEST(groups_and_objects_are_objects_with_names)
     batten_model_unref(model);
 }
 
+TEST(N1_a_cloud_is_read_without_its_bad_vertices)
+{
+    const char *text = "v 1 2 3\nv 4 x 6\nv 7 8 9\n";
+    batten_model *model = read_partly(text, strlen(text), BATTEN_FORMAT_OBJ,
+                                      "vertex 2 is left out: it is not of 3, 4 or 6 numbers");
+    const batten_object *cloud = batten_model_object(model, 0);
+    CHECK_INT(cloud->point_count, 2);
+    CHECK_BITS(cloud->points[3], 7);
+    batten_model_unref(model);
+}
+
 TEST(lines_points_and_clouds_are_read)
 {
     batten_model *model =
