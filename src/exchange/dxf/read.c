@@ -136,7 +136,14 @@ static batten_status flush_faces(filling *f)
     return status;
 }
 
-/* Faces on one layer that follow one another are one mesh. */
+static bool looks_same(const batten_object *a, const batten_object *b)
+{
+    return strcmp(a->layer, b->layer) == 0 && a->is_hidden == b->is_hidden &&
+           a->has_colour == b->has_colour &&
+           memcmp(a->colour, b->colour, sizeof a->colour) == 0;
+}
+
+/* Faces that follow one another on one layer, in one colour, are one mesh. */
 static batten_status add_face(filling *f)
 {
     char layer_name[BAT_DXF_NAME];
@@ -147,7 +154,7 @@ static batten_status add_face(filling *f)
     if (status != BATTEN_OK)
         return status;
     read_look(f, layer_name, &look);
-    if (f->faces.count > 0 && strcmp(f->face_layer, layer_name) != 0)
+    if (f->faces.count > 0 && !looks_same(&f->face_look, &look))
         status = flush_faces(f);
     if (status == BATTEN_OK && f->faces.count == 0) {
         snprintf(f->face_name, sizeof f->face_name, "3DFACE %d", ++f->r->number);
@@ -317,7 +324,7 @@ static batten_status add_entity(filling *f)
     }
     batten_status status = f->polyline.is_open ? end_polyline(f) : BATTEN_OK;
     if (status != BATTEN_OK || bat_dxf_is(&f->pairs, "SEQEND") ||
-        bat_dxf_is(&f->pairs, "VERTEX") || bat_dxf_is(&f->pairs, "ATTRIB"))
+        bat_dxf_is(&f->pairs, "VERTEX"))
         return status;
     const int line = bat_dxf_find(&f->pairs, 0)->line;
     if (!bat_dxf_is(&f->pairs, "3DFACE"))

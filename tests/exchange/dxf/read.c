@@ -242,6 +242,36 @@ TEST(faces_on_one_layer_become_one_mesh)
     batten_model_unref(model);
 }
 
+TEST(faces_of_other_colours_are_other_meshes)
+{
+    batten_model *model = read_entities("0 3DFACE|8 hull|10 0|11 1|12 1|22 1|62 1|"
+                                        "0 3DFACE|8 hull|10 0|11 1|12 2|22 1|62 1|"
+                                        "0 3DFACE|8 hull|10 0|11 1|12 1|22 2|62 5|"
+                                        "0 3DFACE|8 hull|10 0|11 1|12 1|22 3|62 5|60 1|");
+    CHECK_INT(batten_model_count(model), 3);
+    CHECK_INT(batten_mesh_view(batten_model_object(model, 0)->mesh)->triangle_count, 2);
+    CHECK_BITS(batten_model_object(model, 0)->colour[0], 1);
+    CHECK_BITS(batten_model_object(model, 1)->colour[2], 1);
+    CHECK(!batten_model_object(model, 1)->is_hidden &&
+          batten_model_object(model, 2)->is_hidden);
+    batten_model_unref(model);
+}
+
+TEST(texts_of_blocks_are_counted_as_left_out)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_STATUS(read_text(file_of("", "0 BLOCK|2 a|10 0|0 POINT|10 1|0 ENDBLK|",
+                                   "0 INSERT|2 a|66 1|0 ATTRIB|1 words|0 SEQEND|"),
+                           BATTEN_FORMAT_DXF, notes, &model),
+                 BATTEN_PARTLY_READ);
+    if (!batten_notes_dropped(notes))
+        CHECK(has_note(notes, "0 read, 1 left out"));
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
 TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
 {
     static const struct {
