@@ -1,5 +1,6 @@
 /* Items of representations that have faces: solids, sheets, shells, faces. */
 #include "exchange/step/import.h"
+#include "numeric/vector.h"
 
 static batten_status leave_out(const bat_step_target *target, const bat_step_instance *item,
                                batten_status reason)
@@ -24,6 +25,22 @@ static const bat_step_instance *first_of(const bat_step_file *file,
     return first;
 }
 
+/* Of what is hardly larger than the tolerance all vertices may be one: nothing of its shape is
+ * left. */
+enum { SMALLEST = 10 };
+
+static batten_status check_size(const bat_step_target *target, const bat_step_instance *item,
+                                const batten_body *body)
+{
+    const double tolerance = batten_body_view(body)->tolerance;
+    const batten_box box = batten_body_box(body);
+    const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    if (size > SMALLEST * tolerance)
+        return BATTEN_OK;
+    return bat_step_fail(&target->import->file, item, BATTEN_BAD_FORMAT,
+                         "it is %g large, the accuracy is only %g", size, tolerance);
+}
+
 /* What was read since the body was begun, as an object. A sheet that is one whole B-spline
  * surface is that surface. */
 static batten_status finish_body(const bat_step_target *target, const bat_step_instance *item,
@@ -44,8 +61,12 @@ static batten_status finish_body(const bat_step_target *target, const bat_step_i
                                "none of its faces can be read");
     else if (status != BATTEN_OK && status != BATTEN_OUT_OF_MEMORY)
         status = bat_step_fail(&import->file, item, status, "%.300s", batten_message());
-    if (status != BATTEN_OK)
+    else if (status == BATTEN_OK)
+        status = check_size(target, item, body);
+    if (status != BATTEN_OK) {
+        batten_body_unref(body);
         return leave_out(target, item, status);
+    }
     if (is_solid && !whole)
         bat_step_warn(&import->file, item,
                       "%d of its faces are left out; what is left is no solid",

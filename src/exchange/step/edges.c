@@ -5,8 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Gaps of up to so many tolerances are closed. */
-enum { SNAP = 100 };
+/* Gaps of up to so many tolerances are closed; above, those of a curve that is this many times
+ * as large as the gap are borne. */
+enum { SNAP = 100, BORNE = 4 };
 
 uint32_t bat_step_index(const bat_step_file *file, const bat_step_instance *instance)
 {
@@ -269,6 +270,11 @@ static batten_status close_gaps(bat_step_topology *t, edge *e)
     if (gap <= tolerance)
         return BATTEN_OK;
     const bool snap = gap <= SNAP * tolerance;
+    const batten_box box = batten_curve_box(e->curve);
+    const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    if (!snap && !(BORNE * gap <= size))
+        return bat_step_fail(t->file, e->instance, BATTEN_BAD_FORMAT,
+                             "its curve, %g large, misses its vertices by %g", size, gap);
     bat_step_warn(t->file, e->instance,
                   "its curve misses its vertices by %g, the tolerance is %g; %s", gap,
                   tolerance, snap ? "its ends are moved to them" : "kept so");

@@ -102,14 +102,30 @@ static batten_status read_curve(const bat_step_target *target, const bat_step_in
     return status;
 }
 
+/* An offset may be so large that nothing is left of the shape. */
+static batten_status check_surface(const bat_step_target *target, const bat_step_instance *item,
+                                   const batten_surface *surface)
+{
+    const batten_box box = batten_surface_box(surface);
+    if (box.low.x < box.high.x || box.low.y < box.high.y || box.low.z < box.high.z)
+        return BATTEN_OK;
+    return bat_step_fail(&target->import->file, item, BATTEN_BAD_FORMAT,
+                         "all points of the surface are (%g, %g, %g)", box.low.x, box.low.y,
+                         box.low.z);
+}
+
 static batten_status read_surface(const bat_step_target *target, const bat_step_instance *item,
                                   const bat_step_instance *set)
 {
     batten_surface *surface = NULL;
     batten_status status =
         bat_step_read_surface(&target->import->file, item, &target->scale, &surface);
-    if (status != BATTEN_OK)
+    if (status == BATTEN_OK)
+        status = check_surface(target, item, surface);
+    if (status != BATTEN_OK) {
+        batten_surface_unref(surface);
         return leave_out(target, item, status);
+    }
     batten_object object = {.kind = BATTEN_OBJECT_SURFACE, .surface = surface};
     status = bat_step_spend(&target->import->topology, item,
                             (size_t)batten_surface_point_count(surface, BATTEN_U) *

@@ -312,18 +312,21 @@ static const void *first_of(const bat_list *list, uint32_t key)
     return found == key ? rows + low * list->size : NULL;
 }
 
+/* The next look of the same item, or NULL. */
+static const look_row *look_after(const bat_step_styles *styles, const look_row *row)
+{
+    const look_row *end = (const look_row *)styles->looks.items + styles->looks.count;
+    return row + 1 < end && row[1].item == row->item ? row + 1 : NULL;
+}
+
 const bat_step_colours *bat_step_colours_of(const bat_step_styles *styles,
                                             const bat_step_instance *item)
 {
     const uint32_t key = bat_step_index(styles->file, item);
     const look_row *row = first_of(&styles->looks, key);
-    if (!row)
-        return NULL;
-    const look_row *end = (const look_row *)styles->looks.items + styles->looks.count;
-    for (const look_row *at = row; at < end && at->item == key; at++)
-        if (at->look.has_fill || at->look.has_stroke)
-            return &at->look;
-    return NULL;
+    while (row && !row->look.has_fill && !row->look.has_stroke)
+        row = look_after(styles, row);
+    return row ? &row->look : NULL;
 }
 
 static const member_row *member_of(const bat_step_styles *styles, uint32_t item)
@@ -352,8 +355,7 @@ bool bat_step_is_hidden(const bat_step_styles *styles, const bat_step_instance *
     if (first_of(&styles->hidden, key))
         return true;
     const look_row *look = first_of(&styles->looks, key);
-    const look_row *end = (const look_row *)styles->looks.items + styles->looks.count;
-    for (; look && look < end && look->item == key; look++)
+    for (; look; look = look_after(styles, look))
         if (first_of(&styles->hidden, look->styled))
             return true;
     const member_row *member = member_of(styles, key);

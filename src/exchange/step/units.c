@@ -4,7 +4,11 @@
 #include <string.h>
 
 /* A unit that is so many of another, which is so many of a third ... */
-enum { CHAIN = 16, SAMPLES = 1000 };
+enum { CHAIN = 16 };
+
+/* How many points tell how large the shape is, and how many times as far as the vertices other
+ * points may reach to count. */
+enum { SAMPLES = 1000, FAR = 1000 };
 
 typedef enum { UNKNOWN, LENGTH, ANGLE, OTHER } quantity;
 
@@ -107,21 +111,24 @@ static double round_to_unit(double metres)
 
 /* ---- accuracy ---- */
 
-/* About how far the points of the file reach, from some of them. */
-static double measure_extent(const bat_step_file *file)
+/* About how far instances of the keyword reach, from some of them: points, or the points that
+ * vertices stand at. */
+static double extent_of(const bat_step_file *file, const char *keyword, bool are_vertices)
 {
     const bat_step_instance *instances = file->instances.items;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     const size_t count = file->instances.count, step = count / SAMPLES + 1;
     for (size_t i = 0; i < count; i += step) {
         const bat_step_scale plain = {1, 1, 1};
+        const bat_step_record *record = NULL;
         double point[3];
         size_t k = i;
-        while (k < count && k < i + step &&
-               !bat_step_as(file, &instances[k], "CARTESIAN_POINT"))
-            k++;
-        if (k >= count || k >= i + step ||
-            bat_step_read_point(file, &instances[k], &plain, point) != BATTEN_OK)
+        for (; k < count && k < i + step && !record; k++)
+            record = bat_step_as(file, &instances[k], keyword);
+        const bat_step_instance *at = record ? &instances[k - 1] : NULL;
+        if (!at ||
+            (are_vertices && bat_step_get_reference(file, record, 1, &at) != BATTEN_OK) ||
+            bat_step_read_point(file, at, &plain, point) != BATTEN_OK)
             continue;
         for (int d = 0; d < 3; d++) {
             low[d] = bat_min(low[d], point[d]);
@@ -132,6 +139,15 @@ static double measure_extent(const bat_step_file *file)
     for (int d = 0; d < 3; d++)
         extent = bat_max(extent, high[d] - low[d]);
     return isfinite(extent) ? extent : 0;
+}
+
+/* A point far off all vertices, such as the origin of a plane, does not make the shape large.
+ */
+static double measure_extent(const bat_step_file *file)
+{
+    const double points = extent_of(file, "CARTESIAN_POINT", false);
+    const double vertices = extent_of(file, "VERTEX_POINT", true);
+    return vertices > 0 ? bat_min(points, FAR * vertices) : points;
 }
 
 /* The accuracy of lengths that the context states, in a unit; 0 when it does not. */

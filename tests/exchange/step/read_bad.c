@@ -192,6 +192,42 @@ TEST(gaps_between_curves_and_vertices_are_closed_when_they_are_small)
         BATTEN_OK, "kept so", 6, true);
 }
 
+TEST(an_edge_whose_curve_is_far_from_its_vertices_is_left_out_with_its_faces)
+{
+    /* Side 3 and side 1 meet in #84, of which #16 is an end; it is 1 long. */
+    check_read(box_with("#8=CARTESIAN_POINT('',(1.,1.,-2E9));\n"), BATTEN_PARTLY_READ,
+               "its curve, 1 large, misses its vertices by", 3, false);
+}
+
+TEST(a_point_far_off_all_vertices_does_not_make_the_shape_large)
+{
+    /* The origin of a plane: with the accuracy of 1e15 all vertices would be one. */
+    check_read(box_with("#210=CARTESIAN_POINT('',(1E15,0.,0.));\n"), BATTEN_OK, "", 6, true);
+}
+
+TEST(a_body_smaller_than_the_accuracy_is_left_out)
+{
+    /* A vertex so far off that no accuracy better than 1 makes sense. */
+    check_none(box_with("#1300=VERTEX_POINT('',#1301);\n"
+                        "#1301=CARTESIAN_POINT('',(1E12,0.,0.));\n"));
+    CHECK_MESSAGE("none of its 1 entities");
+}
+
+TEST(a_surface_of_one_point_is_left_out)
+{
+    static const char *const surfaces[] = {
+        "#1300=BEZIER_SURFACE('',1,1,((#1,#1),(#1,#1)),.UNSPECIFIED.,.F.,.F.,.F.);\n",
+        /* The offset is so far off that its points are one. */
+        "#1300=OFFSET_SURFACE('',#1301,1E154,.F.);\n"
+        "#1301=BEZIER_SURFACE('',1,1,((#1,#2),(#3,#4)),.UNSPECIFIED.,.F.,.F.,.F.);\n"};
+    for (int k = 0; k < COUNT(surfaces); k++) {
+        char text[300];
+        snprintf(text, sizeof text, "#990=SHAPE_REPRESENTATION('',(#1300),#900);\n%s",
+                 surfaces[k]);
+        check_none(box_with(text));
+    }
+}
+
 TEST(vertices_that_nearly_coincide_become_one)
 {
     /* Edge #81 ends in a vertex of its own, beside #10. */

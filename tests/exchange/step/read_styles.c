@@ -109,6 +109,15 @@ TEST(layers_come_from_items_faces_and_styles)
     }
 }
 
+TEST(what_is_invisible_needs_no_style)
+{
+    batten_model *model = read_with("#1210=PRESENTATION_LAYER_ASSIGNMENT('hull','',(#1000));\n"
+                                    "#1220=INVISIBILITY((#1210));\n");
+    CHECK(batten_model_object(model, 0)->is_hidden);
+    CHECK(!batten_model_object(model, 1)->is_hidden);
+    batten_model_unref(model);
+}
+
 TEST(what_is_invisible_is_hidden)
 {
     static const char *const looks[] = {
