@@ -136,6 +136,7 @@ batten_status bat_step_item_real(const bat_step_file *file, const bat_step_recor
                                  size_t *at, double *value);
 batten_status bat_step_item_integer(const bat_step_file *file, const bat_step_record *record,
                                     size_t *at, int *value);
+/* Also where it fails, so that one bad reference of a list is not all that follow. */
 batten_status bat_step_item_reference(const bat_step_file *file, const bat_step_record *record,
                                       size_t *at, const bat_step_instance **instance);
 batten_status bat_step_item_list(const bat_step_file *file, const bat_step_record *record,

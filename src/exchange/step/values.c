@@ -293,23 +293,26 @@ batten_status bat_step_item_reference(const bat_step_file *file, const bat_step_
                                       size_t *at, const bat_step_instance **instance)
 {
     const bat_input *input = file->input;
+    const size_t place = *at;
     uint64_t id = 0;
-    size_t end = *at + 1;
+    size_t end = place + 1;
     file->input->again += 16; /* also where nothing is walked over */
-    if (byte_at(file, *at) != '#')
-        return bat_step_fail_kind(file, record, *at, "a reference");
+    if (byte_at(file, place) != '#') {
+        *at = bat_step_next(file, place);
+        return bat_step_fail_kind(file, record, place, "a reference");
+    }
     for (; end < input->size && bat_step_in(input->data[end], BAT_STEP_DIGIT); end++)
         id = 10 * id + (uint64_t)(input->data[end] - '0');
     const bat_step_instance *found = bat_step_find(file, id);
+    *at = behind(file, end);
     if (!found)
-        return fail_at(file, record, *at, BATTEN_BAD_FORMAT,
+        return fail_at(file, record, place, BATTEN_BAD_FORMAT,
                        "refers to #%llu, which is missing", (unsigned long long)id);
     if (is_overrun(file))
-        return fail_at(file, record, *at, BATTEN_TOO_LARGE,
+        return fail_at(file, record, place, BATTEN_TOO_LARGE,
                        "is one reference too many: what is referred to has been read more than "
                        "%d times over",
                        TIMES_OVER);
-    *at = behind(file, end);
     *instance = found;
     return BATTEN_OK;
 }

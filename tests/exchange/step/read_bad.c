@@ -73,7 +73,8 @@ TEST(P1_a_face_with_a_bad_reference_is_left_out)
         {"#12=LINE('',#4,#44);\n", "", 3},
         {"#81=EDGE_CURVE('',#9,#10,#9997,.T.);\n", "could not be read before", 4},
         {"#181=CLOSED_SHELL('',(#151,#151,#152,#153,#154,#155,#156));\n", "twice of one", 6},
-        {"#181=CLOSED_SHELL('',(#151,#152,#153,#154,#155,#156,#9996));\n", "#9996", 6}};
+        {"#181=CLOSED_SHELL('',(#151,#152,#153,#154,#155,#156,#9996));\n", "#9996", 6},
+        {"#181=CLOSED_SHELL('',(#151,#9996,'',#152,#153,#154,#155,#156));\n", "#9996", 6}};
     for (int k = 0; k < COUNT(cases); k++)
         check_read(box_with(cases[k].instead), BATTEN_PARTLY_READ, cases[k].words,
                    cases[k].faces, false);
