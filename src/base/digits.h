@@ -75,7 +75,12 @@ static inline uint64_t bat_with_digits(uint64_t w, const char *c, int count)
 static inline bool bat_number_of_digits(const char *c, int before, int places, uint64_t *bits)
 {
     const int count = before + places;
-    if (before > 7 || count > 19 || count == 0)
+    if (count == 1 && places == 0) { /* weights and knots are often such */
+        const double value = c[0] - '0';
+        memcpy(bits, &value, sizeof value);
+        return true;
+    }
+    if (before > 7 || (unsigned)(count - 1) > 18)
         return false;
     /* Up to eight digits without the '.' among or behind them. */
     const uint64_t first = bat_eight_characters(c), next = bat_eight_characters(c + 1);

@@ -142,25 +142,24 @@ static inline bool read_plain_token(bat_iges_delimiters delimiters, bat_span tex
  * many characters must be there behind the text as a number is looked at in one go. */
 enum { BLOCK = 64, BEHIND = 24 };
 
-/* Numbers that stand in the block of *at whole, delimiters included, up to the first other
- * token: of those bits each has one for its sign, if any, one for its point and one for its
- * delimiter. Finding them does not wait for the numbers before. */
-static bool read_block(bat_iges_delimiters delimiters, bat_iges_parameters *parameters,
-                       size_t *at)
+/* Numbers that stand in a block whole, delimiters included, from *begin on up to the first
+ * other token: of those bits each has one for its sign, if any, one for its point and one for
+ * its delimiter. Finding them does not wait for the numbers before. There is room for them. */
+static inline bool read_block(bat_iges_delimiters delimiters, bat_iges_parameters *parameters,
+                              size_t block, size_t *begin)
 {
-    const size_t block = *at / BLOCK * BLOCK;
     const char *text = (const char *)parameters->text.items + block;
-    size_t begin = *at - block, count = parameters->tokens.count;
-    uint64_t marks = bat_no_digits(text) >> begin << begin, bits;
+    size_t from = *begin, count = parameters->tokens.count;
+    uint64_t marks = bat_no_digits(text) >> from << from, bits;
     bool done = false;
     bat_iges_token *tokens = parameters->tokens.items;
     double *values = parameters->values.items;
     while (marks && !done) {
-        const uint64_t is_negative = text[begin] == '-';
+        const uint64_t is_negative = text[from] == '-';
         uint64_t rest = marks & (marks - is_negative); /* without the lowest, the sign */
         if (!rest)
             break;
-        const size_t digits = begin + is_negative, point = (size_t)__builtin_ctzll(rest);
+        const size_t digits = from + is_negative, point = (size_t)__builtin_ctzll(rest);
         size_t end = point, places = 0;
         rest &= rest - 1;
         if (text[point] == '.') {
@@ -170,33 +169,59 @@ static bool read_block(bat_iges_delimiters delimiters, bat_iges_parameters *para
             places = end - point - 1;
             rest &= rest - 1;
         }
-        done = text[end] == delimiters.terminator;
-        if ((!done && text[end] != delimiters.delimiter) ||
-            !bat_number_of_digits(text + digits, (int)(point - digits), (int)places, &bits)) {
-            done = false;
+        const bool is_last = text[end] == delimiters.terminator;
+        if ((!is_last && text[end] != delimiters.delimiter) ||
+            !bat_number_of_digits(text + digits, (int)(point - digits), (int)places, &bits))
             break;
-        }
         bits |= is_negative << 63;
         memcpy(&values[count], &bits, sizeof bits);
-        tokens[count++] = (bat_iges_token){(uint32_t)(block + begin), (uint32_t)(end - begin),
-                                           BAT_IGES_NUMBER};
-        begin = end + 1;
+        tokens[count++] =
+            (bat_iges_token){(uint32_t)(block + from), (uint32_t)(end - from), BAT_IGES_NUMBER};
+        from = end + 1;
         marks = rest;
+        done = is_last;
     }
     parameters->tokens.count = parameters->values.count = count;
-    *at = block + begin;
+    *begin = from;
     return done;
 }
 
 /* Room for the tokens of a block, and one more. */
-static batten_status make_room(bat_input *input, bat_iges_parameters *parameters)
+static inline batten_status make_room(bat_input *input, bat_iges_parameters *parameters)
 {
+    bat_list *tokens = &parameters->tokens, *values = &parameters->values;
     batten_status status = BATTEN_OK;
-    if (parameters->tokens.capacity - parameters->tokens.count <= BLOCK)
-        status = bat_list_reserve(input, &parameters->tokens, BLOCK + 1);
-    if (status == BATTEN_OK && parameters->values.capacity - parameters->values.count <= BLOCK)
-        status = bat_list_reserve(input, &parameters->values, BLOCK + 1);
+    if (tokens->capacity - tokens->count <= BLOCK)
+        status = bat_list_reserve(input, tokens, BLOCK + 1);
+    if (status == BATTEN_OK && values->capacity - values->count <= BLOCK)
+        status = bat_list_reserve(input, values, BLOCK + 1);
     return status;
+}
+
+/* Numbers from *at on, up to the first token that is none or lies in two blocks; there is then
+ * room for it. */
+static batten_status read_blocks(bat_input *input, bat_iges_delimiters delimiters,
+                                 bat_iges_parameters *parameters, size_t *at, bool *done)
+{
+    const bat_span text = {parameters->text.items, parameters->text.count};
+    for (;;) {
+        batten_status status = make_room(input, parameters);
+        *at = past_blanks(text, *at);
+        const size_t block = *at / BLOCK * BLOCK;
+        if (status != BATTEN_OK || text.length - block < BLOCK)
+            return status;
+        size_t begin = *at - block;
+        *done = read_block(delimiters, parameters, block, &begin);
+        *at = block + begin;
+        if (*done)
+            return BATTEN_OK;
+        /* Only blanks may be left of the block. */
+        const size_t next = past_blanks(text, *at);
+        if (next < block + BLOCK) {
+            *at = next;
+            return BATTEN_OK;
+        }
+    }
 }
 
 /* The token at `begin`, of any kind. */
@@ -234,19 +259,9 @@ batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters
     *done = false;
     while (status == BATTEN_OK && !*done) {
         size_t end = 0;
-        *at = past_blanks(text, *at);
-        status = make_room(input, parameters);
-        if (status != BATTEN_OK || *at == text.length)
+        status = read_blocks(input, delimiters, parameters, at, done);
+        if (status != BATTEN_OK || *done || *at == text.length)
             return status;
-        if (text.length - *at / BLOCK * BLOCK >= BLOCK) {
-            const size_t block = *at / BLOCK;
-            *done = read_block(delimiters, parameters, at);
-            if (*done)
-                break;
-            *at = past_blanks(text, *at);
-            if (*at / BLOCK > block)
-                continue;
-        }
         status = read_any_token(input, delimiters, parameters, *at, &end);
         if (status != BATTEN_OK || end == text.length)
             return status;

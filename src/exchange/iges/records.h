@@ -17,14 +17,17 @@ typedef struct {
     bool is_broken; /* a field could not be read */
 } bat_iges_entry;
 
-/* A record of the parameter section. */
+/* Records of the parameter section at equal distances whose sequence numbers and lines count
+ * on; all but a single one are whole. */
 typedef struct {
-    size_t at;  /* where it stands in the file */
-    int number; /* its sequence number, or its place when the numbers are no good */
+    size_t at;           /* where the first stands in the file */
+    size_t stride;       /* to the next */
+    size_t place, count; /* of the first among all of the section; how many they are */
+    int number;          /* its sequence number, or its place when the numbers are no good */
     int line;
-    unsigned char columns; /* how many of its first 64 it has */
+    unsigned char columns; /* how many of the first 64 they have */
     bool is_damaged;
-} bat_iges_data;
+} bat_iges_run;
 
 typedef struct {
     bat_input *input;
@@ -32,10 +35,12 @@ typedef struct {
     bat_iges_parameters global; /* those from the third on */
     bat_list directory;         /* the records of the directory */
     bat_list entries;           /* of bat_iges_entry, with rising ids */
-    bat_list data;              /* of bat_iges_data */
+    bat_list runs;              /* of bat_iges_run */
+    size_t data_count;          /* records in them */
     size_t tokenised;           /* characters that were gone through so far */
     bool has_start, has_end;
-    char next[7]; /* while records are read: the last sequence number as text, and as such */
+    uint64_t tail; /* while records are read: the last eight columns of a record of the P
+                      section, 0 for none, and the sequence number there */
     int number;
 } bat_iges_file;
 

@@ -126,6 +126,47 @@ TEST(Q1_a_missing_record_is_noticed)
     batten_model_unref(model);
 }
 
+/* 400 lines of one record each, of which the end of one may be bent. */
+static void check_many(const char *end, int bad, const char *bent, int expected,
+                       const char *words)
+{
+    enum { MANY = 400 };
+    iges_text file = iges_begin();
+    for (int i = 0; i < MANY; i++)
+        iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+    const char *text = iges_end(&file, IGES_GLOBAL);
+    char *made = test_array(2 * strlen(text), 1), *to = made;
+    for (int nth = 0; *text; text += 81) {
+        memcpy(to, text, 80);
+        if (text[72] == 'P' && ++nth == bad)
+            memcpy(to + 64, bent, 16);
+        to += 80;
+        strcpy(to, end);
+        to += strlen(end);
+    }
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(20, &notes));
+    CHECK_STATUS(read_text(made, BATTEN_FORMAT_AUTO, notes, &model),
+                 expected == MANY ? BATTEN_OK : BATTEN_PARTLY_READ);
+    CHECK_INT(batten_model_count(model), expected);
+    for (int i = 0; i < expected; i++)
+        CHECK_BITS(batten_curve_points(batten_model_object(model, i)->curve)[5], 6.0);
+    CHECK(!words[0] || batten_notes_dropped(notes) > 0 || has_note(notes, words));
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+TEST(Q1_one_bad_record_among_many)
+{
+    check_many("\n", 0, "", 400, "");
+    check_many("\r\n", 0, "", 400, "");
+    check_many("\r\n", 300, "       1P    299", 400, "the sequence numbers of the P");
+    check_many("\n", 310, "       1P    311", 400, "the sequence numbers of the P");
+    check_many("\n", 221, "       1X    221", 399, "column 73 has no letter");
+    check_many("\n", 400, "       1P    401", 399, "its parameters should be in record 400");
+}
+
 TEST(Q2_other_delimiters_are_read_and_nonsense_is_refused)
 {
     static const char rest[] = "1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,6,1HM;";
