@@ -98,7 +98,7 @@ batten_status bat_dxf_next(bat_dxf_pairs *pairs, bool *more)
     bool inside = true;
     pairs->has_next = false;
     status = bat_list_add(pairs->input, &pairs->groups, &group);
-    while (status == BATTEN_OK && inside) {
+    while (status == BATTEN_OK) {
         at = pairs->at;
         line = pairs->line;
         status = next_group(pairs, &group, &inside);
@@ -128,7 +128,7 @@ const char *bat_dxf_kind(const bat_dxf_pairs *pairs, char name[32])
 bool bat_dxf_is(const bat_dxf_pairs *pairs, const char *kind)
 {
     const bat_dxf_group *groups = pairs->groups.items;
-    return pairs->groups.count > 0 && groups[0].value.length == strlen(kind) &&
+    return groups[0].value.length == strlen(kind) &&
            memcmp(groups[0].value.bytes, kind, groups[0].value.length) == 0;
 }
 

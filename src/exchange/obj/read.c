@@ -315,9 +315,8 @@ batten_status bat_read_obj(bat_input *input, batten_model **out)
     if (status == BATTEN_OK)
         status = bat_obj_finish(&obj, model);
     if (status == BATTEN_OK && batten_model_count(model) == 0)
-        status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "%s",
-                                input->size ? "there is no vertex, face or curve"
-                                            : "the file is empty");
+        status =
+            bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "there is no vertex, face or curve");
     release(&obj);
     if (status == BATTEN_OK)
         *out = model;

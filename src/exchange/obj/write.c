@@ -149,7 +149,7 @@ static void put_points(writing *w, const batten_object *object)
     put(w, object->point_count ? "\n" : "");
 }
 
-/* The knots that the statement "l" means. */
+/* The knots that the statement "l" means, to the bit: -0 is another. */
 static bool is_line(const batten_curve *curve)
 {
     const double *knots = batten_curve_knots(curve);
@@ -157,9 +157,9 @@ static bool is_line(const batten_curve *curve)
     if (batten_curve_degree(curve) != 1 || batten_curve_weights(curve))
         return false;
     for (int i = 0; i < n; i++)
-        if (knots[i + 1] != i)
+        if (knots[i + 1] != i || signbit(knots[i + 1]))
             return false;
-    return knots[0] == 0 && knots[n + 1] == n - 1;
+    return knots[0] == 0 && !signbit(knots[0]) && knots[n + 1] == n - 1;
 }
 
 static void put_parameters(writing *w, const char *statement, int count, const double *knots)

@@ -189,10 +189,9 @@ batten_status bat_read_stl(bat_input *input, batten_model **out)
                            : bytes                  ? bat_input_past_mark(input)
                                                     : bat_input_as_text(input);
     if (status == BATTEN_OK && !bytes && !is_text(input))
-        status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "%s",
-                                input->size ? "this is no STL: neither 'solid' and 'facet' nor "
-                                              "a header of 84 bytes and triangles"
-                                            : "the file is empty");
+        status = bat_input_fail(input, BATTEN_BAD_FORMAT, 0,
+                                "this is no STL: neither 'solid' and 'facet' nor a header of "
+                                "84 bytes and triangles");
     if (status == BATTEN_OK)
         status = batten_model_create(0, &model);
     if (status == BATTEN_OK)

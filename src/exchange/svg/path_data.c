@@ -292,12 +292,13 @@ static batten_status run(parsing *p, char command, const double v[7])
     }
 }
 
-/* The command that stands here, or the one before again when numbers go on: M then becomes L.
+/* The command that stands here, where something does, or the one before again when numbers go
+ * on: M then becomes L.
  */
 static bool next_command(parsing *p)
 {
     p->at = bat_svg_past_separators(p->data, p->at);
-    const char c = p->at < p->data.length ? p->data.bytes[p->at] : '\0';
+    const char c = p->data.bytes[p->at];
     if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
         p->command = c;
         p->at++;

@@ -206,6 +206,20 @@ TEST(free_form_curves_of_every_basis_are_read)
     batten_curve_unref(curve);
 }
 
+TEST(N6_a_knot_of_minus_zero_comes_back)
+{
+    batten_model *model =
+        read_noting("v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\n"
+                    "parm u -0 0 1 1\nend\ncurv 0 1 1 2\nparm u -0 -0 1 1\nend\n",
+                    BATTEN_FORMAT_OBJ, "");
+    batten_model *back = check_second(model, BATTEN_FORMAT_OBJ, false);
+    for (int i = 0; i < 2; i++)
+        check_same_curve(batten_model_object(model, i)->curve,
+                         batten_model_object(back, i)->curve);
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
 TEST(a_rational_quarter_circle_stays_round)
 {
     batten_model *model = read_noting("v 1 0 0 1\nv 1 1 0 0.70710678118654757\nv 0 1 0 1\n"
