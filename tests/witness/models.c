@@ -204,6 +204,7 @@ static void put_curves(const char *name, double unit)
     CHECK(batten_curve_create(3, 1, 2, points, NULL, line, &curve));
     add_curve(model, "line", curve);
     put_model(name, model, 0);
+    put_file(name, "dxf", model, NULL);
     batten_model_unref(model);
 }
 

@@ -43,11 +43,7 @@ esac
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
-if [ "$witness" = dxf ]; then
-    "$batten" build "$here/dxf.yaml" -o "$folder" -q || exit 1
-else
-    "$models" "$folder" || exit 1
-fi
+"$models" "$folder" || exit 1
 
 case $witness in
 freecad)
@@ -57,7 +53,10 @@ freecad)
     ;;
 gltf) node "$here/gltf.js" ./*.glb ;;
 # A circle of radius 10, a triangle of sides 3, 4, 5 times ten, a third of a circle of radius 20, an ellipse of 20 and 10.
-dxf) "$python" "$here/dxf.py" shapes.dxf 321.60423732513607 ;;
+dxf)
+    "$batten" build "$here/dxf.yaml" -o "$folder" -q || exit 1
+    "$python" "$here/dxf.py" shapes.dxf 321.60423732513607
+    ;;
 gmsh | admesh | assimp) sh "$here/$witness.sh" ;;
 *) "$python" "$here/$witness.py" ;;
 esac
