@@ -9,26 +9,18 @@
  * Meshes are NAME.stl and so on. NAME.meshes has the number of triangles, how many of them
  * are of different parts, the volume, and the box, lowest corner first; in millimetres.
  */
+#include "witness/models.h"
 #include "support/drilled_box.h"
 
-#include <batten/batten.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#define CHECK(call)                                               \
-    do {                                                          \
-        if ((call) != BATTEN_OK) {                                \
-            fprintf(stderr, "%s: %s\n", #call, batten_message()); \
-            exit(1);                                              \
-        }                                                         \
-    } while (0)
 
 static const char *folder;
 
 /* Samples along each parameter of a face, and along an edge. */
 enum { FACE_SAMPLES = 31, EDGE_SAMPLES = 1000 };
 
-static FILE *open_beside(const char *name, const char *ending)
+FILE *open_beside(const char *name, const char *ending)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s.%s", folder, name, ending);
@@ -105,8 +97,8 @@ static void put_table(const char *name, const batten_model *model, bool is_iges)
     fclose(table);
 }
 
-static void put_file(const char *name, const char *ending, const batten_model *model,
-                     const batten_write_options *options)
+void put_file(const char *name, const char *ending, const batten_model *model,
+              const batten_write_options *options)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s.%s", folder, name, ending);
@@ -306,55 +298,6 @@ static void place(batten_model *model, const char *name, const batten_model *def
                                                    .place = map}));
 }
 
-/* ---- meshes ---- */
-
-static double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-/* What STL has of the model: all parts where they stand. */
-static void expect_meshes(const char *name, const batten_model *model, int copies,
-                          const batten_write_options *options, double volume)
-{
-    batten_model *flat = NULL;
-    batten_write_options stl = *options;
-    int triangles = 0;
-    double low[3] = {1e300, 1e300, 1e300}, high[3] = {1e300, 1e300, 1e300}; /* of minus p */
-    stl.format = BATTEN_FORMAT_STL;
-    CHECK(batten_write_prepare(model, &stl, NULL, &flat));
-    for (int i = 0; i < batten_model_count(flat); i++) {
-        const batten_mesh_parts *p = batten_mesh_view(batten_model_object(flat, i)->mesh);
-        triangles += p->triangle_count;
-        for (int k = 0; k < 3 * p->vertex_count; k++) {
-            low[k % 3] = least(low[k % 3], p->points[k]);
-            high[k % 3] = least(high[k % 3], -p->points[k]);
-        }
-    }
-    FILE *file = open_beside(name, "meshes");
-    fprintf(file, "%d %d %.17g %.9g %.9g %.9g %.9g %.9g %.9g\n", triangles, triangles / copies,
-            volume, low[0], low[1], low[2], -high[0], -high[1], -high[2]);
-    fclose(file);
-    batten_model_unref(flat);
-}
-
-/* @param copies  of the same part */
-static void put_meshes(const char *name, const batten_model *model, int copies, double volume)
-{
-    static const char *const endings[] = {"stl", "ply", "obj", "glb", "3mf"};
-    batten_write_options options = batten_write_defaults();
-    char text[64];
-    options.mesh.chord = 1e-4;
-    for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++)
-        put_file(name, endings[k], model, &options);
-    expect_meshes(name, model, copies, &options, volume);
-    options.as_text = true;
-    snprintf(text, sizeof text, "%s-text", name);
-    for (int k = 0; k < 2; k++)
-        put_file(text, endings[k], model, &options);
-    expect_meshes(text, model, copies, &options, volume);
-}
-
 /* Two pairs of the block, and the block alone. */
 static void put_assembly(void)
 {
@@ -398,5 +341,6 @@ int main(int count, char **arguments)
     put_block();
     put_sheets();
     put_assembly();
+    put_marks();
     return 0;
 }
