@@ -125,6 +125,15 @@ static int is_clamped(const batten_object *object)
     return 1;
 }
 
+/* STEP leaves out surfaces whose borders are points within its accuracy of a micrometre. */
+static int is_tiny(const batten_model *model, const batten_surface *surface)
+{
+    const batten_box box = batten_surface_box(surface);
+    const double metres = batten_model_unit_metres(model);
+    return !(hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y),
+                   box.high.z - box.low.z) > 1e-5 / (metres > 0 ? metres : 0.001));
+}
+
 /* Bodies, meshes and instances come back in other parts from formats that have less: then only
  * the bytes of the second writing tell. */
 static int has_only_shapes(const batten_model *model, batten_format format)
@@ -132,8 +141,11 @@ static int has_only_shapes(const batten_model *model, batten_format format)
     const int has_meshes = format == BATTEN_FORMAT_STL || format == BATTEN_FORMAT_PLY ||
                            format == BATTEN_FORMAT_OBJ;
     for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object_kind kind = batten_model_object(model, i)->kind;
+        const batten_object *object = batten_model_object(model, i);
+        const batten_object_kind kind = object->kind;
         if (kind > BATTEN_OBJECT_TRIANGLES && !(kind == BATTEN_OBJECT_MESH && has_meshes))
+            return 0;
+        if (format == BATTEN_FORMAT_STEP && object->surface && is_tiny(model, object->surface))
             return 0;
     }
     return 1;
@@ -216,8 +228,28 @@ static int is_near(const batten_model *model)
     return 1;
 }
 
-/* Faces whose edges are farther off than the tolerance: what is made of them again and again
- * comes out near the same, not the same. */
+/* Does a curve end farther from its vertex than the tolerance? */
+static int has_gaps(const batten_body *body)
+{
+    const batten_body_parts *parts = batten_body_view(body);
+    for (int i = 0; i < parts->edge_count; i++)
+        for (int k = 0; parts->edges[i].curve && k < 2; k++) {
+            const batten_curve *curve = parts->edges[i].curve;
+            const batten_interval domain = batten_curve_domain(curve);
+            const double *vertex = &parts->vertices[3 * (size_t)parts->edges[i].vertices[k]];
+            double end[3];
+            if (batten_curve_evaluate_side(curve, k ? domain.b : domain.a,
+                                           k ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, 0,
+                                           end) != BATTEN_OK ||
+                !(hypot(hypot(end[0] - vertex[0], end[1] - vertex[1]), end[2] - vertex[2]) <=
+                  2 * parts->tolerance))
+                return 1;
+        }
+    return 0;
+}
+
+/* Faces whose edges are farther off than the tolerance, or off their vertices: what is made of
+ * them again and again comes out near the same, not the same. */
 static int has_loose_faces(const batten_model *model)
 {
     batten_model *flat = NULL;
@@ -228,7 +260,8 @@ static int has_loose_faces(const batten_model *model)
         batten_body *traced = NULL;
         if (!body)
             continue;
-        loose = batten_body_trace(body, batten_body_view(body)->tolerance, NULL, NULL, &report,
+        loose = has_gaps(body) ||
+                batten_body_trace(body, batten_body_view(body)->tolerance, NULL, NULL, &report,
                                   &traced) != BATTEN_OK ||
                 report.loose || report.failed;
         batten_body_unref(traced);
@@ -240,8 +273,9 @@ static int has_loose_faces(const batten_model *model)
 /* Faces that are written as they are may be left out when they are read again. */
 static int may_fall_out(const batten_model *model, batten_format format)
 {
-    return has_bodies(model) &&
-           (format != BATTEN_FORMAT_STEP || !is_near(model) || has_loose_faces(model));
+    if (format == BATTEN_FORMAT_STEP)
+        return !is_near(model) || has_loose_faces(model);
+    return has_bodies(model);
 }
 
 /* What was written must read; its second writing is handed back. Where faces fall out, NULL.
