@@ -18,7 +18,7 @@ batten_frame bat_dxf_axes(batten_vec3 normal);
 double bat_dxf_unit_of(int code);
 int bat_dxf_code_of(double metres);
 
-/* ---- groups (src/exchange/dxf/groups.c) ---- */
+/* ---- groups (src/exchange/dxf/write_groups.c) ---- */
 
 /* The file as it grows. */
 typedef struct {
@@ -40,7 +40,7 @@ void bat_dxf_reference(bat_dxf *dxf, int code, int handle);
 enum { BAT_DXF_NAME = 256 };
 void bat_dxf_layer(const char *name, char out[BAT_DXF_NAME]);
 
-/* ---- what must stand around the entities (src/exchange/dxf/frame.c) ---- */
+/* ---- what must stand around the entities (src/exchange/dxf/write_frame.c) ---- */
 
 /* A layer and its colour index. */
 typedef struct {

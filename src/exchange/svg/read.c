@@ -62,6 +62,26 @@ static double length_of(const bat_xml *xml, const char *name)
     return value * bat_svg_unit((bat_span){text.bytes + at, text.length - at});
 }
 
+static bool says(bat_span text, const char *word)
+{
+    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
+}
+
+/* A sheet of another shape than its numbers may say how they fit; the standard way is ours. */
+static void note_fit(const bat_xml *xml, double along, double up)
+{
+    bat_span text;
+    char shown[BAT_SHOWN_SIZE];
+    if (fabs(along - up) <= 1e-9 * along ||
+        !bat_xml_attribute(xml, "preserveAspectRatio", &text) || says(text, "xMidYMid") ||
+        says(text, "xMidYMid meet"))
+        return;
+    batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
+                     "'%.40s' is not followed: the drawing stands in the middle, as large as "
+                     "fits",
+                     bat_shown(text.bytes, text.length, shown));
+}
+
 /* From the numbers of the drawing to millimetres with y upwards, from the lower left corner. */
 static bat_svg_map sheet_of(const bat_xml *xml)
 {
@@ -82,8 +102,10 @@ static bat_svg_map sheet_of(const bat_xml *xml)
         width = height > 0 ? height * box[2] / box[3] : box[2] * BAT_SVG_PIXEL;
     /* As wide and as high as fits, in the middle, as the standard has it. */
     double scale = width / box[2];
-    if (height > 0)
+    if (height > 0) {
+        note_fit(xml, scale, height / box[3]);
         scale = bat_min(scale, height / box[3]);
+    }
     const double right = (width - scale * box[2]) / 2;
     const double up = height > 0 ? (height - scale * box[3]) / 2 : 0;
     return (bat_svg_map){.a = scale,
@@ -116,11 +138,6 @@ static bool property(const bat_xml *xml, const char *name, bat_span *value)
             i = end + 1;
         }
     return bat_xml_attribute(xml, name, value);
-}
-
-static bool says(bat_span text, const char *word)
-{
-    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
 }
 
 /* What the element at work adds to what it inherits. A broken transform fails. */

@@ -265,6 +265,22 @@ TEST(lengths_of_shapes_have_units)
     batten_model_unref(model);
 }
 
+TEST(a_sheet_that_fits_in_another_way_is_noted)
+{
+    static const char *const fits[] = {"none", "xMinYMin slice", "xMidYMid", "xMidYMid meet"};
+    for (int i = 0; i < COUNT(fits); i++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "<svg width=\"9mm\" height=\"7mm\" viewBox=\"0 0 1 1\" "
+                 "preserveAspectRatio=\"%s\"><path d=\"M0 0L1 1\"/></svg>",
+                 fits[i]);
+        batten_model *model =
+            read_noting(text, BATTEN_FORMAT_SVG, i < 2 ? "is not followed" : "");
+        check_point(model, 0, 0, 1, 7);
+        batten_model_unref(model);
+    }
+}
+
 TEST(shapes_without_length_are_remarked_on)
 {
     batten_model *model = read_noting(sheet("<line x1=\"1\" x2=\"1\"/><path d=\"\"/>"),
