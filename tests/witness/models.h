@@ -20,7 +20,8 @@ void put_file(const char *name, const char *ending, const batten_model *model,
 
 /* Every format of meshes, and NAME.meshes. @param copies  of the same part */
 void put_meshes(const char *name, const batten_model *model, int copies, double volume);
-/* STEP files of what OCCT does not show: points, layers, groups, what is hidden, meshes. */
+/* STEP and IGES files of what FreeCAD does not compare: points, layers, groups, what is hidden,
+ * meshes. */
 void put_marks(void);
 
 #endif

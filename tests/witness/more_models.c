@@ -76,6 +76,7 @@ void put_marks(void)
                                                    .kind = BATTEN_OBJECT_CURVE,
                                                    .curve = curve}));
     put_file("marks-214", "step", model, NULL);
+    put_file("marks", "igs", model, NULL);
     CHECK(batten_model_add(model, &(batten_object){.name = "triangle",
                                                    .has_colour = true,
                                                    .colour = {0, 0.5, 0},

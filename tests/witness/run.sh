@@ -32,7 +32,7 @@ gltf)
     ;;
 3mf) need_python 'import ctypes; ctypes.CDLL("lib3MF.so.1")' "lib3mf 1" ;;
 dxf) need_python 'import ezdxf' "python3-ezdxf" ;;
-meshes | step) need_python 'import zipfile' "Python (python3)" ;;
+meshes | step | iges) need_python 'import zipfile' "Python (python3)" ;;
 gmsh | admesh | assimp) need "$witness" ;;
 *)
     echo "$witness: no such witness"

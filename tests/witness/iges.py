@@ -1,0 +1,158 @@
+# The IGES files of this folder by the rules of IGES 5.3: records, the global section, directory entries, and of each
+# entity the number and kinds of its parameters.
+import glob, re, sys
+
+# Types of entities, and the forms that are written of them.
+FORMS = {102: [0], 106: [2], 110: [0], 116: [0], 126: [0, 1], 128: [0], 142: [0], 144: [0], 314: [0], 402: [7],
+         406: [1, 3, 15]}
+CURVES = (102, 106, 110, 126)
+SURFACES = (128,)
+
+
+def fields(line, count=10):
+    return [line[8 * i:8 * i + 8] for i in range(count)]
+
+
+def split(text):
+    """The parameters of a record: strings are counted, as they may have the signs that part them."""
+    found, at = [], 0
+    while True:
+        counted = re.compile(r" *(\d+)H").match(text, at)
+        end = counted.end() + int(counted[1]) if counted else re.compile(r"[^,;]*").match(text, at).end()
+        found.append(text[at:end].lstrip(" ")) # a line may be filled up before a parameter
+        assert text[end] in ",;", "a string of another length: " + text[at:end]
+        if text[end] == ";":
+            assert not text[end + 1:].strip(), "text after the end"
+            return found
+        at = end + 1
+
+
+class File:
+    def __init__(self, data):
+        lines = data.split("\n")
+        assert lines.pop() == "" and all(len(l) == 80 for l in lines), "lines of 80"
+        sections = "".join(l[72] for l in lines)
+        assert re.fullmatch("S+G+D+P+T", sections), "order of sections"
+        part = {c: [l for l in lines if l[72] == c] for c in "SGDPT"}
+        for c, found in part.items():
+            assert [int(l[73:]) for l in found] == list(range(1, len(found) + 1)), "numbers of section " + c
+        assert part["T"][0][:32] == "S%7dG%7dD%7dP%7d" % tuple(len(part[c]) for c in "SGDP"), "the terminate section"
+        self.check_global(split("".join(l[:72] for l in part["G"]).rstrip()))
+        self.entries = {}
+        self.text = part["P"]
+        first = 1
+        for i in range(0, len(part["D"]), 2):
+            first = self.add_entry(i + 1, fields(part["D"][i]), fields(part["D"][i + 1]), first)
+        assert first == len(self.text) + 1, "parameter lines without an entry"
+
+    def check_global(self, g):
+        assert len(g) in (25, 26) and g[:2] == ["1H,", "1H;"], "the global section"
+        units = {1: "IN", 2: "MM", 4: "FT", 6: "M", 10: "CM"}
+        assert g[14] == "%dH%s" % (len(units[int(g[13])]), units[int(g[13])]), "the unit"
+        assert float(g[18]) > 0 and int(g[22]) == 11, "resolution and version"
+        assert re.fullmatch(r"15H\d{8}\.\d{6}", g[17]) and re.fullmatch(r"15H\d{8}\.\d{6}", g[24]), "dates"
+
+    def add_entry(self, number, one, two, first):
+        """@return the line after its parameters"""
+        kind, form, count = int(one[0]), int(two[4]), int(two[3])
+        assert int(two[0]) == kind and int(one[1]) == first and count > 0, "D%d: its lines" % number
+        assert form in FORMS[kind], "D%d: form %d of %d" % (number, form, kind)
+        status = one[8]
+        assert re.fullmatch(r"0[01]0[0-3]0[0-6]0[0-3]", status), "D%d: status %s" % (number, status)
+        rows = self.text[first - 1:first - 1 + count]
+        assert all(int(r[64:72]) == number for r in rows), "D%d: lines that point back" % number
+        values = split("".join(r[:64] for r in rows).rstrip())
+        assert int(values.pop(0)) == kind, "D%d: type of its parameters" % number
+        self.entries[number] = (kind, form, status, int(two[2]), values)
+        return first + count
+
+    def pointer(self, text, *kinds):
+        assert int(text) > 0 and int(text) % 2 == 1 and self.entries[int(text)][0] in kinds, "pointer " + text
+        return self.entries[int(text)]
+
+    def check(self, number):
+        kind, form, status, colour, values = self.entries[number]
+        assert 0 <= colour <= 8 or self.pointer(str(-colour), 314), "colour"
+        rest = list(values)
+
+        def take(pattern):
+            """The next values, each as its letter says: integer, real, string."""
+            found = rest[:len(pattern)]
+            del rest[:len(pattern)]
+            for value, letter in zip(found, pattern):
+                form = {"i": r"-?\d+", "r": r"-?\d+\.\d*([ED][+-]?\d+)?", "s": r"(?s)(\d+H.*)?"}[letter]
+                assert re.fullmatch(form, value), "%s is not %s" % (value, letter)
+            assert len(found) == len(pattern), "too few parameters"
+            return [int(v) if l == "i" else float(v.replace("D", "E")) if l == "r" else v for v, l in zip(found, pattern)]
+
+        if kind in (126, 128):
+            self.check_spline(kind, take)
+        elif kind == 110:
+            take("rrrrrr")
+        elif kind == 116:
+            assert take("rrri")[3] == 0, "no symbol"
+        elif kind == 106:
+            two, count = take("ii")
+            assert two == 2
+            take("rrr" * count)
+        elif kind == 314:
+            assert all(0 <= c <= 100 for c in take("rrr")), "shares of a colour"
+        elif kind == 102:
+            for p in take("i" * take("i")[0]):
+                assert self.pointer(str(p), *CURVES)[2][2:4] == "01", "a member that stands alone"
+        elif kind == 142:
+            _, surface, flat, curve, _ = take("iiiii")
+            self.pointer(str(surface), *SURFACES)
+            self.pointer(str(curve), *CURVES)
+            if flat:
+                assert self.pointer(str(flat), *CURVES)[2][4:6] == "05", "a parameter curve that does not say so"
+        elif kind == 144:
+            surface, is_bounded, count, outer = take("iiii")
+            assert self.pointer(str(surface), *SURFACES) and is_bounded in (0, 1)
+            for loop in ([outer] if is_bounded else []) + take("i" * count):
+                assert self.pointer(str(loop), 142)[4][1] == str(surface), "a loop of another surface"
+        elif kind == 402:
+            for p in take("i" * take("i")[0]):
+                self.pointer(str(p), *FORMS)
+        elif kind == 406:
+            take("i" + {1: "i", 3: "is", 15: "s"}[form] if form != 1 else "i" * (1 + int(rest[0])))
+        # Then come lists of associativities and of properties.
+        for wanted in ((402,), (406,)):
+            for p in take("i" * take("i")[0]) if rest else []:
+                self.pointer(str(p), *wanted)
+        assert not rest, "more parameters than it has"
+
+    @staticmethod
+    def check_spline(kind, take):
+        sides = 1 if kind == 126 else 2
+        highest = take("i" * sides)
+        degrees = take("i" * sides)
+        is_polynomial = take("iiii" if sides == 1 else "iiiii")[2]
+        count = 1
+        for n, degree in zip(highest, degrees):
+            knots = take("r" * (n + degree + 2))
+            assert all(a <= b for a, b in zip(knots, knots[1:])), "the order of knots"
+            count *= n + 1
+        weights = take("r" * count)
+        assert min(weights) > 0 and (not is_polynomial or min(weights) == max(weights)), "weights"
+        take("rrr" * count)
+        ranges = take("rr" * sides)
+        assert all(a < b for a, b in zip(ranges[::2], ranges[1::2])), "the range"
+        if sides == 1:
+            take("rrr")
+
+
+failures = count = 0
+for name in sys.argv[1:] or sorted(glob.glob("*.igs")):
+    number = 0
+    try:
+        file = File(open(name, encoding="latin-1", newline="").read())
+        for number in file.entries:
+            file.check(number)
+        print("iges: %s %d entities, %d kinds" % (name, len(file.entries), len({e[:2] for e in file.entries.values()})))
+    except (AssertionError, KeyError, IndexError, ValueError) as error:
+        failures += 1
+        print("iges: %s D%d: %s: %s  FAILED" % (name, number, type(error).__name__, error))
+    count += 1
+print("WITNESS %d files, %d failed" % (count, failures))
+sys.exit(failures > 0 or count == 0)
