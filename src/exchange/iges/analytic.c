@@ -93,7 +93,7 @@ static batten_status read_direction(bat_iges_item *item, size_t index, bool *is_
 {
     int id = 0;
     *is_there = false;
-    batten_status status = index ? bat_iges_integer(item->parameters, index, &id) : BATTEN_OK;
+    batten_status status = bat_iges_integer(item->parameters, index, &id);
     if (status != BATTEN_OK || id == 0)
         return status;
     *is_there = true;

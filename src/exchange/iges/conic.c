@@ -23,7 +23,7 @@ static double principal_angle(const equation *q)
 }
 
 /* Ellipse or hyperbola: l1 x^2 + l2 y^2 = r about its centre. */
-static batten_status central(const equation *q, canonical *out)
+static void central(const equation *q, canonical *out)
 {
     const double determinant = 4 * q->a * q->c - q->b * q->b;
     const double x = (q->b * q->e - 2 * q->c * q->d) / determinant,
@@ -48,11 +48,10 @@ static batten_status central(const equation *q, canonical *out)
     /* The branch on which the start is. */
     if (determinant < 0 && (q->s[0] - x) * cos(angle) + (q->s[1] - y) * sin(angle) < 0)
         out->angle += BAT_PI;
-    return BATTEN_OK;
 }
 
 /* l (y')^2 + d' x' + e' y' + f = 0 with x' along the axis: a is the focal distance. */
-static batten_status parabola(const equation *q, canonical *out)
+static void parabola(const equation *q, canonical *out)
 {
     double angle = principal_angle(q);
     double cosine = cos(angle), sine = sin(angle);
@@ -73,26 +72,46 @@ static batten_status parabola(const equation *q, canonical *out)
     out->a = fabs(d / l2) / 4;
     out->b = 0;
     out->angle = -d / l2 > 0 ? angle : angle + BAT_PI;
-    return BATTEN_OK;
+}
+
+/* The same curve with its largest quadratic term near 1, to the bit; false when it has none. */
+static bool normalise(equation *q)
+{
+    double *const terms[] = {&q->a, &q->b, &q->c, &q->d, &q->e, &q->f};
+    const double largest = bat_max(fabs(q->a), bat_max(fabs(q->b), fabs(q->c)));
+    int exponent = 0;
+    frexp(largest, &exponent);
+    for (int k = 0; k < 6; k++)
+        *terms[k] = ldexp(*terms[k], -exponent);
+    return largest > 0;
 }
 
 /* By the invariants; what is nearly 0 beside its parts is 0. */
-static batten_status make_canonical(const equation *q, canonical *out)
+static batten_status make_canonical(const equation *said, canonical *out)
 {
-    const double determinant = 4 * q->a * q->c - q->b * q->b;
-    const double scale = 4 * fabs(q->a * q->c) + q->b * q->b;
-    const double largest = bat_max(fabs(q->a), bat_max(fabs(q->b), fabs(q->c)));
-    if (!(largest > 0 && isfinite(largest)))
+    equation q = *said;
+    if (!normalise(&q))
         return bat_fail(BATTEN_SINGULAR_HERE, "an equation without a quadratic term");
-    batten_status status =
-        fabs(determinant) <= 1e-12 * scale || scale == 0 ? parabola(q, out) : central(q, out);
-    if (status == BATTEN_OK && !(out->a > 0 && isfinite(out->a) && isfinite(out->b) &&
-                                 (out->kind == BAT_PARABOLA || out->b > 0) &&
-                                 isfinite(out->origin[0]) && isfinite(out->origin[1])))
-        return bat_fail(BATTEN_SINGULAR_HERE,
-                        "the equation %g %g %g %g %g %g is that of no curve", q->a, q->b, q->c,
-                        q->d, q->e, q->f);
-    return status;
+    const double determinant = 4 * q.a * q.c - q.b * q.b;
+    const double scale = 4 * fabs(q.a * q.c) + q.b * q.b;
+    if (fabs(determinant) <= 1e-12 * scale)
+        parabola(&q, out);
+    else
+        central(&q, out);
+    const bool is_parabola = out->kind == BAT_PARABOLA;
+    if (out->a > 0 && (is_parabola || out->b > 0) &&
+        isfinite(out->a + out->b + out->origin[0] + out->origin[1]))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_SINGULAR_HERE, "the equation %g %g %g %g %g %g is that of no curve",
+                    said->a, said->b, said->c, said->d, said->e, said->f);
+}
+
+/* How far a point is from the conic. */
+static double off(const bat_conic *conic, const double p[3])
+{
+    double foot[3];
+    bat_conic_point(conic, bat_conic_parameter(conic, p), foot);
+    return hypot(p[0] - foot[0], p[1] - foot[1]);
 }
 
 batten_status bat_iges_read_conic(bat_iges_item *item)
@@ -127,7 +146,11 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
     /* An ellipse runs counter-clockwise; of the others the two points say the direction. */
     const bool forward = form.kind == BAT_ELLIPSE ||
                          bat_conic_parameter(&conic, start) < bat_conic_parameter(&conic, end);
-    const double size = bat_max(form.a, hypot(q.s[0] - q.t[0], q.s[1] - q.t[1]));
-    return bat_conic_part(&conic, start, end, forward, bat_iges_tolerance(item->reading, size),
-                          &item->curve);
+    const double size = bat_max(form.a, hypot(q.s[0] - q.t[0], q.s[1] - q.t[1])),
+                 tolerance = bat_iges_tolerance(item->reading, size);
+    const double miss = bat_max(off(&conic, start), off(&conic, end));
+    if (miss > tolerance)
+        bat_iges_note(item->reading, item->entry,
+                      "a conic whose ends are %g off its equation; the equation counts", miss);
+    return bat_conic_part(&conic, start, end, forward, tolerance, &item->curve);
 }

@@ -39,12 +39,16 @@ bool bat_iges_weights_matter(const bat_iges_item *item, bool polynomial, size_t 
  * domain counts as not given. */
 batten_interval bat_iges_interval(const bat_iges_item *item, size_t at, batten_interval domain)
 {
-    batten_interval range = domain;
+    double ends[2];
     const double slack = 1e-9 * (domain.b - domain.a);
-    if (at + 1 >= bat_iges_count_of(item->parameters) ||
-        bat_iges_real(item->parameters, at, &range.a) != BATTEN_OK ||
-        bat_iges_real(item->parameters, at + 1, &range.b) != BATTEN_OK)
+    if (at + 1 >= bat_iges_count_of(item->parameters))
         return domain;
+    if (bat_iges_reals(item->parameters, at, 2, ends) != BATTEN_OK) {
+        bat_iges_note(item->reading, item->entry, "%.200s; its whole domain is taken",
+                      batten_message());
+        return domain;
+    }
+    batten_interval range = {ends[0], ends[1]};
     if (fabs(range.a - domain.a) <= slack)
         range.a = domain.a;
     if (fabs(range.b - domain.b) <= slack)

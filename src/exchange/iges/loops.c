@@ -154,7 +154,7 @@ batten_status bat_iges_add_sides(bat_iges_face *face, const bat_iges_curves *spa
         const batten_curve *curve = bat_iges_curves_at(space, k);
         batten_curve *plane = NULL;
         /* They belong together one by one; else they are left to be found again. */
-        if (flats == count && face->ground.has_parameters)
+        if (flats == count)
             status =
                 bat_iges_flatten(&face->ground, bat_iges_curves_at(flat, k), curve, &plane);
         if (status == BATTEN_OK)

@@ -25,10 +25,8 @@ static double elementary_miss(const bat_elementary *e, const double p[3])
         return fabs((r - e->a) * cos(e->b) - z * sin(e->b));
     case BAT_SPHERE:
         return fabs(hypot(r, z) - e->a);
-    case BAT_TORUS:
+    default: /* a torus: IGES has no other */
         return fabs(hypot(r - e->a, z) - e->b);
-    default:
-        return 0;
     }
 }
 

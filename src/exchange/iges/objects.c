@@ -116,7 +116,7 @@ static batten_status leave_out_use(bat_iges_reading *reading, const bat_iges_ent
     static const char *const uses[] = {"geometry",    "annotation",         "a definition",
                                        "other",       "logic and position", "parameters",
                                        "construction"};
-    const bool is_known = entry->use > 0 && entry->use < (int)(sizeof uses / sizeof uses[0]);
+    const bool is_known = entry->use < (int)(sizeof uses / sizeof uses[0]);
     if (is_first_for(reading, -1 - entry->use))
         bat_iges_note(reading, entry,
                       "its use is %d, %s, and not geometry; left out, the first such entity",

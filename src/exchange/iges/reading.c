@@ -87,8 +87,6 @@ batten_status bat_iges_open(bat_iges_reading *reading, const bat_iges_entry *ent
     int type = 0;
     *item = (bat_iges_item){
         .reading = reading, .entry = entry, .row = bat_iges_row_of(entry->type)};
-    if (entry->is_broken)
-        return bat_fail(BATTEN_BAD_FORMAT, "its entry in the directory is damaged");
     if (reading->depth >= reading->input->limits.nesting)
         return bat_fail(BATTEN_BAD_FORMAT,
                         "entities lie within entities more than %d deep, the limit",

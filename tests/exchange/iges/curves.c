@@ -199,6 +199,15 @@ TEST(conics_that_are_none_are_left_out_and_wrong_forms_are_noted)
                 "it calls itself a hyperbola");
 }
 
+TEST(a_conic_may_be_scaled_and_its_ends_are_put_onto_it_with_a_note)
+{
+    const double circle[6] = {1, 0, 1, 0, 0, -1};
+    check_conic("104,1E200,0.,1E200,0.,0.,-1E200,3.,1.,0.,0.,1.;", 1, circle,
+                (double[]){1, 0, 0, 1}, "");
+    check_conic("104,1.,0.,1.,0.,0.,-1.,3.,3.,0.,0.,3.;", 1, circle, (double[]){1, 0, 0, 1},
+                "a conic whose ends are 2 off its equation; the equation counts");
+}
+
 TEST(copious_data_are_points_polylines_and_loops)
 {
     static const struct {
