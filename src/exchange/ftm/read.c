@@ -17,7 +17,7 @@ enum {
 
 typedef struct {
     bat_input *input;
-    bat_list lines; /* of bat_span */
+    bat_list lines; /* of uint32_t: where each begins in the file */
     size_t points;  /* the line with the number of points */
     int point_count, layer_count, curve_count, crease_count;
     size_t layers;       /* the first line of the first layer; meaningless without layers */
@@ -25,6 +25,8 @@ typedef struct {
     double *coordinates; /* [point_count][3] */
     bat_list corners;    /* of int: triangles, [3] each, */
     bat_list owners;     /* of int: and the layer of each */
+    int *order;          /* the triangles by layers, */
+    int *ends;           /* and where each layer ends there */
     bat_census census;
     batten_model *model;
 } reading;
@@ -35,19 +37,30 @@ batten_status bat_ftm_recognise(const bat_input *input, bool *is_ftm)
     return BATTEN_OK;
 }
 
+/* Lines are short: a span for each would take several times the file. */
 static batten_status split_lines(reading *r)
 {
     bat_span line;
-    batten_status status = BATTEN_OK;
-    for (size_t at = 0; status == BATTEN_OK && bat_next_line(r->input, &at, &line);)
-        status = bat_list_add(r->input, &r->lines, &line);
+    size_t next = 0;
+    batten_status status =
+        bat_input_limit(r->input, 0, r->input->size, UINT32_MAX, "bytes in an FTM file");
+    while (status == BATTEN_OK) {
+        const uint32_t at = (uint32_t)next;
+        if (!bat_next_line(r->input, &next, &line))
+            break;
+        status = bat_list_add(r->input, &r->lines, &at);
+    }
     return status;
 }
 
 static bat_span line_of(const reading *r, size_t index)
 {
-    return index < r->lines.count ? ((const bat_span *)r->lines.items)[index]
-                                  : (bat_span){"", 0};
+    bat_span line = {"", 0};
+    if (index < r->lines.count) {
+        size_t at = ((const uint32_t *)r->lines.items)[index];
+        bat_next_line(r->input, &at, &line);
+    }
+    return line;
 }
 
 /* The numbers of a line, at most `most`; -1 when something else stands there. */
@@ -243,37 +256,71 @@ static void read_look(const reading *r, int layer, char name[NAME], batten_objec
         object->colour[k] = ((colour >> (8 * k)) & 255) / 255.0;
 }
 
+/* Put the triangles in the order of their layers. */
+static batten_status sort_by_layers(reading *r)
+{
+    const int *owners = r->owners.items;
+    const size_t layers = (size_t)bat_max_int(r->layer_count, 1), count = r->owners.count;
+    batten_status status = bat_input_array(r->input, layers + 1, sizeof *r->ends, &r->ends);
+    if (status == BATTEN_OK)
+        status = bat_input_array(r->input, count + 1, sizeof *r->order, &r->order);
+    if (status != BATTEN_OK)
+        return status;
+    for (size_t t = 0; t < count; t++)
+        r->ends[owners[t] + 1]++;
+    for (size_t layer = 0; layer < layers; layer++)
+        r->ends[layer + 1] += r->ends[layer];
+    /* What is counted so far is where a layer begins; when all stand there, where it ends. */
+    for (size_t t = 0; t < count; t++)
+        r->order[r->ends[owners[t]]++] = (int)t;
+    return BATTEN_OK;
+}
+
+/* Number the points that triangles [count] use, as they come; `numbers` are -1 before and
+ * after. Returns how many they are. */
+static int take_points(const reading *r, const int *triangles, int count, int *numbers,
+                       double *points, int *made)
+{
+    const int *corners = r->corners.items;
+    int used = 0;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            const int point = corners[3 * (size_t)triangles[i] + (size_t)k];
+            if (numbers[point] < 0) {
+                memcpy(&points[3 * (size_t)used], &r->coordinates[3 * (size_t)point],
+                       3 * sizeof *points);
+                numbers[point] = used++;
+            }
+            made[3 * (size_t)i + (size_t)k] = numbers[point];
+        }
+    for (int i = 0; i < count; i++)
+        for (size_t k = 0; k < 3; k++)
+            numbers[corners[3 * (size_t)triangles[i] + k]] = -1;
+    return used;
+}
+
 /* The triangles of one layer with the points that they use. */
 static batten_status add_layer(reading *r, int layer, int *numbers)
 {
-    const int *owners = r->owners.items, *corners = r->corners.items;
-    int used = 0, triangles = 0;
+    const int begin = layer > 0 ? r->ends[layer - 1] : 0, count = r->ends[layer] - begin;
+    const size_t corners = 3 * (size_t)count, all = (size_t)r->point_count;
     char name[NAME];
     batten_mesh *mesh = NULL;
     batten_object object = {.kind = BATTEN_OBJECT_MESH};
-    double *points = bat_array3((size_t)r->point_count, 3, sizeof *points);
-    int *made = bat_array3(r->owners.count, 3, sizeof *made);
+    if (count == 0)
+        return BATTEN_OK;
+    double *points = bat_array3(corners < all ? corners : all, 3, sizeof *points);
+    int *made = bat_array3((size_t)count, 3, sizeof *made);
     batten_status status = points && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    for (int i = 0; i < r->point_count; i++)
-        numbers[i] = -1;
-    for (size_t t = 0; status == BATTEN_OK && t < r->owners.count; t++) {
-        if (owners[t] != layer)
-            continue;
-        for (size_t k = 0; k < 3; k++) {
-            const int point = corners[3 * t + k];
-            if (numbers[point] < 0) {
-                memcpy(&points[3 * used], &r->coordinates[3 * point], 3 * sizeof *points);
-                numbers[point] = used++;
-            }
-            made[3 * triangles + (int)k] = numbers[point];
-        }
-        triangles++;
+    if (status == BATTEN_OK) {
+        const int used = take_points(r, r->order + begin, count, numbers, points, made);
+        status = batten_mesh_create(&(batten_mesh_parts){.vertex_count = used,
+                                                         .points = points,
+                                                         .triangle_count = count,
+                                                         .corners = made},
+                                    &mesh);
     }
-    const batten_mesh_parts parts = {
-        .vertex_count = used, .points = points, .triangle_count = triangles, .corners = made};
-    if (status == BATTEN_OK && triangles > 0)
-        status = batten_mesh_create(&parts, &mesh);
-    if (status == BATTEN_OK && triangles > 0) {
+    if (status == BATTEN_OK) {
         read_look(r, layer, name, &object);
         object.mesh = mesh;
         status = batten_model_add(r->model, &object);
@@ -284,10 +331,30 @@ static batten_status add_layer(reading *r, int layer, int *numbers)
     return status;
 }
 
+/* Of all the lines only those of the layers are looked at again. */
+static void drop_lines(reading *r)
+{
+    const size_t count = LINES_OF_LAYER * (size_t)r->layer_count;
+    uint32_t *lines = r->lines.items;
+    if (count > 0)
+        memmove(lines, lines + r->layers, count * sizeof *lines);
+    r->lines.count = count;
+    r->layers = 0;
+    uint32_t *shorter = bat_resize(lines, count + 1, sizeof *lines);
+    if (shorter) {
+        r->lines.items = shorter;
+        r->lines.capacity = count + 1;
+    }
+}
+
 static batten_status add_layers(reading *r)
 {
     int *numbers = bat_array((size_t)r->point_count, sizeof *numbers);
     batten_status status = numbers ? batten_model_create(0, &r->model) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = sort_by_layers(r);
+    for (int i = 0; numbers && i < r->point_count; i++)
+        numbers[i] = -1;
     for (int layer = 0; status == BATTEN_OK && layer < bat_max_int(r->layer_count, 1); layer++)
         status = add_layer(r, layer, numbers);
     bat_release(numbers);
@@ -319,13 +386,16 @@ static batten_status read_all(reading *r)
         status = read_curves(r);
     if (status == BATTEN_OK)
         status = read_faces(r);
-    return status == BATTEN_OK ? add_layers(r) : status;
+    if (status != BATTEN_OK)
+        return status;
+    drop_lines(r);
+    return add_layers(r);
 }
 
 batten_status bat_read_ftm(bat_input *input, batten_model **out)
 {
     reading r = {.input = input,
-                 .lines = {.size = sizeof(bat_span)},
+                 .lines = {.size = sizeof(uint32_t)},
                  .corners = {.size = 3 * sizeof(int)},
                  .owners = {.size = sizeof(int)}};
     bat_census_begin(&r.census);
@@ -341,5 +411,7 @@ batten_status bat_read_ftm(bat_input *input, batten_model **out)
     bat_release(r.coordinates);
     bat_release(r.corners.items);
     bat_release(r.owners.items);
+    bat_release(r.order);
+    bat_release(r.ends);
     return status;
 }

@@ -146,7 +146,7 @@ static batten_status read_occurrences(bat_step_import *import)
 
 /* ---- mapped items ---- */
 
-static batten_status read_mapped(bat_step_import *import, const bat_step_representation *parent,
+static batten_status read_mapped(bat_step_import *import, bat_step_representation *parent,
                                  const bat_step_instance *item, bat_step_placing *placing)
 {
     const bat_step_file *file = &import->file;
@@ -167,7 +167,7 @@ static batten_status read_mapped(bat_step_import *import, const bat_step_represe
         status = bat_step_get_reference(file, source, 0, &origin);
     if (status == BATTEN_OK)
         status = bat_step_get_reference(file, source, 1, &mapped);
-    const bat_step_representation *child =
+    bat_step_representation *child =
         status == BATTEN_OK ? bat_step_representation_of(import, mapped) : NULL;
     if (status != BATTEN_OK || !child)
         return status != BATTEN_OK ? status
@@ -190,7 +190,7 @@ static batten_status read_mapped(bat_step_import *import, const bat_step_represe
 
 static batten_status read_all_mapped(bat_step_import *import)
 {
-    const bat_step_representation *all = import->representations.items;
+    bat_step_representation *all = import->representations.items;
     batten_status status = BATTEN_OK;
     /* Without maps no list of items needs to be looked through. */
     for (size_t k = 0; import->outline.maps.count && k < import->representations.count; k++) {

@@ -20,13 +20,14 @@ bat_step_representation *bat_step_representation_of(const bat_step_import *impor
                                                                               : NULL;
 }
 
-void bat_step_scale_of(bat_step_import *import, const bat_step_representation *of,
+void bat_step_scale_of(bat_step_import *import, bat_step_representation *of,
                        bat_step_scale *scale)
 {
-    const bat_step_instance *context = NULL;
-    if (bat_step_get_reference(&import->file, of->record, 2, &context) != BATTEN_OK)
-        context = NULL;
-    bat_step_units_of(&import->file, &import->units, context, scale);
+    if (!of->has_context &&
+        bat_step_get_reference(&import->file, of->record, 2, &of->context) != BATTEN_OK)
+        of->context = NULL;
+    of->has_context = true;
+    bat_step_units_of(&import->file, &import->units, of->context, scale);
 }
 
 batten_status bat_step_items_of(const bat_step_import *import,

@@ -10,6 +10,8 @@ typedef struct {
     const bat_step_record *record;    /* with its name, items and context */
     uint32_t first;                   /* of its definition */
     bool is_shape;                    /* and not only mapped */
+    bool has_context;                 /* which stands behind its items, perhaps many: it has */
+    const bat_step_instance *context; /* been looked for, and is this, or NULL */
     bool is_product, is_aspect;       /* what the file says that it is the shape of */
     const bat_step_instance *product; /* a PRODUCT_DEFINITION */
 
@@ -32,7 +34,7 @@ typedef struct {
 /* The representation of an instance; NULL when it is none. */
 bat_step_representation *bat_step_representation_of(const bat_step_import *import,
                                                     const bat_step_instance *instance);
-void bat_step_scale_of(bat_step_import *import, const bat_step_representation *of,
+void bat_step_scale_of(bat_step_import *import, bat_step_representation *of,
                        bat_step_scale *scale);
 /* Its items: a list. */
 batten_status bat_step_items_of(const bat_step_import *import,
