@@ -443,21 +443,6 @@ static void end(bat_step_writing *w)
     bat_members_end(&w->groups);
 }
 
-/* How far curves of the bodies may miss their vertices and surfaces: instances lie at most 32
- * deep, and so does the recursion. */
-static double loosest(const batten_model *model)
-{
-    double tolerance = 0;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (object->body)
-            tolerance = bat_max(tolerance, batten_body_view(object->body)->tolerance);
-        if (object->definition)
-            tolerance = bat_max(tolerance, loosest(object->definition));
-    }
-    return tolerance;
-}
-
 batten_status bat_write_step(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text)
 {
@@ -475,12 +460,9 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
     }
     if (status != BATTEN_OK)
         return status;
-    const double wanted =
-        options->tolerance > 0 ? options->tolerance : 1e-6 / batten_model_unit_metres(scaled);
-    const double tolerance = bat_max(wanted, loosest(scaled));
     bat_step_writing w = {.step = {.text = text,
                                    .notes = notes,
-                                   .tolerance = tolerance,
+                                   .tolerance = bat_step_accuracy(scaled, options),
                                    .has_parameter_curves = !options->no_parameter_curves},
                           .options = options,
                           .is_bare = options->schema == BATTEN_STEP_AP203};

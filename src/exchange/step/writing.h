@@ -59,6 +59,12 @@ batten_status bat_step_put_product(bat_step_writing *w, const char *id, const ch
 /* What AP203 wants to know of all products: who, when, approved by whom, how secret. */
 void bat_step_put_management(bat_step_writing *w);
 
+/* ---- write_accuracy.c ---- */
+
+/* In model units: how far curves of bodies miss their vertices and surfaces, a micrometre at
+ * least, but for what is so small that nothing of it would be left. */
+double bat_step_accuracy(const batten_model *model, const batten_write_options *options);
+
 /* ---- write_style.c ---- */
 
 /* Colour, layer, group, whether it is hidden: of an object that has become the item. */

@@ -133,3 +133,29 @@ TEST(curves_and_surfaces_read_back_bit_for_bit_from_STEP)
         batten_curve_unref(curve);
     }
 }
+
+TEST(what_is_smaller_than_a_micrometre_reads_back)
+{
+    const batten_write_options options = batten_write_defaults();
+    const batten_affine small = {{{1e-7, 0, 0}, {0, 1e-7, 0}, {0, 0, 1e-7}}, {0, 0, 0}};
+    const double points[] = {0, 0, 0, 0, 3e-9, 0, 2e-9, 0, 0, 2e-9, 3e-9, 1e-9};
+    const double knots[] = {0, 0, 1, 1};
+    const batten_axis axis = {1, 2, knots, false};
+    batten_body *body = NULL, *made = NULL;
+    batten_surface *surface = NULL;
+    CHECK_OK(drilled_box(&body));
+    CHECK_OK(batten_body_transform(body, &small, &made));
+    batten_body_unref(body);
+    batten_model *model = model_with(made), *back = twice(model, &options);
+    CHECK_INT(batten_body_view(batten_model_object(back, 0)->body)->face_count, DRILLED_FACES);
+    batten_model_unref(model);
+    batten_model_unref(back);
+    CHECK_OK(batten_surface_create(3, &axis, &axis, points, NULL, &surface));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add_surface(model, "speck", surface);
+    back = twice(model, &options);
+    CHECK_INT(batten_model_object(back, 0)->kind, BATTEN_OBJECT_SURFACE);
+    batten_model_unref(model);
+    batten_model_unref(back);
+    batten_surface_unref(surface);
+}
