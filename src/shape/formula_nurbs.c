@@ -18,8 +18,9 @@ enum {
     ROUNDS = 64,
     MOST_POINTS = 4000000,
     JUDGED = 16384, /* points from which on it is asked whether more of them will do */
-    GROWTH = 16,    /* points so many times as many show how errors fall with them */
-    PROBES = 7      /* measurements of a span, between the abscissae */
+    GROWTH = 16,    /* points so many times as many show how errors fall with them: */
+    SLOW = 4,  /* no more than this is what spans of a quarter of the length do of a kink */
+    PROBES = 7 /* measurements of a span, between the abscissae */
 };
 
 static const double probes[PROBES] = {0.03, 0.08, 0.3, 0.5, 0.7, 0.92, 0.97};
@@ -362,8 +363,9 @@ typedef struct {
     double points, error;
 } attempt;
 
-/* Would the points that are needed be far too many, when errors go on falling as they did since
- * there were a sixteenth of them? Where the surface jumps they do not fall at all. */
+/* Would the points that are needed be far too many, when errors go on falling as slowly as they
+ * did since there were a sixteenth of them? Where the surface jumps they do not fall at all;
+ * where it is smooth and its features are found, to a four-thousandth. */
 static bool is_hopeless(const task *t, const attempt *attempts, int round)
 {
     const attempt *now = &attempts[round];
@@ -373,8 +375,10 @@ static bool is_hopeless(const task *t, const attempt *attempts, int round)
     if (now->points < JUDGED || attempts[before].points > now->points / GROWTH)
         return false;
     const double fall = attempts[before].error / now->error, wanted = now->error / t->tolerance;
-    const double times = pow(GROWTH, log(wanted) / log(fall));
-    return wanted > 1 && (!(fall > 1) || now->points * times > GROWTH * (double)MOST_POINTS);
+    if (!(wanted > 1) || fall > SLOW)
+        return false;
+    const double times = fall > 1 ? pow(GROWTH, log(wanted) / log(fall)) : HUGE_VAL;
+    return now->points * times > GROWTH * (double)MOST_POINTS;
 }
 
 static batten_status search(task *t)
