@@ -214,6 +214,7 @@ typedef struct {
     const bat_iges_loop *loop;
     int *vertices; /* [count + 1]: at the beginning of each side */
     int *edges;    /* [count] */
+    bool *paired;  /* [count]: the edge is that of another side, run through the other way */
 } putting;
 
 /* The vertex between two sides: halfway where they miss each other. */
@@ -282,8 +283,9 @@ static batten_status put_side(const putting *put, size_t k)
     bool reversed = side->reversed;
     put->edges[k] = -1;
     for (size_t j = 0; j < k && k < COMPARED && put->edges[k] < 0; j++)
-        if (is_seam(put, j, k)) {
+        if (!put->paired[j] && is_seam(put, j, k)) {
             put->edges[k] = put->edges[j];
+            put->paired[j] = put->paired[k] = true;
             reversed = !sides[j].reversed;
         }
     batten_status status = BATTEN_OK;
@@ -308,12 +310,14 @@ static batten_status put_loop(const bat_iges_face *face, const bat_iges_loop *lo
                               bat_builder *builder)
 {
     const size_t count = loop->sides.count;
-    putting put = {face, builder, loop, NULL, NULL};
+    putting put = {face, builder, loop, NULL, NULL, NULL};
     bat_input *input = face->reading->input;
     batten_status status =
         bat_input_array(input, count + 1, sizeof *put.vertices, &put.vertices);
     if (status == BATTEN_OK)
         status = bat_input_array(input, count, sizeof *put.edges, &put.edges);
+    if (status == BATTEN_OK)
+        status = bat_input_array(input, count, sizeof *put.paired, &put.paired);
     for (size_t k = 0; status == BATTEN_OK && k < count; k++)
         status = put_vertex(&put, k);
     if (status == BATTEN_OK) {
@@ -322,6 +326,7 @@ static batten_status put_loop(const bat_iges_face *face, const bat_iges_loop *lo
     }
     for (size_t k = 0; status == BATTEN_OK && k < count; k++)
         status = put_side(&put, k);
+    bat_release(put.paired);
     bat_release(put.edges);
     bat_release(put.vertices);
     return status;

@@ -293,10 +293,12 @@ static batten_status read_delimiters(bat_iges_file *file, bat_span text, size_t 
                                   "the global section does not begin with its delimiters");
         (*at)++;
     }
-    if (!may_delimit(found[0]) || !may_delimit(found[1]) || found[0] == found[1])
+    if (!may_delimit(found[0]) || !may_delimit(found[1]) || found[0] == found[1]) {
+        char first[BAT_SHOWN_SIZE], second[BAT_SHOWN_SIZE];
         return bat_input_fail(file->input, BATTEN_BAD_FORMAT, 0,
-                              "the global section names '%c' and '%c' as delimiters", found[0],
-                              found[1]);
+                              "the global section names '%s' and '%s' as delimiters",
+                              bat_shown(&found[0], 1, first), bat_shown(&found[1], 1, second));
+    }
     file->delimiters = (bat_iges_delimiters){found[0], found[1]};
     return BATTEN_OK;
 }

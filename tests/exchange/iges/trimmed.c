@@ -295,3 +295,23 @@ TEST(a_part_of_a_loop_is_not_dropped_for_its_size_when_it_is_elsewhere)
     iges_add(&file, 144, 0, 0, 0, root, text);
     iges_check_left_out(&file, "part 3 of a loop begins 4.29497e+09 from the end of the one");
 }
+
+/* A loop that runs along one line there, back, and there again: two of the three are a seam. */
+TEST(a_seam_is_an_edge_of_two_sides_not_of_three)
+{
+    static const char *const lines[] = {"110,1.,1.,0.,3.,1.,0.;", "110,3.,1.,0.,3.,3.,0.;",
+                                        "110,3.,3.,0.,1.,3.,0.;", "110,1.,3.,0.,3.,3.,0.;",
+                                        "110,3.,3.,0.,1.,3.,0.;", "110,1.,3.,0.,1.,1.,0.;"};
+    iges_text file = iges_begin();
+    iges_add(&file, 128, 0, 0, 0, part, SQUARE);
+    for (int i = 0; i < 6; i++)
+        iges_add(&file, 110, 0, 0, 0, part, lines[i]);
+    iges_add(&file, 102, 0, 0, 0, part, "102,6,3,5,7,9,11,13;");
+    iges_add(&file, 142, 0, 0, 0, part, "142,0,1,0,15,2;");
+    iges_add(&file, 144, 0, 0, 0, root, "144,1,1,0,17;");
+    batten_model *model = read_body(&file, "");
+    const batten_body_parts *p = batten_body_view(batten_model_object(model, 0)->body);
+    CHECK_INT(p->use_count, 6);
+    CHECK_INT(p->edge_count, 5);
+    batten_model_unref(model);
+}
