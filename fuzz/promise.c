@@ -396,3 +396,36 @@ void fuzz_promise(const uint8_t *data, size_t size, batten_format read, batten_f
     batten_model_unref(model);
     batten_notes_free(notes);
 }
+
+/* Are all curves where numbers tell their points apart, and longer than rounding? */
+static bool is_sizable(const batten_model *model)
+{
+    if (!is_near(model))
+        return false;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        batten_box box;
+        if (object->kind != BATTEN_OBJECT_CURVE)
+            continue;
+        box = batten_curve_box(object->curve);
+        if (!(box.high.x - box.low.x + box.high.y - box.low.y > 1e-3))
+            return false;
+    }
+    return true;
+}
+
+void fuzz_reads_back(const uint8_t *data, size_t size, batten_format format)
+{
+    batten_model *model = NULL, *back = NULL;
+    char *written = NULL;
+    size_t length = 0;
+    if (is_to_be_written(data, size))
+        (void)read_as((const char *)data, size, format, 10000, NULL, &model);
+    if (model && is_sizable(model) &&
+        write_as(model, format, 0, &written, &length) == BATTEN_OK)
+        demand(read_as(written, length, format, 1000000, NULL, &back) == BATTEN_OK,
+               "what was written reads back whole");
+    batten_release(written);
+    batten_model_unref(model);
+    batten_model_unref(back);
+}

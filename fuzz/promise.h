@@ -11,6 +11,9 @@
  * input short. */
 void fuzz_promise(const uint8_t *data, size_t size, batten_format read, batten_format written);
 
+/* Read the bytes as a format; what is written of them in that format must read whole. */
+void fuzz_reads_back(const uint8_t *data, size_t size, batten_format format);
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #endif

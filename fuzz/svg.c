@@ -4,5 +4,6 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz_promise(data, size, BATTEN_FORMAT_SVG, BATTEN_FORMAT_G2);
+    fuzz_reads_back(data, size, BATTEN_FORMAT_SVG);
     return 0;
 }

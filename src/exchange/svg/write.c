@@ -195,6 +195,10 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
         return BATTEN_OK;
     }
     const batten_box box = batten_curve_box(object->curve);
+    if (box.high.x == box.low.x && box.high.y == box.low.y) {
+        batten_notes_add(notes, "", 0, object->name, "left out: it is one point of the sheet");
+        return BATTEN_OK;
+    }
     if (box.high.z > box.low.z)
         batten_notes_add(
             notes, "", 0, object->name,

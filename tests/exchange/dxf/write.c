@@ -1,5 +1,6 @@
 #include "exchange/dxf/dxf.h"
 #include "exchange/paths.h"
+#include "exchange/reading.h"
 
 #include <stdlib.h>
 
@@ -168,6 +169,41 @@ TEST(f4_layer_names_have_no_forbidden_letters)
     longest[sizeof longest - 1] = '\0';
     bat_dxf_layer(longest, out);
     CHECK(strlen(out) < BAT_DXF_NAME);
+}
+
+TEST(dxf_leaves_out_curves_without_length)
+{
+    static const double points[] = {1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 2, 3};
+    batten_curve *curve[2] = {NULL, NULL};
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_curve_line(3, points, points + 3, &curve[0]));
+    CHECK_OK(batten_curve_line(3, points + 6, points + 9, &curve[1]));
+    CHECK_OK(batten_model_create(1, &model));
+    CHECK_OK(batten_notes_create(10, &notes));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "line" : "point",
+                                                          .kind = BATTEN_OBJECT_CURVE,
+                                                          .curve = curve[i]}));
+    const batten_format formats[] = {BATTEN_FORMAT_DXF, BATTEN_FORMAT_SVG};
+    for (int k = 0; k < 2; k++) {
+        batten_write_options options = batten_write_defaults();
+        batten_model *back = NULL;
+        options.format = formats[k];
+        CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+        if (!batten_notes_dropped(notes))
+            CHECK(has_note(notes, k ? "it is one point of the sheet" : "it has no length"));
+        CHECK_OK(read_bytes(data, size, formats[k], NULL, &back));
+        CHECK_INT(batten_model_count(back), 1);
+        batten_release(data);
+        batten_model_unref(back);
+    }
+    batten_notes_free(notes);
+    batten_model_unref(model);
+    batten_curve_unref(curve[0]);
+    batten_curve_unref(curve[1]);
 }
 
 TEST(dxf_of_a_model_without_curves_is_refused)
