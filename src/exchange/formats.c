@@ -72,7 +72,9 @@ static const bat_format_row formats[] = {
      .endings = {".igs", ".iges"},
      .recognise = bat_iges_recognise,
      .read = bat_read_iges,
-     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
+     .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
+              BAT_HOLDS(INSTANCE),
+     .can_place = bat_iges_can_place,
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,
@@ -83,6 +85,7 @@ static const bat_format_row formats[] = {
      .read = bat_read_step,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
+     .can_place = bat_step_can_place,
      .write = bat_write_step},
 
     {.format = BATTEN_FORMAT_DXF,

@@ -17,6 +17,8 @@ typedef struct {
     batten_status (*read)(bat_input *input, batten_model **out);
     /* The model has only objects of the kinds that the format holds, when it names any. */
     unsigned holds; /* bits 1 << BATTEN_OBJECT_... */
+    /* Can it say such a place of an instance? NULL: any. */
+    bool (*can_place)(const batten_affine *place);
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 } bat_format_row;
@@ -27,12 +29,6 @@ const bat_format_row *bat_format_of(batten_format format);
 const bat_format_row *bat_format_at(size_t index);
 
 #define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)
-
-/* The model in the kinds that the format holds, with a note for each object that it does not:
- * without instances where it has none, triangles as patches. What instances place is as it
- * was. */
-batten_status bat_format_prepare(const bat_format_row *row, const batten_model *model,
-                                 batten_notes *notes, batten_model **out);
 
 /* Do the bytes from `at` on begin so? */
 bool bat_begins(const bat_input *input, size_t at, const char *bytes);

@@ -4,9 +4,10 @@
 #include "base/base.h"
 #include <batten/model.h>
 
-/* What becomes of one object, that is no instance: `made` takes it, or does not. */
-typedef batten_status bat_object_change(void *context, batten_model *made,
-                                        const batten_object *object);
+/* What becomes of one object of the model `from`: `made` takes it, or does not. Instances place
+ * what was changed before, where it is in the new unit. */
+typedef batten_status bat_object_change(void *context, const batten_model *from,
+                                        batten_model *made, const batten_object *object);
 
 /* Each model that is placed is changed once, however often it is placed, and before those that
  * place it. @param scale  the shifts of places are multiplied by it. Cost: linear. */

@@ -1,5 +1,6 @@
 /* Triangles as tensor patches, for formats and pictures that know no others. */
-#include "base/base.h"
+#include "exchange/definitions.h"
+#include "exchange/model_change.h"
 
 #include <batten/model.h>
 #include <stdio.h>
@@ -54,33 +55,38 @@ static batten_status add_triangles(batten_model *made, const batten_object *obje
     return status;
 }
 
-static bool has_triangles(const batten_model *model)
+/* Also in what the model places? */
+static batten_status find_triangles(const batten_model *model, bool *found)
 {
-    for (int i = 0; i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_TRIANGLES)
-            return true;
-    return false;
+    bat_definitions d = {0};
+    const batten_status status = bat_definitions_find(model, &d);
+    *found = false;
+    for (int i = 0; status == BATTEN_OK && i < d.count && !*found; i++)
+        for (int k = 0; k < batten_model_count(d.models[i]) && !*found; k++)
+            *found = batten_model_object(d.models[i], k)->kind == BATTEN_OBJECT_TRIANGLES;
+    bat_definitions_end(&d);
+    return status;
+}
+
+static batten_status add_patched(void *context, const batten_model *from, batten_model *made,
+                                 const batten_object *object)
+{
+    (void)from;
+    return object->kind == BATTEN_OBJECT_TRIANGLES
+               ? add_triangles(made, object, *(const batten_patches *)context)
+               : batten_model_add(made, object);
 }
 
 batten_status batten_model_with_patches(const batten_model *model, batten_patches patches,
                                         batten_model **out)
 {
+    bool has_triangles;
     assert(model && out);
-    if (!has_triangles(model)) {
+    const batten_status status = find_triangles(model, &has_triangles);
+    if (status == BATTEN_OK && !has_triangles)
         *out = batten_model_ref(model);
-        return BATTEN_OK;
-    }
-    batten_model *made = NULL;
-    batten_status status = batten_model_create(batten_model_unit_metres(model), &made);
-    for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
-        const batten_object *object = batten_model_object(model, i);
-        status = object->kind == BATTEN_OBJECT_TRIANGLES ? add_triangles(made, object, patches)
-                                                         : batten_model_add(made, object);
-    }
-    if (status != BATTEN_OK) {
-        batten_model_unref(made);
+    if (status != BATTEN_OK || !has_triangles)
         return status;
-    }
-    *out = made;
-    return BATTEN_OK;
+    return bat_model_change(model, batten_model_unit_metres(model), 1, add_patched, &patches,
+                            out);
 }

@@ -10,13 +10,16 @@ static batten_status scale_offsets(const batten_offsets *offsets, double factor,
     return batten_offsets_select(offsets, &selection, out);
 }
 
-static batten_status add_scaled(void *context, batten_model *model, const batten_object *object)
+static batten_status add_scaled(void *context, const batten_model *from, batten_model *model,
+                                const batten_object *object)
 {
+    (void)from;
     const double factor = *(const double *)context;
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
     if (object->kind != BATTEN_OBJECT_OFFSETS)
-        return factor == 1 ? batten_model_add(model, object)
-                           : batten_model_add_mapped(model, object, &map);
+        return factor == 1 || object->kind == BATTEN_OBJECT_INSTANCE
+                   ? batten_model_add(model, object)
+                   : batten_model_add_mapped(model, object, &map);
     batten_object scaled = *object;
     batten_offsets *offsets = NULL;
     batten_status status =

@@ -1,4 +1,5 @@
 #include "exchange/formats.h"
+#include "exchange/model_change.h"
 #include "exchange/model_meshed.h"
 
 batten_write_options batten_write_defaults(void)
@@ -41,34 +42,67 @@ static batten_status nothing(const bat_format_row *row, const batten_model *mode
     return status;
 }
 
-/* The objects of the kinds that the format holds, with a note for each other one. */
-static batten_status select_held(const bat_format_row *row, const batten_model *model,
-                                 batten_notes *notes, batten_model **out)
+typedef struct {
+    const bat_format_row *row;
+    const char *kinds; /* that it holds, in words */
+    batten_notes *notes;
+} selection;
+
+/* What the instance places, since its place cannot be said. */
+static batten_status add_copies(const selection *s, batten_model *held,
+                                const batten_object *object)
 {
-    batten_model *held = NULL;
-    batten_text kinds = BATTEN_TEXT;
-    name_kinds(row->holds, &kinds);
-    batten_status status = kinds.failed
-                               ? BATTEN_OUT_OF_MEMORY
-                               : batten_model_create(batten_model_unit_metres(model), &held);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (row->holds & (1u << object->kind))
-            status = batten_model_add(held, object);
-        else
-            batten_notes_add(notes, "", 0, object->name, "left out: %s files hold %s",
-                             row->title, kinds.bytes ? kinds.bytes : "");
-    }
-    batten_text_free(&kinds);
+    batten_model *one = NULL, *flat = NULL;
+    batten_notes_add(s->notes, "", 0, object->name,
+                     "the place scales, shears or mirrors as %s cannot; written as copies, not "
+                     "as an instance",
+                     s->row->title);
+    batten_status status = batten_model_create(batten_model_unit_metres(held), &one);
     if (status == BATTEN_OK)
-        *out = held;
-    else
-        batten_model_unref(held);
+        status = batten_model_add(one, object);
+    if (status == BATTEN_OK)
+        status = batten_model_flat(one, &flat);
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(flat); i++)
+        status = batten_model_add(held, batten_model_object(flat, i));
+    batten_model_unref(one);
+    batten_model_unref(flat);
     return status;
 }
 
-batten_status bat_format_prepare(const bat_format_row *row, const batten_model *model,
+static batten_status add_held(void *context, const batten_model *from, batten_model *held,
+                              const batten_object *object)
+{
+    (void)from;
+    const selection *s = context;
+    if (object->kind == BATTEN_OBJECT_INSTANCE && s->row->can_place &&
+        !s->row->can_place(&object->place))
+        return add_copies(s, held, object);
+    if (s->row->holds & (1u << object->kind))
+        return batten_model_add(held, object);
+    batten_notes_add(s->notes, "", 0, object->name, "left out: %s files hold %s", s->row->title,
+                     s->kinds);
+    return BATTEN_OK;
+}
+
+/* The objects of the kinds that the format holds, with a note for each other one; what is
+ * placed among them. */
+static batten_status select_held(const bat_format_row *row, const batten_model *model,
                                  batten_notes *notes, batten_model **out)
+{
+    batten_text kinds = BATTEN_TEXT;
+    name_kinds(row->holds, &kinds);
+    selection s = {row, kinds.bytes ? kinds.bytes : "", notes};
+    const batten_status status =
+        kinds.failed
+            ? BATTEN_OUT_OF_MEMORY
+            : bat_model_change(model, batten_model_unit_metres(model), 1, add_held, &s, out);
+    batten_text_free(&kinds);
+    return status;
+}
+
+/* Instances where the format has them, and triangles as patches. */
+static batten_status prepare(const bat_format_row *row, const batten_model *model,
+                             batten_notes *notes, batten_model **out)
 {
     batten_model *flat = NULL, *patches = NULL;
     if (!row->holds) {
@@ -134,7 +168,7 @@ batten_status batten_write_prepare(const batten_model *model,
         row.holds &= ~BAT_HOLDS(MESH);
     status = mesh_what_is_not_held(&row, model, options, notes, &meshed);
     if (status == BATTEN_OK)
-        status = bat_format_prepare(&row, meshed, notes, &prepared);
+        status = prepare(&row, meshed, notes, &prepared);
     batten_model_unref(meshed);
     if (status == BATTEN_OK && row.holds && batten_model_count(model) > 0 &&
         batten_model_count(prepared) == 0)

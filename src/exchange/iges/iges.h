@@ -7,6 +7,8 @@
 /* Is it an IGES file? UNSUPPORTED for the compressed and the binary form. */
 batten_status bat_iges_recognise(const bat_input *input, bool *is_iges);
 batten_status bat_read_iges(bat_input *input, batten_model **out);
+/* Is it a motion, a mirroring or a scaling, so that reading gives back its bits? */
+bool bat_iges_can_place(const batten_affine *place);
 batten_status bat_write_iges(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text);
 

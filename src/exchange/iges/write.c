@@ -19,15 +19,15 @@ static double percent(double part)
 static int put_colour(bat_iges_writing *w, const double colour[3])
 {
     const double rgb[3] = {percent(colour[0]), percent(colour[1]), percent(colour[2])};
-    for (int k = 0; k < w->colour_count && k < 64; k++)
+    for (int k = 0; k < w->colour_count && k < BAT_IGES_COLOURS; k++)
         if (memcmp(w->colours[k], rgb, sizeof rgb) == 0)
             return -w->colour_ids[k];
     const int id = bat_iges_begin_entity(w, 314);
     for (int k = 0; k < 3; k++)
         bat_iges_put_real(&w->data, rgb[k], k < 2 ? ',' : ';');
     bat_iges_end_entity(w, &(bat_iges_look){.type = 314, .use = 2});
-    memcpy(w->colours[w->colour_count % 64], rgb, sizeof rgb);
-    w->colour_ids[w->colour_count % 64] = id;
+    memcpy(w->colours[w->colour_count % BAT_IGES_COLOURS], rgb, sizeof rgb);
+    w->colour_ids[w->colour_count % BAT_IGES_COLOURS] = id;
     w->colour_count++;
     return -id;
 }
@@ -54,19 +54,27 @@ static int level_of_number(const char *layer)
     return number && layer[0] != '0' ? (int)strtol(layer, NULL, 10) : 0;
 }
 
+static batten_status add_layers(bat_members *list, const batten_model *model, int *highest)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        const char *layer = batten_model_object(model, i)->layer;
+        *highest = bat_max_int(*highest, level_of_number(layer));
+        if (layer[0] && !level_of_number(layer))
+            status = bat_members_add(list, layer, 0);
+    }
+    return status;
+}
+
 /* Number the layers that have other names, beyond those that are numbers, and say which is
  * which: 406 form 3, whose level it is. */
-static batten_status put_layers(bat_iges_writing *w, const batten_model *model)
+static batten_status put_layers(bat_iges_writing *w)
 {
     bat_members *list = &w->layers;
     int highest = 0, kept = 0;
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const char *layer = batten_model_object(model, i)->layer;
-        highest = bat_max_int(highest, level_of_number(layer));
-        if (layer[0] && !level_of_number(layer))
-            status = bat_members_add(list, layer, 0);
-    }
+    for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
+        status = add_layers(list, w->definitions.models[i], &highest);
     bat_members_sort(list);
     for (int i = 0; status == BATTEN_OK && i < list->count; i += bat_members_same(list, i)) {
         list->members[kept] = list->members[i];
@@ -103,11 +111,16 @@ static bat_iges_look look_of(bat_iges_writing *w, const batten_object *object)
 {
     return (bat_iges_look){.level = level_of(w, object->layer),
                            .colour = object->has_colour ? put_colour(w, object->colour) : 0,
-                           .is_hidden = object->is_hidden};
+                           .is_hidden = object->is_hidden,
+                           .is_part = w->is_inside};
 }
 
-static batten_status add_to_group(bat_iges_writing *w, const char *path, int id)
+/* What was written belongs to the definition at work, or to its group. Groups of parts of
+ * definitions are not written: other programs take them for what they hold, once more. */
+static batten_status keep(bat_iges_writing *w, const char *path, int id)
 {
+    if (w->is_inside)
+        return bat_members_add(&w->items, "", id);
     return path[0] ? bat_members_add(&w->groups, path, id) : BATTEN_OK;
 }
 
@@ -120,7 +133,7 @@ static batten_status write_curve(bat_iges_writing *w, const batten_object *objec
     const bat_iges_look look = look_of(w, object);
     const int id = bat_iges_put_curve(w, curve, put_name(w, object->name), look);
     batten_curve_unref(curve);
-    return add_to_group(w, object->group, id);
+    return keep(w, object->group, id);
 }
 
 static batten_status write_surface(bat_iges_writing *w, const batten_object *object)
@@ -132,17 +145,15 @@ static batten_status write_surface(bat_iges_writing *w, const batten_object *obj
     const bat_iges_look look = look_of(w, object);
     const int id = bat_iges_put_surface(w, surface, put_name(w, object->name), look);
     batten_surface_unref(surface);
-    return add_to_group(w, object->group, id);
+    return keep(w, object->group, id);
 }
 
 static batten_status write_points(bat_iges_writing *w, const batten_object *object)
 {
-    if (object->point_count == 0)
-        return BATTEN_OK;
     const bat_iges_look look = look_of(w, object);
     const int id = bat_iges_put_points(w, object->points, object->point_count,
                                        put_name(w, object->name), look);
-    return add_to_group(w, object->group, id);
+    return keep(w, object->group, id);
 }
 
 /* ---- bodies ---- */
@@ -202,7 +213,7 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
         if (status == BATTEN_OK)
             status = bat_iges_put_face(w, parts, f, name, &look, &id);
         if (status == BATTEN_OK)
-            status = add_to_group(w, group, id);
+            status = keep(w, group, id);
     }
     return status;
 }
@@ -229,7 +240,7 @@ static batten_status write_body(bat_iges_writing *w, const batten_object *object
         return status;
     traced.body = body;
     const batten_body_parts *parts = batten_body_view(body);
-    if (parts->face_count > 1)
+    if (parts->face_count > 1 && !w->is_inside)
         status = path_of_body(w, object, &group);
     if (status == BATTEN_OK)
         status = write_faces(w, &traced, parts, group);
@@ -239,12 +250,27 @@ static batten_status write_body(bat_iges_writing *w, const batten_object *object
     return status;
 }
 
+static batten_status write_instance(bat_iges_writing *w, const batten_object *object)
+{
+    const int subfigure =
+        w->subfigures[bat_definitions_index(&w->definitions, object->definition)];
+    const bat_iges_look look = look_of(w, object);
+    const int id =
+        bat_iges_put_instance(w, subfigure, &object->place, put_name(w, object->name), look);
+    return keep(w, object->group, id);
+}
+
 static batten_status write_object(bat_iges_writing *w, const batten_object *object)
 {
     batten_status status = check_room(w);
     if (status != BATTEN_OK)
         return status;
+    if (w->is_inside && object->group[0])
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "its group is left out, as it lies in what is placed");
     switch (object->kind) {
+    case BATTEN_OBJECT_INSTANCE:
+        return write_instance(w, object);
     case BATTEN_OBJECT_CURVE:
         return write_curve(w, object);
     case BATTEN_OBJECT_SURFACE:
@@ -308,81 +334,53 @@ static batten_status put_groups(bat_iges_writing *w)
     return status;
 }
 
-/* ---- the global section ---- */
+/* ---- definitions ---- */
 
-/* "2026-11-21T10:25:00" as "20261121.102500"; another form gives the neutral date. */
-static void write_date(const char *date, char out[16])
+/* The names under which the definitions are placed first, [definitions]. */
+static void find_names(const bat_definitions *d, const char **names)
 {
-    static const char shape[] = "dddd-dd-ddTdd:dd:dd";
-    memcpy(out, "20000101.000000", 16);
-    for (size_t i = 0; date && shape[i]; i++)
-        if (shape[i] == 'd' ? date[i] < '0' || date[i] > '9' : date[i] != shape[i])
-            return;
-    if (!date || date[sizeof shape - 1])
-        return;
-    size_t k = 0;
-    for (size_t i = 0; shape[i]; i++) {
-        if (shape[i] == 'd')
-            out[k++] = date[i];
-        if (shape[i] == 'T')
-            out[k++] = '.';
+    for (int i = 0; i < d->count; i++)
+        for (int k = 0; k < batten_model_count(d->models[i]); k++) {
+            const batten_object *object = batten_model_object(d->models[i], k);
+            if (!object->definition)
+                continue;
+            const char **name = &names[bat_definitions_index(d, object->definition)];
+            *name = *name ? *name : object->name;
+        }
+}
+
+/* The objects of one model, and, unless it is the whole, the subfigure that they make. */
+static batten_status write_definition(bat_iges_writing *w, const char *name, int index)
+{
+    const batten_model *model = w->definitions.models[index];
+    batten_status status = BATTEN_OK;
+    w->is_inside = index > 0;
+    w->items.count = 0;
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
+        status = write_object(w, batten_model_object(model, i));
+    if (status == BATTEN_OK && w->is_inside && w->items.count > 0)
+        w->subfigures[index] =
+            bat_iges_put_subfigure(w, name, batten_model_depth(model), &w->items);
+    return status;
+}
+
+/* Those that are placed stand before those that place them. */
+static batten_status write_definitions(bat_iges_writing *w)
+{
+    const size_t count = (size_t)w->definitions.count;
+    int *order = bat_array(count, sizeof *order);
+    const char **names = bat_array(count, sizeof *names);
+    w->subfigures = bat_array(count, sizeof *w->subfigures);
+    batten_status status = order && names && w->subfigures ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        bat_definitions_rising(&w->definitions, order);
+        find_names(&w->definitions, names);
     }
-}
-
-static void put_unit(bat_iges_section *global, double metres)
-{
-    static const char *const names[] = {"IN", "MM",  "",   "FT", "MI", "M",
-                                        "KM", "MIL", "UM", "CM", "UIN"};
-    const int flag = bat_iges_flag_of_unit(metres);
-    bat_iges_put_integer(global, flag, ',');
-    bat_iges_put_string(global, names[flag - 1], ',');
-}
-
-static void put_global(const bat_iges_writing *w, bat_iges_section *global,
-                       const batten_write_options *options, double unit)
-{
-    static const int sizes[] = {32, 38, 6, 308, 17};
-    const char *const begin[] = {",",           ";",      options->name,
-                                 options->name, "Batten", batten_version()};
-    char date[16];
-    write_date(options->date, date);
-    for (size_t k = 0; k < sizeof begin / sizeof begin[0]; k++)
-        bat_iges_put_string(global, begin[k], ',');
-    for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++)
-        bat_iges_put_integer(global, sizes[k], ',');
-    bat_iges_put_string(global, options->name, ',');
-    bat_iges_put_real(global, 1, ',');
-    put_unit(global, unit);
-    bat_iges_put_integer(global, 1, ',');
-    bat_iges_put_real(global, 0, ',');
-    bat_iges_put_string(global, date, ',');
-    bat_iges_put_real(global, w->tolerance, ',');
-    bat_iges_put_real(global, w->largest, ',');
-    bat_iges_put_string(global, "", ',');
-    bat_iges_put_string(global, "", ',');
-    bat_iges_put_integer(global, 11, ',');
-    bat_iges_put_integer(global, 0, ',');
-    bat_iges_put_string(global, date, ';');
-    bat_iges_section_flush(global);
-}
-
-/* The parameters are in the text already: what comes before them is put there, and the end. */
-static batten_status join(bat_iges_writing *w, const batten_write_options *options, double unit,
-                          batten_text *text)
-{
-    batten_text front = BATTEN_TEXT;
-    bat_iges_section global;
-    batten_text_add(&front, "%-72sS%7d\n", "Written by Batten", 1);
-    bat_iges_section_begin(&global, 'G', &front);
-    put_global(w, &global, options, unit);
-    batten_text_bytes(&front, w->directory.bytes, w->directory.length);
-    const bool failed = front.failed || w->directory.failed;
-    if (!failed)
-        bat_text_insert(text, front.bytes, front.length);
-    batten_text_add(text, "S%7dG%7dD%7dP%7d%40sT%7d\n", 1, global.count, w->directory_count,
-                    w->data.count, "", 1);
-    batten_text_free(&front);
-    return failed || text->failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+    for (size_t i = 0; status == BATTEN_OK && i < count; i++)
+        status = write_definition(w, names[order[i]], order[i]);
+    bat_release(order);
+    bat_release(names);
+    return status;
 }
 
 /* ---- the file ---- */
@@ -409,29 +407,43 @@ static void end(bat_iges_writing *w)
     bat_release(w->paths);
     bat_members_end(&w->groups);
     bat_members_end(&w->layers);
+    bat_members_end(&w->items);
+    bat_definitions_end(&w->definitions);
+    bat_release(w->subfigures);
     batten_text_free(&w->directory);
+}
+
+static batten_status write_whole(const batten_model *model, const batten_write_options *options,
+                                 batten_notes *notes, batten_text *text)
+{
+    const double unit = batten_model_unit_metres(model);
+    bat_iges_writing w = {
+        .notes = notes, .tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
+    bat_iges_section_begin(&w.data, 'P', text);
+    bat_text_reserve(text, 100 * bat_count_points(model)); /* mostly enough */
+    batten_status status = bat_definitions_find(model, &w.definitions);
+    if (status == BATTEN_OK)
+        status = put_layers(&w);
+    if (status == BATTEN_OK)
+        status = write_definitions(&w);
+    if (status == BATTEN_OK)
+        status = put_groups(&w);
+    if (status == BATTEN_OK)
+        status = bat_iges_join(&w, options, unit, text);
+    end(&w);
+    return status;
 }
 
 batten_status bat_write_iges(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text)
 {
-    batten_model *scaled = NULL;
+    batten_model *scaled = NULL, *whole = NULL;
     batten_status status = choose_unit(model, notes, &scaled);
-    if (status != BATTEN_OK)
-        return status;
-    const double unit = batten_model_unit_metres(scaled);
-    bat_iges_writing w = {
-        .notes = notes, .tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
-    bat_iges_section_begin(&w.data, 'P', text);
-    bat_text_reserve(text, 100 * bat_count_points(scaled)); /* mostly enough */
-    status = put_layers(&w, scaled);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(scaled); i++)
-        status = write_object(&w, batten_model_object(scaled, i));
     if (status == BATTEN_OK)
-        status = put_groups(&w);
+        status = bat_iges_make_parts(scaled, notes, &whole);
     if (status == BATTEN_OK)
-        status = join(&w, options, unit, text);
-    end(&w);
+        status = write_whole(whole, options, notes, text);
     batten_model_unref(scaled);
+    batten_model_unref(whole);
     return status;
 }

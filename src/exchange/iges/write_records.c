@@ -121,7 +121,7 @@ void bat_iges_end_entity(bat_iges_writing *w, const bat_iges_look *look)
 {
     char entry[2 * RECORD + 2];
     bat_iges_section_flush(&w->data);
-    const int first[] = {look->type, w->first, 0, 0, look->level, 0, 0, 0};
+    const int first[] = {look->type, w->first, 0, 0, look->level, 0, look->matrix, 0};
     const int second[] = {look->type, 0, look->colour, w->data.count - w->first + 1,
                           look->form};
     memset(entry, ' ', sizeof entry);

@@ -1,6 +1,7 @@
 /* An IGES file being written: its sections as they grow. */
 #ifndef BAT_IGES_WRITING_H
 #define BAT_IGES_WRITING_H
+#include "exchange/definitions.h"
 #include "exchange/groups.h"
 #include "exchange/iges/iges.h"
 
@@ -27,27 +28,35 @@ void bat_iges_put_string(bat_iges_section *section, const char *text, char after
 
 /* ---- entities (write_records.c) ---- */
 
+enum { BAT_IGES_COLOURS = 48 }; /* that are remembered */
+
 typedef struct {
     batten_notes *notes;
     double tolerance;
     bat_iges_section data;
     batten_text directory;
     int directory_count;
-    int first;             /* record of the entity that is being written */
-    double colours[64][3]; /* those written last, in percent, and the ids of their entities */
-    int colour_ids[64];
+    int first; /* record of the entity that is being written */
+    double colours[BAT_IGES_COLOURS]
+                  [3]; /* those written last, in percent, and the ids of their entities */
+    int colour_ids[BAT_IGES_COLOURS];
     int colour_count;
     double largest; /* coordinate written so far */
     bat_members groups;
     bat_members layers; /* names that are no numbers, each once; the item is the level */
     char **paths;       /* of the groups that bodies become */
     int path_count;
+    bat_definitions definitions;
+    int *subfigures;   /* [definitions] their ids; 0: nothing is in it */
+    bat_members items; /* the ids of what was written of the definition at work */
+    bool is_inside;    /* the definition at work is not the model itself */
 } bat_iges_writing;
 
 /* What the directory says of an entity; use: 0 geometry, 2 definition, 3 other, 5 parameters.
  */
 typedef struct {
     int type, form, level, colour;
+    int matrix; /* the id of a 124; 0: none */
     bool is_hidden, is_part;
     int use;
 } bat_iges_look;
@@ -59,6 +68,12 @@ void bat_iges_end_entity(bat_iges_writing *w, const bat_iges_look *look);
 /* The last parameters of an entity: no associativity, and its name, if any. */
 void bat_iges_put_properties(bat_iges_writing *w, int name);
 
+/* ---- the file (write_global.c) ---- */
+
+/* The parameters are in the text already: what comes before them is put there, and the end. */
+batten_status bat_iges_join(bat_iges_writing *w, const batten_write_options *options,
+                            double unit, batten_text *text);
+
 /* ---- shapes (write_shapes.c): clamped; the id of the entity ---- */
 
 int bat_iges_put_curve(bat_iges_writing *w, const batten_curve *curve, int name,
@@ -68,6 +83,19 @@ int bat_iges_put_surface(bat_iges_writing *w, const batten_surface *surface, int
 /* One point as 116, several as 106. */
 int bat_iges_put_points(bat_iges_writing *w, const double *points, int count, int name,
                         bat_iges_look look);
+
+/* ---- what is placed (write_instances.c) ---- */
+
+/* The model without what would not be written, and with bodies of several faces, where they lie
+ * among others in what is placed, as subfigures of their own. */
+batten_status bat_iges_make_parts(const batten_model *model, batten_notes *notes,
+                                  batten_model **out);
+/* The id of a subfigure of the items, which lie `depth` deep: 0 when none of them is placed. */
+int bat_iges_put_subfigure(bat_iges_writing *w, const char *name, int depth,
+                           const bat_members *items);
+/* The id of an instance, whose place IGES can say. */
+int bat_iges_put_instance(bat_iges_writing *w, int subfigure, const batten_affine *place,
+                          int name, bat_iges_look look);
 
 /* ---- faces (write_face.c) ---- */
 

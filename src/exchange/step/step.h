@@ -9,6 +9,8 @@
 #include <batten/text.h>
 
 batten_status bat_read_step(bat_input *input, batten_model **out);
+/* Can two directions and a point say the place? */
+bool bat_step_can_place(const batten_affine *place);
 batten_status bat_write_step(const batten_model *model, const batten_write_options *options,
                              batten_notes *notes, batten_text *text);
 

@@ -192,8 +192,7 @@ static void put_representations(bat_step_writing *w, const char *name, const con
 
 /* ---- assemblies ---- */
 
-/* Can two directions and a point say the place? */
-static bool is_rigid(const batten_affine *place)
+bool bat_step_can_place(const batten_affine *place)
 {
     const double tolerance = 1e-12;
     double dot[3][3];
@@ -210,66 +209,6 @@ static bool is_rigid(const batten_affine *place)
                m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
                m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) >
            0;
-}
-
-/* Add what the instance places, since its place scales or mirrors. */
-static batten_status add_flat(bat_step_writing *w, const batten_object *object,
-                              batten_model *made)
-{
-    batten_model *one = NULL, *flat = NULL;
-    batten_notes_add(w->step.notes, "", 0, object->name,
-                     "the place scales, shears or mirrors; written as copies, not as an "
-                     "instance");
-    batten_status status = batten_model_create(batten_model_unit_metres(made), &one);
-    if (status == BATTEN_OK)
-        status = batten_model_add(one, object);
-    if (status == BATTEN_OK)
-        status = batten_model_flat(one, &flat);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(flat); i++)
-        status = batten_model_add(made, batten_model_object(flat, i));
-    batten_model_unref(one);
-    batten_model_unref(flat);
-    return status;
-}
-
-/* The model with instances only where they can be said. */
-static batten_status with_rigid_places(bat_step_writing *w, const batten_model *model,
-                                       batten_model **out)
-{
-    bool rigid = true;
-    for (int i = 0; i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        rigid &= object->kind != BATTEN_OBJECT_INSTANCE || is_rigid(&object->place);
-    }
-    if (rigid) {
-        *out = batten_model_ref(model);
-        return BATTEN_OK;
-    }
-    batten_model *made = NULL;
-    batten_status status = batten_model_create(batten_model_unit_metres(model), &made);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        status = object->kind == BATTEN_OBJECT_INSTANCE && !is_rigid(&object->place)
-                     ? add_flat(w, object, made)
-                     : batten_model_add(made, object);
-    }
-    if (status == BATTEN_OK)
-        *out = made;
-    else
-        batten_model_unref(made);
-    return status;
-}
-
-/* The model as it can be written, with no instances that cannot. */
-static batten_status prepare(bat_step_writing *w, const batten_model *model, batten_model **out)
-{
-    batten_model *rigid = NULL;
-    batten_status status = with_rigid_places(w, model, &rigid);
-    if (status == BATTEN_OK)
-        status =
-            bat_format_prepare(bat_format_of(BATTEN_FORMAT_STEP), rigid, w->step.notes, out);
-    batten_model_unref(rigid);
-    return status;
 }
 
 static bat_step_node *find_node(const bat_step_writing *w, const batten_model *model)
@@ -339,7 +278,7 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
 static batten_status write_product(bat_step_writing *w, const char *name, bat_step_node *node)
 {
     static const double origin[] = {0, 0, 0}, z[] = {0, 0, 1}, x[] = {1, 0, 0};
-    const batten_model *model = node->prepared;
+    const batten_model *model = node->model;
     contents c = {0};
     batten_text id = BATTEN_TEXT;
     batten_text_add(&id, "%s", w->options->name);
@@ -370,19 +309,15 @@ static batten_status write_model(bat_step_writing *w, const batten_model *model,
                                  const char *name, bool is_root)
 {
     bat_step_node node = {.model = model, .is_root = is_root};
-    batten_status status = prepare(w, model, &node.prepared);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(node.prepared); i++) {
-        const batten_object *object = batten_model_object(node.prepared, i);
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
         if (object->kind == BATTEN_OBJECT_INSTANCE && !find_node(w, object->definition))
             status = write_model(w, object->definition, object->name, false);
     }
     if (status == BATTEN_OK)
         status = write_product(w, name, &node);
-    if (status == BATTEN_OK)
-        status = add_node(w, &node);
-    if (status != BATTEN_OK)
-        batten_model_unref(node.prepared);
-    return status;
+    return status == BATTEN_OK ? add_node(w, &node) : status;
 }
 
 /* ---- the file ---- */
@@ -431,8 +366,6 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
 
 static void end(bat_step_writing *w)
 {
-    for (int i = 0; i < w->node_count; i++)
-        batten_model_unref(w->nodes[i].prepared);
     bat_release(w->nodes);
     bat_release(w->products.ids);
     bat_release(w->formations.ids);

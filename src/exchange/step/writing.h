@@ -24,8 +24,7 @@ typedef struct {
 
 /* A model whose product is written. */
 typedef struct {
-    const batten_model *model; /* as given */
-    batten_model *prepared;
+    const batten_model *model;
     bool is_root;
     int definition;     /* PRODUCT_DEFINITION */
     int representation; /* that it is shown by */
