@@ -205,6 +205,27 @@ static batten_status gather(const bat_iges_file *file, position *next, bat_list 
     return status;
 }
 
+/* Read what is numbers where it stands; *next is behind it. */
+static batten_status read_in_place(const bat_iges_file *file, position *next,
+                                   bat_iges_parameters *parameters, size_t *at, bool *done)
+{
+    const bat_iges_run *run = (const bat_iges_run *)file->runs.items + next->run;
+    const size_t first = run->at + next->within * run->stride;
+    size_t count = run->count - next->within;
+    if (run->columns < DATA_COLUMNS)
+        return BATTEN_OK;
+    while (count > 0 && first + (count - 1) * run->stride + DATA_COLUMNS + BAT_IGES_BEHIND >
+                            file->input->size)
+        count--;
+    const batten_status status =
+        bat_iges_tokenise_in_place(file->input, file->delimiters, parameters,
+                                   file->input->data + first, run->stride, count, at, done);
+    next->within += parameters->in_place / DATA_COLUMNS;
+    if (next->within == run->count)
+        *next = (position){next->run + 1, 0};
+    return status;
+}
+
 /* A small file may do what it likes. */
 #define SHARED_FREELY ((size_t)1 << 20)
 
@@ -220,6 +241,7 @@ batten_status bat_iges_read_parameters(bat_iges_file *file, const bat_iges_entry
     if (begin.run == file->runs.count)
         return bat_fail(BATTEN_BAD_FORMAT, "its parameters should be in record %d, of %zu",
                         entry->data, file->data_count);
+    status = read_in_place(file, &next, parameters, &at, &done);
     while (status == BATTEN_OK && !done && next.run < file->runs.count) {
         status = gather(file, &next, &parameters->text);
         if (status == BATTEN_OK)
@@ -228,7 +250,7 @@ batten_status bat_iges_read_parameters(bat_iges_file *file, const bat_iges_entry
     if (status == BATTEN_OK && !done)
         status = bat_fail(BATTEN_BAD_FORMAT, "the parameters have no end");
     /* Entries may share their parameters, but this keeps the work linear in the file. */
-    file->tokenised += parameters->text.count;
+    file->tokenised += parameters->in_place + parameters->text.count;
     if (status == BATTEN_OK &&
         file->tokenised > SHARED_FREELY + 16 * DATA_COLUMNS * file->data_count)
         status = bat_input_fail(file->input, BATTEN_TOO_LARGE, 0,

@@ -19,11 +19,22 @@ typedef struct {
 
 /* Used again and again, so that memory is asked for but a few times. */
 typedef struct {
-    bat_list text;   /* of char: the columns of the records, one after another */
-    bat_list tokens; /* of bat_iges_token */
+    const char *records; /* as they stand in the file, */
+    size_t stride;       /* so far from one to the next */
+    size_t in_place;     /* characters, 64 of each, that were read there */
+    bat_list text;   /* of char: the columns of the records behind these, one after another */
+    bat_list tokens; /* of bat_iges_token, which count all characters */
     bat_list values; /* of double: of each token the number, or 0 */
     size_t odd;      /* tokens that are neither numbers nor empty */
 } bat_iges_parameters;
+
+enum {
+    BAT_IGES_BLOCK = 64,  /* columns of a record that hold parameters */
+    BAT_IGES_BEHIND = 32, /* characters behind them that may be looked at */
+    /* Longer than any number that says something: a double has at most 767 significant digits.
+     */
+    BAT_IGES_LONGEST_NUMBER = 1100
+};
 
 typedef struct {
     char delimiter, terminator;
@@ -34,10 +45,19 @@ void bat_iges_parameters_end(bat_iges_parameters *parameters);
 /* Forget what was read, but not the room for it. */
 void bat_iges_parameters_clear(bat_iges_parameters *parameters);
 
+/* ---- telling apart (tokens.c) ---- */
+
+/* Read what is in records of the file, as long as it is numbers that do not lie in two of them;
+ * *at is then behind these. What follows is to be put into the text from in_place on. */
+batten_status bat_iges_tokenise_in_place(bat_input *input, bat_iges_delimiters delimiters,
+                                         bat_iges_parameters *parameters, const char *records,
+                                         size_t stride, size_t count, size_t *at, bool *done);
 /* Read on from *at, which is then behind the last token that was whole. *done when that ended
  * with the terminator; else there is more text to come. BAD_FORMAT with a message. */
 batten_status bat_iges_tokenise(bat_input *input, bat_iges_delimiters delimiters,
                                 bat_iges_parameters *parameters, size_t *at, bool *done);
+
+/* ---- values ---- */
 
 /* How many there are, the type first. */
 size_t bat_iges_count_of(const bat_iges_parameters *parameters);

@@ -126,6 +126,42 @@ TEST(Q1_a_missing_record_is_noticed)
     batten_model_unref(model);
 }
 
+/* Numbers that begin, end and are cut at any column, with other tokens among them. */
+TEST(N3_numbers_of_IGES_are_the_same_in_any_column)
+{
+    static const char text[] =
+        "126,3,1,0,,1,0,0.,0.,1.,2.25,3.,3.,1.,1.,1.,1.,123.45678901234567,-0."
+        "12345678901234568,"
+        "1.5E-7,-.5,7,1234567.,1.25D+02, 9007199254740993. ,-0.,0.30000000000000004,-1.E1,"
+        "12345678.875,0.,3.,0.,0.,1.,0,0;a comment";
+    const double expected[] = {123.45678901234567,
+                               -0.12345678901234568,
+                               1.5e-7,
+                               -0.5,
+                               7,
+                               1234567,
+                               125,
+                               9007199254740992,
+                               -0.0,
+                               0.1 + 0.2,
+                               -10,
+                               12345678.875};
+    for (int blanks = 0; blanks < 130; blanks++) {
+        char shifted[sizeof text + 130];
+        snprintf(shifted, sizeof shifted, "%*s%s", blanks, "", text);
+        iges_text file = iges_begin();
+        iges_add(&file, 126, 0, 0, 0, "00000000", shifted);
+        batten_model *model = NULL;
+        CHECK_OK(read_text(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, NULL, &model));
+        const batten_curve *curve = batten_model_object(model, 0)->curve;
+        for (int i = 0; i < COUNT(expected); i++)
+            CHECK_BITS(batten_curve_points(curve)[i], expected[i]);
+        CHECK_BITS(batten_curve_knots(curve)[2], 1.0);
+        CHECK_BITS(batten_curve_knots(curve)[3], 2.25);
+        batten_model_unref(model);
+    }
+}
+
 /* 400 lines of one record each, of which the end of one may be bent. */
 static void check_many(const char *end, int bad, const char *bent, int expected,
                        const char *words)
