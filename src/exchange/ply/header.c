@@ -114,9 +114,7 @@ batten_status bat_ply_header_read(bat_input *input, bat_ply_header *header)
                                .line = 1};
     batten_status status = bat_ply_recognise(input, &is_such);
     if (!is_such)
-        return bat_input_fail(input, BATTEN_BAD_FORMAT, 1, "%s",
-                              input->size ? "the first line is not 'ply'"
-                                          : "the file is empty");
+        return bat_input_fail(input, BATTEN_BAD_FORMAT, 1, "the first line is not 'ply'");
     bat_next_line(input, &header->body, &text);
     while (status == BATTEN_OK && !is_end) {
         header->line++;

@@ -241,7 +241,7 @@ static batten_status hand_over(parsing *p)
 /* Where S and T begin: the mirror of the last control point, when there was one of the kind. */
 static void mirror(const parsing *p, const char *kinds, double point[2])
 {
-    const bool after = p->before && strchr(kinds, p->before);
+    const bool after = strchr(kinds, p->before) != NULL;
     point[0] = after ? 2 * p->row->x - p->reflect[0] : p->row->x;
     point[1] = after ? 2 * p->row->y - p->reflect[1] : p->row->y;
 }
