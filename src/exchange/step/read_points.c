@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -148,7 +149,10 @@ batten_status bat_step_direction_in(const bat_step_reading *reading,
     batten_vec3 v = {d[0], d[1], d[2]};
     if (is_far)
         v = (batten_vec3){d[0] / size, d[1] / size, d[2] / size};
-    *direction = bat_vec3_scale(v, 1 / bat_vec3_norm(v));
+    /* Of length one to a few roundings it stays as it is, so that what is written reads back.
+     */
+    const double length = bat_vec3_norm(v);
+    *direction = fabs(length - 1) <= 4 * DBL_EPSILON ? v : bat_vec3_scale(v, 1 / length);
     return BATTEN_OK;
 }
 

@@ -51,6 +51,29 @@ static void check_refusal(const char *data, batten_status status, const char *wo
     step_end(&t);
 }
 
+TEST(step_directions_of_length_one_keep_their_bits)
+{
+    static const struct {
+        const char *text;
+        double read[3];
+    } cases[] = {{"#100=DIRECTION('',(0.9683640522700838,0.24209101306752095,"
+                  "0.06052275326688024));",
+                  {0.9683640522700838, 0.24209101306752095, 0.06052275326688024}},
+                 {"#100=DIRECTION('',(0.968364052270084,0.242091013067521,"
+                  "0.06052275326688025));",
+                  {0.968364052270084, 0.242091013067521, 0.06052275326688025}},
+                 {"#100=DIRECTION('',(0.,3.,4.));", {0, 3 * (1 / 5.0), 4 * (1 / 5.0)}}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        step_text_file t = {.notes = NULL};
+        double direction[3];
+        CHECK_OK(step_begin(&t, step_whole(cases[k].text)));
+        CHECK_OK(bat_step_read_direction(&t.file, step_find(&t, 100), direction));
+        for (int i = 0; i < 3; i++)
+            CHECK_BITS(direction[i], cases[k].read[i]);
+        step_end(&t);
+    }
+}
+
 TEST(step_placements_project_x_and_have_defaults)
 {
     const struct {
