@@ -17,6 +17,9 @@
 
 /* ---- cells ---- */
 
+/* So many turns around a surface are no loop of a face any more. */
+enum { MOST_TURNS = 1000000 };
+
 /* The cell of a use: by the sample that is farthest from the lines; when all are on one, the
  * face on its left decides. */
 static batten_status cell_of(const bat_relink *r, const bat_trace_use *use, int *cell)
@@ -34,6 +37,10 @@ static batten_status cell_of(const bat_relink *r, const bat_trace_use *use, int 
         if (status != BATTEN_OK)
             return status;
         const double x = (uv[k] - r->face->seam[k]) / chart->period[k];
+        if (!(fabs(x) < MOST_TURNS))
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "edge %d is %g turns around its surface away from it", use->edge,
+                            x);
         if (fabs(x - nearbyint(x)) > farthest) {
             farthest = fabs(x - nearbyint(x));
             *cell = (int)floor(x);

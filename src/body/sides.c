@@ -16,9 +16,10 @@ void bat_trace_winding(const bat_trace_face *face, const bat_trace_loops *loops,
     double a[2], b[2];
     bat_trace_end_of(&uses[0], false, a);
     bat_trace_end_of(&uses[loops->loops[loop].count - 1], true, b);
-    for (int k = 0; k < 2; k++)
-        turns[k] =
-            face->chart.closed[k] ? (int)nearbyint((b[k] - a[k]) / face->chart.period[k]) : 0;
+    for (int k = 0; k < 2; k++) {
+        const double around = nearbyint((b[k] - a[k]) / face->chart.period[k]);
+        turns[k] = face->chart.closed[k] ? (int)bat_max(-1e6, bat_min(1e6, around)) : 0;
+    }
 }
 
 /* Twice the area between a use and the origin, as a polygon of samples. */

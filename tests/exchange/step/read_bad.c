@@ -280,3 +280,32 @@ TEST(F2_a_step_file_cut_anywhere_is_never_a_quiet_whole)
         batten_model_unref(model);
     }
 }
+
+TEST(an_instance_beyond_what_numbers_tell_apart_is_written_as_far_as_it_goes)
+{
+    /* A plane that nearly holds the axis that it stands on, moved by 2^63: all its points fall
+     * on one another, and edges lie any number of turns around it. */
+    batten_write_options options = batten_write_defaults();
+    batten_model *model = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    options.format = BATTEN_FORMAT_STEP;
+    const char *file = box_with("#214=CARTESIAN_POINT('',(-2.,1.,0.));\n"
+                                "#215=DIRECTION('',(4294967296.,1.,0.));\n"
+                                "#990=SHAPE_REPRESENTATION('part',(#1000),#900);\n"
+                                "#701=CARTESIAN_POINT('',(0.,0.,0.));\n"
+                                "#700=AXIS2_PLACEMENT_3D('',#701,$,$);\n"
+                                "#711=CARTESIAN_POINT('',(9223372036854775808.,0.,0.));\n"
+                                "#712=DIRECTION('',(0.,0.,1.));\n"
+                                "#740=DIRECTION('',(0.,1.,0.));\n"
+                                "#741=DIRECTION('',(1.,0.,0.));\n"
+                                "#731=CARTESIAN_TRANSFORMATION_OPERATOR_3D('',#740,#741,#711,"
+                                "255.,#712);\n"
+                                "#749=REPRESENTATION_MAP(#700,#990);\n"
+                                "#750=MAPPED_ITEM('here',#749,#731);\n"
+                                "#800=SHAPE_REPRESENTATION('whole',(#750),#900);\n");
+    CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
+    CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
+    batten_release(data);
+    batten_model_unref(model);
+}
