@@ -20,5 +20,10 @@ int bat_definitions_index(const bat_definitions *definitions, const batten_model
 /* The indices in an order in which each comes after those that it places: by rising depth.
  * order: [count]. */
 void bat_definitions_rising(const bat_definitions *definitions, int *order);
+/* Hand them over in that order, each with the name under which it is placed first, "" for the
+ * model itself. */
+typedef batten_status bat_definition_take(void *context, int index, const char *name);
+batten_status bat_definitions_each(const bat_definitions *definitions,
+                                   bat_definition_take *take, void *context);
 
 #endif

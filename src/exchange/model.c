@@ -104,66 +104,6 @@ int batten_model_find(const batten_model *model, const char *name)
     return -1;
 }
 
-static void widen(batten_box *box, bool *any, batten_box by)
-{
-    if (!*any)
-        *box = by;
-    *any = true;
-    box->low.x = bat_min(box->low.x, by.low.x);
-    box->low.y = bat_min(box->low.y, by.low.y);
-    box->low.z = bat_min(box->low.z, by.low.z);
-    box->high.x = bat_max(box->high.x, by.high.x);
-    box->high.y = bat_max(box->high.y, by.high.y);
-    box->high.z = bat_max(box->high.z, by.high.z);
-}
-
-/* The box of a box that is mapped. */
-static batten_box place_box(const batten_affine *place, batten_box box)
-{
-    batten_box whole = box;
-    bool any = false;
-    for (int k = 0; k < 8; k++) {
-        const batten_vec3 corner = {k & 1 ? box.high.x : box.low.x,
-                                    k & 2 ? box.high.y : box.low.y,
-                                    k & 4 ? box.high.z : box.low.z};
-        const batten_vec3 at = batten_affine_apply(*place, corner);
-        widen(&whole, &any, (batten_box){at, at});
-    }
-    return whole;
-}
-
-/* Instances lie at most DEEPEST deep, and so does the recursion. */
-bool batten_model_box(const batten_model *model, batten_box *box)
-{
-    batten_box all = {{0, 0, 0}, {0, 0, 0}}, placed;
-    bool any = false;
-    for (int i = 0; i < model->count; i++) {
-        const batten_object *object = &model->objects[i];
-        for (int k = 0; k < object->point_count; k++) {
-            const double *p = &object->points[3 * k];
-            const batten_vec3 point = {p[0], p[1], p[2]};
-            widen(&all, &any, (batten_box){point, point});
-        }
-        if (object->curve)
-            widen(&all, &any, batten_curve_box(object->curve));
-        if (object->surface)
-            widen(&all, &any, batten_surface_box(object->surface));
-        if (object->offsets)
-            widen(&all, &any, batten_offsets_box(object->offsets));
-        if (object->triangles)
-            widen(&all, &any, batten_triangles_box(object->triangles));
-        if (object->body)
-            widen(&all, &any, batten_body_box(object->body));
-        if (object->mesh && batten_mesh_view(object->mesh)->vertex_count)
-            widen(&all, &any, batten_mesh_box(object->mesh));
-        if (object->definition && batten_model_box(object->definition, &placed))
-            widen(&all, &any, place_box(&object->place, placed));
-    }
-    if (any)
-        *box = all;
-    return any;
-}
-
 /* ---- adding ---- */
 
 static batten_status check(const batten_object *object)

@@ -20,6 +20,7 @@ typedef struct {
 typedef struct {
     level *levels; /* [DEEPEST + 1] */
     int depth;     /* of the level at work */
+    int entered;   /* instances so far: those of nothing cost time too */
     batten_text path;
     batten_model *made;
 } flattening;
@@ -75,6 +76,9 @@ static batten_status add_all(flattening *f)
             continue;
         }
         assert(f->depth < DEEPEST);
+        if (f->entered++ == MOST_OBJECTS)
+            return bat_fail(BATTEN_TOO_LARGE, "there are more than %d instances in one another",
+                            MOST_OBJECTS);
         f->levels[++f->depth] =
             (level){.model = object->definition,
                     .place = batten_affine_compose(object->place, at->place),

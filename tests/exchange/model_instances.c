@@ -1,6 +1,7 @@
 #include "support/bodies.h"
 #include "support/test.h"
 
+#include <batten/exchange.h>
 #include <batten/model.h>
 
 static void add_point(batten_model *model, const char *name, double x)
@@ -105,6 +106,49 @@ TEST(S4_instances_within_instances_have_a_limit)
     CHECK_MESSAGE("more than 32 deep");
     batten_model_unref(outer);
     batten_model_unref(inner);
+}
+
+/* 30 models, each of which places the next twice: 2^30 places of what is in the last. */
+static batten_model *make_doubling(bool has_point)
+{
+    batten_model *inner = NULL, *outer = NULL;
+    CHECK_OK(batten_model_create(1, &inner));
+    if (has_point)
+        add_point(inner, "p", 1);
+    for (int depth = 0; depth < 30; depth++) {
+        CHECK_OK(batten_model_create(1, &outer));
+        add_instance(outer, "a", inner, batten_affine_identity());
+        add_instance(outer, "b", inner, batten_affine_translation(1, 0, 0));
+        batten_model_unref(inner);
+        inner = outer;
+    }
+    return inner;
+}
+
+TEST(S4_instances_that_double_cost_what_they_say_and_not_what_they_place)
+{
+    const batten_format formats[] = {BATTEN_FORMAT_STEP, BATTEN_FORMAT_IGES};
+    batten_model *doubling = make_doubling(true), *scaled = NULL, *flat = NULL;
+    batten_box box;
+    CHECK(batten_model_box(doubling, &box));
+    CHECK_BITS(box.low.x, 1.0);
+    CHECK_BITS(box.high.x, 31.0);
+    CHECK_OK(batten_model_to_unit(doubling, 0.001, &scaled));
+    batten_model_unref(scaled);
+    for (int i = 0; i < COUNT(formats); i++) {
+        batten_write_options options = batten_write_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.format = formats[i];
+        CHECK_OK(batten_write_memory(doubling, &options, NULL, &data, &size));
+        CHECK(size < 100000);
+        batten_release(data);
+    }
+    batten_model *nothing = make_doubling(false);
+    CHECK(!batten_model_box(nothing, &box));
+    CHECK_STATUS(batten_model_flat(nothing, &flat), BATTEN_TOO_LARGE);
+    batten_model_unref(nothing);
+    batten_model_unref(doubling);
 }
 
 TEST(many_instances_of_one_are_many_objects)

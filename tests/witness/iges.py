@@ -3,8 +3,8 @@
 import glob, re, sys
 
 # Types of entities, and the forms that are written of them.
-FORMS = {102: [0], 106: [2], 110: [0], 116: [0], 126: [0, 1], 128: [0], 142: [0], 144: [0], 314: [0], 402: [7],
-         406: [1, 3, 15]}
+FORMS = {102: [0], 106: [2], 110: [0], 116: [0], 124: [0, 1], 126: [0, 1], 128: [0], 142: [0], 144: [0], 308: [0], 314: [0],
+         402: [7], 406: [1, 3, 15], 408: [0]}
 CURVES = (102, 106, 110, 126)
 SURFACES = (128,)
 
@@ -38,7 +38,7 @@ class File:
             assert [int(l[73:]) for l in found] == list(range(1, len(found) + 1)), "numbers of section " + c
         assert part["T"][0][:32] == "S%7dG%7dD%7dP%7d" % tuple(len(part[c]) for c in "SGDP"), "the terminate section"
         self.check_global(split("".join(l[:72] for l in part["G"]).rstrip()))
-        self.entries = {}
+        self.entries, self.matrices = {}, {}
         self.text = part["P"]
         first = 1
         for i in range(0, len(part["D"]), 2):
@@ -64,6 +64,7 @@ class File:
         values = split("".join(r[:64] for r in rows).rstrip())
         assert int(values.pop(0)) == kind, "D%d: type of its parameters" % number
         self.entries[number] = (kind, form, status, int(two[2]), values)
+        self.matrices[number] = int(one[6])
         return first + count
 
     def pointer(self, text, *kinds):
@@ -73,6 +74,7 @@ class File:
     def check(self, number):
         kind, form, status, colour, values = self.entries[number]
         assert 0 <= colour <= 8 or self.pointer(str(-colour), 314), "colour"
+        assert not self.matrices[number] or self.pointer(str(self.matrices[number]), 124), "matrix"
         rest = list(values)
 
         def take(pattern):
@@ -95,6 +97,21 @@ class File:
             two, count = take("ii")
             assert two == 2
             take("rrr" * count)
+        elif kind == 124:
+            m = take("rrrrrrrrrrrr")
+            x, y, z = (m[4 * i:4 * i + 3] for i in range(3))
+            volume = (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
+                      x[2] * (y[0] * z[1] - y[1] * z[0]))
+            assert abs(volume - (-1 if form else 1)) < 1e-9, "a matrix of the other form"
+        elif kind == 308:
+            depth, _, count = take("isi")
+            for p in take("i" * count):
+                member = self.pointer(str(p), *FORMS)
+                assert member[2][2:4] == "01", "a member that stands alone"
+                if member[0] == 408:
+                    assert int(self.pointer(member[4][0], 308)[4][0]) < depth, "depth"
+        elif kind == 408:
+            self.pointer(str(take("irrrr")[0]), 308)
         elif kind == 314:
             assert all(0 <= c <= 100 for c in take("rrr")), "shares of a colour"
         elif kind == 102:

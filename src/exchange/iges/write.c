@@ -2,7 +2,6 @@
 #include "exchange/iges/writing.h"
 #include "exchange/prepare.h"
 
-#include <batten/units.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -336,22 +335,10 @@ static batten_status put_groups(bat_iges_writing *w)
 
 /* ---- definitions ---- */
 
-/* The names under which the definitions are placed first, [definitions]. */
-static void find_names(const bat_definitions *d, const char **names)
-{
-    for (int i = 0; i < d->count; i++)
-        for (int k = 0; k < batten_model_count(d->models[i]); k++) {
-            const batten_object *object = batten_model_object(d->models[i], k);
-            if (!object->definition)
-                continue;
-            const char **name = &names[bat_definitions_index(d, object->definition)];
-            *name = *name ? *name : object->name;
-        }
-}
-
 /* The objects of one model, and, unless it is the whole, the subfigure that they make. */
-static batten_status write_definition(bat_iges_writing *w, const char *name, int index)
+static batten_status write_definition(void *context, int index, const char *name)
 {
+    bat_iges_writing *w = context;
     const batten_model *model = w->definitions.models[index];
     batten_status status = BATTEN_OK;
     w->is_inside = index > 0;
@@ -364,23 +351,11 @@ static batten_status write_definition(bat_iges_writing *w, const char *name, int
     return status;
 }
 
-/* Those that are placed stand before those that place them. */
 static batten_status write_definitions(bat_iges_writing *w)
 {
-    const size_t count = (size_t)w->definitions.count;
-    int *order = bat_array(count, sizeof *order);
-    const char **names = bat_array(count, sizeof *names);
-    w->subfigures = bat_array(count, sizeof *w->subfigures);
-    batten_status status = order && names && w->subfigures ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK) {
-        bat_definitions_rising(&w->definitions, order);
-        find_names(&w->definitions, names);
-    }
-    for (size_t i = 0; status == BATTEN_OK && i < count; i++)
-        status = write_definition(w, names[order[i]], order[i]);
-    bat_release(order);
-    bat_release(names);
-    return status;
+    w->subfigures = bat_array((size_t)w->definitions.count, sizeof *w->subfigures);
+    return w->subfigures ? bat_definitions_each(&w->definitions, write_definition, w)
+                         : BATTEN_OUT_OF_MEMORY;
 }
 
 /* ---- the file ---- */

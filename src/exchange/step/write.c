@@ -211,28 +211,6 @@ bool bat_step_can_place(const batten_affine *place)
            0;
 }
 
-static bat_step_node *find_node(const bat_step_writing *w, const batten_model *model)
-{
-    for (int i = 0; i < w->node_count; i++)
-        if (w->nodes[i].model == model)
-            return &w->nodes[i];
-    return NULL;
-}
-
-static batten_status add_node(bat_step_writing *w, const bat_step_node *node)
-{
-    if (w->node_count == w->node_capacity) {
-        const int capacity = bat_max_int(16, 2 * w->node_capacity);
-        bat_step_node *nodes = bat_resize(w->nodes, (size_t)capacity, sizeof *nodes);
-        if (!nodes)
-            return BATTEN_OUT_OF_MEMORY;
-        w->nodes = nodes;
-        w->node_capacity = capacity;
-    }
-    w->nodes[w->node_count++] = *node;
-    return BATTEN_OK;
-}
-
 /* The place as an item of the representation, to which it belongs. */
 static batten_status put_place(bat_step_writing *w, const batten_object *object, contents *c)
 {
@@ -249,7 +227,7 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
                            const bat_step_node *node)
 {
     bat_step *step = &w->step;
-    const bat_step_node *part = find_node(w, object->definition);
+    const bat_step_node *part = &w->nodes[bat_definitions_index(&w->parts, object->definition)];
     const int use = bat_step_open(step, "NEXT_ASSEMBLY_USAGE_OCCURRENCE");
     char number[BAT_INTEGER_SIZE];
     bat_integer_write(++w->occurrences, number);
@@ -275,15 +253,18 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
 /* ---- models ---- */
 
 /* The product of a model whose instances have theirs. */
-static batten_status write_product(bat_step_writing *w, const char *name, bat_step_node *node)
+static batten_status write_product(void *context, int index, const char *placed_as)
 {
+    bat_step_writing *w = context;
     static const double origin[] = {0, 0, 0}, z[] = {0, 0, 1}, x[] = {1, 0, 0};
-    const batten_model *model = node->model;
+    const batten_model *model = w->parts.models[index];
+    const char *name = index == 0 ? w->options->name : placed_as;
+    bat_step_node *node = &w->nodes[index];
     contents c = {0};
     batten_text id = BATTEN_TEXT;
     batten_text_add(&id, "%s", w->options->name);
-    if (!node->is_root)
-        batten_text_add(&id, ".%d", w->node_count + 1);
+    if (index > 0)
+        batten_text_add(&id, ".%d", ++w->part_count);
     batten_status status = id.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
     if (status == BATTEN_OK)
         status = bat_step_put_product(w, id.bytes, name, &node->definition);
@@ -301,23 +282,6 @@ static batten_status write_product(bat_step_writing *w, const char *name, bat_st
             put_occurrence(w, batten_model_object(model, i), c.places.ids[k++], node);
     contents_end(&c);
     return status;
-}
-
-/* Definitions come before what places them. Instances lie at most 32 deep, and so does the
- * recursion. */
-static batten_status write_model(bat_step_writing *w, const batten_model *model,
-                                 const char *name, bool is_root)
-{
-    bat_step_node node = {.model = model, .is_root = is_root};
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        if (object->kind == BATTEN_OBJECT_INSTANCE && !find_node(w, object->definition))
-            status = write_model(w, object->definition, object->name, false);
-    }
-    if (status == BATTEN_OK)
-        status = write_product(w, name, &node);
-    return status == BATTEN_OK ? add_node(w, &node) : status;
 }
 
 /* ---- the file ---- */
@@ -353,7 +317,9 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
     bat_text_reserve(w->step.text, 100 * bat_count_points(model)); /* mostly enough */
     put_header(&w->step, w->options);
     bat_step_put_contexts(w, batten_model_unit_metres(model));
-    batten_status status = write_model(w, model, w->options->name, true);
+    w->nodes = bat_array((size_t)w->parts.count, sizeof *w->nodes);
+    batten_status status =
+        w->nodes ? bat_definitions_each(&w->parts, write_product, w) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = bat_step_put_marks(w);
     if (status == BATTEN_OK) {
@@ -366,6 +332,7 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
 
 static void end(bat_step_writing *w)
 {
+    bat_definitions_end(&w->parts);
     bat_release(w->nodes);
     bat_release(w->products.ids);
     bat_release(w->formations.ids);
@@ -395,11 +362,14 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
         return status;
     bat_step_writing w = {.step = {.text = text,
                                    .notes = notes,
-                                   .tolerance = bat_step_accuracy(scaled, options),
                                    .has_parameter_curves = !options->no_parameter_curves},
                           .options = options,
                           .is_bare = options->schema == BATTEN_STEP_AP203};
-    status = write_all(&w, scaled);
+    status = bat_definitions_find(scaled, &w.parts);
+    if (status == BATTEN_OK) {
+        w.step.tolerance = bat_step_accuracy(&w.parts, options);
+        status = write_all(&w, scaled);
+    }
     end(&w);
     batten_model_unref(scaled);
     return status;

@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-/* How far curves of the bodies may miss their vertices and surfaces: instances lie at most 32
- * deep, and so does the recursion. */
+/* How far curves of the bodies may miss their vertices and surfaces. */
 static double loosest(const batten_model *model)
 {
     double tolerance = 0;
@@ -13,8 +12,6 @@ static double loosest(const batten_model *model)
         const batten_object *object = batten_model_object(model, i);
         if (object->body)
             tolerance = bat_max(tolerance, batten_body_view(object->body)->tolerance);
-        if (object->definition)
-            tolerance = bat_max(tolerance, loosest(object->definition));
     }
     return tolerance;
 }
@@ -33,24 +30,23 @@ static double smallest(const batten_model *model)
     double least = INFINITY;
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        double size = 0;
-        batten_box box;
-        if (object->definition) {
-            size = smallest(object->definition);
-        } else if (object->body || object->surface) {
-            box = object->body ? batten_body_box(object->body)
-                               : batten_surface_box(object->surface);
-            size = size_of(&box);
-        }
+        if (!object->body && !object->surface)
+            continue;
+        const batten_box box =
+            object->body ? batten_body_box(object->body) : batten_surface_box(object->surface);
+        const double size = size_of(&box);
         if (size > 0)
             least = bat_min(least, size);
     }
     return least;
 }
 
-double bat_step_accuracy(const batten_model *model, const batten_write_options *options)
+double bat_step_accuracy(const bat_definitions *parts, const batten_write_options *options)
 {
-    const double usual =
-        bat_min(1e-6 / batten_model_unit_metres(model), 1e-3 * smallest(model));
-    return bat_max(options->tolerance > 0 ? options->tolerance : usual, loosest(model));
+    double accuracy = 1e-6 / batten_model_unit_metres(parts->models[0]), worst = 0;
+    for (int i = 0; i < parts->count; i++) {
+        accuracy = bat_min(accuracy, 1e-3 * smallest(parts->models[i]));
+        worst = bat_max(worst, loosest(parts->models[i]));
+    }
+    return bat_max(options->tolerance > 0 ? options->tolerance : accuracy, worst);
 }

@@ -1,6 +1,7 @@
 /* A STEP file being written: what its parts share. */
 #ifndef BAT_STEP_WRITING_H
 #define BAT_STEP_WRITING_H
+#include "exchange/definitions.h"
 #include "exchange/groups.h"
 #include "exchange/step/step.h"
 
@@ -22,10 +23,8 @@ typedef struct {
     int assignment;
 } bat_step_look;
 
-/* A model whose product is written. */
+/* The product that a model became. */
 typedef struct {
-    const batten_model *model;
-    bool is_root;
     int definition;     /* PRODUCT_DEFINITION */
     int representation; /* that it is shown by */
     int origin;         /* AXIS2_PLACEMENT_3D in it */
@@ -43,9 +42,9 @@ typedef struct {
     bat_step_look looks[BAT_STEP_LOOKS];
     int look_count;
     bool has_noted_bare;
-    bat_step_node *nodes;
-    int node_count, node_capacity;
-    int occurrences;
+    bat_definitions parts; /* the models that become products */
+    bat_step_node *nodes;  /* [parts] */
+    int part_count, occurrences;
 } bat_step_writing;
 
 /* ---- write_product.c ---- */
@@ -62,7 +61,7 @@ void bat_step_put_management(bat_step_writing *w);
 
 /* In model units: how far curves of bodies miss their vertices and surfaces, a micrometre at
  * least, but for what is so small that nothing of it would be left. */
-double bat_step_accuracy(const batten_model *model, const batten_write_options *options);
+double bat_step_accuracy(const bat_definitions *parts, const batten_write_options *options);
 
 /* ---- write_style.c ---- */
 
