@@ -15,6 +15,7 @@ typedef struct batten_surface_offset_options {
     double tolerance; /**< model units: how far from the true offset; 0: the true one, of the
                            kind "offset", where it is no NURBS surface. 1e-4 */
     bool keep;        /**< make it also where it turns over; else that is refused. false */
+    int most_points;  /**< of the surface near it; more are TOLERANCE_NOT_MET. 4,000,000 */
 } batten_surface_offset_options;
 BATTEN_API batten_surface_offset_options batten_surface_offset_defaults(void);
 

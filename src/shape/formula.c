@@ -310,7 +310,7 @@ static batten_status formula_to_nurbs(const batten_surface *surface, double tole
     const formula_surface *made = formula_of(surface);
     const bat_formula *formula = &made->shared->formula;
     if (!formula->to_nurbs)
-        return bat_surface_approximate(surface, tolerance, out, error);
+        return bat_surface_approximate(surface, tolerance, BAT_APPROXIMATE_MOST, out, error);
     if (!made->mapped)
         return formula->to_nurbs(made->shared->data, tolerance, out, error);
     batten_surface *own = NULL;

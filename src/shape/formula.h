@@ -64,9 +64,10 @@ static inline int bat_breaks_span(int count, const double *breaks, double at, ba
  * A straight or spline edge whose knots are the surface's spans stays as it is but for
  * rounding.
  * @param[out] error  the largest measured distance at equal parameters; TOLERANCE_NOT_MET names
- *                    it when 4 million points were not enough
+ *                    it when `most` points were not enough
  */
-batten_status bat_surface_approximate(const batten_surface *surface, double tolerance,
+batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
                                       batten_surface **out, double *error);
+#define BAT_APPROXIMATE_MOST 4000000 /* unless someone knows better */
 
 #endif

@@ -16,7 +16,6 @@
 enum {
     DEGREE = 5,
     ROUNDS = 64,
-    MOST_POINTS = 4000000,
     JUDGED = 16384, /* points from which on it is asked whether more of them will do */
     GROWTH = 16,    /* points so many times as many show how errors fall with them: */
     SLOW = 4,  /* no more than this is what spans of a quarter of the length do of a kink */
@@ -45,6 +44,7 @@ typedef struct {
     const batten_surface *surface;
     int dimension;
     double tolerance;
+    int most; /* points */
     line lines[2];
     double *points; /* [count u][count v][dimension]: data, then control points */
     double error;   /* of the spline that was checked last */
@@ -192,7 +192,7 @@ static batten_status interpolate(task *t)
     const line *u = &t->lines[0], *v = &t->lines[1];
     const int d = t->dimension;
     const size_t total = (size_t)u->count * (size_t)v->count;
-    if (total > MOST_POINTS)
+    if (total > (size_t)t->most)
         return BATTEN_TOLERANCE_NOT_MET;
     bat_release(t->points);
     t->points = bat_array3(total, (size_t)d, sizeof *t->points);
@@ -378,7 +378,7 @@ static bool is_hopeless(const task *t, const attempt *attempts, int round)
     if (!(wanted > 1) || fall > SLOW)
         return false;
     const double times = fall > 1 ? pow(GROWTH, log(wanted) / log(fall)) : HUGE_VAL;
-    return now->points * times > GROWTH * (double)MOST_POINTS;
+    return now->points * times > GROWTH * (double)t->most;
 }
 
 static batten_status search(task *t)
@@ -420,10 +420,10 @@ static batten_status begin(task *t, double tolerance)
     return status;
 }
 
-batten_status bat_surface_approximate(const batten_surface *surface, double tolerance,
+batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
                                       batten_surface **out, double *error)
 {
-    task t = {.surface = surface, .dimension = surface->dimension};
+    task t = {.surface = surface, .dimension = surface->dimension, .most = most};
     batten_status status = begin(&t, tolerance);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
         status = begin_line(surface, (batten_direction)k,
@@ -442,7 +442,8 @@ batten_status bat_formula_isocurve(const batten_surface *surface, batten_directi
                                    double at, batten_curve **out)
 {
     const batten_direction along = bat_other(direction);
-    task t = {.surface = surface, .dimension = surface->dimension};
+    task t = {
+        .surface = surface, .dimension = surface->dimension, .most = BAT_APPROXIMATE_MOST};
     batten_status status = begin(&t, 1e-9 * box_size(surface));
     if (status == BATTEN_OK)
         status =

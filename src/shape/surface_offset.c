@@ -13,7 +13,8 @@ typedef struct {
 batten_surface_offset_options batten_surface_offset_defaults(void)
 {
     return (batten_surface_offset_options){.size = sizeof(batten_surface_offset_options),
-                                           .tolerance = 1e-4};
+                                           .tolerance = 1e-4,
+                                           .most_points = BAT_APPROXIMATE_MOST};
 }
 
 /* ---- the kind "offset" ---- */
@@ -182,7 +183,8 @@ static batten_status make(const batten_surface *surface, double distance,
         return BATTEN_OK;
     status = make_formula(surface, distance, &truth);
     if (status == BATTEN_OK && options->tolerance > 0)
-        status = batten_surface_to_nurbs(truth, options->tolerance, out, &report->error);
+        status = bat_surface_approximate(truth, options->tolerance, options->most_points, out,
+                                         &report->error);
     else if (status == BATTEN_OK)
         *out = batten_surface_ref(truth);
     batten_surface_unref(truth);

@@ -157,3 +157,14 @@ TEST(a_full_turn_closes)
     }
     batten_model_unref(model);
 }
+
+/* Of a patch folded onto itself the normal jumps, and no number of points is enough. */
+TEST(W8_an_offset_that_needs_too_many_points_is_left_out_soon)
+{
+    iges_text file = iges_begin();
+    iges_add(&file, 128, 0, 0, 0, "00010000",
+             "128,1,1,1,1,0,0,0,0,0,0.,0.,1.,1.,0.,0.,1.,1.,2.,1.,1.,1.,0.,0.,0.,0.,2.,1.,0.,1."
+             ",3.,0.,2.,0.,0.,1.,0.,1.;");
+    iges_add(&file, 140, 0, 0, 0, "00000000", "140,-1.,0.,0.,.5,1;");
+    iges_check_left_out(&file, "control points come to");
+}
