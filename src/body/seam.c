@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of an edge around its surface; more is no edge of a face any more. */
+enum { MOST_TURNS = 10000 };
 enum { EACH = 8, MOST_PLACES = 24 };
 
 /* Places along all uses of the face: how far around, in turns, in the order of the uses. */
@@ -19,12 +21,17 @@ typedef struct {
     int *first;    /* [uses + 1] */
 } samples;
 
+/* How often a use goes around, at most. */
+static double turns_of(const bat_trace_face *face, int k, const bat_trace_use *use)
+{
+    const batten_box box = batten_curve_box(use->curve);
+    return (k ? box.high.y - box.low.y : box.high.x - box.low.x) / face->chart.period[k];
+}
+
 /* In each span; more where a use goes around and around. */
 static int each_of(const bat_trace_face *face, int k, const bat_trace_use *use)
 {
-    const batten_box box = batten_curve_box(use->curve);
-    const double extent = k ? box.high.y - box.low.y : box.high.x - box.low.x;
-    return EACH * (1 + (int)bat_min(1000, extent / face->chart.period[k]));
+    return EACH * (1 + (int)bat_min(1000, turns_of(face, k, use)));
 }
 
 static void samples_end(samples *s)
@@ -59,10 +66,16 @@ static batten_status samples_begin(const bat_trace_face *face, int k, samples *s
     const bat_trace_loops *loops = &face->loops;
     size_t count = 0;
     *s = (samples){0};
-    for (int i = 0; i < loops->use_count; i++)
+    for (int i = 0; i < loops->use_count; i++) {
+        const double turns = turns_of(face, k, &loops->uses[i]);
+        if (!(turns < MOST_TURNS))
+            return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                            "edge %d goes around its surface %g times", loops->uses[i].edge,
+                            turns);
         count += (size_t)(batten_curve_spans(loops->uses[i].curve, NULL) - 1) *
                      (size_t)each_of(face, k, &loops->uses[i]) +
                  1;
+    }
     s->turns = bat_array(count, sizeof *s->turns);
     s->t = bat_array(count, sizeof *s->t);
     s->first = bat_array((size_t)loops->use_count + 1, sizeof *s->first);
