@@ -64,6 +64,7 @@ typedef struct {
     int order;
     bool rational, random;
     bool iges;        /* of WRITE_ and READ_PATCHES; else STEP */
+    bool theirs;      /* of READ_PATCHES: everyone reads the file that Open CASCADE wrote */
     size_t count;     /* parameters, or points to pass through; in each direction of a grid */
     const char *unit; /* "ns" for each point, "ms", or "MB" for the peak of memory */
     bench_curve curve;
