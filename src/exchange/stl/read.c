@@ -125,6 +125,9 @@ batten_status bat_stl_end(bat_stl_solid *solid, const char *name, batten_model *
 /* How many triangles to read of those that are promised. */
 static batten_status count_bytes(bat_input *input, size_t *count)
 {
+    if (input->size < BEFORE) /* without its byte order mark */
+        return bat_input_fail(input, BATTEN_BAD_FORMAT, 0,
+                              "a header has %d bytes; the file has %zu", BEFORE, input->size);
     const size_t said = promised(input), room = (input->size - BEFORE) / FACET;
     *count = said < room ? said : room;
     if (*count == 0 && input->size > BEFORE)

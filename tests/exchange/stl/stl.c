@@ -333,3 +333,18 @@ TEST(N5_text_keeps_every_bit_and_bytes_say_how_much_they_round)
     batten_release(data);
     batten_model_unref(model);
 }
+
+TEST(F1_a_byte_order_mark_before_a_header_that_is_cut_short_is_refused)
+{
+    /* Long enough with the mark, not without it; zero bytes make it no text. */
+    for (size_t size = 85; size <= 87; size++) {
+        char *bytes = test_array(size, 1);
+        batten_model *model = NULL;
+        memcpy(bytes, "\xef\xbb\xbfsolid", 8);
+        CHECK_STATUS(read_bytes(bytes, size, BATTEN_FORMAT_STL, NULL, &model),
+                     size < 87 ? BATTEN_BAD_FORMAT : BATTEN_OK);
+        if (size < 87)
+            CHECK_MESSAGE("a header has 84 bytes");
+        batten_model_unref(model);
+    }
+}
