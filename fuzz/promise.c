@@ -279,11 +279,22 @@ static int has_loose_faces(const batten_model *model)
     return loose;
 }
 
+/* Specks beside much larger shapes are below what readers take for the accuracy. */
+static int has_tiny(const batten_model *model)
+{
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (object->surface && is_tiny(model, object->surface))
+            return 1;
+    }
+    return 0;
+}
+
 /* Faces that are written as they are may be left out when they are read again. */
 static int may_fall_out(const batten_model *model, batten_format format)
 {
     if (format == BATTEN_FORMAT_STEP)
-        return !is_near(model) || has_loose_faces(model);
+        return !is_near(model) || has_tiny(model) || has_loose_faces(model);
     return has_bodies(model);
 }
 
