@@ -257,8 +257,17 @@ static int is_coarse(const batten_body *body)
                    box.high.z - box.low.z) > 200 * batten_body_view(body)->tolerance);
 }
 
-/* Faces whose edges are farther off than the tolerance, or off their vertices: what is made of
- * them again and again comes out near the same, not the same. */
+/* Loops that cross, edges of no length or of three faces. */
+static int has_faults(const batten_body *body)
+{
+    batten_body_faults faults;
+    return batten_body_check(body, batten_body_view(body)->tolerance, NULL, NULL, &faults) !=
+               BATTEN_OK ||
+           faults.crossing_loops || faults.tiny_edges || faults.crowded_edges;
+}
+
+/* Faces whose edges are farther off than the tolerance, or off their vertices, or cross: what
+ * is made of them again and again comes out near the same, not the same. */
 static int has_loose_faces(const batten_model *model)
 {
     batten_model *flat = NULL;
@@ -272,7 +281,7 @@ static int has_loose_faces(const batten_model *model)
         loose = is_coarse(body) || has_gaps(body) ||
                 batten_body_trace(body, batten_body_view(body)->tolerance, NULL, NULL, &report,
                                   &traced) != BATTEN_OK ||
-                report.loose || report.failed;
+                report.loose || report.failed || has_faults(traced);
         batten_body_unref(traced);
     }
     batten_model_unref(flat);

@@ -31,6 +31,7 @@ typedef struct batten_offset_options {
     batten_loops loops;
     batten_vec3 normal; /**< of a curve in space: the offset goes across this direction and the
                              tangent; (0, 0, 1) */
+    int most_pieces;    /**< of one run between corners; more are TOLERANCE_NOT_MET. 100,000 */
 } batten_offset_options;
 BATTEN_API batten_offset_options batten_offset_defaults(void);
 

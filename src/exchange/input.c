@@ -156,6 +156,12 @@ static batten_status charge(bat_input *input, size_t count, size_t size)
     return BATTEN_OK;
 }
 
+int bat_input_offset_most(const bat_input *input, double points)
+{
+    const double most = bat_min(10000 + 100 * points, 4e6);
+    return (int)bat_max(1, bat_min(most, (double)input->limits.points));
+}
+
 batten_status bat_input_array(bat_input *input, size_t count, size_t size, void *memory)
 {
     batten_status status = charge(input, count, size);

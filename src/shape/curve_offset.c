@@ -12,7 +12,8 @@ batten_offset_options batten_offset_defaults(void)
                                    .corners = BATTEN_OFFSET_ROUND,
                                    .mitre_limit = 4,
                                    .loops = BATTEN_LOOPS_REMOVE,
-                                   .normal = {0, 0, 1}};
+                                   .normal = {0, 0, 1},
+                                   .most_pieces = 100000};
 }
 
 void batten_curves_release(batten_curves *curves)
@@ -88,6 +89,8 @@ static batten_status check(const batten_curve *curve, double distance,
     if (!(o->mitre_limit >= 1 && isfinite(o->mitre_limit)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the limit of mitres is %g, below 1",
                         o->mitre_limit);
+    if (o->most_pieces < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "at most %d pieces are asked for", o->most_pieces);
     const batten_status status = bat_curve_check_size(curve);
     if (status != BATTEN_OK)
         return status;

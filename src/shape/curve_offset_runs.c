@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PIECES = 100000, SAMPLES = 7 };
+enum { SAMPLES = 7 };
 
 /* The offset at one parameter, seen from one side. */
 typedef struct {
@@ -341,7 +341,7 @@ static batten_status follow(bat_offset *o, strand *s, place a, const place *b)
         if (status != BATTEN_OK)
             return status;
         if (error > o->options.tolerance) {
-            if (waiting > DEPTH || s->count > MOST_PIECES)
+            if (waiting > DEPTH || s->count > o->options.most_pieces)
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                                 "the offset is missed by %g near u = %.17g after %d pieces",
                                 error, a.u, s->count);

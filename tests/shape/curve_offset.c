@@ -471,6 +471,12 @@ TEST(N6_distances_and_tolerances_that_mean_nothing_are_refused)
     o = options_of(1e-3, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
     o.mitre_limit = 0.5;
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
+    o = options_of(1e-3, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+    o.most_pieces = 0;
+    CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
+    o = options_of(1e-12, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
+    o.most_pieces = 3;
+    CHECK_STATUS(batten_curve_offset(curve, 0.1, &o, NULL, &made), BATTEN_TOLERANCE_NOT_MET);
     CHECK_STATUS(batten_curve_offset(function, 1, NULL, NULL, &made), BATTEN_UNSUPPORTED);
     CHECK_STATUS(batten_curve_offset(point, 1, NULL, NULL, &made), BATTEN_SINGULAR_HERE);
     CHECK_INT(made.count, 7);

@@ -274,15 +274,6 @@ batten_status bat_iges_read_tabulated(bat_iges_item *item)
 
 /* ---- 140: offset surface ---- */
 
-/* How many points an offset may need: so many times as many as the surface has, and some. */
-static int most_points(const bat_iges_reading *reading, const batten_surface *base)
-{
-    const double points = (double)batten_surface_point_count(base, BATTEN_U) *
-                          batten_surface_point_count(base, BATTEN_V);
-    const double limit = (double)reading->input->limits.points;
-    return (int)bat_min(bat_min(10000 + 100 * points, limit), 4e6);
-}
-
 /* (NX, NY, NZ) picks the side: it is along the normal in the middle, or against it. */
 batten_status bat_iges_read_offset_surface(bat_iges_item *item)
 {
@@ -312,7 +303,9 @@ batten_status bat_iges_read_offset_surface(bat_iges_item *item)
                         v[1], v[2]);
     options.tolerance =
         bat_iges_tolerance(item->reading, bat_iges_size_of_box(batten_surface_box(base)));
-    options.most_points = most_points(item->reading, base);
+    options.most_points = bat_input_offset_most(
+        item->reading->input, (double)batten_surface_point_count(base, BATTEN_U) *
+                                  batten_surface_point_count(base, BATTEN_V));
     status =
         batten_surface_offset(base, side > 0 ? v[3] : -v[3], &options, &report, &item->surface);
     if (status == BATTEN_OK && !report.exact)
