@@ -297,7 +297,9 @@ bool bat_trace_loosen(bat_trace *trace, bat_trace_face *face)
     const double most = bat_min(5e-3 * trace->size, 1e-2 * face->chart.size);
     if (face->chart.tolerance >= most)
         return false;
-    bat_chart_loosen(&face->chart, bat_min(10 * face->chart.tolerance, most));
+    /* What rounding does not allow is not asked for by one power of ten after the other. */
+    const double next = bat_max(10 * face->chart.tolerance, 1e-15 * face->chart.size);
+    bat_chart_loosen(&face->chart, bat_min(next, most));
     return true;
 }
 
