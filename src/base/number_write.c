@@ -1,4 +1,4 @@
-#include "base/decimal.h"
+#include "base/digits.h"
 #include "base/real.h"
 
 #include <stdlib.h>
@@ -294,11 +294,11 @@ static inline char *write_common(char *to, uint64_t bits)
     const int exponent = 16 - j - is_short;
     if (exponent < -5 || exponent > 7)
         return NULL;
-    const uint64_t ones = 0x0101010101010101u, lead = value / 10000000000000000u;
+    const uint64_t lead = value / 10000000000000000u;
     const uint64_t behind = value - 10000000000000000u * lead;
     const uint64_t first = eight_digits((uint32_t)(behind / 100000000)),
                    second = eight_digits((uint32_t)(behind % 100000000));
-    const uint64_t front = first | '0' * ones, back = second | '0' * ones;
+    const uint64_t front = first | '0' * BAT_BYTES, back = second | '0' * BAT_BYTES;
     const int count = 17 - zeros_behind(first, second);
     if (exponent < 0) {
         memcpy(to, "0.0000", 6);

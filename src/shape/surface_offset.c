@@ -129,6 +129,9 @@ static batten_status check(const batten_surface *surface, double distance,
                         options->tolerance);
     if (options->tolerance < 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", options->tolerance);
+    if (options->most_points < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "at most %d points are asked for",
+                        options->most_points);
     if (surface->kind != &bat_nurbs_kind)
         return bat_fail(BATTEN_UNSUPPORTED,
                         "the surface is of the kind '%s': make it a NURBS surface first",

@@ -30,6 +30,24 @@ static inline void check_refused(const char *text, batten_format format, batten_
     CHECK_MESSAGE(words);
 }
 
+/* What comes back of the model; its second writing gives the same bytes. */
+static inline batten_model *there_and_back(const batten_model *model,
+                                           const batten_write_options *options,
+                                           batten_notes *notes)
+{
+    batten_model *back = NULL;
+    char *first = NULL, *second = NULL;
+    size_t first_size = 0, second_size = 0;
+    CHECK_OK(batten_write_memory(model, options, notes, &first, &first_size));
+    CHECK_OK(read_bytes(first, first_size, BATTEN_FORMAT_AUTO, NULL, &back));
+    CHECK_OK(batten_write_memory(back, options, NULL, &second, &second_size));
+    CHECK_INT((long long)second_size, (long long)first_size);
+    CHECK(memcmp(first, second, first_size) == 0);
+    batten_release(first);
+    batten_release(second);
+    return back;
+}
+
 /* Is there a note with these words? */
 static inline bool has_note(const batten_notes *notes, const char *words)
 {

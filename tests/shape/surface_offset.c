@@ -347,5 +347,9 @@ TEST(an_offset_that_jumps_is_given_up_before_it_has_millions_of_points)
     CHECK_STATUS(batten_surface_offset(folded, 0.5, &options, NULL, &made),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("37 x 37 control points");
+    options.most_points = 0;
+    CHECK_STATUS(batten_surface_offset(folded, 0.5, &options, NULL, &made),
+                 BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("at most 0 points");
     batten_surface_unref(folded);
 }

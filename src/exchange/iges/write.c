@@ -222,8 +222,8 @@ static void note_losses(bat_iges_writing *w, const batten_object *object)
     const batten_body_parts *parts = batten_body_view(object->body);
     if (parts->face_count > 1)
         batten_notes_add(w->notes, "", 0, object->name,
-                         "its %d faces are written as a group of trimmed surfaces, which do "
-                         "not share their edges%s",
+                         "its %d faces are written as trimmed surfaces, which do not share "
+                         "their edges%s",
                          parts->face_count,
                          parts->is_solid ? "; that it is a solid is lost" : "");
     bat_iges_note_ends(w, parts, object->name);

@@ -265,7 +265,7 @@ TEST(faces_are_trimmed_surfaces_in_a_group)
     CHECK_INT(entries(data, 402), 1);
     CHECK(strstr(data, "7Hblock.7;") != NULL);
     if (batten_notes_dropped(notes) == 0)
-        CHECK(has_note(notes, "its 8 faces are written as a group of trimmed surfaces"));
+        CHECK(has_note(notes, "its 8 faces are written as trimmed surfaces"));
     batten_release(data);
     batten_notes_free(notes);
     batten_body_unref(body);

@@ -173,79 +173,79 @@ TEST(step_circles_and_ellipses_are_whole_and_exact)
     batten_curve_unref(surface);
 }
 
-/* Every way to trim, against the formulas of the curves. */
+/* 5 sqrt(1/2): the corner of the square in the circle #9. */
+#define DIAGONAL 3.5355339059327378
+
+/* Every way to trim, and three points of what it leaves. */
+static const struct {
+    const char *data;
+    double start[3], middle[3], end[3];
+} trims[] = {
+    {"#100=TRIMMED_CURVE('',#9,(PARAMETER_VALUE(0.)),(#6,PARAMETER_VALUE("
+     "1.5707963267948966)),.T.,.PARAMETER.);",
+     {1, 7, 3},
+     {1 - DIAGONAL, 2 + DIAGONAL, 3},
+     {-4, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#9,(#5),(#6),.T.,.CARTESIAN.);",
+     {1, 7, 3},
+     {1 - DIAGONAL, 2 + DIAGONAL, 3},
+     {-4, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#9,(#5,PARAMETER_VALUE(1.)),(PARAMETER_VALUE(2.),#6),.T.,"
+     ".CARTESIAN.);",
+     {1, 7, 3},
+     {1 - DIAGONAL, 2 + DIAGONAL, 3},
+     {-4, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#9,(#5),(#6),.F.,.UNSPECIFIED.);",
+     {1, 7, 3},
+     {1 + DIAGONAL, 2 - DIAGONAL, 3},
+     {-4, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#9,(#6),(#5),.F.,.CARTESIAN.);",
+     {-4, 2, 3},
+     {1 - DIAGONAL, 2 + DIAGONAL, 3},
+     {1, 7, 3}},
+    {"#100=TRIMMED_CURVE('',#9,(PARAMETER_VALUE(-3.141592653589793)),(PARAMETER_VALUE("
+     "9.42477796076938)),.T.,.PARAMETER.);",
+     {1, -3, 3},
+     {1, 7, 3},
+     {1, -3, 3}},
+    {"#100=TRIMMED_CURVE('',#15,(PARAMETER_VALUE(1.)),(PARAMETER_VALUE(4.)),.T.,.PARAMETER."
+     ");",
+     {3, 2, 3},
+     {6, 2, 3},
+     {9, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#15,(4.),(1.),.F.,.PARAMETER.);", {9, 2, 3}, {6, 2, 3}, {3, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#15,(#16),(#1),.F.,.CARTESIAN.);",
+     {4, 2, 3},
+     {2.5, 2, 3},
+     {1, 2, 3}},
+    {"#100=TRIMMED_CURVE('',#11,(PARAMETER_VALUE(-1.)),(PARAMETER_VALUE(3.)),.T.,"
+     ".PARAMETER.);",
+     {1 + 1, 2 + 0.5, 3},
+     {1 - 1, 2 + 0.5, 3},
+     {1 - 3, 2 + 4.5, 3}},
+    {"#100=TRIMMED_CURVE('',#12,(PARAMETER_VALUE(-1.)),(PARAMETER_VALUE(1.)),.T.,"
+     ".PARAMETER.);",
+     {5.7008047745751984, 2 + 4.6292419044457313, 3},
+     {1, 5, 3},
+     {-3.7008047745751984, 2 + 4.6292419044457313, 3}},
+    {"#100=TRIMMED_CURVE('',#20,(PARAMETER_VALUE(0.5)),(PARAMETER_VALUE(1.5)),.T.,"
+     ".PARAMETER.);#20=POLYLINE('',(#1,#5,#6));",
+     {1, 4.5, 3},
+     {1, 7, 3},
+     {-1.5, 4.5, 3}},
+    {"#100=TRIMMED_CURVE('',#20,(#16),(#1),.F.,.CARTESIAN.);#20=POLYLINE('',(#1,#16,#6));",
+     {4, 2, 3},
+     {2.5, 2, 3},
+     {1, 2, 3}},
+};
+
 TEST(step_trimmed_curves_run_between_their_ends)
 {
-    const double r = 5, h = sqrt(0.5);
-    const struct {
-        const char *data;
-        double start[3], middle[3], end[3];
-    } cases[] = {
-        {"#100=TRIMMED_CURVE('',#9,(PARAMETER_VALUE(0.)),(#6,PARAMETER_VALUE("
-         "1.5707963267948966)),.T.,.PARAMETER.);",
-         {1, 7, 3},
-         {1 - r * h, 2 + r * h, 3},
-         {-4, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#9,(#5),(#6),.T.,.CARTESIAN.);",
-         {1, 7, 3},
-         {1 - r * h, 2 + r * h, 3},
-         {-4, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#9,(#5,PARAMETER_VALUE(1.)),(PARAMETER_VALUE(2.),#6),.T.,"
-         ".CARTESIAN.);",
-         {1, 7, 3},
-         {1 - r * h, 2 + r * h, 3},
-         {-4, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#9,(#5),(#6),.F.,.UNSPECIFIED.);",
-         {1, 7, 3},
-         {1 + r * h, 2 - r * h, 3},
-         {-4, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#9,(#6),(#5),.F.,.CARTESIAN.);",
-         {-4, 2, 3},
-         {1 - r * h, 2 + r * h, 3},
-         {1, 7, 3}},
-        {"#100=TRIMMED_CURVE('',#9,(PARAMETER_VALUE(-3.141592653589793)),(PARAMETER_VALUE("
-         "9.42477796076938)),.T.,.PARAMETER.);",
-         {1, -3, 3},
-         {1, 7, 3},
-         {1, -3, 3}},
-        {"#100=TRIMMED_CURVE('',#15,(PARAMETER_VALUE(1.)),(PARAMETER_VALUE(4.)),.T.,.PARAMETER."
-         ");",
-         {3, 2, 3},
-         {6, 2, 3},
-         {9, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#15,(4.),(1.),.F.,.PARAMETER.);",
-         {9, 2, 3},
-         {6, 2, 3},
-         {3, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#15,(#16),(#1),.F.,.CARTESIAN.);",
-         {4, 2, 3},
-         {2.5, 2, 3},
-         {1, 2, 3}},
-        {"#100=TRIMMED_CURVE('',#11,(PARAMETER_VALUE(-1.)),(PARAMETER_VALUE(3.)),.T.,"
-         ".PARAMETER.);",
-         {1 + 1, 2 + 0.5, 3},
-         {1 - 1, 2 + 0.5, 3},
-         {1 - 3, 2 + 4.5, 3}},
-        {"#100=TRIMMED_CURVE('',#12,(PARAMETER_VALUE(-1.)),(PARAMETER_VALUE(1.)),.T.,"
-         ".PARAMETER.);",
-         {5.7008047745751984, 2 + 4.6292419044457313, 3},
-         {1, 5, 3},
-         {-3.7008047745751984, 2 + 4.6292419044457313, 3}},
-        {"#100=TRIMMED_CURVE('',#20,(PARAMETER_VALUE(0.5)),(PARAMETER_VALUE(1.5)),.T.,"
-         ".PARAMETER.);#20=POLYLINE('',(#1,#5,#6));",
-         {1, 4.5, 3},
-         {1, 7, 3},
-         {-1.5, 4.5, 3}},
-        {"#100=TRIMMED_CURVE('',#20,(#16),(#1),.F.,.CARTESIAN.);#20=POLYLINE('',(#1,#16,#6));",
-         {4, 2, 3},
-         {2.5, 2, 3},
-         {1, 2, 3}},
-    };
-    for (int k = 0; k < COUNT(cases); k++) {
-        batten_curve *curve = curve_of(cases[k].data, &millimetres, 0);
-        check_at(curve, 0, cases[k].start[0], cases[k].start[1], cases[k].start[2]);
-        check_at(curve, 0.5, cases[k].middle[0], cases[k].middle[1], cases[k].middle[2]);
-        check_at(curve, 1, cases[k].end[0], cases[k].end[1], cases[k].end[2]);
+    for (int k = 0; k < COUNT(trims); k++) {
+        batten_curve *curve = curve_of(trims[k].data, &millimetres, 0);
+        check_at(curve, 0, trims[k].start[0], trims[k].start[1], trims[k].start[2]);
+        check_at(curve, 0.5, trims[k].middle[0], trims[k].middle[1], trims[k].middle[2]);
+        check_at(curve, 1, trims[k].end[0], trims[k].end[1], trims[k].end[2]);
         batten_curve_unref(curve);
     }
 }
