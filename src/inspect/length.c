@@ -1,3 +1,4 @@
+#include "inspect/singular.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -18,12 +19,13 @@ typedef struct {
 
 typedef struct {
     const batten_curve *curve;
+    double size; /* its largest coordinate */
     gauss coarse, fine;
 } ruler;
 
 static ruler ruler_for(const batten_curve *curve)
 {
-    ruler r = {.curve = curve};
+    ruler r = {.curve = curve, .size = bat_curve_size(curve)};
     bat_gauss(SHORT, r.coarse.nodes, r.coarse.weights);
     bat_gauss(LONG, r.fine.nodes, r.fine.weights);
     return r;
@@ -48,7 +50,7 @@ static batten_status rule(const batten_curve *curve, const gauss *g, int n, doub
 
 /* Sixty halvings bring any interval to its last places; the stack holds one waiting half of
  * each. */
-enum { DEPTH = 60 };
+enum { DEPTH = 60, MOST_PARTS = 100000 };
 
 typedef struct {
     double a, b;
@@ -69,24 +71,27 @@ static batten_status measure_part(const ruler *r, double a, double b, measure *o
     return status;
 }
 
-/* Halve until both rules agree. What differs by less than its rounding cannot be improved. */
-static batten_status integrate(const ruler *r, double a, double b, double tolerance,
-                               measure *out)
+/* Halve until both rules agree, inside a span of that length. What differs by less than its
+ * rounding cannot be improved: far from the origin that of the coordinates. */
+static batten_status integrate(const ruler *r, double a, double b, double span,
+                               double tolerance, measure *out)
 {
+    const double slip = bat_derivative_roundoff(r->curve, 1, r->size, span);
     part stack[DEPTH + 2] = {{a, b, 0}};
     int waiting = 1;
     measure sum = {0, 0};
     batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && waiting > 0) {
+    for (int k = 0; status == BATTEN_OK && waiting > 0; k++) {
         const part whole = stack[--waiting];
         const double middle = whole.a + (whole.b - whole.a) / 2;
         measure m;
         status = measure_part(r, whole.a, whole.b, &m);
         const double share = tolerance * ((whole.b - whole.a) / (b - a));
-        const double roundoff = LONG * DBL_EPSILON * m.length;
-        if (m.error <= bat_max(share, roundoff) || whole.depth == DEPTH) {
+        const double lost = slip * (whole.b - whole.a);
+        const double roundoff = LONG * DBL_EPSILON * m.length + lost;
+        if (m.error <= bat_max(share, roundoff) || whole.depth == DEPTH || k >= MOST_PARTS) {
             sum.length += m.length;
-            sum.error += m.error + DBL_EPSILON * m.length;
+            sum.error += m.error + DBL_EPSILON * m.length + lost;
         } else {
             stack[waiting++] = (part){middle, whole.b, whole.depth + 1};
             stack[waiting++] = (part){whole.a, middle, whole.depth + 1};
@@ -132,7 +137,8 @@ static batten_status tabulate(const ruler *r, double a, double b, double toleran
         const double low = bat_max(a, t.breaks[k]), high = bat_min(b, t.breaks[k + 1]);
         measure one = {0, 0};
         if (low < high)
-            status = integrate(r, low, high, tolerance * ((high - low) / (b - a)), &one);
+            status = integrate(r, low, high, t.breaks[k + 1] - t.breaks[k],
+                               tolerance * ((high - low) / (b - a)), &one);
         t.sums[k + 1] = (measure){t.sums[k].length + one.length, t.sums[k].error + one.error};
     }
     if (status == BATTEN_OK)
@@ -190,7 +196,7 @@ static batten_status invert(const ruler *r, double a, double b, double s, double
         measure to = {0, 0};
         batten_status status = BATTEN_OK;
         if (at > a)
-            status = integrate(r, a, at, tolerance / 4, &to);
+            status = integrate(r, a, at, b - a, tolerance / 4, &to);
         if (status == BATTEN_OK)
             status = batten_curve_evaluate(r->curve, at, 1, values);
         if (status != BATTEN_OK)

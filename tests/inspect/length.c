@@ -132,6 +132,23 @@ TEST(N6_a_tolerance_that_is_not_positive_is_refused_and_a_tiny_one_ends_at_round
     batten_curve_unref(circle);
 }
 
+/* There the two rules differ by the rounding of the coordinates, however short the pieces. */
+TEST(far_from_the_origin_a_length_ends_at_the_rounding_of_the_coordinates)
+{
+    const batten_affine far = batten_affine_translation(4e5, 5e6, 0);
+    batten_curve *arc = NULL, *there = NULL;
+    double length = 0, error = 0, u = 0;
+    CHECK_OK(batten_curve_arc(0.5, 1, &arc));
+    CHECK_OK(batten_curve_transform(arc, &far, &there));
+    CHECK_OK(batten_curve_length(there, 1e-12, &length, &error));
+    CHECK_NEAR(length, 0.5, 1e-8);
+    CHECK(fabs(length - 0.5) <= error && error < 1e-7);
+    CHECK_OK(batten_curve_at_length(there, 1, (double[]){length / 2}, 1e-12, &u));
+    CHECK_NEAR(u, 0.5, 1e-7);
+    batten_curve_unref(there);
+    batten_curve_unref(arc);
+}
+
 TEST(lengths_outside_the_curve_or_out_of_order_are_refused)
 {
     batten_curve *circle = NULL;
