@@ -419,10 +419,17 @@ void fuzz_promise(const uint8_t *data, size_t size, batten_format read, batten_f
     batten_notes_free(notes);
 }
 
-/* Are all curves where numbers tell their points apart, and longer than rounding? */
+static double extent(const batten_box *box)
+{
+    return box->high.x - box->low.x + box->high.y - box->low.y;
+}
+
+/* Are all curves where numbers tell their points apart, and longer than rounding? They are
+ * moved to the sheet, which costs those that are specks on it their last places. */
 static bool is_sizable(const batten_model *model)
 {
-    if (!is_near(model))
+    batten_box sheet;
+    if (!is_near(model) || !batten_model_box(model, &sheet))
         return false;
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
@@ -430,7 +437,7 @@ static bool is_sizable(const batten_model *model)
         if (object->kind != BATTEN_OBJECT_CURVE)
             continue;
         box = batten_curve_box(object->curve);
-        if (!(box.high.x - box.low.x + box.high.y - box.low.y > 1e-3))
+        if (!(extent(&box) > fmax(1e-3, 1e-6 * extent(&sheet))))
             return false;
     }
     return true;

@@ -129,6 +129,7 @@ static batten_status offset(const bat_elementary *elementary, int count, const d
         return BATTEN_OK;
     }
     options.tolerance = tolerance;
+    options.most_points = elementary->most;
     batten_status status =
         batten_surface_offset(elementary->surface, elementary->a, &options, &report, out);
     if ((status == BATTEN_SINGULAR_HERE || status == BATTEN_NOT_COMPATIBLE) && count > 0) {

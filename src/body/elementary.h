@@ -60,6 +60,7 @@ typedef struct {
     double a, b;
     const batten_curve *curve;     /* EXTRUSION, REVOLUTION */
     const batten_surface *surface; /* OFFSET_SURFACE */
+    int most;                      /* points of what comes near an OFFSET_SURFACE */
 } bat_elementary;
 
 /*

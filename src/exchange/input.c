@@ -156,7 +156,7 @@ static batten_status charge(bat_input *input, size_t count, size_t size)
     return BATTEN_OK;
 }
 
-int bat_input_offset_most(const bat_input *input, double points)
+int bat_input_most_near(const bat_input *input, double points)
 {
     const double most = bat_min(10000 + 100 * points, 4e6);
     return (int)bat_max(1, bat_min(most, (double)input->limits.points));

@@ -39,9 +39,9 @@ batten_status bat_input_step(bat_input *input, size_t at);
 /* BATTEN_TOO_LARGE when `count` is above the limit on what `what` names. */
 batten_status bat_input_limit(const bat_input *input, int line, size_t count, size_t limit,
                               const char *what);
-/* How many points, or pieces, an offset of what has so many may need: a hundred times as many,
- * and some. What needs more does not come near its truth. */
-int bat_input_offset_most(const bat_input *input, double points);
+/* How many points, or pieces, what comes near an offset or such of a shape that has so many may
+ * need: a hundred times as many, and some. What needs more does not come near its truth. */
+int bat_input_most_near(const bat_input *input, double points);
 /* Zeroed memory that counts towards the limit; on failure *memory is untouched. */
 batten_status bat_input_array(bat_input *input, size_t count, size_t size, void *memory);
 

@@ -1,8 +1,8 @@
+#include "shape/even_speed.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/curve_offset.h"
 #include "spline/curve.h"
-#include <batten/even_speed.h>
 
 #include <string.h>
 
@@ -17,6 +17,7 @@ typedef struct {
 typedef struct {
     int dimension;
     double size, tolerance;
+    int most; /* pieces */
     batten_even_speed_report report;
     /* the smooth run in the making */
     int count, room;
@@ -173,7 +174,7 @@ static batten_status follow(task *t, const batten_curve *piece, place a, const p
         const double middle = a.u + (next.u - a.u) / 2;
         if (error > t->tolerance) {
             if (waiting > DEPTH || !(middle > a.u && middle < next.u) ||
-                t->report.pieces >= MOST_PIECES)
+                t->report.pieces >= t->most)
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                                 "the curve is missed by %g near u = %.17g after %d pieces",
                                 error, a.u, t->report.pieces);
@@ -275,15 +276,17 @@ static batten_status polyline(const batten_curve *curve, batten_even_speed_repor
     return status;
 }
 
-static batten_status even(const batten_curve *curve, double tolerance,
+static batten_status even(const batten_curve *curve, double tolerance, int most,
                           batten_even_speed_report *report, batten_curve **out)
 {
     batten_curve *bezier = NULL;
     batten_status status = batten_curve_to_bezier(curve, &bezier);
     if (status != BATTEN_OK)
         return status;
-    task t = {
-        .dimension = curve->dimension, .size = bat_curve_size(bezier), .tolerance = tolerance};
+    task t = {.dimension = curve->dimension,
+              .size = bat_curve_size(bezier),
+              .tolerance = tolerance,
+              .most = most};
     if (curve->degree == 1 && !curve->weights)
         status = polyline(bezier, &t.report, out);
     else
@@ -301,18 +304,24 @@ static batten_status even(const batten_curve *curve, double tolerance,
     return status;
 }
 
-batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
-                                      batten_even_speed_report *report, batten_curve **out)
+batten_status bat_curve_even_speed(const batten_curve *curve, double tolerance, int most,
+                                   batten_even_speed_report *report, batten_curve **out)
 {
-    assert(curve && out);
     batten_even_speed_report done;
     if (curve->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED,
                         "a function has no arc length; make its graph first");
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
-    const batten_status status = even(curve, tolerance, &done, out);
+    const batten_status status = even(curve, tolerance, most, &done, out);
     if (status == BATTEN_OK && report)
         *report = done;
     return status;
+}
+
+batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
+                                      batten_even_speed_report *report, batten_curve **out)
+{
+    assert(curve && out);
+    return bat_curve_even_speed(curve, tolerance, MOST_PIECES, report, out);
 }

@@ -329,7 +329,8 @@ TEST(the_offset_of_a_sphere_is_a_sphere)
     const bat_elementary ball = {.kind = BAT_SPHERE, .frame = tilted(), .a = 3};
     const bat_elementary larger = {.kind = BAT_SPHERE, .frame = tilted(), .a = 3.5};
     batten_surface *surface = reach(&ball, 0, NULL), *offset = NULL;
-    bat_elementary e = {.kind = BAT_OFFSET_SURFACE, .a = 0.5, .surface = surface};
+    bat_elementary e = {
+        .kind = BAT_OFFSET_SURFACE, .a = 0.5, .surface = surface, .most = 100000};
     double error = -1;
     CHECK_OK(bat_elementary_surface(&e, 0, NULL, 1e-6, &offset, &error));
     CHECK_BITS(error, 0);
@@ -358,7 +359,8 @@ TEST(an_offset_is_made_of_what_is_below_its_points)
         points[3 * i + 2] = x * x + 1 / s;
     }
     CHECK_OK(batten_surface_create(3, &u, &v, net, NULL, &surface));
-    const bat_elementary e = {.kind = BAT_OFFSET_SURFACE, .a = 1, .surface = surface};
+    const bat_elementary e = {
+        .kind = BAT_OFFSET_SURFACE, .a = 1, .surface = surface, .most = 100000};
     CHECK_STATUS(bat_elementary_surface(&e, 0, NULL, 1e-6, &offset, &error),
                  BATTEN_SINGULAR_HERE);
     CHECK_OK(bat_elementary_surface(&e, 4, points, 1e-6, &offset, &error));

@@ -15,7 +15,7 @@ static batten_status offset(bat_iges_item *item, const batten_curve *base, doubl
     options.normal = (batten_vec3){normal[0], normal[1], normal[2]};
     options.loops = BATTEN_LOOPS_KEEP;
     options.most_pieces =
-        bat_input_offset_most(item->reading->input, batten_curve_point_count(base));
+        bat_input_most_near(item->reading->input, batten_curve_point_count(base));
     batten_status status = batten_curve_offset(base, distance, &options, &report, &made);
     if (status == BATTEN_OK && made.count != 1)
         status = bat_fail(BATTEN_SINGULAR_HERE, "its offset by %g is %d curves", distance,

@@ -2,9 +2,9 @@
 #include "exchange/iges/curves.h"
 #include "exchange/iges/references.h"
 #include "exchange/net.h"
+#include "shape/even_speed.h"
 #include "spline/surface.h"
 
-#include <batten/even_speed.h>
 #include <batten/skin.h>
 #include <batten/surface_offset.h>
 #include <string.h>
@@ -153,8 +153,9 @@ static batten_status rail(bat_iges_item *item, int id, bool even, bool reversed,
     if (status != BATTEN_OK)
         return status;
     if (even && batten_curve_degree(curve) > 1)
-        status = batten_curve_even_speed(
-            curve, bat_iges_tolerance(item->reading, bat_iges_size_of_curve(curve)), &report,
+        status = bat_curve_even_speed(
+            curve, bat_iges_tolerance(item->reading, bat_iges_size_of_curve(curve)),
+            bat_input_most_near(item->reading->input, batten_curve_point_count(curve)), &report,
             &made);
     else
         made = batten_curve_ref(curve);
@@ -303,7 +304,7 @@ batten_status bat_iges_read_offset_surface(bat_iges_item *item)
                         v[1], v[2]);
     options.tolerance =
         bat_iges_tolerance(item->reading, bat_iges_size_of_box(batten_surface_box(base)));
-    options.most_points = bat_input_offset_most(
+    options.most_points = bat_input_most_near(
         item->reading->input, (double)batten_surface_point_count(base, BATTEN_U) *
                                   batten_surface_point_count(base, BATTEN_V));
     status =

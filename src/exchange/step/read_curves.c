@@ -434,7 +434,7 @@ static batten_status read_offset(const bat_step_reading *reading,
     options.tolerance = reading->scale.tolerance;
     options.loops = BATTEN_LOOPS_KEEP;
     options.most_pieces =
-        bat_input_offset_most(reading->file->input, batten_curve_point_count(base));
+        bat_input_most_near(reading->file->input, batten_curve_point_count(base));
     status =
         batten_curve_offset(base, distance * reading->scale.length, &options, &report, &made);
     if (status == BATTEN_OK && made.count != 1)

@@ -234,7 +234,13 @@ static batten_status read_offset(const bat_step_reading *reading,
         status = bat_step_surface_in(reading, of, &basis->surface);
         if (status == BATTEN_OK)
             *elementary = (bat_elementary){
-                .kind = BAT_OFFSET_SURFACE, .a = distance, .surface = basis->surface};
+                .kind = BAT_OFFSET_SURFACE,
+                .a = distance,
+                .surface = basis->surface,
+                .most = bat_input_most_near(
+                    reading->file->input,
+                    (double)batten_surface_point_count(basis->surface, BATTEN_U) *
+                        batten_surface_point_count(basis->surface, BATTEN_V))};
     }
     bat_step_basis_end(&below);
     return status;
