@@ -75,6 +75,7 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(INSTANCE),
      .can_place = bat_iges_can_place,
+     .hides = true,
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,
@@ -86,6 +87,7 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .can_place = bat_step_can_place,
+     .hides = true,
      .write = bat_write_step},
 
     {.format = BATTEN_FORMAT_DXF,
@@ -95,6 +97,7 @@ static const bat_format_row formats[] = {
      .recognise = bat_dxf_recognise,
      .read = bat_read_dxf,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE),
+     .hides = true,
      .write = bat_write_dxf},
 
     {.format = BATTEN_FORMAT_SVG,
@@ -104,6 +107,7 @@ static const bat_format_row formats[] = {
      .recognise = bat_svg_recognise,
      .read = bat_read_svg,
      .holds = BAT_HOLDS(CURVE),
+     .hides = true,
      .write = bat_write_svg},
 
     {.format = BATTEN_FORMAT_GCODE,

@@ -19,6 +19,7 @@ typedef struct {
     unsigned holds; /* bits 1 << BATTEN_OBJECT_... */
     /* Can it say such a place of an instance? NULL: any. */
     bool (*can_place)(const batten_affine *place);
+    bool hides; /* it can say that an object is not to be shown */
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 } bat_format_row;

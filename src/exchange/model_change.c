@@ -10,16 +10,17 @@ typedef struct {
     batten_model **made; /* [definitions] */
 } changing;
 
-static batten_status change_object(changing *c, const batten_model *from, batten_model *made,
-                                   const batten_object *object)
+static batten_status change_object(changing *c, const batten_model *from, int index,
+                                   batten_model *made)
 {
+    const batten_object *object = batten_model_object(from, index);
     if (object->kind != BATTEN_OBJECT_INSTANCE)
-        return c->change(c->context, from, made, object);
+        return c->change(c->context, from, index, made, object);
     batten_object placed = *object;
     placed.definition = c->made[bat_definitions_index(&c->definitions, object->definition)];
     for (int k = 0; k < 3; k++)
         placed.place.t[k] *= c->scale;
-    return c->change(c->context, from, made, &placed);
+    return c->change(c->context, from, index, made, &placed);
 }
 
 static batten_status change_definition(changing *c, int index)
@@ -27,7 +28,7 @@ static batten_status change_definition(changing *c, int index)
     const batten_model *model = c->definitions.models[index];
     batten_status status = batten_model_create(c->unit_metres, &c->made[index]);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
-        status = change_object(c, model, c->made[index], batten_model_object(model, i));
+        status = change_object(c, model, i, c->made[index]);
     return status;
 }
 

@@ -67,10 +67,11 @@ static bool is_final(batten_status status)
            status == BATTEN_INCOMPLETE || status == BATTEN_TOO_LARGE;
 }
 
-static batten_status add_meshed(void *context, const batten_model *from, batten_model *made,
-                                const batten_object *object)
+static batten_status add_meshed(void *context, const batten_model *from, int index,
+                                batten_model *made, const batten_object *object)
 {
     (void)from;
+    (void)index;
     meshing *m = context;
     batten_mesh *mesh = NULL;
     batten_object meshed = *object;

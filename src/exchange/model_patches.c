@@ -68,10 +68,11 @@ static batten_status find_triangles(const batten_model *model, bool *found)
     return status;
 }
 
-static batten_status add_patched(void *context, const batten_model *from, batten_model *made,
-                                 const batten_object *object)
+static batten_status add_patched(void *context, const batten_model *from, int index,
+                                 batten_model *made, const batten_object *object)
 {
     (void)from;
+    (void)index;
     return object->kind == BATTEN_OBJECT_TRIANGLES
                ? add_triangles(made, object, *(const batten_patches *)context)
                : batten_model_add(made, object);

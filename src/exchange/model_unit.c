@@ -10,10 +10,11 @@ static batten_status scale_offsets(const batten_offsets *offsets, double factor,
     return batten_offsets_select(offsets, &selection, out);
 }
 
-static batten_status add_scaled(void *context, const batten_model *from, batten_model *model,
-                                const batten_object *object)
+static batten_status add_scaled(void *context, const batten_model *from, int index,
+                                batten_model *model, const batten_object *object)
 {
     (void)from;
+    (void)index;
     const double factor = *(const double *)context;
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
     if (object->kind != BATTEN_OBJECT_OFFSETS)

@@ -32,20 +32,24 @@ static batten_status nothing(const bat_format_row *row, const batten_model *mode
 {
     const int count = batten_model_count(model);
     batten_text kinds = BATTEN_TEXT;
-    name_kinds(row->holds, &kinds);
+    name_kinds(row->holds & ~BAT_HOLDS(INSTANCE), &kinds);
     const batten_status status =
-        bat_fail(BATTEN_UNSUPPORTED,
-                 "%s files hold %s, and of the %d object%s ('%.60s' first) none is such",
-                 row->title, kinds.bytes ? kinds.bytes : "", count, count == 1 ? "" : "s",
-                 batten_model_object(model, 0)->name);
+        kinds.failed
+            ? BATTEN_OUT_OF_MEMORY
+            : bat_fail(BATTEN_UNSUPPORTED,
+                       "%s files hold %s, and of the %d object%s ('%.60s' first) none is such",
+                       row->title, kinds.bytes, count, count == 1 ? "" : "s",
+                       batten_model_object(model, 0)->name);
     batten_text_free(&kinds);
     return status;
 }
 
 typedef struct {
     const bat_format_row *row;
+    unsigned holds;
     const char *kinds; /* that it holds, in words */
     batten_notes *notes;
+    int hidden; /* objects that were so, and are no more */
 } selection;
 
 /* What the instance places, since its place cannot be said. */
@@ -69,48 +73,78 @@ static batten_status add_copies(const selection *s, batten_model *held,
     return status;
 }
 
-static batten_status add_held(void *context, const batten_model *from, batten_model *held,
-                              const batten_object *object)
+/* Formats without points show a mesh by its triangles alone. */
+static bool has_nothing_to_show(const selection *s, const batten_object *object)
 {
-    (void)from;
-    const selection *s = context;
-    if (object->kind == BATTEN_OBJECT_INSTANCE && s->row->can_place &&
-        !s->row->can_place(&object->place))
-        return add_copies(s, held, object);
-    if (s->row->holds & (1u << object->kind))
-        return batten_model_add(held, object);
+    return object->mesh && !(s->holds & BAT_HOLDS(POINTS)) &&
+           batten_mesh_view(object->mesh)->triangle_count == 0;
+}
+
+static void leave_out(const selection *s, const batten_object *object)
+{
     batten_notes_add(s->notes, "", 0, object->name, "left out: %s files hold %s", s->row->title,
                      s->kinds);
-    return BATTEN_OK;
+}
+
+/* An instance of what has lost all that it held says nothing either. */
+static batten_status add_held(void *context, const batten_model *from, int index,
+                              batten_model *held, const batten_object *object)
+{
+    selection *s = context;
+    batten_object shown = *object;
+    if (!(s->holds & (1u << object->kind))) {
+        leave_out(s, object);
+        return BATTEN_OK;
+    }
+    if (has_nothing_to_show(s, object)) {
+        batten_notes_add(s->notes, "", 0, object->name, "left out: it has no triangles");
+        return BATTEN_OK;
+    }
+    if (object->definition && batten_model_count(object->definition) == 0 &&
+        batten_model_count(batten_model_object(from, index)->definition) > 0) {
+        leave_out(s, object);
+        return BATTEN_OK;
+    }
+    if (object->is_hidden && !s->row->hides) {
+        shown.is_hidden = false;
+        s->hidden++;
+    }
+    if (object->kind == BATTEN_OBJECT_INSTANCE && s->row->can_place &&
+        !s->row->can_place(&object->place))
+        return add_copies(s, held, &shown);
+    return batten_model_add(held, &shown);
 }
 
 /* The objects of the kinds that the format holds, with a note for each other one; what is
- * placed among them. */
+ * placed among them. Nothing is lost where a format cannot hide: it is shown, with a note. */
 static batten_status select_held(const bat_format_row *row, const batten_model *model,
                                  batten_notes *notes, batten_model **out)
 {
     batten_text kinds = BATTEN_TEXT;
-    name_kinds(row->holds, &kinds);
-    selection s = {row, kinds.bytes ? kinds.bytes : "", notes};
+    name_kinds(row->holds & ~BAT_HOLDS(INSTANCE), &kinds);
+    selection s = {row, row->holds ? row->holds : ~0u, kinds.bytes ? kinds.bytes : "", notes,
+                   0};
     const batten_status status =
         kinds.failed
             ? BATTEN_OUT_OF_MEMORY
             : bat_model_change(model, batten_model_unit_metres(model), 1, add_held, &s, out);
+    if (status == BATTEN_OK && s.hidden)
+        batten_notes_add(notes, "", 0, "",
+                         "hidden objects: %d; %s files cannot hide, they are written like "
+                         "the others",
+                         s.hidden, row->title);
     batten_text_free(&kinds);
     return status;
 }
 
-/* Instances where the format has them, and triangles as patches. */
+/* Instances where the format has them, and triangles as patches. A format of rows of numbers
+ * chooses for itself what it holds. */
 static batten_status prepare(const bat_format_row *row, const batten_model *model,
                              batten_notes *notes, batten_model **out)
 {
     batten_model *flat = NULL, *patches = NULL;
-    if (!row->holds) {
-        *out = batten_model_ref(model);
-        return BATTEN_OK;
-    }
     batten_status status = BATTEN_OK;
-    if (row->holds & BAT_HOLDS(INSTANCE))
+    if (!row->holds || (row->holds & BAT_HOLDS(INSTANCE)))
         flat = batten_model_ref(model);
     else
         status = batten_model_flat(model, &flat);

@@ -1,3 +1,4 @@
+#include "exchange/meshes.h"
 #include "exchange/shapes.h"
 
 TEST(a_model_is_written_in_the_format_of_its_name)
@@ -53,5 +54,148 @@ TEST(bad_options_are_refused)
     CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
     CHECK_CONTAINS(data, "FILE_NAME('batten','2000-01-01T00:00:00'");
     batten_release(data);
+    batten_model_unref(model);
+}
+
+/* A mesh and a line side by side in what is placed, the instance hidden. */
+static batten_model *hidden_model(void)
+{
+    const batten_mesh_parts parts = tetrahedron();
+    batten_model *inner = NULL, *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &inner));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add_mesh(inner, "tip", &parts);
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "seen" : "away",
+                                                          .is_hidden = i == 0,
+                                                          .kind = BATTEN_OBJECT_INSTANCE,
+                                                          .definition = inner,
+                                                          .place = batten_affine_identity()}));
+    batten_model_unref(inner);
+    return model;
+}
+
+TEST(what_a_format_cannot_hide_is_written_and_counted)
+{
+    static const batten_format formats[] = {BATTEN_FORMAT_STL, BATTEN_FORMAT_PLY,
+                                            BATTEN_FORMAT_OBJ, BATTEN_FORMAT_GLTF,
+                                            BATTEN_FORMAT_3MF, BATTEN_FORMAT_STEP};
+    batten_model *model = hidden_model();
+    for (int i = 0; i < COUNT(formats); i++) {
+        batten_write_options options = batten_write_defaults();
+        batten_model *prepared = NULL;
+        batten_notes *notes = NULL;
+        const bool hides = formats[i] == BATTEN_FORMAT_STEP;
+        options.format = formats[i];
+        options.schema = BATTEN_STEP_AP242;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_write_prepare(model, &options, notes, &prepared));
+        CHECK_INT(batten_model_count(prepared), 2);
+        CHECK(batten_model_object(prepared, 0)->is_hidden == hides);
+        if (!batten_notes_dropped(notes)) {
+            CHECK_INT(count_warnings(notes), hides ? 0 : 1);
+            CHECK(has_note(notes, "hidden objects: 1; ") == !hides);
+        }
+        batten_model_unref(prepared);
+        batten_notes_free(notes);
+    }
+    batten_model_unref(model);
+}
+
+TEST(formats_that_hide_keep_what_is_hidden)
+{
+    static const batten_format formats[] = {BATTEN_FORMAT_STEP, BATTEN_FORMAT_IGES,
+                                            BATTEN_FORMAT_DXF, BATTEN_FORMAT_SVG};
+    const double a[3] = {0, 0, 0}, b[3] = {1, 2, 0};
+    batten_model *model = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "seen" : "away",
+                                                          .layer = "lines",
+                                                          .is_hidden = i == 0,
+                                                          .kind = BATTEN_OBJECT_CURVE,
+                                                          .curve = line}));
+    for (int i = 0; i < COUNT(formats); i++) {
+        char *data = NULL;
+        size_t size = 0;
+        batten_model *back = NULL;
+        CHECK_OK(write_bytes(model, formats[i], &data, &size));
+        CHECK_OK(read_bytes(data, size, formats[i], NULL, &back));
+        CHECK_INT(batten_model_count(back), 2);
+        for (int k = 0; k < 2; k++)
+            CHECK(batten_model_object(back, k)->is_hidden == (k == 0));
+        batten_release(data);
+        batten_model_unref(back);
+    }
+    batten_curve_unref(line);
+    batten_model_unref(model);
+}
+
+/* An instance of an instance of a line and, if asked for, of a mesh. */
+static batten_model *nested_line(bool with_mesh)
+{
+    const batten_mesh_parts parts = tetrahedron();
+    const double a[3] = {0, 0, 0}, b[3] = {1, 2, 0};
+    batten_model *inner = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_model_create(0.001, &inner));
+    add_curve(inner, "line", line);
+    for (int depth = 0; depth < 2; depth++) {
+        batten_model *outer = NULL;
+        CHECK_OK(batten_model_create(0.001, &outer));
+        CHECK_OK(batten_model_add(outer, &(batten_object){.name = depth ? "arm" : "hand",
+                                                          .kind = BATTEN_OBJECT_INSTANCE,
+                                                          .definition = inner,
+                                                          .place = batten_affine_identity()}));
+        batten_model_unref(inner);
+        inner = outer;
+    }
+    if (with_mesh)
+        add_mesh(inner, "tip", &parts);
+    batten_curve_unref(line);
+    return inner;
+}
+
+TEST(instances_of_what_a_format_does_not_hold_are_left_out)
+{
+    static const batten_format formats[] = {BATTEN_FORMAT_GLTF, BATTEN_FORMAT_3MF,
+                                            BATTEN_FORMAT_STL};
+    for (int i = 0; i < 2 * COUNT(formats); i++) {
+        batten_write_options options = batten_write_defaults();
+        batten_model *model = nested_line(i % 2), *prepared = NULL;
+        batten_notes *notes = NULL;
+        options.format = formats[i / 2];
+        CHECK_OK(batten_notes_create(10, &notes));
+        if (i % 2 == 0) {
+            CHECK_STATUS(batten_write_prepare(model, &options, notes, &prepared),
+                         BATTEN_UNSUPPORTED);
+            CHECK_MESSAGE("files hold meshes, and of the 1 object ('arm' first) none is such");
+        } else {
+            CHECK_OK(batten_write_prepare(model, &options, notes, &prepared));
+            CHECK_INT(batten_model_count(prepared), 1);
+            CHECK_TEXT(batten_model_object(prepared, 0)->name, "tip");
+            if (!batten_notes_dropped(notes))
+                CHECK(has_note(notes, "left out: "));
+        }
+        batten_model_unref(prepared);
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
+}
+
+TEST(a_mesh_without_triangles_is_left_out_of_formats_of_triangles)
+{
+    const double point[3] = {0, 0, 0};
+    const batten_mesh_parts parts = {.vertex_count = 1, .points = point};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(1, &model));
+    add_mesh(model, "nothing", &parts);
+    batten_write_options options = batten_write_defaults();
+    batten_model *prepared = NULL;
+    options.format = BATTEN_FORMAT_GLTF;
+    CHECK_STATUS(batten_write_prepare(model, &options, NULL, &prepared), BATTEN_UNSUPPORTED);
     batten_model_unref(model);
 }

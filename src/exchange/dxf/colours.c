@@ -1,4 +1,5 @@
 #include "exchange/dxf/colours.h"
+#include "numeric/vector.h"
 
 /* The hue in steps of 15 degrees as red, green and blue from 0 to 1. */
 static void hue(int step, double rgb[3])
@@ -36,4 +37,24 @@ void bat_dxf_true_colour(int value, double rgb[3])
 {
     for (int k = 0; k < 3; k++)
         rgb[k] = ((value >> (16 - 8 * k)) & 255) / 255.0;
+}
+
+bat_dxf_colour_code bat_dxf_code_of_colour(const double rgb[3])
+{
+    bat_dxf_colour_code code = {7, 0};
+    double least = INFINITY;
+    for (int i = 1; i < 256; i++) {
+        double candidate[3];
+        bat_dxf_colour(i, candidate);
+        const double distance = bat_distance(3, rgb, candidate);
+        if (distance < least) {
+            least = distance;
+            code.index = i;
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        code.full = code.full << 8 | (int)(255 * bat_min(1, bat_max(0, rgb[k])) + 0.5);
+    if (least < 1e-6)
+        code.full = -1;
+    return code;
 }

@@ -8,4 +8,11 @@ bool bat_dxf_colour(int index, double rgb[3]);
 /* Red in the third byte. */
 void bat_dxf_true_colour(int value, double rgb[3]);
 
+/* A colour as the file says it. */
+typedef struct {
+    int index; /* the nearest of the numbers 1 to 255 */
+    int full;  /* 24 bits where no number is that colour, else -1 */
+} bat_dxf_colour_code;
+bat_dxf_colour_code bat_dxf_code_of_colour(const double rgb[3]);
+
 #endif

@@ -1,6 +1,7 @@
-/* Reading DXF of any release as text, and writing release 2000 (AC1015). */
+/* Reading DXF of any release as text, and writing release 2000 (AC1015) or 2004 (AC1018). */
 #ifndef BAT_DXF_H
 #define BAT_DXF_H
+#include "exchange/dxf/colours.h"
 #include "exchange/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
@@ -42,14 +43,16 @@ void bat_dxf_layer(const char *name, char out[BAT_DXF_NAME]);
 
 /* ---- what must stand around the entities (src/exchange/dxf/write_frame.c) ---- */
 
-/* A layer and its colour index. */
 typedef struct {
     char name[BAT_DXF_NAME];
-    int colour;
+    bat_dxf_colour_code colour;
 } bat_dxf_layer_row;
 
-/* Header, classes, tables and blocks. *model_space is the owner of the entities. */
-void bat_dxf_begin(bat_dxf *dxf, double unit_metres, int layer_count,
+void bat_dxf_put_colour(bat_dxf *dxf, bat_dxf_colour_code colour);
+
+/* Header, classes, tables and blocks; colours of 24 bits came with release 2004.
+ * *model_space is the owner of the entities. */
+void bat_dxf_begin(bat_dxf *dxf, double unit_metres, bool has_full_colours, int layer_count,
                    const bat_dxf_layer_row *layers, int handles, int *model_space);
 /* The objects, and the end of the file. */
 void bat_dxf_end(bat_dxf *dxf);

@@ -14,22 +14,17 @@ typedef struct {
     bat_dxf_layer_row *layers; /* [layer_count], "0" first */
     int *layer_of;             /* [objects] */
     int model_space, entities;
+    int named; /* objects on layers of their names */
+    bool has_full_colours;
 } writing;
 
 /* ---- layers ---- */
 
-/* The nearest of the nine colours that have a number everywhere; 7 is black on white. */
-static int colour_index(const batten_object *object)
+/* Where an object has none it is 7, which is black on white and white on black. */
+static bat_dxf_colour_code colour_of(const batten_object *object)
 {
-    static const double colours[9][3] = {{1, 0, 0}, {1, 1, 0},    {0, 1, 0},
-                                         {0, 1, 1}, {0, 0, 1},    {1, 0, 1},
-                                         {0, 0, 0}, {.5, .5, .5}, {.75, .75, .75}};
-    int best = 6;
-    for (int i = 0; object->has_colour && i < 9; i++)
-        if (bat_distance(3, object->colour, colours[i]) <
-            bat_distance(3, object->colour, colours[best]))
-            best = i;
-    return best + 1;
+    return object->has_colour ? bat_dxf_code_of_colour(object->colour)
+                              : (bat_dxf_colour_code){7, -1};
 }
 
 /* By name, so that equal ones stand together, and the first object of a layer first. */
@@ -49,7 +44,7 @@ static int compare_layers(const void *a, const void *b)
 static void want_layer(const batten_object *object, int index, wanted_layer *wanted)
 {
     bat_dxf_layer(object->layer[0] ? object->layer : object->name, wanted->row.name);
-    wanted->row.colour = colour_index(object);
+    wanted->row.colour = colour_of(object);
     wanted->object = index;
 }
 
@@ -63,10 +58,13 @@ static batten_status find_layers(writing *w)
         bat_release(wanted);
         return BATTEN_OUT_OF_MEMORY;
     }
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         want_layer(batten_model_object(w->model, i), i, &wanted[i]);
+        w->has_full_colours |= wanted[i].row.colour.full >= 0;
+        w->named += !batten_model_object(w->model, i)->layer[0];
+    }
     qsort(wanted, (size_t)n, sizeof *wanted, compare_layers);
-    w->layers[w->layer_count++] = (bat_dxf_layer_row){"0", 7};
+    w->layers[w->layer_count++] = (bat_dxf_layer_row){"0", {7, -1}};
     for (int i = 0; i < n; i++) {
         const bool is_zero = strcmp(wanted[i].row.name, "0") == 0;
         if (!is_zero && strcmp(wanted[i].row.name, w->layers[w->layer_count - 1].name) != 0)
@@ -83,12 +81,15 @@ static void begin_entity(writing *w, int index, const char *kind, const char *su
 {
     const batten_object *object = batten_model_object(w->model, index);
     const bat_dxf_layer_row *layer = &w->layers[w->layer_of[index]];
+    const bat_dxf_colour_code colour = colour_of(object);
     bat_dxf_text(&w->dxf, 0, kind);
     bat_dxf_handle(&w->dxf, w->model_space);
     bat_dxf_text(&w->dxf, 100, "AcDbEntity");
     bat_dxf_text(&w->dxf, 8, layer->name);
-    if (object->has_colour && colour_index(object) != layer->colour)
-        bat_dxf_integer(&w->dxf, 62, colour_index(object));
+    if (object->is_hidden)
+        bat_dxf_integer(&w->dxf, 60, 1);
+    if (colour.index != layer->colour.index || colour.full != layer->colour.full)
+        bat_dxf_put_colour(&w->dxf, colour);
     bat_dxf_text(&w->dxf, 100, subclass);
     w->entities++;
 }
@@ -190,14 +191,20 @@ static batten_status write_all(writing *w)
         status = find_layers(w);
     if (status != BATTEN_OK)
         return status;
-    bat_dxf_begin(&w->dxf, batten_model_unit_metres(w->model), w->layer_count, w->layers,
-                  handles, &w->model_space);
+    bat_dxf_begin(&w->dxf, batten_model_unit_metres(w->model), w->has_full_colours,
+                  w->layer_count, w->layers, handles, &w->model_space);
     bat_dxf_text(&w->dxf, 0, "SECTION");
     bat_dxf_text(&w->dxf, 2, "ENTITIES");
     for (int i = 0; i < batten_model_count(w->model) && status == BATTEN_OK; i++)
         status = put_object(w, i);
     bat_dxf_text(&w->dxf, 0, "ENDSEC");
     bat_dxf_end(&w->dxf);
+    if (w->named)
+        batten_notes_remark(
+            w->notes, "", 0, "",
+            "DXF files hold no names: %d object%s without a layer %s on a layer "
+            "of that name",
+            w->named, w->named == 1 ? "" : "s", w->named == 1 ? "is" : "are");
     if (status == BATTEN_OK && w->entities == 0 && batten_model_count(w->model) > 0)
         status = bat_fail(BATTEN_UNSUPPORTED,
                           "DXF files hold points and curves, and there are none");

@@ -1,4 +1,4 @@
-/* What a DXF file of release 2000 must have besides its entities. */
+/* What a DXF file of release 2000 or 2004 must have besides its entities. */
 #include "exchange/dxf/dxf.h"
 
 /* Handles that are known before the file is written; entities get those above. */
@@ -12,13 +12,13 @@ enum {
     FIRST_FREE = 16
 };
 
-static void put_header(bat_dxf *dxf, double unit_metres, int handles)
+static void put_header(bat_dxf *dxf, double unit_metres, bool has_full_colours, int handles)
 {
     const int units = bat_dxf_code_of(unit_metres);
     bat_dxf_text(dxf, 0, "SECTION");
     bat_dxf_text(dxf, 2, "HEADER");
     bat_dxf_text(dxf, 9, "$ACADVER");
-    bat_dxf_text(dxf, 1, "AC1015");
+    bat_dxf_text(dxf, 1, has_full_colours ? "AC1018" : "AC1015");
     bat_dxf_text(dxf, 9, "$DWGCODEPAGE");
     bat_dxf_text(dxf, 3, "ANSI_1252");
     bat_dxf_text(dxf, 9, "$HANDSEED");
@@ -81,12 +81,19 @@ static void put_line_types(bat_dxf *dxf)
     end_table(dxf);
 }
 
+void bat_dxf_put_colour(bat_dxf *dxf, bat_dxf_colour_code colour)
+{
+    bat_dxf_integer(dxf, 62, colour.index);
+    if (colour.full >= 0)
+        bat_dxf_integer(dxf, 420, colour.full);
+}
+
 static void put_layers(bat_dxf *dxf, int count, const bat_dxf_layer_row *layers)
 {
     const int table = begin_table(dxf, "LAYER", count);
     for (int i = 0; i < count; i++) {
         begin_row(dxf, table, "LAYER", "AcDbLayerTableRecord", layers[i].name);
-        bat_dxf_integer(dxf, 62, layers[i].colour);
+        bat_dxf_put_colour(dxf, layers[i].colour);
         bat_dxf_text(dxf, 6, "Continuous");
     }
     end_table(dxf);
@@ -182,10 +189,10 @@ static void put_blocks(bat_dxf *dxf)
 
 /* ---- the whole ---- */
 
-void bat_dxf_begin(bat_dxf *dxf, double unit_metres, int layer_count,
+void bat_dxf_begin(bat_dxf *dxf, double unit_metres, bool has_full_colours, int layer_count,
                    const bat_dxf_layer_row *layers, int handles, int *model_space)
 {
-    put_header(dxf, unit_metres, handles);
+    put_header(dxf, unit_metres, has_full_colours, handles);
     dxf->handle = FIRST_FREE;
     bat_dxf_text(dxf, 0, "SECTION");
     bat_dxf_text(dxf, 2, "TABLES");

@@ -120,9 +120,10 @@ static batten_status add_as_part(batten_model *made, const batten_object *object
     return status;
 }
 
-static batten_status add_part(void *context, const batten_model *from, batten_model *made,
-                              const batten_object *object)
+static batten_status add_part(void *context, const batten_model *from, int index,
+                              batten_model *made, const batten_object *object)
 {
+    (void)index;
     const parting *p = context;
     const bool is_among_others = from != p->whole && batten_model_count(from) > 1;
     if (object->kind == BATTEN_OBJECT_POINTS && object->point_count == 0)

@@ -54,6 +54,8 @@ static void begin_shape(writing *w, const batten_object *object)
         put_attribute(w->text, "id", object->name);
     if (object->layer[0])
         put_attribute(w->text, "class", object->layer);
+    if (object->is_hidden)
+        batten_text_add(w->text, " display=\"none\"");
     batten_text_add(w->text, " d=\"");
     w->shapes++;
 }

@@ -24,7 +24,8 @@ static const char *entity(const char *text, const char *kind)
 {
     char head[40];
     snprintf(head, sizeof head, "  0\n%s\n", kind);
-    const char *found = strstr(strstr(text, "\nENTITIES\n"), head);
+    const char *section = strstr(text, "\nENTITIES\n");
+    const char *found = strstr(section ? section : text, head);
     CHECK(found != NULL);
     return found + strlen(head);
 }
@@ -222,5 +223,66 @@ TEST(dxf_of_a_model_without_curves_is_refused)
     options.format = BATTEN_FORMAT_DXF;
     CHECK_STATUS(batten_write_memory(model, &options, NULL, &data, &size), BATTEN_UNSUPPORTED);
     batten_surface_unref(sphere);
+    batten_model_unref(model);
+}
+
+/* Lines of these colours, and one without, on one layer. */
+static batten_model *coloured_lines(int count, const double (*colours)[3])
+{
+    const double a[3] = {0, 0, 0}, b[3] = {1, 2, 0};
+    batten_model *model = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_model_create(1, &model));
+    for (int i = 0; i <= count; i++) {
+        batten_object object = {.name = "line",
+                                .layer = "lines",
+                                .has_colour = i < count,
+                                .kind = BATTEN_OBJECT_CURVE,
+                                .curve = line};
+        if (i < count)
+            memcpy(object.colour, colours[i], sizeof object.colour);
+        CHECK_OK(batten_model_add(model, &object));
+    }
+    batten_curve_unref(line);
+    return model;
+}
+
+TEST(colours_of_the_palette_come_back_and_others_as_24_bits)
+{
+    enum { OTHERS = 3 };
+    double colours[255 + OTHERS][3] = {
+        [255] = {1, 128 / 255.0, 0}, [256] = {0.3, 0.2, 0.1}, [257] = {0, 0, 1 / 255.0}};
+    for (int i = 0; i < 255; i++)
+        CHECK(bat_dxf_colour(i + 1, colours[i]));
+    batten_model *model = coloured_lines(COUNT(colours), (const double(*)[3])colours);
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_DXF;
+    batten_model *back = there_and_back(model, &options, NULL);
+    for (int i = 0; i < COUNT(colours); i++)
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(batten_model_object(back, i)->colour[k], colours[i][k],
+                       i == 256 ? 0.5 / 255 : 1e-15);
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
+TEST(only_colours_of_24_bits_need_release_2004)
+{
+    const double orange[1][3] = {{1, 0.5, 0}}, other[1][3] = {{1, 0.6, 0}};
+    batten_model *model = coloured_lines(1, orange);
+    double index;
+    const char *text = written(model, BATTEN_FORMAT_DXF);
+    CHECK(strstr(text, "AC1015") && !strstr(text, "\n420\n"));
+    CHECK(strstr(text, "lines\n 70\n0\n 62\n30\n") != NULL);
+    /* The second line has no colour, and not that of its layer. */
+    const char *second = entity(entity(text, "LWPOLYLINE"), "LWPOLYLINE");
+    CHECK_INT(numbers(entity(text, "LWPOLYLINE"), 62, &index, 1), 0);
+    CHECK_INT(numbers(second, 62, &index, 1), 1);
+    CHECK_NEAR(index, 7, 0);
+    batten_model_unref(model);
+    model = coloured_lines(1, other);
+    text = written(model, BATTEN_FORMAT_DXF);
+    CHECK(strstr(text, "AC1018") && strstr(text, "\n420\n16750848\n"));
     batten_model_unref(model);
 }
