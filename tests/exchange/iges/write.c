@@ -131,7 +131,7 @@ TEST(what_IGES_cannot_hold_is_noted)
     CHECK_OK(batten_notes_create(10, &notes));
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     CHECK(batten_notes_dropped(notes) ||
-          has_note(notes, "left out: IGES files hold points, curves, surfaces, bodies and"));
+          has_note(notes, "left out: IGES files hold points, curves, surfaces and bodies"));
     CHECK(strstr(data, "15H20261121.102530") != NULL);
     CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
     CHECK_TEXT(batten_model_object(back, 0)->name, "two lines");

@@ -79,6 +79,7 @@ TEST(what_a_definition_holds_that_STEP_does_not_is_noted)
 {
     const batten_offset_point side = {0, 1, 2, -1};
     const batten_station station = {"0", 0, 1, &side};
+    const double point[3] = {1, 2, 3};
     batten_offsets *offsets = NULL;
     batten_notes *notes = NULL;
     batten_model *part = new_model(), *all = new_model();
@@ -87,6 +88,10 @@ TEST(what_a_definition_holds_that_STEP_does_not_is_noted)
     CHECK_OK(batten_model_add(
         part,
         &(batten_object){.name = "table", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+    CHECK_OK(batten_model_add(part, &(batten_object){.name = "mark",
+                                                     .kind = BATTEN_OBJECT_POINTS,
+                                                     .point_count = 1,
+                                                     .points = point}));
     place(all, "hull", part, batten_affine_identity());
     const char *text = step_text(all, notes);
     step_check(text);
