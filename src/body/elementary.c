@@ -163,10 +163,25 @@ static batten_status check(const bat_elementary *elementary, int count, const do
     if (!isfinite(elementary->a) || !isfinite(elementary->b))
         return bat_fail(BATTEN_NOT_FINITE, "the %s has the measures %g and %g", names[kind],
                         elementary->a, elementary->b);
+    const bool has_apex = kind == BAT_CONE && elementary->b != 0;
+    if (elementary->goes_on && is_unbounded && !has_apex)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "one loop goes around the %s, and nothing bounds it on the other side",
+                        names[kind]);
     if (has_curve && batten_curve_dimension(elementary->curve) != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the %s is of a curve of dimension %d",
                         names[kind], batten_curve_dimension(elementary->curve));
     return BATTEN_OK;
+}
+
+batten_status bat_elementary_frame(const bat_elementary *elementary, batten_frame *square,
+                                   batten_vec3 *y)
+{
+    batten_frame frame = elementary->frame;
+    if (elementary->kind == BAT_EXTRUSION || elementary->kind == BAT_REVOLUTION)
+        frame.x = fabs(frame.z.x) <= 0.6 * bat_vec3_norm(frame.z) ? (batten_vec3){1, 0, 0}
+                                                                  : (batten_vec3){0, 1, 0};
+    return bat_frame_square(&frame, square, y);
 }
 
 static batten_status make(const bat_stand *stand, batten_surface **out)
@@ -208,12 +223,7 @@ batten_status bat_elementary_surface(const bat_elementary *elementary, int count
                            .count = count,
                            .points = points,
                            .tolerance = bat_max(0, tolerance)};
-        batten_frame frame = elementary->frame;
-        /* Only z counts of these two; x may be anything. */
-        if (elementary->kind == BAT_EXTRUSION || elementary->kind == BAT_REVOLUTION)
-            frame.x = fabs(frame.z.x) <= 0.6 * bat_vec3_norm(frame.z) ? (batten_vec3){1, 0, 0}
-                                                                      : (batten_vec3){0, 1, 0};
-        status = bat_frame_square(&frame, &stand.frame, &stand.y);
+        status = bat_elementary_frame(elementary, &stand.frame, &stand.y);
         if (status == BATTEN_OK)
             status = make(&stand, out);
     }

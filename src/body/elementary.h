@@ -61,13 +61,36 @@ typedef struct {
     const batten_curve *curve;     /* EXTRUSION, REVOLUTION */
     const batten_surface *surface; /* OFFSET_SURFACE */
     int most;                      /* points of what comes near an OFFSET_SURFACE */
+    bool goes_on; /* nothing bounds the face on one side of its loops, which go around the
+                     surface once in all (see bat_around): a cone then ends at its apex */
 } bat_elementary;
+
+/*
+ * How often the loops of a face go around a cylinder, a cone or the extrusion of a closed
+ * curve, in all: by the angles about the axis, and the area that they hold along the direction.
+ * Loops that bound a face on both sides add up to nothing.
+ */
+typedef struct {
+    batten_vec3 origin, x, y;
+    bool is_turned; /* angles, not areas */
+    bool meets_axis;
+    double near;       /* the axis */
+    double whole, sum; /* of one that goes around once, 0 where none can; of all so far */
+} bat_around;
+
+batten_status bat_around_begin(const bat_elementary *elementary, double tolerance,
+                               bat_around *around);
+/* Loops in any order, and of each its curves. */
+batten_status bat_around_add(bat_around *around, const batten_curve *curve, bool reversed);
+/* Once in all, one way or the other; never where a loop meets the axis. */
+bool bat_around_is_once(const bat_around *around);
 
 /*
  * A NURBS surface on the elementary one that reaches over all the points (samples of the edges
  * of a face), with its normal where it stands: Su x Sv along z of a plane, away from the axis
  * or centre of the others. What closes goes all around: cylinder, cone, sphere, torus,
- * revolution.
+ * revolution. Where the face goes on beyond its loops a cone reaches to the apex; cylinders and
+ * extrusions end nowhere then: NOT_COMPATIBLE.
  * @param points [count][3]; none: spheres, tori and surfaces that are bounded by themselves
  * only, else NOT_COMPATIBLE
  * @param tolerance for offsets; *error is what they reached, 0 when exact

@@ -14,6 +14,10 @@ typedef struct {
     double tolerance;
 } bat_stand;
 
+/* The frame made square. Of extrusions and revolutions only z counts; x may be anything. */
+batten_status bat_elementary_frame(const bat_elementary *elementary, batten_frame *square,
+                                   batten_vec3 *y);
+
 /* Coordinate `axis` of a point in the frame. */
 static inline double bat_stand_coordinate(const bat_stand *stand, const double point[3],
                                           int axis)

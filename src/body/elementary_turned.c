@@ -57,8 +57,8 @@ typedef struct {
     double low, high, at_low, at_high;
 } slant;
 
-/* The half on which the points lie, as far as they reach; to the apex when they reach it, else
- * not so far, for there the surface has no normal. */
+/* The half on which the points lie, as far as they reach; to the apex when they or the face
+ * reach it, else not so far, for there the surface has no normal. */
 static batten_status slant_over(const bat_stand *stand, slant *over)
 {
     const double a = stand->of->a, slope = tan(stand->of->b);
@@ -67,16 +67,18 @@ static batten_status slant_over(const bat_stand *stand, slant *over)
     const double half = over->at_low + over->at_high < 0 ? -1 : 1;
     over->at_low *= half;
     over->at_high *= half;
-    const bool low_is_near = over->at_low < over->at_high;
+    const bool low_is_near = half * slope > 0;
     const double nearest = low_is_near ? over->at_low : over->at_high;
     if (nearest < -stand->tolerance)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the points lie on both halves of the cone: the radius runs from %g "
                         "to %g",
                         over->at_low, over->at_high);
-    const double extent = z.b > z.a ? z.b - z.a : bat_max(over->at_low, stand->tolerance);
-    const bool to_apex = nearest <= stand->tolerance && slope != 0;
+    const bool to_apex = (nearest <= stand->tolerance || stand->of->goes_on) && slope != 0;
     const double apex = slope != 0 ? -a / slope : HUGE_VAL;
+    const double extent = to_apex     ? bat_max(fabs(z.a - apex), fabs(z.b - apex))
+                          : z.b > z.a ? z.b - z.a
+                                      : bat_max(over->at_low, stand->tolerance);
     const double more = MARGIN * extent;
     /* From the near end toward the apex half the way at most. */
     const double less = bat_min(more, fabs((low_is_near ? z.a : z.b) - apex) / 2);

@@ -180,6 +180,75 @@ TEST(G5_a_cone_reaches_its_apex_only_when_its_points_do)
     }
 }
 
+/* A cone whose face goes on beyond its loop ends at the apex, wherever the loop is; it reaches
+ * beyond the loop too. */
+TEST(G5_a_cone_reaches_its_apex_where_its_face_does)
+{
+    const double half = atan(0.5);
+    for (int up = 0; up < 2; up++) {
+        const bat_elementary e = {.kind = BAT_CONE,
+                                  .frame = tilted(),
+                                  .a = 1,
+                                  .b = up ? -half : half,
+                                  .goes_on = true};
+        double points[6];
+        put(0.5, 0, up ? 1 : -1, points);
+        put(0, 0.5, up ? 1 : -1, points + 3);
+        batten_surface *surface = reach(&e, 2, points);
+        check_surface(&e, surface, 10);
+        CHECK_BITS(rim_radius(surface, up), 0);
+        CHECK(rim_radius(surface, !up) > 0.51);
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(loops_around_a_surface_are_counted)
+{
+    const double half = atan(0.5);
+    static const struct {
+        bat_elementary_kind kind;
+        bool is_once;
+    } cases[] = {{BAT_CONE, true},
+                 {BAT_CYLINDER, true},
+                 {BAT_EXTRUSION, true},
+                 {BAT_SPHERE, false},
+                 {BAT_PLANE, false}};
+    bat_conic base = {BAT_ELLIPSE, tilted(), 2, 2}, tilt = base;
+    batten_curve *circle = NULL, *slanting = NULL, *line = NULL;
+    double ends[6];
+    /* The section of the cylinder with a plane at 45 degrees, farther up. */
+    tilt.frame.origin = bat_vec3_along(base.frame.origin, 5, base.frame.z);
+    tilt.frame.x = bat_vec3_scale(bat_vec3_add(base.frame.x, base.frame.z), sqrt(0.5));
+    tilt.frame.z = bat_vec3_cross(tilt.frame.x, tilted_y());
+    tilt.a = 2 * sqrt(2);
+    put(2, 0, -1, ends);
+    put(0, 0, 3, ends + 3);
+    CHECK_OK(bat_conic_between(&base, 0, 2 * BAT_PI, &circle));
+    CHECK_OK(bat_conic_between(&tilt, 1, 1 + 2 * BAT_PI, &slanting));
+    CHECK_OK(batten_curve_line(3, ends, ends + 3, &line));
+    for (int k = 0; k < COUNT(cases); k++) {
+        const bat_elementary e = {.kind = cases[k].kind,
+                                  .frame = tilted(),
+                                  .a = 2,
+                                  .b = half,
+                                  .curve = cases[k].kind == BAT_EXTRUSION ? circle : NULL};
+        bat_around around;
+        CHECK_OK(bat_around_begin(&e, 1e-6, &around));
+        CHECK(!bat_around_is_once(&around));
+        CHECK_OK(bat_around_add(&around, slanting, true));
+        CHECK(bat_around_is_once(&around) == cases[k].is_once);
+        CHECK_OK(bat_around_add(&around, circle, false));
+        CHECK(!bat_around_is_once(&around));
+        CHECK_OK(bat_around_add(&around, circle, false));
+        CHECK(bat_around_is_once(&around) == cases[k].is_once);
+        CHECK_OK(bat_around_add(&around, line, false)); /* to the axis */
+        CHECK(bat_around_is_once(&around) == (cases[k].kind == BAT_EXTRUSION));
+    }
+    batten_curve_unref(circle);
+    batten_curve_unref(slanting);
+    batten_curve_unref(line);
+}
+
 TEST(points_on_both_halves_of_a_cone_are_refused)
 {
     const bat_elementary e = {.kind = BAT_CONE, .frame = tilted(), .a = 1, .b = atan(0.5)};

@@ -66,22 +66,22 @@ static inline int count_warnings(const batten_notes *notes)
     return count;
 }
 
-/* Read, expecting success, with a note that has these words; "" for none but remarks. Under
- * memory faults a note may be lost, so that only the reading itself is checked then. */
-static inline batten_model *read_noting(const char *text, batten_format format,
-                                        const char *words)
+/* Read to that end, with a note that has these words; "" for none but remarks. Under memory
+ * faults a note may be lost, so that only the reading itself is checked then. */
+static inline batten_model *read_so(const char *text, batten_format format, batten_status due,
+                                    const char *words)
 {
     batten_model *model = NULL;
     batten_notes *notes = NULL;
     CHECK_OK(batten_notes_create(10, &notes));
     batten_status status = read_text(text, format, notes, &model);
-    if (test_memory_failed(status, BATTEN_OK)) { /* what it noted is of no account */
+    if (test_memory_failed(status, due)) { /* what it noted is of no account */
         batten_notes_free(notes);
         notes = NULL;
         CHECK_OK(batten_notes_create(10, &notes));
         status = read_text(text, format, notes, &model);
     }
-    CHECK_STATUS(status, BATTEN_OK);
+    CHECK_STATUS(status, due);
     const int count = count_warnings(notes), lost = batten_notes_dropped(notes);
     if (lost == 0 && words[0])
         CHECK(has_note(notes, words));
@@ -89,6 +89,12 @@ static inline batten_model *read_noting(const char *text, batten_format format,
         CHECK_INT(count, 0);
     batten_notes_free(notes);
     return model;
+}
+
+static inline batten_model *read_noting(const char *text, batten_format format,
+                                        const char *words)
+{
+    return read_so(text, format, BATTEN_OK, words);
 }
 
 static inline batten_status write_bytes(const batten_model *model, batten_format format,

@@ -384,7 +384,40 @@ static batten_status sample_sides(bat_iges_face *face, bat_list *points)
     return status;
 }
 
-/* Find how large the face is, and the part of an elementary surface that it needs. */
+/* Do the loops leave the face open on one side? They are linked, but may run either way: two
+ * that bound it on both sides go around it twice or not at all. */
+static batten_status look_around(bat_iges_face *face)
+{
+    const bat_iges_loop *loops = face->loops.items;
+    bat_elementary *elementary = &face->ground.elementary;
+    bat_around around;
+    batten_status status = bat_around_begin(elementary, face->ground.tolerance, &around);
+    for (size_t l = 0; status == BATTEN_OK && l < face->loops.count; l++) {
+        const bat_iges_side *sides = loops[l].sides.items;
+        for (size_t k = 0; status == BATTEN_OK && k < loops[l].sides.count; k++)
+            status = bat_around_add(&around, sides[k].space, sides[k].reversed);
+    }
+    elementary->goes_on = status == BATTEN_OK && bat_around_is_once(&around);
+    return status;
+}
+
+/* Which way the sides of all loops run. */
+static batten_status link_loops(bat_iges_face *face)
+{
+    bat_iges_loop *loops = face->loops.items;
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < face->loops.count; k++) {
+        status = drop_points(face, &loops[k]);
+        if (status == BATTEN_OK && loops[k].sides.count == 0)
+            status = bat_fail(BATTEN_TOO_FEW_POINTS, "loop %zu is a point", k + 1);
+        if (status == BATTEN_OK)
+            status = link_sides(&loops[k], face->ground.tolerance);
+    }
+    return status;
+}
+
+/* Find how large the face is, link its loops, and find the part of an elementary surface that
+ * it needs. */
 static batten_status settle_ground(bat_iges_face *face, batten_surface **made)
 {
     bat_list points = {.size = 3 * sizeof(double)};
@@ -393,6 +426,10 @@ static batten_status settle_ground(bat_iges_face *face, batten_surface **made)
     batten_status status = sample_sides(face, &points);
     if (status == BATTEN_OK && face->size > 0)
         ground->tolerance = bat_iges_tolerance(face->reading, face->size);
+    if (status == BATTEN_OK)
+        status = link_loops(face);
+    if (status == BATTEN_OK && ground->is_elementary)
+        status = look_around(face);
     if (status == BATTEN_OK && ground->is_elementary)
         status = bat_elementary_surface(&ground->elementary, (int)points.count, points.items,
                                         ground->tolerance, made, &error);
@@ -419,15 +456,8 @@ batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *
     bat_iges_loop *loops = face->loops.items;
     batten_surface *made = NULL;
     batten_status status = settle_ground(face, &made);
-    for (size_t k = 0; status == BATTEN_OK && k < face->loops.count; k++) {
-        status = drop_points(face, &loops[k]);
-        if (status == BATTEN_OK && loops[k].sides.count == 0)
-            status = bat_fail(BATTEN_TOO_FEW_POINTS, "loop %zu is a point", k + 1);
-        if (status == BATTEN_OK)
-            status = link_sides(&loops[k], face->ground.tolerance);
-        if (status == BATTEN_OK)
-            status = bat_iges_close_loop(face, &loops[k]);
-    }
+    for (size_t k = 0; status == BATTEN_OK && k < face->loops.count; k++)
+        status = bat_iges_close_loop(face, &loops[k]);
     if (status == BATTEN_OK) {
         raise_tolerance(face);
         right_loops(face, border);

@@ -127,14 +127,20 @@ static batten_status make_surface(face_of_solid *face, batten_surface **made)
 {
     bat_list points = {.size = 3 * sizeof(double)};
     const use *uses = face->uses.items;
+    bat_elementary *elementary = &face->ground->elementary;
+    bat_around around;
     double error = 0;
-    batten_status status = BATTEN_OK;
-    for (size_t k = 0; status == BATTEN_OK && k < face->uses.count; k++)
-        status = bat_iges_sample(face->reading, face->builder->parts.edges[uses[k].edge].curve,
-                                 &points);
+    batten_status status = bat_around_begin(elementary, face->ground->tolerance, &around);
+    for (size_t k = 0; status == BATTEN_OK && k < face->uses.count; k++) {
+        const batten_curve *curve = face->builder->parts.edges[uses[k].edge].curve;
+        status = bat_iges_sample(face->reading, curve, &points);
+        if (status == BATTEN_OK)
+            status = bat_around_add(&around, curve, uses[k].reversed);
+    }
+    elementary->goes_on = status == BATTEN_OK && bat_around_is_once(&around);
     if (status == BATTEN_OK)
-        status = bat_elementary_surface(&face->ground->elementary, (int)points.count,
-                                        points.items, face->ground->tolerance, made, &error);
+        status = bat_elementary_surface(elementary, (int)points.count, points.items,
+                                        face->ground->tolerance, made, &error);
     bat_release(points.items);
     return status;
 }

@@ -27,6 +27,7 @@ static batten_status read_boundaries(bat_step_topology *t, const bat_step_record
     int count = 0;
     size_t at = 0;
     t->uses.count = t->loops.count = 0;
+    t->vertex_loop = -1;
     batten_status status = bat_step_get_list(t->file, record, 2, &count, &at);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         const bat_step_instance *boundary = NULL;

@@ -106,8 +106,8 @@ static batten_status vertex_at(bat_step_topology *t, const bat_step_instance *po
     return status;
 }
 
-static batten_status read_vertex(bat_step_topology *t, const bat_step_instance *instance,
-                                 int *index)
+batten_status bat_step_read_vertex(bat_step_topology *t, const bat_step_instance *instance,
+                                   int *index)
 {
     const bat_step_record *record = bat_step_as(t->file, instance, "VERTEX_POINT");
     const bat_step_instance *point = NULL;
@@ -301,7 +301,7 @@ static batten_status find_parts(bat_step_topology *t, edge *e)
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         status = bat_step_get_reference(t->file, record, 1 + k, &ends[k]);
         if (status == BATTEN_OK)
-            status = read_vertex(t, ends[k], &e->vertices[k]);
+            status = bat_step_read_vertex(t, ends[k], &e->vertices[k]);
     }
     if (status == BATTEN_OK)
         status = bat_step_get_reference(t->file, record, 3, &e->geometry);

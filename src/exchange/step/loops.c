@@ -122,15 +122,30 @@ static batten_status read_polygon(bat_step_topology *t, const bat_step_instance 
     return status;
 }
 
+/* A loop without edges. Nothing hangs on it but what is said of an apex, so that a bad one is
+ * no reason to do without its face. */
+static batten_status read_vertex_loop(bat_step_topology *t, const bat_step_instance *loop)
+{
+    const bat_step_record *record = bat_step_as(t->file, loop, "VERTEX_LOOP");
+    const bat_step_instance *vertex = NULL;
+    batten_status status = bat_step_get_reference(t->file, record, 1, &vertex);
+    if (status == BATTEN_OK)
+        status = bat_step_read_vertex(t, vertex, &t->vertex_loop);
+    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)
+        return status;
+    bat_step_warn(t->file, loop, "%.300s; the loop is not regarded", batten_message());
+    t->vertex_loop = -1;
+    return BATTEN_OK;
+}
+
 static batten_status read_loop(bat_step_topology *t, const bat_step_instance *loop,
-                               bool reversed, bool *is_vertex)
+                               bool reversed)
 {
     const bat_step_record *edges = bat_step_as(t->file, loop, "EDGE_LOOP");
     const bat_step_record *polygon = bat_step_as(t->file, loop, "POLY_LOOP");
     const size_t first = t->uses.count;
-    *is_vertex = bat_step_as(t->file, loop, "VERTEX_LOOP") != NULL;
-    if (*is_vertex)
-        return BATTEN_OK;
+    if (bat_step_as(t->file, loop, "VERTEX_LOOP"))
+        return read_vertex_loop(t, loop);
     if (!edges && !polygon)
         return bat_step_fail(t->file, loop, BATTEN_BAD_FORMAT, "it stands where a loop should");
     batten_status status =
@@ -143,7 +158,7 @@ static batten_status read_loop(bat_step_topology *t, const bat_step_instance *lo
 }
 
 static batten_status read_bound(bat_step_topology *t, const bat_step_instance *bound,
-                                bool flipped, bool *is_vertex)
+                                bool flipped)
 {
     const bat_step_record *record = bat_step_as(t->file, bound, "FACE_OUTER_BOUND");
     const bat_step_instance *loop = NULL;
@@ -156,7 +171,7 @@ static batten_status read_bound(bat_step_topology *t, const bat_step_instance *b
     batten_status status = bat_step_get_reference(t->file, record, 1, &loop);
     if (status == BATTEN_OK)
         status = bat_step_get_logical(t->file, record, 2, &forward);
-    return status == BATTEN_OK ? read_loop(t, loop, forward == flipped, is_vertex) : status;
+    return status == BATTEN_OK ? read_loop(t, loop, forward == flipped) : status;
 }
 
 batten_status bat_step_read_bounds(bat_step_topology *t, const bat_step_instance *face,
@@ -164,8 +179,8 @@ batten_status bat_step_read_bounds(bat_step_topology *t, const bat_step_instance
 {
     int count = 0;
     size_t at = 0;
-    bool is_vertex = false;
     t->uses.count = t->loops.count = 0;
+    t->vertex_loop = -1;
     batten_status status = bat_step_get_list(t->file, record, 1, &count, &at);
     if (status == BATTEN_OK && count == 0)
         return bat_step_fail(t->file, face, BATTEN_BAD_FORMAT, "the face has no bounds");
@@ -173,7 +188,7 @@ batten_status bat_step_read_bounds(bat_step_topology *t, const bat_step_instance
         const bat_step_instance *bound = NULL;
         status = bat_step_item_reference(t->file, record, &at, &bound);
         if (status == BATTEN_OK)
-            status = read_bound(t, bound, flipped, &is_vertex);
+            status = read_bound(t, bound, flipped);
     }
     return status;
 }

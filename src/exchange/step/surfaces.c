@@ -1,4 +1,5 @@
 /* The surfaces of faces: those of the file as they are, elementary ones over their edges. */
+#include "exchange/step/geometry.h"
 #include "exchange/step/topology.h"
 #include "numeric/vector.h"
 
@@ -64,13 +65,47 @@ static batten_status gather_points(bat_step_topology *t, const bat_step_instance
     return status;
 }
 
+/* Do the loops leave the face open on one side? */
+static batten_status look_around(bat_step_topology *t, bat_elementary *elementary)
+{
+    const bat_step_use *uses = t->uses.items;
+    const batten_body_edge *edges = t->builder.parts.edges;
+    bat_around around;
+    batten_status status = bat_around_begin(elementary, t->scale.tolerance, &around);
+    for (size_t k = 0; status == BATTEN_OK && k < t->uses.count; k++)
+        if (edges[uses[k].edge].curve)
+            status = bat_around_add(&around, edges[uses[k].edge].curve, uses[k].reversed);
+    elementary->goes_on = status == BATTEN_OK && bat_around_is_once(&around);
+    return status;
+}
+
+/* A loop that is a vertex says where a cone has its apex. */
+static void check_apex(const bat_step_topology *t, const bat_step_instance *instance,
+                       const bat_elementary *cone)
+{
+    const batten_vec3 apex =
+        bat_vec3_along(cone->frame.origin, -cone->a / tan(cone->b), cone->frame.z);
+    const double *at = &t->builder.parts.vertices[3 * (size_t)t->vertex_loop];
+    const double gap = bat_vec3_norm(bat_vec3_subtract(bat_vec3_of(3, at), apex));
+    if (gap > t->scale.tolerance)
+        bat_step_warn(t->file, instance,
+                      "the loop of its face that is a vertex is %g from its apex; the face "
+                      "ends at the apex",
+                      gap);
+}
+
 static batten_status elementary_surface(bat_step_topology *t, const bat_step_instance *instance,
-                                        const bat_elementary *elementary, batten_surface **out)
+                                        bat_elementary *elementary, batten_surface **out)
 {
     double error = 0;
     batten_status status = gather_points(t, instance, elementary->kind);
     if (status != BATTEN_OK)
         return status;
+    status = look_around(t, elementary);
+    if (status != BATTEN_OK)
+        return bat_step_blame(t->file, instance, status);
+    if (elementary->goes_on && elementary->kind == BAT_CONE && t->vertex_loop >= 0)
+        check_apex(t, instance, elementary);
     status = bat_elementary_surface(elementary, (int)t->points.count, t->points.items,
                                     t->scale.tolerance, out, &error);
     if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED)

@@ -49,6 +49,7 @@ typedef struct {
     bat_list uses;   /* bat_step_use */
     bat_list loops;  /* int: how many uses each has */
     bat_list points; /* double[3]: of its edges */
+    int vertex_loop; /* the vertex that is a loop by itself, or -1 */
 } bat_step_topology;
 
 /* Where an edge comes from. */
@@ -103,6 +104,8 @@ void bat_step_warn(const bat_step_file *file, const bat_step_instance *instance,
 /* The edge of an EDGE_CURVE; that along any other curve; that between two CARTESIAN_POINTs. */
 batten_status bat_step_read_edge(bat_step_topology *topology, const bat_step_instance *instance,
                                  int *index);
+batten_status bat_step_read_vertex(bat_step_topology *topology,
+                                   const bat_step_instance *instance, int *index);
 batten_status bat_step_add_edge(bat_step_topology *topology, const bat_step_instance *instance,
                                 batten_curve *curve, int *index);
 batten_status bat_step_straight_edge(bat_step_topology *topology, const bat_step_instance *from,

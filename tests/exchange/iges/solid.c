@@ -102,6 +102,51 @@ TEST(a_cube_is_a_solid_with_its_outside_outside_whatever_the_flags)
     }
 }
 
+/* A disc of radius 2 at z = 0 and a surface above it, each bounded by that circle only. */
+static void add_tip(iges_text *file, int type, const char *surface)
+{
+    char text[100];
+    const int ground = iges_add(file, 116, 0, 0, 0, part, "116,0.,0.,0.;"); /* 1 */
+    const int down = iges_add(file, 123, 0, 0, 0, part, "123,0.,0.,-1.;");  /* 3 */
+    snprintf(text, sizeof text, "190,%d,%d;", ground, down);
+    const int plane = iges_add(file, 190, 0, 0, 0, part, text);
+    const int side = iges_add(file, type, 0, 0, 0, part, surface);
+    const int vertex = iges_add(file, 502, 1, 0, 0, part, "502,1,2.,0.,0.;");
+    const int circle = iges_add(file, 100, 0, 0, 0, part, "100,0.,0.,0.,2.,0.,2.,0.;");
+    snprintf(text, sizeof text, "504,1,%d,%d,1,%d,1;", circle, vertex, vertex);
+    const int edge = iges_add(file, 504, 1, 0, 0, part, text);
+    int faces[2];
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, "508,1,0,%d,1,%d,0;", edge, k);
+        const int loop = iges_add(file, 508, 1, 0, 0, part, text);
+        snprintf(text, sizeof text, "510,%d,1,1,%d;", k ? side : plane, loop);
+        faces[k] = iges_add(file, 510, 1, 0, 0, part, text);
+    }
+    snprintf(text, sizeof text, "514,2,%d,1,%d,1;", faces[0], faces[1]);
+    const int shell = iges_add(file, 514, 1, 0, 0, part, text);
+    snprintf(text, sizeof text, "186,%d,1,0;", shell);
+    iges_add(file, 186, 0, 0, 0, "00000000", text);
+}
+
+TEST(a_cone_with_one_loop_around_it_is_read_to_its_apex_and_a_cylinder_is_not_read)
+{
+    const double pi = acos(-1);
+    for (int k = 0; k < 2; k++) {
+        iges_text file = iges_begin();
+        add_tip(&file, k ? 192 : 194, k ? "192,1,3,2.;" : "194,1,3,2.,45.;");
+        batten_model *model =
+            read_so(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
+                    k ? BATTEN_PARTLY_READ : BATTEN_OK, k ? "goes around the cylinder" : "");
+        const batten_body *body = batten_model_object(model, 0)->body;
+        batten_body_measures measures;
+        CHECK_OK(batten_body_measure(body, 1e-9, NULL, &measures));
+        CHECK(measures.is_closed == !k);
+        CHECK_NEAR(measures.volume, k ? 0 : 8 * pi / 3, 1e-6);
+        CHECK_NEAR(measures.area, 4 * pi + (k ? 0 : 4 * sqrt(2) * pi), 1e-6);
+        batten_model_unref(model);
+    }
+}
+
 TEST(a_face_that_is_bad_leaves_the_others_as_an_open_shell)
 {
     iges_text file = iges_begin();

@@ -139,6 +139,27 @@ TEST(a_trimmed_unbounded_plane_reaches_over_its_loops)
     batten_model_unref(model);
 }
 
+/* Two half circles around it, the one on from the other and both begun there. */
+TEST(a_trimmed_cone_with_one_loop_around_it_reaches_to_its_apex)
+{
+    static const char *const second[] = {"100,0.,0.,0.,-2.,0.,2.,0.;",
+                                         "100,0.,0.,0.,2.,0.,-2.,0.;"};
+    for (int k = 0; k < 2; k++) {
+        iges_text file = iges_begin();
+        iges_add(&file, 116, 0, 0, 0, part, "116,0.,0.,0.;");
+        iges_add(&file, 123, 0, 0, 0, part, "123,0.,0.,-1.;");
+        iges_add(&file, 194, 0, 0, 0, part, "194,1,3,2.,45.;");
+        iges_add(&file, 100, 0, 0, 0, part, "100,0.,0.,0.,2.,0.,-2.,0.;");
+        iges_add(&file, 100, 0, k ? 15 : 0, 0, part, second[k]);
+        iges_add(&file, 141, 0, 0, 0, part, "141,0,0,5,2,7,1,0,9,1,0;");
+        iges_add(&file, 143, 0, 0, 0, root, "143,0,5,1,11;");
+        iges_add(&file, 124, 0, 0, 0, part, "124,1.,0.,0.,0.,0.,-1.,0.,0.,0.,0.,-1.,0.;");
+        batten_model *model = read_body(&file, "");
+        check_area(model, 4 * sqrt(2) * 3.14159265358979323846);
+        batten_model_unref(model);
+    }
+}
+
 TEST(a_bounded_surface_takes_the_sense_of_each_curve)
 {
     iges_text file = iges_begin();

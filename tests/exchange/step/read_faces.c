@@ -64,6 +64,103 @@ TEST(a_cylinder_with_and_without_its_seam_is_the_same_solid)
     }
 }
 
+/* The circle of radius 2 at z = 0 (edge #30), the disc below it, and a face above it on surface
+ * #72, whose z points down where `down`; its second bound #66 is the vertex #26. */
+static batten_model *read_tip(const char *surface, bool down, const char *bounds,
+                              const char *more, batten_status due, const char *words)
+{
+    box_text text;
+    box_placement(box_begin(&text), 1, ZERO, down ? DOWN : Z, X);
+    box_placement(&text, 5, ZERO, Z, X);
+    box_add(&text, "#20=CIRCLE('',#5,2.);\n#22=CARTESIAN_POINT('',(2.,0.,0.));\n"
+                   "#23=VERTEX_POINT('',#22);\n#30=EDGE_CURVE('',#23,#23,#20,.T.);\n"
+                   "#40=ORIENTED_EDGE('',*,*,#30,.T.);\n#41=ORIENTED_EDGE('',*,*,#30,.F.);\n"
+                   "#50=EDGE_LOOP('',(#41));\n#53=EDGE_LOOP('',(#40));\n"
+                   "#60=FACE_OUTER_BOUND('',#50,.T.);\n#63=FACE_BOUND('',#53,.T.);\n"
+                   "#55=VERTEX_LOOP('',#26);\n#26=VERTEX_POINT('',#27);\n"
+                   "#66=FACE_BOUND('',#55,.T.);\n#67=FACE_BOUND('',#53,.F.);\n"
+                   "#70=PLANE('',#5);\n#80=ADVANCED_FACE('',(#60),#70,.F.);\n");
+    box_add(&text, "#72=%s;\n#81=ADVANCED_FACE('',(%s),#72,.T.);\n%s", surface, bounds, more);
+    box_add(&text, "#90=CLOSED_SHELL('',(#80,#81));\n#1000=MANIFOLD_SOLID_BREP('tip',#90);\n");
+    box_context(&text, 900);
+    box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000),#900);\n");
+    batten_model *model = read_so(box_end(&text), BATTEN_FORMAT_STEP, due, words);
+    CHECK_INT(batten_model_count(model), 1);
+    return model;
+}
+
+/* A third of the base times the height, and the base with pi r l, whichever way it is said. */
+TEST(a_cone_with_one_loop_around_it_ends_at_its_apex)
+{
+    const double pi = acos(-1);
+    static const struct {
+        const char *surface, *bounds, *more;
+        bool down;
+        double height;
+    } cases[] = {
+        {"CONICAL_SURFACE('',#1,2.,0.785398163397448)", "#63", "", true, 2},
+        {"CONICAL_SURFACE('',#1,2.,0.785398163397448)", "#63,#66",
+         "#27=CARTESIAN_POINT('',(0.,0.,2.));\n", true, 2},
+        {"SURFACE_OF_REVOLUTION('',#14,#10)", "#63",
+         "#10=AXIS1_PLACEMENT('',#2,#7);\n#11=CARTESIAN_POINT('',(2.,0.,0.));\n"
+         "#12=DIRECTION('',(-1.,0.,2.));\n#13=VECTOR('',#12,1.);\n#14=LINE('',#11,#13);\n",
+         false, 4},
+        {"OFFSET_SURFACE('',#15,1.,.F.)", "#63",
+         "#15=CONICAL_SURFACE('',#1,0.585786437626905,0.785398163397448);\n", true, 2},
+    };
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_model *model = read_tip(cases[k].surface, cases[k].down, cases[k].bounds,
+                                       cases[k].more, BATTEN_OK, "");
+        const batten_body_measures m = box_measure(batten_model_object(model, 0)->body);
+        const double h = cases[k].height;
+        CHECK(m.is_closed);
+        CHECK_NEAR(m.volume, 4 * pi * h / 3, 1e-6);
+        CHECK_NEAR(m.area, 4 * pi + 2 * pi * hypot(2, h), 1e-6);
+        CHECK_NEAR(m.centroid[2], h / 4, 1e-6);
+        CHECK(m.volume_error < 1e-6);
+        batten_model_unref(model);
+    }
+}
+
+/* The apex is where the surface has it, and the loop has the face on its left there. */
+TEST(what_speaks_against_the_apex_of_a_cone_is_noted)
+{
+    const double pi = acos(-1);
+    static const char cone[] = "CONICAL_SURFACE('',#1,2.,0.785398163397448)";
+    static const struct {
+        const char *vertex, *said;
+    } cases[] = {{"#27=CARTESIAN_POINT('',(0.,0.,5.));\n", "is 3 from its apex"},
+                 {"#27=DIRECTION('',(0.,0.,5.));\n", "the loop is not regarded"}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_model *model =
+            read_tip(cone, true, "#63,#66", cases[k].vertex, BATTEN_OK, cases[k].said);
+        CHECK_NEAR(box_measure(batten_model_object(model, 0)->body).volume, 8 * pi / 3, 1e-6);
+        batten_model_unref(model);
+    }
+    /* One that runs around the other way leaves an endless face: it is turned. */
+    batten_model *model = read_tip(cone, true, "#67", "", BATTEN_OK, "");
+    CHECK_NEAR(box_measure(batten_model_object(model, 0)->body).volume, 8 * pi / 3, 1e-6);
+    batten_model_unref(model);
+}
+
+TEST(what_goes_on_for_ever_beyond_its_one_loop_is_left_out)
+{
+    static const struct {
+        const char *surface, *more, *said;
+    } cases[] = {{"CYLINDRICAL_SURFACE('',#1,2.)", "", "goes around the cylinder"},
+                 {"SURFACE_OF_LINEAR_EXTRUSION('',#20,#10)",
+                  "#10=VECTOR('',#11,1.);\n#11=DIRECTION('',(0.,0.,1.));\n",
+                  "goes around the extrusion"}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_model *model = read_tip(cases[k].surface, false, "#63", cases[k].more,
+                                       BATTEN_PARTLY_READ, cases[k].said);
+        const batten_body_measures m = box_measure(batten_model_object(model, 0)->body);
+        CHECK(!m.is_closed);
+        CHECK_NEAR(m.area, 4 * acos(-1), 1e-6);
+        batten_model_unref(model);
+    }
+}
+
 TEST(a_face_bounded_by_a_vertex_alone_is_the_whole_of_its_surface)
 {
     static const struct {
