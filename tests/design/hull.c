@@ -148,6 +148,36 @@ TEST(F7_outputs_whose_ending_says_nothing_are_refused)
     }
 }
 
+/* A box: no smooth curve through its three corners stays in it. */
+TEST(curves_of_a_table_that_go_far_beyond_their_points_are_noted)
+{
+    static const char text[] = "batten: 1\nfeatures:\n  table: {read: box.csv}\n"
+                               "  stations: {interpolate: table}\n";
+    static const char *const words[] = {"2 of the curves go more than 3 %",
+                                        "'cornered-spline'"};
+    FILE *file = fopen(test_scratch("box.csv"), "w");
+    CHECK(file != NULL);
+    fputs("x_m,z_m,half_breadth_m\n0,0,0\n0,0,5\n0,2.5,5\n1,0,0\n1,0,5\n1,2.5,5\n"
+          "2,0,1\n2,1,1.1\n2,2,1.3\n",
+          file);
+    fclose(file);
+    batten_design_options options = batten_design_defaults();
+    options.file_name = test_scratch("box.yaml");
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    CHECK_OK(batten_design_evaluate(design, NULL, NULL, notes));
+    for (int k = 0; k < COUNT(words); k++) {
+        bool found = batten_notes_dropped(notes) > 0;
+        for (int i = 0; i < batten_notes_count(notes); i++)
+            found |= strstr(batten_notes_at(notes, i)->text, words[k]) != NULL;
+        CHECK(found);
+    }
+    batten_notes_free(notes);
+    batten_design_free(design);
+}
+
 TEST(a_skin_ends_in_a_station_of_one_point)
 {
     FILE *file = fopen(test_scratch("stem.csv"), "w");

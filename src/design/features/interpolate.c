@@ -1,6 +1,7 @@
 #include "design/place.h"
 #include "design/through.h"
 
+#include <batten/measure.h>
 #include <float.h>
 #include <stdio.h>
 #include <string.h>
@@ -58,7 +59,52 @@ static batten_status fit_point(bat_run *run, const bat_row *row, const batten_ob
     return bat_put_curve_like(run, status, curve, &like, true);
 }
 
-static batten_status fit_row(bat_run *run, const bat_row *row, const batten_object *from)
+/* How far curves reach beyond their points, and which does so most for its size. */
+typedef struct {
+    const char *name;
+    double reach, part; /* as a length, and of the size of the points */
+    int count;          /* of curves that go far */
+} excursion;
+
+/* A table of offsets ends at keel, deck and side: a smooth curve goes a little beyond its
+ * points where it turns, and a tenth at corners. */
+static batten_status look_beyond(const bat_row *row, const batten_curve *curve, excursion *e)
+{
+    static const double far = 0.03;
+    batten_box box;
+    const batten_status status = batten_curve_bounds(curve, &box);
+    if (status != BATTEN_OK)
+        return status;
+    const double low[] = {box.low.x, box.low.y, box.low.z},
+                 high[] = {box.high.x, box.high.y, box.high.z};
+    double size = 0, reach = 0;
+    for (int k = 0; k < 3; k++) {
+        double least = HUGE_VAL, most = -HUGE_VAL;
+        for (int i = 0; i < row->count; i++) {
+            least = fmin(least, row->points[3 * i + k]);
+            most = fmax(most, row->points[3 * i + k]);
+        }
+        size = fmax(size, most - least);
+        reach = fmax(reach, fmax(least - low[k], high[k] - most));
+    }
+    e->count += reach > far * size;
+    if (reach > far * size && reach > e->part * size)
+        *e = (excursion){row->name, reach, reach / size, e->count};
+    return BATTEN_OK;
+}
+
+static void note_excursion(const bat_run *run, const excursion *e)
+{
+    if (e->count > 0)
+        bat_note(
+            run,
+            "%d of the curves %s more than 3 %% of their size beyond their points, '%s' by "
+            "%.3g, %.0f %%; where the table has corners, 'cornered-spline' keeps them",
+            e->count, e->count == 1 ? "goes" : "go", e->name, e->reach, 100 * e->part);
+}
+
+static batten_status fit_row(bat_run *run, const bat_row *row, const batten_object *from,
+                             excursion *e)
 {
     batten_curve *curve = NULL;
     double *parameters_of = bat_array((size_t)row->count, sizeof *parameters_of);
@@ -66,6 +112,7 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status = batten_curve_interpolate(
         3, row->count, row->points, &run->result->fit, parameters_of, &curve);
+    const batten_status looked = status == BATTEN_OK ? look_beyond(row, curve, e) : BATTEN_OK;
     const batten_object like = {.name = row->name,
                                 .layer = from->layer,
                                 .point_count = row->count,
@@ -73,6 +120,8 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
                                 .parameters = parameters_of};
     const batten_status put = bat_put_curve_like(run, status, curve, &like, true);
     bat_release(parameters_of);
+    if (looked != BATTEN_OK)
+        return looked;
     if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
         return put;
     return bat_fail(status, "%s: %s", row->name, batten_message());
@@ -80,18 +129,21 @@ static batten_status fit_row(bat_run *run, const bat_row *row, const batten_obje
 
 static batten_status fit_object(bat_run *run, const batten_object *object)
 {
+    excursion e = {.count = 0};
     bat_rows rows = {0, NULL};
     const bool lines = bat_word(run, "each") == EACH_LINE;
     batten_status status = bat_rows_of(object, lines, &rows);
     for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
         if (rows.rows[i].count >= 2)
-            status = fit_row(run, &rows.rows[i], object);
+            status = fit_row(run, &rows.rows[i], object, &e);
         else if (rows.rows[i].count == 1 && !lines && object->kind == BATTEN_OBJECT_OFFSETS)
             status = fit_point(run, &rows.rows[i], object);
         else
             bat_note(run, "'%s' has %d points and is left out; a curve needs 2",
                      rows.rows[i].name, rows.rows[i].count);
     }
+    if (status == BATTEN_OK)
+        note_excursion(run, &e);
     bat_rows_release(&rows);
     return status;
 }
@@ -211,8 +263,9 @@ const bat_feature bat_feature_interpolate = {
          "'start-vector' and\n"
          "'end-vector', 'direction' only its direction. Stations with a single point "
          "become\n"
-         "curves that stay there, in which a skin can end. The curves keep their points for "
-         "'fair'\n"
+         "curves that stay there, in which a skin can end. A note says where the curves of a "
+         "table go\n"
+         "far beyond their points, as at corners. The curves keep their points for 'fair'\n"
          "and 'check'. 'as: function' gives a spline function of the first coordinate, whose "
          "vectors\n"
          "are slopes or second derivatives (the first number counts); a note says where it "
