@@ -280,15 +280,18 @@ static int agreement(const bat_builder *builder, int first_face, int *seen)
 }
 
 /* Loops should run around the normals of surfaces, but some programs let them run around the
- * outside of the faces. Edges between faces of both kinds tell. */
-static batten_status choose_direction(bat_iges_item *item, bat_builder *builder, int first_face)
+ * outside of the faces as the shell says it. Edges between faces of both kinds tell. Then those
+ * that are against their surface in the shell are to be turned; where the solid has the shell
+ * inside out, as for a void, these are the faces that are not reversed in the body. */
+static batten_status choose_direction(bat_iges_item *item, bool agrees, bat_builder *builder,
+                                      int first_face)
 {
     int *seen = NULL;
     batten_status status = bat_input_array(
         item->reading->input, (size_t)builder->parts.edge_count + 1, sizeof *seen, &seen);
     if (status == BATTEN_OK && agreement(builder, first_face, seen) < 0) {
         for (int f = first_face; f < builder->parts.face_count; f++)
-            if (builder->parts.faces[f].reversed)
+            if (builder->parts.faces[f].reversed == agrees)
                 bat_builder_turn(builder, f);
         bat_iges_remark(item->reading, item->entry,
                         "its loops run around the outside of the faces, not around the normals "
@@ -316,7 +319,7 @@ static batten_status read_faces(bat_iges_item *item, bool agrees, bat_builder *b
             status = add_face(item->reading, id, (flag != 0) == agrees, builder, whole);
     }
     if (status == BATTEN_OK)
-        status = choose_direction(item, builder, first_face);
+        status = choose_direction(item, agrees, builder, first_face);
     item->own = 2 + 2 * (size_t)count;
     return status;
 }

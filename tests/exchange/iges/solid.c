@@ -5,9 +5,16 @@
 
 static const char part[] = "00010000";
 
-/* A cube from (0, 0, 0) to (1, 1, 1) as 186 of planes 190. The flags say whether the shell of
- * the solid, and all faces, agree; then loops run as they do around the normals. */
-static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
+/* A cube with a corner at (at, at, at) as 514 of planes 190. The outside of the shell is away
+ * from the middle or not; bit f says that face f agrees with its normal, and loops run around
+ * the normals or around the outside. */
+typedef struct {
+    double at, size;
+    bool outward, around_outside;
+    unsigned agrees;
+} cube;
+
+static int add_shell(iges_text *file, const cube *c)
 {
     static const int edges[12][2] = {{1, 2}, {2, 4}, {4, 3}, {3, 1}, {5, 6}, {6, 8},
                                      {8, 7}, {7, 5}, {1, 5}, {2, 6}, {3, 7}, {4, 8}};
@@ -17,17 +24,19 @@ static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
                                     {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
     static const double normals[6][3] = {{0, 0, -1}, {0, 0, 1},  {0, -1, 0},
                                          {0, 1, 0},  {-1, 0, 0}, {1, 0, 0}};
-    const bool outward = shell_agrees == faces_agree;
     char text[600] = "502,8";
     for (int k = 0; k < 8; k++)
-        snprintf(text + strlen(text), 60, ",%d.,%d.,%d.", k & 1, k >> 1 & 1, k >> 2);
+        snprintf(text + strlen(text), 60, ",%g,%g,%g", c->at + c->size * (k & 1),
+                 c->at + c->size * (k >> 1 & 1), c->at + c->size * (k >> 2));
     strcat(text, ";");
     const int vertices = iges_add(file, 502, 1, 0, 0, part, text);
     char list[600] = "504,12";
     for (int k = 0; k < 12; k++) {
         const int a = edges[k][0] - 1, b = edges[k][1] - 1;
-        snprintf(text, sizeof text, "110,%d.,%d.,%d.,%d.,%d.,%d.;", a & 1, a >> 1 & 1, a >> 2,
-                 b & 1, b >> 1 & 1, b >> 2);
+        snprintf(text, sizeof text, "110,%g,%g,%g,%g,%g,%g;", c->at + c->size * (a & 1),
+                 c->at + c->size * (a >> 1 & 1), c->at + c->size * (a >> 2),
+                 c->at + c->size * (b & 1), c->at + c->size * (b >> 1 & 1),
+                 c->at + c->size * (b >> 2));
         const int curve = iges_add(file, 110, 0, 0, 0, part, text);
         snprintf(list + strlen(list), 60, ",%d,%d,%d,%d,%d", curve, vertices, a + 1, vertices,
                  b + 1);
@@ -37,9 +46,12 @@ static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
     char shell[200] = "514,6";
     for (int f = 0; f < 6; f++) {
         char loop[200] = "508,4";
+        const bool agrees = c->agrees >> f & 1, normal_outward = c->outward == agrees;
+        const bool runs_outward = c->around_outside ? c->outward : normal_outward;
         for (int i = 0; i < 4; i++) {
-            /* Around a normal that points inwards the loop runs the other way. */
-            const int at = outward ? i : 3 - i, next = outward ? (i + 1) % 4 : (6 - i) % 4;
+            /* Around what points inwards the loop runs the other way. */
+            const int at = runs_outward ? i : 3 - i,
+                      next = runs_outward ? (i + 1) % 4 : (6 - i) % 4;
             const int from = loops[f][at], to = loops[f][next];
             int k = 0;
             while (!((edges[k][0] == from && edges[k][1] == to) ||
@@ -49,10 +61,10 @@ static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
         }
         strcat(loop, ";");
         const int corner = loops[f][0] - 1;
-        snprintf(text, sizeof text, "116,%d.,%d.,%d.;", corner & 1, corner >> 1 & 1,
-                 corner >> 2);
+        snprintf(text, sizeof text, "116,%g,%g,%g;", c->at + c->size * (corner & 1),
+                 c->at + c->size * (corner >> 1 & 1), c->at + c->size * (corner >> 2));
         const int point = iges_add(file, 116, 0, 0, 0, part, text);
-        const double side = outward ? 1 : -1;
+        const double side = normal_outward ? 1 : -1;
         snprintf(text, sizeof text, "123,%g,%g,%g;", side * normals[f][0], side * normals[f][1],
                  side * normals[f][2]);
         const int normal = iges_add(file, 123, 0, 0, 0, part, text);
@@ -61,11 +73,19 @@ static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
         const int around = iges_add(file, 508, 1, 0, 0, part, loop);
         snprintf(text, sizeof text, "510,%d,1,1,%d;", plane, around);
         const int face = iges_add(file, 510, 1, 0, f == 0 ? 2 : 0, part, text);
-        snprintf(shell + strlen(shell), 40, ",%d,%d", face, faces_agree);
+        snprintf(shell + strlen(shell), 40, ",%d,%d", face, agrees);
     }
     strcat(shell, ";");
-    const int closed = iges_add(file, 514, 1, 0, 0, part, shell);
-    snprintf(text, sizeof text, "186,%d,%d,0;", closed, shell_agrees);
+    return iges_add(file, 514, 1, 0, 0, part, shell);
+}
+
+/* A cube from (0, 0, 0) to (1, 1, 1) as 186. The flags say whether the shell of the solid, and
+ * all faces, agree; loops run around the normals. */
+static void add_cube(iges_text *file, bool shell_agrees, bool faces_agree)
+{
+    char text[60];
+    const cube c = {0, 1, shell_agrees, false, faces_agree ? 63 : 0};
+    snprintf(text, sizeof text, "186,%d,%d,0;", add_shell(file, &c), shell_agrees);
     iges_add(file, 186, 0, 0, 0, "00000000", text);
 }
 
@@ -98,6 +118,31 @@ TEST(a_cube_is_a_solid_with_its_outside_outside_whatever_the_flags)
         CHECK(measures.is_closed);
         batten_notes_free(notes);
         batten_body_unref(traced);
+        batten_model_unref(model);
+    }
+}
+
+/* 4^3 less a void of 1, of faces that agree with their surfaces and others: loops run around
+ * the normals or the outside, and the solid takes each shell as it is or inside out. */
+TEST(a_void_stays_one_whichever_way_its_loops_run)
+{
+    for (int k = 0; k < 8; k++) {
+        const bool around = k & 1, void_outward = k >> 1 & 1, outer_outward = k >> 2 & 1;
+        const cube outer = {0, 4, outer_outward, around, 42},
+                   hole = {1, 1, void_outward, around, 11};
+        iges_text file = iges_begin();
+        char text[60];
+        const int shells[2] = {add_shell(&file, &outer), add_shell(&file, &hole)};
+        snprintf(text, sizeof text, "186,%d,%d,1,%d,%d;", shells[0], outer_outward, shells[1],
+                 !void_outward);
+        iges_add(&file, 186, 0, 0, 0, "00000000", text);
+        batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+        const batten_body *body = batten_model_object(model, 0)->body;
+        batten_body_measures measures;
+        CHECK_OK(batten_body_measure(body, 1e-9, NULL, &measures));
+        CHECK(measures.is_closed);
+        CHECK_NEAR(measures.volume, 63, 1e-9);
+        CHECK_NEAR(measures.area, 102, 1e-9);
         batten_model_unref(model);
     }
 }
