@@ -1,4 +1,5 @@
 #include "exchange/step/units.h"
+#include "exchange/step/topology.h"
 
 #include <batten/units.h>
 #include <string.h>
@@ -67,15 +68,37 @@ static const bat_step_instance *base_of(const bat_step_file *file,
     const bat_step_record *record = bat_step_as(file, measure, "MEASURE_WITH_UNIT");
     if (!record)
         record = bat_step_first(file, measure);
-    if (bat_step_get_real(file, record, 0, factor) != BATTEN_OK || !(*factor > 0) ||
+    double value = 0;
+    if (bat_step_get_real(file, record, 0, &value) != BATTEN_OK ||
         bat_step_get_reference(file, record, 1, &unit) != BATTEN_OK)
         return NULL;
+    *factor = value;
     return unit;
 }
 
-/* What the unit measures, and how many metres or radians it is. */
+/* A factor that can be none does not go by: the name counts then, if it is one. */
+static quantity of_name(const bat_step_file *file, const bat_step_instance *unit,
+                        const char *name, double value, double *factor, bool *noted)
+{
+    const quantity what = named(name, factor);
+    char shown[BAT_SHOWN_SIZE];
+    if (*noted)
+        return what;
+    *noted = true;
+    if (what == UNKNOWN)
+        bat_step_warn(file, unit, "the unit '%s' has the factor %g; it is not regarded",
+                      bat_shown(name, strlen(name), shown), value);
+    else
+        bat_step_warn(file, unit, "the unit '%s' has the factor %g; by its name %g %s is taken",
+                      bat_shown(name, strlen(name), shown), value, *factor,
+                      what == LENGTH ? "m" : "radian");
+    return what;
+}
+
+/* What the unit measures, and how many metres or radians it is; *noted: what is wrong with it
+ * is said already. */
 static quantity unit_of(const bat_step_file *file, const bat_step_instance *unit,
-                        double *factor)
+                        double *factor, bool *noted)
 {
     char name[64] = "";
     double product = 1;
@@ -96,7 +119,10 @@ static quantity unit_of(const bat_step_file *file, const bat_step_instance *unit
         const int at = bat_step_argument_count(file, conversion) > 2 ? 1 : 0;
         if (k == 0 && bat_step_get_string(file, conversion, at, sizeof name, name) != BATTEN_OK)
             name[0] = '\0';
-        unit = base_of(file, conversion, &of);
+        const bat_step_instance *base = base_of(file, conversion, &of);
+        if (!(of > 0 && isfinite(of)))
+            return of_name(file, unit, name, of, factor, noted);
+        unit = base;
         product *= of;
     }
     return named(name, factor);
@@ -160,6 +186,7 @@ static double stated_accuracy(const bat_step_file *file, const bat_step_instance
         record && bat_step_argument_count(file, record) > 1 ? 2 : 0; /* the simple form */
     int count = 0;
     size_t at = 0;
+    bool noted = true; /* of the units of the context it was */
     if (!record || bat_step_get_list(file, record, list, &count, &at) != BATTEN_OK)
         return 0;
     for (int k = 0; k < count; k++) {
@@ -172,7 +199,7 @@ static double stated_accuracy(const bat_step_file *file, const bat_step_instance
             of = bat_step_as(file, measure, "MEASURE_WITH_UNIT");
         if (of && bat_step_get_real(file, of, 0, &value) == BATTEN_OK && value > 0 &&
             bat_step_get_reference(file, of, 1, &unit) == BATTEN_OK &&
-            unit_of(file, unit, &factor) == LENGTH)
+            unit_of(file, unit, &factor, &noted) == LENGTH)
             return value * (round_to_unit(factor) / unit_metres);
     }
     return 0;
@@ -208,8 +235,8 @@ static double accuracy(const bat_step_file *file, bat_step_units *units,
 /* ---- contexts ---- */
 
 /* Metres and radians of the units of a context; 0 where it has none. */
-static void read_units(const bat_step_file *file, const bat_step_instance *context,
-                       double *metres, double *radians)
+static void read_units(const bat_step_file *file, bat_step_units *units,
+                       const bat_step_instance *context, double *metres, double *radians)
 {
     const bat_step_record *record =
         context ? bat_step_as(file, context, "GLOBAL_UNIT_ASSIGNED_CONTEXT") : NULL;
@@ -224,7 +251,7 @@ static void read_units(const bat_step_file *file, const bat_step_instance *conte
         double factor = 0;
         if (bat_step_item_reference(file, record, &at, &unit) != BATTEN_OK)
             continue;
-        const quantity of = unit_of(file, unit, &factor);
+        const quantity of = unit_of(file, unit, &factor, &units->noted_factor);
         if (of == LENGTH && *metres == 0)
             *metres = round_to_unit(factor);
         if (of == ANGLE && *radians == 0)
@@ -242,7 +269,7 @@ void bat_step_units_of(const bat_step_file *file, bat_step_units *units,
         *scale = units->scale;
         return;
     }
-    read_units(file, context, &metres, &radians);
+    read_units(file, units, context, &metres, &radians);
     if (metres == 0) {
         metres = 0.001;
         if (!units->noted_none)

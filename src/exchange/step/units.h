@@ -9,7 +9,7 @@ typedef struct {
     double extent;   /* of the points of the file, in its numbers; -1 before it is measured */
     const bat_step_instance *last; /* the context asked for last, and its scale */
     bat_step_scale scale;
-    bool noted_none, noted_other, noted_angle, noted_accuracy;
+    bool noted_none, noted_other, noted_angle, noted_accuracy, noted_factor;
 } bat_step_units;
 
 void bat_step_units_begin(bat_step_units *units);

@@ -157,6 +157,29 @@ TEST(P6_units_of_all_kinds_are_understood)
     }
 }
 
+TEST(P6_a_unit_of_nothing_or_less_of_another_goes_by_its_name_and_says_so)
+{
+    static const struct {
+        const char *name, *value, *words;
+        double metres;
+    } cases[] = {
+        {"INCH", "-25.4", "'INCH' has the factor -25.4; by its name 0.0254 m is taken", 0.0254},
+        {"INCH", "0.", "'INCH' has the factor 0; by its name 0.0254 m is taken", 0.0254},
+        {"ELL", "-1.", "'ELL' has the factor -1; it is not regarded", 0.001},
+        {"INCH", "2.", "", 0.002}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        char unit[300];
+        snprintf(unit, sizeof unit,
+                 "#901=(CONVERSION_BASED_UNIT('%s',#910)LENGTH_UNIT()NAMED_UNIT($));\n"
+                 "#910=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(%s),#911);\n"
+                 "#911=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n",
+                 cases[k].name, cases[k].value);
+        batten_model *model = read_noting(box_with(unit), BATTEN_FORMAT_STEP, cases[k].words);
+        CHECK_BITS(batten_model_unit_metres(model), cases[k].metres);
+        batten_model_unref(model);
+    }
+}
+
 TEST(P6_representations_without_units_stand_beside_others_in_metres)
 {
     batten_model *model = NULL;
