@@ -68,7 +68,12 @@ static facts triangles_facts(const batten_triangles *triangles)
 static facts body_facts(const batten_body *body)
 {
     const batten_body_parts *parts = batten_body_view(body);
+    int coloured = 0;
+    for (int i = 0; i < parts->face_count; i++)
+        coloured += parts->faces[i].has_colour;
     return (facts){
+        .has_faces = true,
+        .coloured_faces = coloured,
         .type = parts->is_solid ? "solid" : "sheet",
         .kind = "body",
         .dimension = 3,
@@ -86,6 +91,8 @@ static facts mesh_facts(const batten_mesh *mesh)
     batten_mesh_facts found = {0};
     const bool checked = batten_mesh_check(mesh, &found) == BATTEN_OK;
     return (facts){
+        .has_faces = true,
+        .coloured_faces = parts->triangle_colours ? parts->triangle_count : 0,
         .type = "mesh",
         .kind = "triangles",
         .dimension = 3,

@@ -16,6 +16,8 @@ typedef struct {
     double tolerance;       /* ends within it are the same point: 1e-9 of the object's size */
     const char *counted[4]; /* what the counts are of: "faces", ... */
     int counts[4];
+    bool has_faces;
+    int coloured_faces; /* with colours of their own; of a mesh 0 or all triangles */
     const char *remark; /* "watertight", ...; NULL for none */
     bool mesh_checked;  /* of a mesh: `mesh` was found */
     batten_mesh_facts mesh;

@@ -70,6 +70,8 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     batten_text_add(text, "]");
     for (int k = 0; k < 4 && f->counted[k]; k++)
         batten_text_add(text, ", \"%s\": %d", plural_of(f->counted[k]), f->counts[k]);
+    if (f->has_faces)
+        batten_text_add(text, ", \"coloured_faces\": %d", f->coloured_faces);
     if (f->remark)
         batten_text_add(text, ", \"watertight\": %s",
                         strcmp(f->remark, "watertight") == 0 ? "true" : "false");
@@ -100,12 +102,15 @@ static void add_line(batten_text *text, const batten_object *object, const facts
                         f->degree[0], f->degree[1], f->points[0], f->points[1],
                         f->closed[0] ? ", closed in u" : "",
                         f->closed[1] ? ", closed in v" : "");
-    else if (f->counted[0])
+    else if (f->counted[0]) {
         for (int k = 0; k < 4 && f->counted[k]; k++) {
             batten_text_add(text, ", ");
             add_count(text, f->counted[k], f->counts[k]);
         }
-    else if (f->points[1])
+        if (f->coloured_faces)
+            batten_text_add(text, ", %ss with colours of their own: %d", f->counted[0],
+                            f->coloured_faces);
+    } else if (f->points[1])
         batten_text_add(text, ", %d stations, %d lines", f->points[0], f->points[1]);
     else
         batten_text_add(text, ", %d", f->points[0]);

@@ -29,6 +29,7 @@ typedef struct batten_mesh_parts {
     const double *normals; /**< [triangle_count][3 corners][3], unit; or NULL. Of the corner and
                                 not of the vertex: faces that meet in an edge differ there */
     const int *faces;      /**< [triangle_count] of the body that it was made of; or NULL */
+    const double *triangle_colours; /**< [triangle_count][3], sRGB, 0..1; or NULL */
     int attribute_count;
     const batten_mesh_attribute *attributes;
 } batten_mesh_parts;

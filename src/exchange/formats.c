@@ -132,6 +132,7 @@ static const bat_format_row formats[] = {
      .recognise = bat_obj_recognise,
      .read = bat_read_obj,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(MESH),
+     .keeps = BAT_KEEPS_COLOURS,
      .write = bat_write_obj},
 
     {.format = BATTEN_FORMAT_STL,
@@ -152,6 +153,7 @@ static const bat_format_row formats[] = {
      .is_binary = true,
      .read = bat_read_ply,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(MESH),
+     .keeps = BAT_KEEPS_COLOURS | BAT_KEEPS_TRIANGLE_COLOURS | BAT_KEEPS_VALUES,
      .write = bat_write_ply},
 
     {.format = BATTEN_FORMAT_GLTF,
@@ -159,6 +161,7 @@ static const bat_format_row formats[] = {
      .title = "glTF",
      .endings = {".glb"},
      .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
+     .keeps = BAT_KEEPS_COLOURS | BAT_KEEPS_TRIANGLE_COLOURS,
      .write = bat_write_gltf},
 
     {.format = BATTEN_FORMAT_3MF,
@@ -166,6 +169,7 @@ static const bat_format_row formats[] = {
      .title = "3MF",
      .endings = {".3mf"},
      .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
+     .keeps = BAT_KEEPS_TRIANGLE_COLOURS,
      .write = bat_write_3mf},
 
     {.format = BATTEN_FORMAT_PCD,

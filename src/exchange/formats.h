@@ -19,7 +19,8 @@ typedef struct {
     unsigned holds; /* bits 1 << BATTEN_OBJECT_... */
     /* Can it say such a place of an instance? NULL: any. */
     bool (*can_place)(const batten_affine *place);
-    bool hides; /* it can say that an object is not to be shown */
+    unsigned keeps; /* of a mesh: bits BAT_KEEPS_... */
+    bool hides;     /* it can say that an object is not to be shown */
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 } bat_format_row;
@@ -28,6 +29,12 @@ typedef struct {
 const bat_format_row *bat_format_of(batten_format format);
 /* From 0 on; NULL at the end. */
 const bat_format_row *bat_format_at(size_t index);
+
+enum {
+    BAT_KEEPS_COLOURS = 1, /* of vertices */
+    BAT_KEEPS_TRIANGLE_COLOURS = 2,
+    BAT_KEEPS_VALUES = 4 /* further ones of each vertex */
+};
 
 #define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)
 

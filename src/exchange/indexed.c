@@ -12,6 +12,7 @@ bat_indexed bat_indexed_begin(bat_input *input)
                          .attributes = {.size = sizeof(batten_mesh_attribute)},
                          .polygon = {.size = sizeof(int64_t)},
                          .triangles = {.size = 3 * sizeof(int)},
+                         .triangle_colours = {.size = 3 * sizeof(double)},
                          .places = {.size = 3 * sizeof(double)},
                          .cut = {.size = 3 * sizeof(int)}};
 }
@@ -34,6 +35,7 @@ void bat_indexed_end(bat_indexed *mesh)
     bat_release(mesh->normals);
     bat_release(mesh->polygon.items);
     bat_release(mesh->triangles.items);
+    bat_release(mesh->triangle_colours.items);
     bat_release(mesh->places.items);
     bat_release(mesh->cut.items);
 }
@@ -135,6 +137,14 @@ batten_status bat_indexed_polygon(bat_indexed *mesh, int line)
     return status;
 }
 
+batten_status bat_indexed_colour(bat_indexed *mesh, const double colour[3])
+{
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && mesh->triangle_colours.count < mesh->triangles.count)
+        status = bat_list_add(mesh->input, &mesh->triangle_colours, colour);
+    return status;
+}
+
 /* ---- what vertices carry ---- */
 
 /* Move the rows of the vertices that were read to the front; rows of `width`. */
@@ -175,21 +185,39 @@ static batten_status pack_all(bat_indexed *mesh)
     return BATTEN_OK;
 }
 
+/* The first of the numbers that is no part of a colour. */
+static size_t first_not_colour(const double *parts, size_t count)
+{
+    size_t i = 0;
+    while (i < count && parts[i] >= 0 && parts[i] <= 1)
+        i++;
+    return i;
+}
+
+static void drop_colours(const bat_indexed *mesh, const char *what, size_t at, double part)
+{
+    batten_notes_add(mesh->input->notes, mesh->input->file, 0, "",
+                     "the colours are left out: part %zu of %s %zu is %g of 1", at % 3 + 1,
+                     what, at / 3 + 1, part);
+    mesh->input->left_out++;
+}
+
 /* Drop the colours that are none, with a note. */
 static void check_colours(bat_indexed *mesh)
 {
-    size_t i = 0;
-    while (mesh->colours && i < 3 * mesh->count && mesh->colours[i] >= 0 &&
-           mesh->colours[i] <= 1)
-        i++;
-    if (!mesh->colours || i == 3 * mesh->count)
-        return;
-    batten_notes_add(mesh->input->notes, mesh->input->file, 0, "",
-                     "the colours are left out: part %zu of vertex %zu is %g of 1", i % 3 + 1,
-                     i / 3 + 1, mesh->colours[i]);
-    mesh->input->left_out++;
-    bat_release(mesh->colours);
-    mesh->colours = NULL;
+    const double *of_triangles = mesh->triangle_colours.items;
+    const size_t vertices = 3 * mesh->count, triangles = 3 * mesh->triangle_colours.count;
+    size_t i = mesh->colours ? first_not_colour(mesh->colours, vertices) : vertices;
+    if (i < vertices) {
+        drop_colours(mesh, "vertex", i, mesh->colours[i]);
+        bat_release(mesh->colours);
+        mesh->colours = NULL;
+    }
+    i = first_not_colour(of_triangles, triangles);
+    if (i < triangles) {
+        drop_colours(mesh, "triangle", i, of_triangles[i]);
+        mesh->triangle_colours.count = 0;
+    }
 }
 
 /* Normals are unit vectors up to the digits of a file, or 0 where there is none. */
@@ -252,14 +280,16 @@ static batten_status add_mesh(bat_indexed *mesh, const char *name, batten_model 
     double *normals = NULL;
     batten_mesh *made = NULL;
     batten_status status = corner_normals(mesh, &normals);
-    const batten_mesh_parts parts = {.vertex_count = (int)mesh->count,
-                                     .points = mesh->points,
-                                     .colours = mesh->colours,
-                                     .triangle_count = (int)mesh->triangles.count,
-                                     .corners = mesh->triangles.items,
-                                     .normals = normals,
-                                     .attribute_count = (int)mesh->attributes.count,
-                                     .attributes = mesh->attributes.items};
+    const batten_mesh_parts parts = {
+        .vertex_count = (int)mesh->count,
+        .points = mesh->points,
+        .colours = mesh->colours,
+        .triangle_count = (int)mesh->triangles.count,
+        .corners = mesh->triangles.items,
+        .normals = normals,
+        .triangle_colours = mesh->triangle_colours.count ? mesh->triangle_colours.items : NULL,
+        .attribute_count = (int)mesh->attributes.count,
+        .attributes = mesh->attributes.items};
     if (status == BATTEN_OK)
         status = batten_mesh_create(&parts, &made);
     if (status == BATTEN_OK)

@@ -11,6 +11,7 @@ typedef struct {
     bat_list attributes;       /* of batten_mesh_attribute, with memory of ours */
     bat_list polygon;          /* of int64_t: the corners of the one that is being read */
     bat_list triangles;        /* of int[3] */
+    bat_list triangle_colours; /* of double[3]; none, or one for each triangle */
     bat_list places, cut;      /* of the polygon */
     size_t polygons;
     int odd; /* polygons that cross themselves or the like */
@@ -23,6 +24,8 @@ void bat_indexed_end(bat_indexed *mesh);
 /* The polygon becomes triangles and is empty again. One with too few corners, or a corner that
  * is no vertex, is left out with a note. */
 batten_status bat_indexed_polygon(bat_indexed *mesh, int line);
+/* The colour of the triangles that the last polygon became; then each polygon has one. */
+batten_status bat_indexed_colour(bat_indexed *mesh, const double colour[3]);
 /* A further number of each vertex; the memory is then the mesh's. */
 batten_status bat_indexed_attribute(bat_indexed *mesh, bat_span name, double **values);
 /* Add it to the model: as a mesh, or, when there is no polygon, as a row of points. */

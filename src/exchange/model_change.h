@@ -4,8 +4,9 @@
 #include "base/base.h"
 #include <batten/model.h>
 
-/* What becomes of object `index` of the model `from`: `made` takes it, or does not. It is handed
- * over as `object`: instances place what was changed before, where it is in the new unit. */
+/* What becomes of object `index` of the model `from`: `made` takes it, or does not. It is
+ * handed over as `object`: instances place what was changed before, where it is in the new
+ * unit. */
 typedef batten_status bat_object_change(void *context, const batten_model *from, int index,
                                         batten_model *made, const batten_object *object);
 

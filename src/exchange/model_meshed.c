@@ -38,26 +38,66 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
     return status;
 }
 
-/* A mesh has one colour: that of the body, else that which all its faces have. */
-static void take_colour(const batten_object *object, meshing *m, batten_object *meshed)
+/* What a face looks like. Without a colour it is light grey among those that have one. */
+static void colour_of(const batten_object *object, const batten_body_face *face,
+                      double colour[3])
 {
-    if (object->kind != BATTEN_OBJECT_BODY || object->has_colour)
-        return;
-    const batten_body_parts *parts = batten_body_view(object->body);
-    const batten_body_face *faces = parts->faces;
-    bool any = false, same = true;
+    static const double grey[3] = {0.8, 0.8, 0.8};
+    memcpy(colour,
+           face->has_colour     ? face->colour
+           : object->has_colour ? object->colour
+                                : grey,
+           sizeof grey);
+}
+
+static bool has_one_colour(const batten_object *object, const batten_body_parts *parts)
+{
+    double first[3], other[3];
     for (int i = 0; i < parts->face_count; i++) {
-        any |= faces[i].has_colour;
-        same &= faces[i].has_colour == faces[0].has_colour &&
-                memcmp(faces[i].colour, faces[0].colour, sizeof faces[i].colour) == 0;
+        colour_of(object, &parts->faces[i], i ? other : first);
+        if (i && memcmp(first, other, sizeof first) != 0)
+            return false;
     }
-    if (any && same) {
-        meshed->has_colour = true;
-        memcpy(meshed->colour, faces[0].colour, sizeof meshed->colour);
-    } else if (any) {
-        batten_notes_add(m->notes, "", 0, object->name,
-                         "its faces have several colours; a mesh has one, they are left out");
+    return true;
+}
+
+static batten_status colour_triangles(const batten_object *object, batten_mesh **mesh)
+{
+    batten_mesh_parts parts = *batten_mesh_view(*mesh);
+    double *colours = bat_array3((size_t)parts.triangle_count, 3, sizeof *colours);
+    batten_mesh *made = NULL;
+    if (!colours)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < (size_t)parts.triangle_count; i++)
+        colour_of(object, &batten_body_view(object->body)->faces[parts.faces[i]],
+                  colours + 3 * i);
+    parts.triangle_colours = colours;
+    const batten_status status = batten_mesh_create(&parts, &made);
+    bat_release(colours);
+    if (status == BATTEN_OK) {
+        batten_mesh_unref(*mesh);
+        *mesh = made;
     }
+    return status;
+}
+
+/* Faces that all look the same give the object its colour, others their triangles. */
+static batten_status take_colours(const batten_object *object, batten_object *meshed,
+                                  batten_mesh **mesh)
+{
+    if (object->kind != BATTEN_OBJECT_BODY)
+        return BATTEN_OK;
+    const batten_body_parts *parts = batten_body_view(object->body);
+    bool any = false;
+    for (int i = 0; i < parts->face_count; i++)
+        any |= parts->faces[i].has_colour;
+    if (!any)
+        return BATTEN_OK;
+    if (!has_one_colour(object, parts))
+        return colour_triangles(object, mesh);
+    meshed->has_colour = true;
+    colour_of(object, &parts->faces[0], meshed->colour);
+    return BATTEN_OK;
 }
 
 /* What ends all work, and not that on one object alone. */
@@ -87,8 +127,9 @@ static batten_status add_meshed(void *context, const batten_model *from, int ind
     meshed.surface = NULL;
     meshed.triangles = NULL;
     meshed.body = NULL;
+    if (status == BATTEN_OK)
+        status = take_colours(object, &meshed, &mesh);
     meshed.mesh = mesh;
-    take_colour(object, m, &meshed);
     if (status == BATTEN_OK)
         status = batten_model_add(made, &meshed);
     batten_mesh_unref(mesh);

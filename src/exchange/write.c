@@ -1,4 +1,5 @@
 #include "exchange/formats.h"
+#include "exchange/kept_mesh.h"
 #include "exchange/model_change.h"
 #include "exchange/model_meshed.h"
 
@@ -86,6 +87,19 @@ static void leave_out(const selection *s, const batten_object *object)
                      s->kinds);
 }
 
+static batten_status add_mesh(const selection *s, batten_model *held,
+                              const batten_object *object)
+{
+    batten_object shown = *object;
+    batten_mesh *mesh = NULL;
+    batten_status status = bat_mesh_kept(s->row, object, s->notes, &mesh);
+    shown.mesh = mesh;
+    if (status == BATTEN_OK)
+        status = batten_model_add(held, &shown);
+    batten_mesh_unref(mesh);
+    return status;
+}
+
 /* An instance of what has lost all that it held says nothing either. */
 static batten_status add_held(void *context, const batten_model *from, int index,
                               batten_model *held, const batten_object *object)
@@ -112,7 +126,7 @@ static batten_status add_held(void *context, const batten_model *from, int index
     if (object->kind == BATTEN_OBJECT_INSTANCE && s->row->can_place &&
         !s->row->can_place(&object->place))
         return add_copies(s, held, &shown);
-    return batten_model_add(held, &shown);
+    return object->mesh ? add_mesh(s, held, &shown) : batten_model_add(held, &shown);
 }
 
 /* The objects of the kinds that the format holds, with a note for each other one; what is

@@ -23,6 +23,7 @@ static void free_mesh(batten_mesh *mesh)
     release(p->corners);
     release(p->normals);
     release(p->faces);
+    release(p->triangle_colours);
     for (int k = 0; p->attributes && k < p->attribute_count; k++) {
         release(p->attributes[k].name);
         release(p->attributes[k].values);
@@ -74,6 +75,8 @@ static batten_status check(const batten_mesh_parts *p)
         status = check_numbers(p->colours, 3 * vertices, "colours");
     if (status == BATTEN_OK)
         status = check_numbers(p->normals, 9 * triangles, "normals");
+    if (status == BATTEN_OK)
+        status = check_numbers(p->triangle_colours, 3 * triangles, "colours of triangles");
     for (int k = 0; status == BATTEN_OK && k < p->attribute_count; k++)
         status = check_numbers(p->attributes[k].values, vertices, "attributes");
     return status;
@@ -115,6 +118,39 @@ static batten_status copy_attributes(const batten_mesh_parts *from, batten_mesh_
     return status;
 }
 
+/* What each triangle has. */
+static batten_status copy_triangles(const batten_mesh_parts *from, batten_mesh_parts *to)
+{
+    const size_t count = (size_t)from->triangle_count;
+    const void *corners = NULL, *normals = NULL, *faces = NULL, *colours = NULL;
+    batten_status status = copy(from->corners, 3 * count, sizeof(int), &corners);
+    if (status == BATTEN_OK)
+        status = copy(from->normals, 9 * count, sizeof(double), &normals);
+    if (status == BATTEN_OK)
+        status = copy(from->faces, count, sizeof(int), &faces);
+    if (status == BATTEN_OK)
+        status = copy(from->triangle_colours, 3 * count, sizeof(double), &colours);
+    to->triangle_count = from->triangle_count;
+    to->corners = corners;
+    to->normals = normals;
+    to->faces = faces;
+    to->triangle_colours = colours;
+    return status;
+}
+
+static batten_status copy_vertices(const batten_mesh_parts *from, batten_mesh_parts *to)
+{
+    const size_t count = (size_t)from->vertex_count;
+    const void *points = NULL, *colours = NULL;
+    batten_status status = copy(from->points, 3 * count, sizeof(double), &points);
+    if (status == BATTEN_OK)
+        status = copy(from->colours, 3 * count, sizeof(double), &colours);
+    to->vertex_count = from->vertex_count;
+    to->points = points;
+    to->colours = colours;
+    return status == BATTEN_OK ? copy_attributes(from, to) : status;
+}
+
 batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **out)
 {
     batten_status status = check(parts);
@@ -124,33 +160,14 @@ batten_status batten_mesh_create(const batten_mesh_parts *parts, batten_mesh **o
     if (!mesh)
         return BATTEN_OUT_OF_MEMORY;
     bat_references_begin(&mesh->references);
-    const size_t vertices = (size_t)parts->vertex_count;
-    const size_t triangles = (size_t)parts->triangle_count;
-    const void *points = NULL, *colours = NULL, *corners = NULL, *normals = NULL, *faces = NULL;
-    status = copy(parts->points, 3 * vertices, sizeof(double), &points);
+    status = copy_vertices(parts, &mesh->parts);
     if (status == BATTEN_OK)
-        status = copy(parts->colours, 3 * vertices, sizeof(double), &colours);
+        status = copy_triangles(parts, &mesh->parts);
     if (status == BATTEN_OK)
-        status = copy(parts->corners, 3 * triangles, sizeof(int), &corners);
-    if (status == BATTEN_OK)
-        status = copy(parts->normals, 9 * triangles, sizeof(double), &normals);
-    if (status == BATTEN_OK)
-        status = copy(parts->faces, triangles, sizeof(int), &faces);
-    mesh->parts = (batten_mesh_parts){.vertex_count = parts->vertex_count,
-                                      .points = points,
-                                      .colours = colours,
-                                      .triangle_count = parts->triangle_count,
-                                      .corners = corners,
-                                      .normals = normals,
-                                      .faces = faces};
-    if (status == BATTEN_OK)
-        status = copy_attributes(parts, &mesh->parts);
-    if (status != BATTEN_OK) {
+        *out = mesh;
+    else
         free_mesh(mesh);
-        return status;
-    }
-    *out = mesh;
-    return BATTEN_OK;
+    return status;
 }
 
 batten_box batten_mesh_box(const batten_mesh *mesh)

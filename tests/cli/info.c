@@ -45,4 +45,5 @@ TEST(info_tells_of_faces_and_near_knots)
     CHECK_CONTAINS(run.out, "\"type\": \"sheet\", \"kind\": \"body\"");
     CHECK_CONTAINS(run.out, "\"faces\": 1, \"edges\": 3, \"vertices\": 3, \"shells\": 1");
     CHECK_CONTAINS(run.out, "\"hidden\": false");
+    CHECK_CONTAINS(run.out, "\"coloured_faces\": 0");
 }

@@ -70,3 +70,55 @@ TEST(a_model_is_meshed_and_definitions_once)
     batten_model_unref(meshed);
     batten_model_unref(model);
 }
+
+/* A red box whose faces `first` .. `last` are green. */
+static batten_model *painted_box(int first, int last)
+{
+    batten_model *model = NULL;
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3}),
+                *painted = NULL;
+    batten_body_parts parts = *batten_body_view(box);
+    batten_body_face faces[6];
+    for (int i = 0; i < 6; i++) {
+        faces[i] = parts.faces[i];
+        faces[i].has_colour = i >= first && i <= last;
+        faces[i].colour[1] = 1;
+    }
+    parts.faces = faces;
+    CHECK_OK(batten_body_create(&parts, &painted));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add(model, &(batten_object){.name = "box",
+                                .has_colour = true,
+                                .colour = {1, 0, 0},
+                                .kind = BATTEN_OBJECT_BODY,
+                                .body = painted});
+    batten_body_unref(box);
+    batten_body_unref(painted);
+    return model;
+}
+
+TEST(colours_of_faces_are_those_of_their_triangles)
+{
+    batten_model *model = painted_box(2, 2), *meshed = NULL;
+    CHECK_OK(batten_model_meshed(model, NULL, NULL, NULL, &meshed));
+    const batten_object *object = batten_model_object(meshed, 0);
+    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    CHECK(object->has_colour && object->colour[0] == 1);
+    CHECK(p->triangle_colours != NULL);
+    for (int i = 0; p->triangle_colours && i < p->triangle_count; i++)
+        for (int k = 0; k < 3; k++)
+            CHECK_BITS(p->triangle_colours[3 * i + k], k == (p->faces[i] == 2 ? 1 : 0));
+    batten_model_unref(meshed);
+    batten_model_unref(model);
+}
+
+TEST(faces_of_one_colour_give_it_to_the_mesh)
+{
+    batten_model *model = painted_box(0, 5), *meshed = NULL;
+    CHECK_OK(batten_model_meshed(model, NULL, NULL, NULL, &meshed));
+    const batten_object *object = batten_model_object(meshed, 0);
+    CHECK(object->has_colour && object->colour[0] == 0 && object->colour[1] == 1);
+    CHECK(batten_mesh_view(object->mesh)->triangle_colours == NULL);
+    batten_model_unref(meshed);
+    batten_model_unref(model);
+}

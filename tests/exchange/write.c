@@ -199,3 +199,45 @@ TEST(a_mesh_without_triangles_is_left_out_of_formats_of_triangles)
     CHECK_STATUS(batten_write_prepare(model, &options, NULL, &prepared), BATTEN_UNSUPPORTED);
     batten_model_unref(model);
 }
+
+TEST(what_a_format_does_not_keep_of_a_mesh_is_noted)
+{
+    static const struct {
+        batten_format format;
+        const char *loses;
+    } cases[] = {{BATTEN_FORMAT_PLY, ""},
+                 {BATTEN_FORMAT_GLTF, "v"},
+                 {BATTEN_FORMAT_OBJ, "tv"},
+                 {BATTEN_FORMAT_3MF, "cv"},
+                 {BATTEN_FORMAT_STL, "ctv"}};
+    const double colours[12] = {1}, values[4] = {1, 2, 3, 4};
+    const batten_mesh_attribute attribute = {"quality", values};
+    batten_mesh_parts parts = tetrahedron();
+    batten_model *model = NULL;
+    parts.colours = parts.triangle_colours = colours;
+    parts.attribute_count = 1;
+    parts.attributes = &attribute;
+    CHECK_OK(batten_model_create(1, &model));
+    add_mesh(model, "tip", &parts);
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_write_options options = batten_write_defaults();
+        batten_model *prepared = NULL;
+        batten_notes *notes = NULL;
+        const char *loses = cases[i].loses;
+        options.format = cases[i].format;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_write_prepare(model, &options, notes, &prepared));
+        const batten_mesh_parts *p = batten_mesh_view(batten_model_object(prepared, 0)->mesh);
+        CHECK((p->colours == NULL) == (strchr(loses, 'c') != NULL));
+        CHECK((p->triangle_colours == NULL) == (strchr(loses, 't') != NULL));
+        CHECK((p->attribute_count == 0) == (strchr(loses, 'v') != NULL));
+        if (!batten_notes_dropped(notes)) {
+            CHECK(has_note(notes, "colours of its vertices") == (strchr(loses, 'c') != NULL));
+            CHECK(has_note(notes, "colours of its faces") == (strchr(loses, 't') != NULL));
+            CHECK(has_note(notes, "1 values of each vertex") == (strchr(loses, 'v') != NULL));
+        }
+        batten_model_unref(prepared);
+        batten_notes_free(notes);
+    }
+    batten_model_unref(model);
+}

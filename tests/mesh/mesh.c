@@ -19,7 +19,7 @@ TEST(a_mesh_keeps_what_it_is_made_of)
     const int faces[] = {0, 1, 2, 3};
     batten_mesh_parts parts = tetrahedron();
     batten_mesh *mesh = NULL;
-    parts.colours = colours;
+    parts.colours = parts.triangle_colours = colours;
     parts.faces = faces;
     parts.attribute_count = 1;
     parts.attributes = &height;
@@ -29,6 +29,7 @@ TEST(a_mesh_keeps_what_it_is_made_of)
     CHECK_BITS(kept->attributes[0].values[3], 1);
     CHECK_TEXT(kept->attributes[0].name, "height");
     CHECK_BITS(kept->colours[0], 0.5);
+    CHECK_BITS(kept->triangle_colours[0], 0.5);
     CHECK_INT(kept->faces[3], 3);
     CHECK_BITS(batten_mesh_box(mesh).high.z, 1);
     batten_mesh *again = batten_mesh_ref(mesh);

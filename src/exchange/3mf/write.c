@@ -1,6 +1,6 @@
 #include "exchange/3mf/3mf.h"
 #include "exchange/definitions.h"
-#include "exchange/facets.h"
+#include "exchange/palette.h"
 
 #include <batten/number.h>
 #include <limits.h>
@@ -90,8 +90,10 @@ static void put_vertices(writing *w, const batten_mesh_parts *p)
     put(w, "</vertices>\n");
 }
 
-/* Three different vertices are a must. @return how many triangles are left out */
-static int put_triangles(writing *w, const batten_mesh_parts *p)
+/* Three different vertices are a must. `palette` has the colours from the base material `base`
+ * on; NULL when triangles have none. @return how many triangles are left out */
+static int put_triangles(writing *w, const batten_mesh_parts *p, const bat_palette *palette,
+                         int base)
 {
     static const char *const names[] = {"<triangle v1=\"", "\" v2=\"", "\" v3=\""};
     int left_out = 0;
@@ -106,6 +108,8 @@ static int put_triangles(writing *w, const batten_mesh_parts *p)
             put(w, names[k]);
             put_number(w, t[k]);
         }
+        if (palette)
+            batten_text_add(&w->xml, "\" pid=\"%d\" p1=\"%d", COLOURS, base + palette->of[i]);
         put(w, "\"/>\n");
     }
     put(w, "</triangles>\n");
@@ -117,54 +121,78 @@ static batten_status put_mesh(writing *w, const batten_object *object, int id, b
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     batten_mesh_facts facts;
+    bat_palette palette = {0};
     batten_status status = batten_mesh_check(object->mesh, &facts);
+    if (status == BATTEN_OK && p->triangle_colours)
+        status = bat_palette_find(p, &palette);
     if (status != BATTEN_OK)
         return status;
     const bool is_solid = facts.is_watertight && facts.volume > 0;
     batten_text_add(&w->xml, "<object id=\"%d\" type=\"%s\"", id,
                     is_solid ? "model" : "surface");
     put_name(w, object->name);
-    if (object->has_colour)
-        batten_text_add(&w->xml, " pid=\"%d\" pindex=\"%d\"", COLOURS, w->colours++);
+    const int base = w->colours;
+    w->colours += palette.count ? palette.count : object->has_colour;
+    if (w->colours > base)
+        batten_text_add(&w->xml, " pid=\"%d\" pindex=\"%d\"", COLOURS, base);
     put(w, ">\n<mesh>\n");
     put_vertices(w, p);
-    const int left_out = put_triangles(w, p);
+    const int left_out = put_triangles(w, p, palette.count ? &palette : NULL, base);
+    bat_palette_end(&palette);
     put(w, "</mesh>\n</object>\n");
     *is_surface = *is_surface || !is_solid;
     if (left_out)
         batten_notes_add(w->notes, "", 0, object->name,
                          "%d triangles with two corners at one vertex are left out", left_out);
-    if (p->colours)
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "the colours of its vertices are left out");
     return BATTEN_OK;
 }
 
 /* ---- definitions ---- */
 
-/* Colours in the order in which their objects will come. */
-static void put_colours(writing *w)
+static void put_colour(writing *w, const char *name, const double colour[3])
 {
-    bool any = false;
+    unsigned part[3];
+    for (int k = 0; k < 3; k++)
+        part[k] = (unsigned)(255 * bat_min(bat_max(colour[k], 0), 1) + 0.5);
+    if (!w->colours++)
+        batten_text_add(&w->xml, "<basematerials id=\"%d\">\n", COLOURS);
+    batten_text_add(&w->xml, "<base displaycolor=\"#%02X%02X%02X\"", part[0], part[1], part[2]);
+    put_name(w, name);
+    put(w, "/>\n");
+}
+
+static batten_status put_colours_of(writing *w, const batten_object *object)
+{
+    const batten_mesh_parts *p = object->mesh ? batten_mesh_view(object->mesh) : NULL;
+    bat_palette palette;
+    if (!p || !p->triangle_count)
+        return BATTEN_OK;
+    if (!p->triangle_colours) {
+        if (object->has_colour)
+            put_colour(w, object->name, object->colour);
+        return BATTEN_OK;
+    }
+    const batten_status status = bat_palette_find(p, &palette);
+    for (int i = 0; status == BATTEN_OK && i < palette.count; i++)
+        put_colour(w, object->name, bat_palette_colour(&palette, p, i));
+    if (status == BATTEN_OK)
+        bat_palette_end(&palette);
+    return status;
+}
+
+/* Colours in the order in which their objects will come. */
+static batten_status put_colours(writing *w)
+{
+    batten_status status = BATTEN_OK;
     for (int i = 0; i < w->definitions.count; i++) {
         const batten_model *model = w->definitions.models[w->order[i]];
-        for (int k = 0; k < batten_model_count(model); k++) {
-            const batten_object *object = batten_model_object(model, k);
-            if (!object->mesh || !object->has_colour)
-                continue;
-            if (!any)
-                batten_text_add(&w->xml, "<basematerials id=\"%d\">\n", COLOURS);
-            any = true;
-            batten_text_add(&w->xml, "<base displaycolor=\"#%02X%02X%02X\"",
-                            (unsigned)(255 * object->colour[0] + 0.5),
-                            (unsigned)(255 * object->colour[1] + 0.5),
-                            (unsigned)(255 * object->colour[2] + 0.5));
-            put_name(w, object->name);
-            put(w, "/>\n");
-        }
+        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++)
+            status = put_colours_of(w, batten_model_object(model, k));
     }
-    if (any)
+    if (w->colours)
         put(w, "</basematerials>\n");
+    w->colours = 0;
+    return status;
 }
 
 /* Rows of 3MF multiply from the left: the columns of ours, then the shift. */
@@ -238,9 +266,8 @@ static batten_status put_model(writing *w, const batten_model *model)
                     "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
                     "<metadata name=\"Application\">Batten</metadata>\n<resources>\n",
                     unit);
-    put_colours(w);
+    batten_status status = put_colours(w);
     w->next = FIRST_OBJECT;
-    batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
         status = put_definition(w, w->order[i]);
     put(w, "</resources>\n<build>\n");

@@ -2,6 +2,7 @@
 #include "exchange/definitions.h"
 #include "exchange/facets.h"
 #include "exchange/gltf/gltf.h"
+#include "exchange/palette.h"
 
 #include <batten/number.h>
 #include <float.h>
@@ -197,21 +198,25 @@ static int put_colours(writing *w, const batten_mesh_parts *p, const bat_corners
     return put_accessor(w, at, corners->count, false, "VEC3", NULL, NULL);
 }
 
-static int put_indices(writing *w, const batten_mesh_parts *p, const bat_corners *corners)
+/* The corners of `count` triangles, those of the list or, without one, the first. */
+static int put_indices(writing *w, const bat_corners *corners, int count, const int *triangles)
 {
     const size_t at = w->bytes.length;
-    for (size_t i = 0; i < 3 * (size_t)p->triangle_count; i++)
-        bat_bytes_put(&w->bytes, (uint64_t)corners->index[i], 4);
-    return put_accessor(w, at, 3 * p->triangle_count, true, "SCALAR", NULL, NULL);
+    for (size_t i = 0; i < (size_t)count; i++)
+        for (size_t k = 0; k < 3; k++)
+            bat_bytes_put(
+                &w->bytes,
+                (uint64_t)corners->index[3 * (triangles ? (size_t)triangles[i] : i) + k], 4);
+    return put_accessor(w, at, 3 * count, true, "SCALAR", NULL, NULL);
 }
 
 /* Sheets are seen from both sides. */
-static int put_material(writing *w, const batten_object *object)
+static int put_material(writing *w, const double colour[3])
 {
     put_comma(&w->materials);
     batten_text_add(&w->materials, "{\"pbrMetallicRoughness\":{\"baseColorFactor\":[");
     for (int k = 0; k < 3; k++) {
-        batten_text_number(&w->materials, linear(object->colour[k]));
+        batten_text_number(&w->materials, linear(bat_min(bat_max(colour[k], 0), 1)));
         batten_text_add(&w->materials, ",");
     }
     batten_text_add(&w->materials,
@@ -219,31 +224,79 @@ static int put_material(writing *w, const batten_object *object)
     return w->material_count++;
 }
 
+/* The accessors of a mesh; -1 for none. */
+typedef struct {
+    int positions, normals, colours;
+} vertex_data;
+
+static void put_primitive(writing *w, const vertex_data *data, int indices,
+                          const double *colour)
+{
+    batten_text_add(&w->meshes, "{\"attributes\":{\"POSITION\":%d", data->positions);
+    if (data->normals >= 0)
+        batten_text_add(&w->meshes, ",\"NORMAL\":%d", data->normals);
+    if (data->colours >= 0)
+        batten_text_add(&w->meshes, ",\"COLOR_0\":%d", data->colours);
+    batten_text_add(&w->meshes, "},\"indices\":%d", indices);
+    if (colour)
+        batten_text_add(&w->meshes, ",\"material\":%d", put_material(w, colour));
+    batten_text_add(&w->meshes, "}");
+}
+
+/* Triangles of one colour are one primitive; all of them use the same vertices. */
+static batten_status put_primitives(writing *w, const batten_object *object,
+                                    const bat_corners *corners, const vertex_data *data)
+{
+    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    bat_palette palette;
+    if (p->colours && p->triangle_colours)
+        batten_notes_add(
+            w->notes, "", 0, object->name,
+            "the colours of its faces are left out: its vertices have colours too, "
+            "which glTF would multiply with them");
+    if (p->colours || !p->triangle_colours) {
+        put_primitive(w, data, put_indices(w, corners, p->triangle_count, NULL),
+                      object->has_colour && !p->colours ? object->colour : NULL);
+        return BATTEN_OK;
+    }
+    const batten_status status = bat_palette_find(p, &palette);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < palette.count; i++) {
+        const int first = palette.first[i];
+        if (i)
+            batten_text_add(&w->meshes, ",");
+        put_primitive(
+            w, data,
+            put_indices(w, corners, palette.first[i + 1] - first, palette.order + first),
+            bat_palette_colour(&palette, p, i));
+    }
+    bat_palette_end(&palette);
+    return BATTEN_OK;
+}
+
 static batten_status put_mesh(writing *w, const batten_object *object)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     batten_mesh_parts shown = *p;
     bat_corners corners = {0, NULL, NULL};
-    int positions = 0;
+    vertex_data data = {-1, -1, -1};
     if (!has_unit_normals(w, object))
         shown.normals = NULL;
     batten_status status = bat_number_corners(&shown, &corners);
     if (status == BATTEN_OK)
-        status = put_positions(w, object, &corners, &positions);
+        status = put_positions(w, object, &corners, &data.positions);
     if (status == BATTEN_OK) {
+        if (shown.normals)
+            data.normals = put_normals(w, p, &corners);
+        if (p->colours)
+            data.colours = put_colours(w, p, &corners);
         put_comma(&w->meshes);
         batten_text_add(&w->meshes, "{\"name\":");
         batten_text_json(&w->meshes, object->name);
-        batten_text_add(&w->meshes, ",\"primitives\":[{\"attributes\":{\"POSITION\":%d",
-                        positions);
-        if (shown.normals)
-            batten_text_add(&w->meshes, ",\"NORMAL\":%d", put_normals(w, p, &corners));
-        if (p->colours)
-            batten_text_add(&w->meshes, ",\"COLOR_0\":%d", put_colours(w, p, &corners));
-        batten_text_add(&w->meshes, "},\"indices\":%d", put_indices(w, p, &corners));
-        if (object->has_colour)
-            batten_text_add(&w->meshes, ",\"material\":%d", put_material(w, object));
-        batten_text_add(&w->meshes, "}]}");
+        batten_text_add(&w->meshes, ",\"primitives\":[");
+        status = put_primitives(w, object, &corners, &data);
+        batten_text_add(&w->meshes, "]}");
         w->mesh_count++;
     }
     bat_corners_end(&corners);

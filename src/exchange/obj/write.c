@@ -126,10 +126,6 @@ static batten_status put_mesh(writing *w, const batten_object *object)
     }
     w->normals += corners.count;
     bat_corners_end(&corners);
-    if (p->attribute_count)
-        batten_notes_add(w->notes, "", 0, object->name,
-                         "%d values of each vertex are left out: OBJ files do not hold them",
-                         p->attribute_count);
     return BATTEN_OK;
 }
 

@@ -11,8 +11,9 @@ typedef struct {
     bat_ply_header header;
     bat_ply_items items;
     bat_indexed mesh;
-    bat_list values;  /* of double: those of one item */
-    bat_list columns; /* of column: those of a vertex */
+    bat_list values;        /* of double: those of one item */
+    bat_list columns;       /* of column: those of a vertex */
+    size_t face_colours[3]; /* the properties of a face that are its colour; SIZE_MAX: none */
     bool has_vertices, is_lost;
 } reading;
 
@@ -196,11 +197,46 @@ static size_t list_of_corners(const bat_ply_property *properties, size_t count)
     return SIZE_MAX;
 }
 
-static batten_status take_face(reading *r, size_t index, bat_ply_result result)
+/* What of a face is its colour; the rest but the corners is left out with a note. */
+static void find_face_colours(reading *r, const bat_ply_element *element, size_t corners)
+{
+    const bat_ply_property *properties = properties_of(r, element);
+    for (int k = 0; k < 3; k++) {
+        r->face_colours[k] = SIZE_MAX;
+        for (size_t i = element->properties; i-- > 0;)
+            if (role_of(&properties[i]) == COLOUR + k)
+                r->face_colours[k] = i;
+    }
+    const size_t *found = r->face_colours;
+    const bool all = found[0] != SIZE_MAX && found[1] != SIZE_MAX && found[2] != SIZE_MAX;
+    for (size_t i = 0; i < element->properties; i++) {
+        const bool is_colour = all && (i == found[0] || i == found[1] || i == found[2]);
+        if (i != corners && !is_colour)
+            batten_notes_add(r->input->notes, r->input->file, 0, "",
+                             "property '%.*s' of the faces is left out",
+                             bat_min_int((int)properties[i].name.length, 40),
+                             properties[i].name.bytes);
+    }
+    if (!all)
+        r->face_colours[0] = SIZE_MAX;
+}
+
+static batten_status take_face(reading *r, const bat_ply_property *properties, size_t index,
+                               bat_ply_result result)
 {
     const int line = r->items.form == BAT_PLY_TEXT ? r->items.line : 0;
-    if (result == BAT_PLY_READ)
-        return bat_indexed_polygon(&r->mesh, line);
+    if (result == BAT_PLY_READ) {
+        const double *values = r->values.items;
+        double colour[3];
+        const batten_status status = bat_indexed_polygon(&r->mesh, line);
+        if (status != BATTEN_OK || r->face_colours[0] == SIZE_MAX)
+            return status;
+        for (int k = 0; k < 3; k++) {
+            const size_t at = r->face_colours[k];
+            colour[k] = scale_of(properties[at].type) * values[at];
+        }
+        return bat_indexed_colour(&r->mesh, colour);
+    }
     r->mesh.polygon.count = 0;
     r->mesh.polygons++;
     r->input->left_out++;
@@ -227,7 +263,7 @@ static batten_status read_items(reading *r, const bat_ply_element *element, size
             return BATTEN_OK;
         }
         if (status == BATTEN_OK && corners != SIZE_MAX)
-            status = take_face(r, i, result);
+            status = take_face(r, properties, i, result);
         if (status == BATTEN_OK && i % 10000 == 9999)
             status = bat_input_step(r->input, r->items.at);
     }
@@ -255,8 +291,10 @@ static batten_status read_element(reading *r, const bat_ply_element *element)
         return status;
     if (bat_word_is(element->name, "vertex") && !r->has_vertices)
         return read_vertices(r, element);
-    if (bat_word_is(element->name, "face") && corners != SIZE_MAX && r->has_vertices)
+    if (bat_word_is(element->name, "face") && corners != SIZE_MAX && r->has_vertices) {
+        find_face_colours(r, element, corners);
         return read_items(r, element, corners);
+    }
     leave_out(r, element);
     return read_items(r, element, SIZE_MAX);
 }

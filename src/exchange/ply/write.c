@@ -12,7 +12,7 @@ typedef struct {
     batten_text *text;
     bool as_text;
     int vertices, triangles;
-    bool has_colours;
+    bool has_colours, has_face_colours;
     double *normals;                /* [vertices][3], or NULL */
     const batten_mesh_parts *parts; /* of the only object, for its attributes */
     bool is_first;                  /* of a line of text */
@@ -33,8 +33,12 @@ static batten_status count_all(writing *w)
         const batten_mesh_parts *p = mesh_of(w, i);
         vertices += p ? p->vertex_count : object->point_count;
         triangles += p ? p->triangle_count : 0;
-        w->has_colours = w->has_colours || object->has_colour || (p && p->colours);
+        w->has_colours |= (p && p->colours) || (!p && object->has_colour);
+        w->has_face_colours |= p && p->triangle_colours;
     }
+    /* The colour of an object is that of its vertices, or of its faces where some have one. */
+    for (int i = 0; i < count && !w->has_face_colours; i++)
+        w->has_colours |= batten_model_object(w->model, i)->has_colour;
     if (vertices > INT_MAX || triangles > INT_MAX)
         return bat_fail(BATTEN_TOO_LARGE, "%.0f vertices and %.0f triangles are too many",
                         vertices, triangles);
@@ -130,6 +134,8 @@ static void put_word(batten_text *text, const char *name)
 
 static void put_header(writing *w)
 {
+    static const char colours[] =
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     batten_text_add(w->text, "ply\nformat %s 1.0\nelement vertex %d\n",
                     w->as_text ? "ascii" : "binary_little_endian", w->vertices);
     batten_text_add(w->text, "property double x\nproperty double y\nproperty double z\n");
@@ -137,8 +143,7 @@ static void put_header(writing *w)
         batten_text_add(w->text,
                         "property double nx\nproperty double ny\nproperty double nz\n");
     if (w->has_colours)
-        batten_text_add(w->text, "property uchar red\nproperty uchar green\n"
-                                 "property uchar blue\n");
+        batten_text_bytes(w->text, colours, sizeof colours - 1);
     for (int k = 0; w->parts && k < w->parts->attribute_count; k++) {
         batten_text_add(w->text, "property double ");
         put_word(w->text, w->parts->attributes[k].name);
@@ -147,6 +152,8 @@ static void put_header(writing *w)
     if (w->triangles)
         batten_text_add(w->text, "element face %d\nproperty list uchar int vertex_indices\n",
                         w->triangles);
+    if (w->triangles && w->has_face_colours)
+        batten_text_bytes(w->text, colours, sizeof colours - 1);
     batten_text_add(w->text, "end_header\n");
 }
 
@@ -226,6 +233,9 @@ static void put_faces(writing *w)
             put_integer(w, 3, 1);
             for (size_t k = 0; k < 3; k++)
                 put_integer(w, first + p->corners[3 * j + k], 4);
+            if (w->has_face_colours)
+                put_colour(w, batten_model_object(w->model, i),
+                           p->triangle_colours ? p->triangle_colours + 3 * j : NULL);
             end_line(w);
         }
         first += p ? p->vertex_count : batten_model_object(w->model, i)->point_count;

@@ -123,3 +123,26 @@ TEST(units_that_3mf_has_not_become_millimetres_and_flat_triangles_go)
     batten_notes_free(notes);
     batten_model_unref(model);
 }
+
+TEST(triangles_name_their_colours)
+{
+    batten_mesh_parts parts = tetrahedron();
+    const double colours[] = {1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &model));
+    add_mesh(model, "plain", &parts);
+    parts.triangle_colours = colours;
+    for (int i = 0; i < 2; i++)
+        add_mesh(model, "tip", &parts);
+    const char *xml = write_3mf(model);
+    CHECK_CONTAINS(xml,
+                   "<basematerials id=\"1\">\n<base displaycolor=\"#00FF00\" name=\"tip\"/>\n"
+                   "<base displaycolor=\"#FF0000\" name=\"tip\"/>\n<base");
+    CHECK_CONTAINS(xml, "name=\"plain\">");
+    CHECK_CONTAINS(xml, "id=\"4\" type=\"model\" name=\"tip\" pid=\"1\" pindex=\"2\">");
+    CHECK_CONTAINS(xml, "<triangle v1=\"0\" v2=\"2\" v3=\"1\"/>");
+    CHECK_CONTAINS(xml, "<triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"1\" p1=\"1\"/>\n"
+                        "<triangle v1=\"0\" v2=\"1\" v3=\"3\" pid=\"1\" p1=\"0\"/>");
+    CHECK_CONTAINS(xml, "<triangle v1=\"0\" v2=\"1\" v3=\"3\" pid=\"1\" p1=\"2\"/>");
+    batten_model_unref(model);
+}

@@ -223,3 +223,42 @@ TEST(S5_instances_within_instances_beyond_a_million_nodes_are_refused)
     batten_release(data);
     batten_model_unref(inner);
 }
+
+TEST(triangles_of_one_colour_are_a_primitive)
+{
+    batten_mesh_parts parts = tetrahedron();
+    const double colours[] = {1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0};
+    batten_model *model = NULL;
+    char *data = NULL;
+    const char *bytes = NULL;
+    size_t size = 0, count = 0;
+    double number;
+    CHECK_OK(batten_model_create(1, &model));
+    parts.triangle_colours = colours;
+    add_mesh(model, "tip", &parts);
+    CHECK_OK(write_form(model, BATTEN_FORMAT_GLTF, false, NULL, &data, &size));
+    const char *json = check_chunks(data, size, &bytes, &count);
+    const char *primitives = json_key(json_item(json_key(json, "meshes"), 0), "primitives");
+    CHECK(json_item(primitives, 1) != NULL && json_item(primitives, 2) == NULL);
+    for (int i = 0; i < 2; i++) {
+        const char *primitive = json_item(primitives, i);
+        double colour[4];
+        json_numbers(json_key(primitive, "indices"), 1, &number);
+        const char *indices = json_item(json_key(json, "accessors"), (int)number);
+        json_numbers(json_key(indices, "count"), 1, &number);
+        CHECK_NEAR(number, i ? 9 : 3, 0);
+        json_numbers(json_key(primitive, "material"), 1, &number);
+        const char *material = json_item(json_key(json, "materials"), (int)number);
+        json_numbers(json_key(json_key(material, "pbrMetallicRoughness"), "baseColorFactor"), 4,
+                     colour);
+        CHECK(colour[0] == i && colour[1] == 1 - i && colour[2] == 0);
+    }
+    /* The second triangle stands first; vertices are numbered as corners name them. */
+    const char *view = json_item(json_key(json, "bufferViews"), 1);
+    json_numbers(json_key(view, "byteOffset"), 1, &number);
+    CHECK_INT(bat_bytes_u32(bytes + (size_t)number), 0);
+    CHECK_INT(bat_bytes_u32(bytes + (size_t)number + 4), 2);
+    CHECK_INT(bat_bytes_u32(bytes + (size_t)number + 8), 3);
+    batten_release(data);
+    batten_model_unref(model);
+}

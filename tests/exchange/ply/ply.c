@@ -27,7 +27,8 @@ static const char square[] = "ply\n"
 
 TEST(vertices_carry_colours_normals_and_further_numbers)
 {
-    batten_model *model = read_noting(square, BATTEN_FORMAT_AUTO, "");
+    batten_model *model =
+        read_noting(square, BATTEN_FORMAT_AUTO, "property 'flags' of the faces is left out");
     const batten_mesh_parts *p = mesh_at(model, 0);
     CHECK_INT(p->vertex_count, 4);
     CHECK_INT(p->triangle_count, 2);
@@ -393,4 +394,41 @@ TEST(P2_vertices_without_properties_are_no_points)
         read_text("ply\nformat ascii 1.0\nelement vertex 1\nend_header\n\n", BATTEN_FORMAT_PLY,
                   NULL, &model);
     CHECK(status != BATTEN_OK && model == NULL);
+}
+
+TEST(faces_have_colours_that_come_back)
+{
+    const char *text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+                       "property double y\nproperty double z\nelement face 2\n"
+                       "property list uchar int vertex_indices\nproperty uchar red\n"
+                       "property uchar green\nproperty uchar blue\nproperty uchar flags\n"
+                       "end_header\n0 0 0\n1 0 0\n1 1 0\n0 0 1\n4 0 1 2 3 255 0 51 1\n"
+                       "3 0 1 3 0 255 0 2\n";
+    batten_model *model =
+        read_noting(text, BATTEN_FORMAT_AUTO, "property 'flags' of the faces is left out");
+    batten_model *back = check_second(model, BATTEN_FORMAT_PLY, true);
+    for (int m = 0; m < 2; m++) {
+        const batten_mesh_parts *p = mesh_at(m ? back : model, 0);
+        CHECK_INT(p->triangle_count, 3);
+        CHECK(p->triangle_colours != NULL && !p->colours);
+        for (int i = 0; p->triangle_colours && i < 3; i++) {
+            CHECK_NEAR(p->triangle_colours[3 * i], i < 2 ? 1 : 0, 1e-15);
+            CHECK_NEAR(p->triangle_colours[3 * i + 2], i < 2 ? 0.2 : 0, 1e-15);
+        }
+    }
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
+TEST(colours_of_faces_that_are_none_are_left_out_with_a_note)
+{
+    const char *text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                       "property double y\nproperty double z\nelement face 1\n"
+                       "property list uchar int vertex_indices\nproperty float red\n"
+                       "property float green\nproperty float blue\nend_header\n"
+                       "0 0 0\n1 0 0\n1 1 0\n3 0 1 2 0 255 0\n";
+    batten_model *model =
+        read_partly(text, strlen(text), BATTEN_FORMAT_AUTO, "part 2 of triangle 1 is 255 of 1");
+    CHECK(mesh_at(model, 0)->triangle_colours == NULL);
+    batten_model_unref(model);
 }
