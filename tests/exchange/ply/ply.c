@@ -263,7 +263,8 @@ TEST(S2_a_list_longer_than_the_file_ends_the_reading)
 
 TEST(F2_meshes_in_ply_that_are_cut_anywhere_are_refused_or_read_in_part)
 {
-    batten_model *model = read_noting(square, BATTEN_FORMAT_PLY, "");
+    batten_model *model =
+        read_noting(square, BATTEN_FORMAT_PLY, "property 'flags' of the faces is left out");
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(write_form(model, BATTEN_FORMAT_PLY, false, NULL, &data, &size));
