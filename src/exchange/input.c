@@ -256,6 +256,30 @@ bool bat_input_ends(batten_status status)
            status == BATTEN_CANCELLED;
 }
 
+bool bat_has_vanished(bat_span number, double value)
+{
+    if (value != 0)
+        return false;
+    for (size_t i = 0; i < number.length; i++) {
+        const char c = number.bytes[i];
+        if (c >= '1' && c <= '9')
+            return true;
+        if (c != '0' && c != '.' && c != '-' && c != '+') /* the exponent */
+            return false;
+    }
+    return false;
+}
+
+void bat_input_vanished(const bat_input *input, int line, const char *entity, bat_span number,
+                        double value)
+{
+    char shown[BAT_SHOWN_SIZE];
+    if (bat_has_vanished(number, value))
+        batten_notes_add(input->notes, input->file, line, entity,
+                         "the number %.60s is too small for a double; read as 0",
+                         bat_shown(number.bytes, number.length, shown));
+}
+
 bool bat_is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';

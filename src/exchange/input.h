@@ -65,6 +65,12 @@ typedef struct {
     size_t length;
 } bat_span;
 
+/* Is a number that was read as 0 none, but nearer to it than any double? */
+bool bat_has_vanished(bat_span number, double value);
+/* A note that says so when it is. */
+void bat_input_vanished(const bat_input *input, int line, const char *entity, bat_span number,
+                        double value);
+
 /* The next line from *at on, without its end (LF, CRLF or CR); false at the end of the data. */
 bool bat_next_line(const bat_input *input, size_t *at, bat_span *line);
 bool bat_is_blank(char c);

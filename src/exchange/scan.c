@@ -85,6 +85,14 @@ bool bat_word_number(bat_span word, double *value)
     return batten_number_read(word.bytes, word.length, value, NULL) == BATTEN_OK;
 }
 
+bool bat_word_real(const bat_input *input, int line, bat_span word, double *value)
+{
+    if (!bat_word_number(word, value))
+        return false;
+    bat_input_vanished(input, line, "", word, *value);
+    return true;
+}
+
 bool bat_word_integer(bat_span word, int64_t low, int64_t high, int64_t *value)
 {
     return batten_integer_read(word.bytes, word.length, low, high, value, NULL) == BATTEN_OK;

@@ -23,6 +23,8 @@ bool bat_word_is(bat_span word, const char *text);
 bool bat_word_is_like(bat_span word, const char *text);
 /* Is it a number that a double can hold? */
 bool bat_word_number(bat_span word, double *value);
+/* The same; one that is too small for a double is 0, with a note. */
+bool bat_word_real(const bat_input *input, int line, bat_span word, double *value);
 bool bat_word_integer(bat_span word, int64_t low, int64_t high, int64_t *value);
 /* A copy that ends with a zero byte, cut where it does not fit. */
 void bat_word_copy(bat_span word, size_t size, char *copy);

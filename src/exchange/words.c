@@ -34,8 +34,10 @@ batten_status bat_words_real(bat_words *words, const char *what, double *value)
         return ended(words, what);
     const batten_status status =
         batten_number_read(words->word.bytes, words->word.length, value, NULL);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        bat_input_vanished(words->input, words->line, "", words->word, *value);
         return BATTEN_OK;
+    }
     char shown[BAT_SHOWN_SIZE];
     return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line, "%s is '%.60s', %s",
                           what, bat_shown(words->word.bytes, words->word.length, shown),
@@ -46,17 +48,17 @@ batten_status bat_words_real(bat_words *words, const char *what, double *value)
 batten_status bat_words_integer(bat_words *words, const char *what, int low, int high,
                                 int *value)
 {
-    double number = 0;
-    batten_status status = bat_words_real(words, what, &number);
-    if (status != BATTEN_OK)
-        return status;
-    if (!(number >= low && number <= high) || number != floor(number) ||
-        memchr(words->word.bytes, '.', words->word.length))
-        return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
-                              "%s is %g, not a whole number from %d to %d", what, number, low,
-                              high);
-    *value = (int)number;
-    return BATTEN_OK;
+    int64_t number = 0;
+    if (!bat_words_next(words))
+        return ended(words, what);
+    if (bat_word_integer(words->word, low, high, &number)) {
+        *value = (int)number;
+        return BATTEN_OK;
+    }
+    char shown[BAT_SHOWN_SIZE];
+    return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
+                          "%s is %.60s, not a whole number from %d to %d", what,
+                          bat_shown(words->word.bytes, words->word.length, shown), low, high);
 }
 
 batten_status bat_words_check(const bat_words *words, const char *what, size_t count,

@@ -1,44 +1,9 @@
 /* Numbers of every format: each one of a small file is replaced by those that are none, too
  * large, or not whole. */
-#include <ctype.h>
 #include <stdlib.h>
 
 #include "exchange/every_format.h"
-#include "exchange/reading.h"
-
-/* Where the next number of a text begins, and how long it is; false for none. */
-static bool next_number(const char *text, size_t *at, size_t *length)
-{
-    for (size_t i = *at; text[i]; i++) {
-        const bool is_new =
-            i == 0 || (!isalnum((unsigned char)text[i - 1]) && text[i - 1] != '.');
-        if (!is_new ||
-            !(isdigit((unsigned char)text[i]) ||
-              ((text[i] == '-' || text[i] == '.') && isdigit((unsigned char)text[i + 1]))))
-            continue;
-        *at = i;
-        *length = 1 + strspn(text + i + 1, "0123456789.eE");
-        return true;
-    }
-    return false;
-}
-
-/* The text with another number there. In records of 80 columns the blanks that follow give way,
- * or what is beyond column 72 moves: that harms no more than it should. */
-static char *with_number(char *room, const char *text, size_t at, size_t length,
-                         const char *number)
-{
-    const size_t more = strlen(number) > length ? strlen(number) - length : 0;
-    const char *rest = text + at + length, *line = strchr(rest, '\n');
-    char *to = room + sprintf(room, "%.*s%s", (int)at, text, number);
-    const char *blank = strstr(rest, "  ");
-    if (more > 0 && blank && line && blank < line && strspn(blank, " ") > more) {
-        to += sprintf(to, "%.*s", (int)(blank - rest), rest);
-        rest = blank + more;
-    }
-    strcpy(to, rest);
-    return room;
-}
+#include "exchange/replace.h"
 
 static bool are_finite(const double *numbers, size_t count)
 {
@@ -196,4 +161,64 @@ TEST(N3_each_reader_takes_the_notations_of_its_format)
                 CHECK(status != BATTEN_OK);
             batten_model_unref(model);
         }
+}
+
+/* ---- counts ---- */
+
+static const struct {
+    batten_format format;
+    const char *before, *good, *after; /* of a count */
+} counts[] = {
+    {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n71\n", "1",
+     "\n73\n2\n40\n0\n40\n0\n40\n1\n40\n1\n10\n0\n20\n0\n10\n1\n20\n0\n0\nENDSEC\n0\nEOF\n"},
+    {BATTEN_FORMAT_G2, "100 1 0 0\n3 0\n", "3", " 3\n0 0 0 1 1 1\n0 0 0\n1 2.5 0\n2 0 0\n"},
+    {BATTEN_FORMAT_G2, "400 1 0 0\n", "2", "\n1 2 3\n4 5 6\n"},
+    {BATTEN_FORMAT_OBJ, "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg ", "1",
+     "\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n"},
+    {BATTEN_FORMAT_PLY, "ply\nformat ascii 1.0\nelement vertex ", "2",
+     "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n"},
+    {BATTEN_FORMAT_PCD,
+     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+     "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS ",
+     "2", "\nDATA ascii\n1 2 3\n1.5 2 3\n"},
+    {BATTEN_FORMAT_OFF, "OFF\n", "3", " 1 0\n0 0 0\n1 0 0\n1 1.5 0\n3 0 1 2\n"},
+    {BATTEN_FORMAT_OFF, "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1.5 0\n", "3", " 0 1 2\n"},
+    {BATTEN_FORMAT_FTM,
+     "FREE!ship\n2.6\n1\n1\nSide\n3\n255\n1\n1\n1\n1\n1\n0\n0\n1\n171\n0\n"
+     "4\n0 0 0\n1\n0\n0\n1 0 0\n1\n0\n0\n1 1 0\n1\n0\n0\n0 1 0.5\n1\n0\n0\n0\n0\n1\n",
+     "4", "\n0\n1\n2\n3\n0\n0\n0\n"},
+    {BATTEN_FORMAT_STEP,
+     STEP_BEGIN "#1=CARTESIAN_POINT('',(1.,2.,3.));\n#2=CARTESIAN_POINT('',(1.5,2.,4.));\n"
+                "#4=B_SPLINE_CURVE_WITH_KNOTS('',1,(#1,#2),.UNSPECIFIED.,.F.,.F.,(2,",
+     "2", "),(0.,1.),.UNSPECIFIED.);\n" STEP_CONTEXT STEP_END},
+};
+
+TEST(N4_a_count_is_digits_and_its_place_is_told)
+{
+    static const char *const bad[] = {
+        "-1", "1e3", "2e0", "2.0", "2x", "+", "99999999999999999999"};
+    int wrong = 0;
+    if (test_cases(1000) < 1000)
+        SKIP("the allocations are those of other tests");
+    for (int f = 0; f < COUNT(counts); f++)
+        for (int i = -1; i < COUNT(bad); i++) {
+            char text[2000];
+            batten_model *model = NULL;
+            batten_notes *notes = NULL;
+            CHECK_OK(batten_notes_create(10, &notes));
+            snprintf(text, sizeof text, "%s%s%s", counts[f].before,
+                     i < 0 ? counts[f].good : bad[i], counts[f].after);
+            const batten_status status = read_text(text, counts[f].format, notes, &model);
+            const bool is_told = status == BATTEN_PARTLY_READ
+                                     ? count_warnings(notes) > 0
+                                     : status != BATTEN_OK && strlen(batten_message()) > 3;
+            const bool is_right = i < 0 ? status == BATTEN_OK : is_told;
+            if (!is_right)
+                printf("%s as count %d: status %d\n", i < 0 ? counts[f].good : bad[i], f,
+                       status);
+            wrong += !is_right;
+            batten_notes_free(notes);
+            batten_model_unref(model);
+        }
+    CHECK_INT(wrong, 0);
 }

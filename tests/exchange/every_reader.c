@@ -8,18 +8,7 @@
 #include <time.h>
 
 #include "exchange/every_format.h"
-#include "exchange/reading.h"
-
-/* All that was read, as bytes: two models are the same when these are. */
-static char *as_bytes(const batten_model *model, batten_format format, size_t *size)
-{
-    char *data = NULL;
-    batten_write_options options = batten_write_defaults();
-    options.format = format == BATTEN_FORMAT_OFFSETS ? format : BATTEN_FORMAT_STEP;
-    options.schema = BATTEN_STEP_AP242; /* which has meshes */
-    CHECK_OK(batten_write_memory(model, &options, NULL, &data, size));
-    return data;
-}
+#include "exchange/replace.h"
 
 static void check_same(const batten_model *a, const batten_model *b, batten_format format)
 {

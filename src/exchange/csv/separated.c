@@ -223,12 +223,6 @@ static bool has_decimal_comma(const char *text)
     return strspn(text, "+-0123456789.,eE") == strlen(text);
 }
 
-/* Do digits other than 0 stand before the exponent? */
-static bool is_nonzero(const char *text)
-{
-    return strcspn(text, "123456789") < strcspn(text, "eE");
-}
-
 batten_status bat_field_number(const bat_separated *table, int field, double *value)
 {
     const char *text = table->fields[field].text;
@@ -241,9 +235,7 @@ batten_status bat_field_number(const bat_separated *table, int field, double *va
                               "'%.40s' has a comma; a decimal mark must be a point", text);
     if (status != BATTEN_OK)
         return bat_field_fail(table, field, "'%.40s' is not a number", text);
-    if (number == 0 && is_nonzero(text))
-        batten_notes_add(table->input->notes, table->input->file, table->line, "",
-                         "'%.40s' is too small for a number; taken as 0", text);
+    bat_input_vanished(table->input, table->line, "", (bat_span){text, strlen(text)}, number);
     *value = number;
     return BATTEN_OK;
 }

@@ -219,7 +219,10 @@ static batten_status read_vertices(const bat_dxf_pairs *pairs, bat_list *vertice
         double *last =
             vertices->count ? (double *)vertices->items + 4 * (vertices->count - 1) : NULL;
         if (status == BATTEN_OK && last && (code == 10 || code == 20 || code == 42))
-            status = bat_dxf_number(&groups[i], &last[code == 10 ? 0 : code == 20 ? 1 : 3]);
+            status = bat_dxf_number(pairs, &groups[i],
+                                    &last[code == 10   ? 0
+                                          : code == 20 ? 1
+                                                       : 3]);
     }
     return status;
 }

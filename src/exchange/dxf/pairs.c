@@ -150,13 +150,16 @@ size_t bat_dxf_count(const bat_dxf_pairs *pairs, int code)
     return count;
 }
 
-batten_status bat_dxf_number(const bat_dxf_group *group, double *value)
+batten_status bat_dxf_number(const bat_dxf_pairs *pairs, const bat_dxf_group *group,
+                             double *value)
 {
     const batten_status status =
         batten_number_read(group->value.bytes, group->value.length, value, NULL);
     char shown[BAT_SHOWN_SIZE];
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        bat_input_vanished(pairs->input, group->line, "", group->value, *value);
         return BATTEN_OK;
+    }
     return bat_fail(BATTEN_BAD_FORMAT, "line %d: group %d is '%.40s', %s", group->line,
                     group->code, bat_shown(group->value.bytes, group->value.length, shown),
                     status == BATTEN_OVERFLOW ? "which is too large for a number"
@@ -168,20 +171,22 @@ batten_status bat_dxf_get_real(const bat_dxf_pairs *pairs, int code, double stan
 {
     const bat_dxf_group *group = bat_dxf_find(pairs, code);
     *value = standard;
-    return group ? bat_dxf_number(group, value) : BATTEN_OK;
+    return group ? bat_dxf_number(pairs, group, value) : BATTEN_OK;
 }
 
 batten_status bat_dxf_get_integer(const bat_dxf_pairs *pairs, int code, int standard,
                                   int *value)
 {
-    double number = standard;
-    batten_status status = bat_dxf_get_real(pairs, code, standard, &number);
-    if (status == BATTEN_OK && !(fabs(number) <= INT_MAX && number == floor(number)))
-        status =
-            bat_fail(BATTEN_BAD_FORMAT, "group %d is %g, not a whole number", code, number);
-    if (status == BATTEN_OK)
-        *value = (int)number;
-    return status;
+    const bat_dxf_group *group = bat_dxf_find(pairs, code);
+    int64_t number = standard;
+    char shown[BAT_SHOWN_SIZE];
+    if (group && batten_integer_read(group->value.bytes, group->value.length, INT_MIN, INT_MAX,
+                                     &number, NULL) != BATTEN_OK)
+        return bat_fail(BATTEN_BAD_FORMAT, "line %d: group %d is '%.40s', not a whole number",
+                        group->line, code,
+                        bat_shown(group->value.bytes, group->value.length, shown));
+    *value = (int)number;
+    return BATTEN_OK;
 }
 
 batten_status bat_dxf_get_point(const bat_dxf_pairs *pairs, int code, batten_vec3 standard,
@@ -207,7 +212,7 @@ batten_status bat_dxf_get_reals(const bat_dxf_pairs *pairs, int code, size_t cou
     batten_status status = bat_input_array(pairs->input, count, sizeof *made, &made);
     for (size_t i = 0; status == BATTEN_OK && i < pairs->groups.count; i++)
         if (groups[i].code == code)
-            status = bat_dxf_number(&groups[i], &made[at++]);
+            status = bat_dxf_number(pairs, &groups[i], &made[at++]);
     if (status == BATTEN_OK)
         *values = made;
     else

@@ -52,6 +52,7 @@ batten_status bat_dxf_get_reals(const bat_dxf_pairs *pairs, int code, size_t cou
                                 double **values);
 /* A text, copied and cut to the buffer, \U+XXXX decoded; "" when there is none. */
 void bat_dxf_get_text(const bat_dxf_pairs *pairs, int code, size_t size, char *buffer);
-batten_status bat_dxf_number(const bat_dxf_group *group, double *value);
+batten_status bat_dxf_number(const bat_dxf_pairs *pairs, const bat_dxf_group *group,
+                             double *value);
 
 #endif

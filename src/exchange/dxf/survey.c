@@ -12,7 +12,7 @@ static batten_status read_header(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
         if (groups[i].code != 9 || groups[i].value.length != 9 ||
             memcmp(groups[i].value.bytes, "$INSUNITS", 9) != 0)
             continue;
-        if (bat_dxf_number(&groups[i + 1], &code) == BATTEN_OK)
+        if (bat_dxf_number(pairs, &groups[i + 1], &code) == BATTEN_OK)
             r->unit_metres = bat_dxf_unit_of((int)bat_max(0, bat_min(100, code)));
     }
     if (r->unit_metres == 0)

@@ -1,6 +1,7 @@
 #include "exchange/census.h"
 #include "exchange/formats.h"
 #include "exchange/ftm/ftm.h"
+#include "exchange/scan.h"
 
 #include <batten/number.h>
 #include <limits.h>
@@ -85,9 +86,12 @@ static int numbers_of(bat_span line, int most, double *values)
 
 static bool is_whole(const reading *r, size_t index, int *value)
 {
-    double number = 0;
-    if (numbers_of(line_of(r, index), 1, &number) != 1 || number != floor(number) ||
-        fabs(number) > INT_MAX)
+    const bat_span line = line_of(r, index);
+    bat_scan words = bat_scan_begin(line.bytes, line.length);
+    bat_span word, more;
+    int64_t number = 0;
+    if (!bat_next_in_line(&words, &word) || bat_next_in_line(&words, &more) ||
+        !bat_word_integer(word, INT_MIN, INT_MAX, &number))
         return false;
     *value = (int)number;
     return true;
@@ -135,6 +139,14 @@ static batten_status find_points(reading *r)
                           "no control points are found in the model");
 }
 
+static void note_vanished(const reading *r, bat_span line, const double point[3])
+{
+    bat_scan words = bat_scan_begin(line.bytes, line.length);
+    bat_span word;
+    for (int k = 0; k < 3 && bat_next_in_line(&words, &word); k++)
+        bat_input_vanished(r->input, (int)r->at + 1, "", word, point[k]);
+}
+
 static batten_status read_points(reading *r)
 {
     batten_status status = bat_input_limit(r->input, (int)r->points + 1, (size_t)r->point_count,
@@ -144,7 +156,11 @@ static batten_status read_points(reading *r)
                                  &r->coordinates);
     r->at = r->points + 1;
     for (int i = 0; status == BATTEN_OK && i < r->point_count; i++) {
-        if (numbers_of(line_of(r, r->at), 3, &r->coordinates[3 * (size_t)i]) != 3)
+        const bat_span line = line_of(r, r->at);
+        double *point = &r->coordinates[3 * (size_t)i];
+        if (numbers_of(line, 3, point) == 3)
+            note_vanished(r, line, point);
+        else
             status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, (int)r->at + 1,
                                     "point %d has no three coordinates", i);
         r->at += LINES_OF_POINT;
@@ -252,6 +268,11 @@ static void read_look(const reading *r, int layer, char name[NAME], batten_objec
         name[length] = '\0';
     }
     object->has_colour = is_whole(r, at + 2, &colour) && colour >= 0 && colour <= 0xffffff;
+    if (!object->has_colour)
+        batten_notes_add(r->input->notes, r->input->file, (int)at + 3, object->name,
+                         "the colour of the layer is not a whole number from 0 to %d; it has "
+                         "none",
+                         0xffffff);
     for (int k = 0; object->has_colour && k < 3; k++)
         object->colour[k] = ((colour >> (8 * k)) & 255) / 255.0;
 }

@@ -22,7 +22,7 @@ void bat_iges_parameters_end(bat_iges_parameters *parameters)
 void bat_iges_parameters_clear(bat_iges_parameters *parameters)
 {
     parameters->text.count = parameters->tokens.count = parameters->values.count = 0;
-    parameters->odd = parameters->in_place = 0;
+    parameters->odd = parameters->in_place = parameters->vanished = 0;
 }
 
 /* ---- values ---- */

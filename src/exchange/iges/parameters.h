@@ -26,6 +26,7 @@ typedef struct {
     bat_list tokens; /* of bat_iges_token, which count all characters */
     bat_list values; /* of double: of each token the number, or 0 */
     size_t odd;      /* tokens that are neither numbers nor empty */
+    size_t vanished; /* the last number that is too small for a double and is 0; 0 for none */
 } bat_iges_parameters;
 
 enum {

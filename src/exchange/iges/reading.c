@@ -81,6 +81,22 @@ static batten_status frame(bat_iges_reading *reading, bat_iges_parameters **out)
     return BATTEN_OK;
 }
 
+/* Say it once, however often the entity is opened. */
+static void note_vanished(bat_iges_item *item)
+{
+    const bat_iges_parameters *parameters = item->parameters;
+    bat_iges_shape *shape = bat_iges_shape_of(item->reading, item->entry);
+    char shown[BAT_SHOWN_SIZE];
+    bool is_string;
+    if (parameters->vanished == 0 || shape->has_vanished)
+        return;
+    const bat_span text = bat_iges_text(parameters, parameters->vanished, &is_string);
+    bat_iges_note(item->reading, item->entry,
+                  "parameter %zu, %.40s, is too small for a double; read as 0",
+                  parameters->vanished, bat_shown(text.bytes, text.length, shown));
+    shape->has_vanished = true;
+}
+
 batten_status bat_iges_open(bat_iges_reading *reading, const bat_iges_entry *entry,
                             bat_iges_item *item)
 {
@@ -102,6 +118,8 @@ batten_status bat_iges_open(bat_iges_reading *reading, const bat_iges_entry *ent
         status = bat_iges_integer(item->parameters, 0, &type);
     if (status == BATTEN_OK && type != entry->type)
         status = bat_fail(BATTEN_BAD_FORMAT, "its parameters are those of type %d", type);
+    if (status == BATTEN_OK)
+        note_vanished(item);
     return status;
 }
 

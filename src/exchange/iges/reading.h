@@ -47,6 +47,7 @@ typedef struct {
     bat_iges_state state;
     bool is_met;              /* its parts were gone through as members of another */
     bool is_part;             /* another geometric entity refers to it */
+    bool has_vanished;        /* a number of it did, which was said */
     int group;                /* its place among the groups, from 1; 0: in none */
     int table;                /* of a list of vertices or edges, from 1; 0: not yet read */
     batten_curve *curve;      /* kept: of parts */

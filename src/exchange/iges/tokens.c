@@ -197,6 +197,8 @@ static bool read_one(bat_iges_delimiters delimiters, bat_iges_parameters *parame
     const size_t end = *begin + used;
     if (end == BLOCK || !ends(delimiters, text[end]))
         return false;
+    if (bat_has_vanished((bat_span){from, used}, value))
+        parameters->vanished = parameters->tokens.count;
     ((double *)parameters->values.items)[parameters->values.count++] = value;
     ((bat_iges_token *)parameters->tokens.items)[parameters->tokens.count++] =
         (bat_iges_token){(uint32_t)(block + *begin), (uint32_t)used,
@@ -280,6 +282,9 @@ static batten_status read_any_token(bat_input *input, bat_iges_delimiters delimi
     if (status != BATTEN_OK || *end == text.length)
         return status;
     parameters->odd += token->kind == BAT_IGES_STRING || token->kind == BAT_IGES_OTHER;
+    if (token->kind == BAT_IGES_NUMBER &&
+        bat_has_vanished((bat_span){text.bytes + token->begin, token->length}, *value))
+        parameters->vanished = parameters->tokens.count;
     token->begin += (uint32_t)parameters->in_place;
     parameters->tokens.count++;
     parameters->values.count++;

@@ -58,7 +58,7 @@ static batten_status read_list(bat_obj *obj, bat_list *list)
     list->count = 0;
     while (status == BATTEN_OK && bat_obj_next(obj, &word)) {
         double number;
-        if (!bat_word_number(word, &number))
+        if (!bat_word_real(obj->input, obj->scan.line, word, &number))
             number = (double)NAN;
         status = bat_list_add(obj->input, list, &number);
     }

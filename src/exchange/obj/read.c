@@ -33,7 +33,7 @@ bool bat_obj_next(bat_obj *obj, bat_span *word)
 bool bat_obj_number(bat_obj *obj, double *value)
 {
     bat_span word;
-    return bat_obj_next(obj, &word) && bat_word_number(word, value);
+    return bat_obj_next(obj, &word) && bat_word_real(obj->input, obj->scan.line, word, value);
 }
 
 /* ---- recognition ---- */
@@ -86,7 +86,7 @@ static batten_status read_vertex(bat_obj *obj)
     bat_span word;
     bool good = true;
     while (bat_obj_next(obj, &word)) {
-        good = good && count < 7 && bat_word_number(word, &numbers[count]);
+        good = good && count < 7 && bat_word_real(input, obj->scan.line, word, &numbers[count]);
         count++;
     }
     bat_obj_vertex vertex = {.weight = 1};

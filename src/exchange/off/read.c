@@ -89,7 +89,7 @@ static void read_vertex(reading *r, bat_span word, size_t index)
     bool more = true;
     for (; more; more = next_in_line(r, &word))
         if (count < 10) {
-            good = bat_word_number(word, &numbers[count]) && good;
+            good = bat_word_real(r->input, r->scan.line, word, &numbers[count]) && good;
             count++;
         }
     const int before = r->has_normals ? 6 : 3;

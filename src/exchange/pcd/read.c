@@ -236,7 +236,7 @@ static bool read_row(const reading *r, bat_span line, double point[3])
                     found++;
                     if (bat_word_is_like(word, "nan") || bat_word_is_like(word, "-nan"))
                         point[a] = (double)NAN;
-                    else if (!bat_word_number(word, &point[a]))
+                    else if (!bat_word_real(r->input, r->line, word, &point[a]))
                         return false;
                 }
         }

@@ -52,7 +52,7 @@ static bool next_word(bat_ply_items *items, double *value)
     bat_span word;
     if (!bat_next_in_line(&items->words, &word))
         return false;
-    if (!bat_word_number(word, value))
+    if (!bat_word_real(items->input, items->line, word, value))
         *value = NAN;
     return true;
 }

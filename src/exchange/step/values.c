@@ -238,20 +238,12 @@ static bool is_number(const bat_step_file *file, size_t at)
 static void check_vanished(const bat_step_file *file, const bat_step_record *record, size_t at,
                            size_t length)
 {
-    const bat_input *input = file->input;
-    for (size_t i = at; i < at + length; i++) {
-        const char c = input->data[i];
-        if (c == 'E' || c == 'e')
-            return;
-        if (c >= '1' && c <= '9') {
-            char entity[32], shown[BAT_SHOWN_SIZE];
-            snprintf(entity, sizeof entity, "#%llu", (unsigned long long)record->id);
-            batten_notes_add(input->notes, input->file, bat_step_line(file, at), entity,
-                             "the number %s is read as 0",
-                             bat_shown(input->data + at, length, shown));
-            return;
-        }
-    }
+    const bat_span number = {file->input->data + at, length};
+    char entity[32];
+    if (!bat_has_vanished(number, 0))
+        return;
+    snprintf(entity, sizeof entity, "#%llu", (unsigned long long)record->id);
+    bat_input_vanished(file->input, bat_step_line(file, at), entity, number, 0);
 }
 
 batten_status bat_step_item_real(const bat_step_file *file, const bat_step_record *record,

@@ -27,7 +27,7 @@ static bool read_numbers(reading *r, int count, double *numbers)
         bat_span word;
         if (!bat_next_word(&r->words, &word))
             return false;
-        if (!bat_word_number(word, &numbers[k]))
+        if (!bat_word_real(r->input, r->words.line, word, &numbers[k]))
             numbers[k] = NAN;
     }
     return true;

@@ -44,6 +44,15 @@ bool bat_svg_number(bat_span text, size_t *at, double *value)
     return true;
 }
 
+bool bat_svg_real(const bat_input *input, int line, bat_span text, size_t *at, double *value)
+{
+    const size_t begin = bat_svg_past_separators(text, *at);
+    if (!bat_svg_number(text, at, value))
+        return false;
+    bat_input_vanished(input, line, "", (bat_span){text.bytes + begin, *at - begin}, *value);
+    return true;
+}
+
 /* ---- transforms ---- */
 
 static bat_svg_map turned(double angle)
@@ -85,7 +94,8 @@ static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *ma
     return count == 1;
 }
 
-batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
+batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
+                                bat_svg_map *map)
 {
     bat_svg_map whole = {1, 0, 0, 1, 0, 0};
     for (size_t at = bat_svg_past_separators(text, 0); at < text.length;
@@ -100,7 +110,7 @@ batten_status bat_svg_transform(bat_span text, bat_svg_map *map)
         while (at < text.length && bat_is_white(text.bytes[at]))
             at++;
         at += at < text.length;
-        while (count < 6 && bat_svg_number(text, &at, &v[count]))
+        while (count < 6 && bat_svg_real(input, line, text, &at, &v[count]))
             count++;
         at = bat_svg_past_separators(text, at);
         if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
@@ -209,7 +219,8 @@ static bool read_arguments(parsing *p, char command, double v[7])
     const int count = arguments_of(command);
     for (int k = 0; k < count; k++) {
         const bool is_flag = command == 'A' && (k == 3 || k == 4);
-        if (!(is_flag ? read_flag(p, &v[k]) : bat_svg_number(p->data, &p->at, &v[k])))
+        if (!(is_flag ? read_flag(p, &v[k])
+                      : bat_svg_real(p->row->input, p->row->line, p->data, &p->at, &v[k])))
             return false;
     }
     return true;

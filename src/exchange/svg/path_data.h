@@ -15,14 +15,18 @@ size_t bat_svg_past_separators(bat_span text, size_t at);
 /* The next number, past blanks and a comma; false when none stands there. *at goes behind it.
  */
 bool bat_svg_number(bat_span text, size_t *at, double *value);
+/* The same, with a note when it is too small for a double and becomes 0. */
+bool bat_svg_real(const bat_input *input, int line, bat_span text, size_t *at, double *value);
 /* "translate(1 2) rotate(30)" and so on. BAD_FORMAT with a message for a note. */
-batten_status bat_svg_transform(bat_span text, bat_svg_map *map);
+batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
+                                bat_svg_map *map);
 /* "#f80", "#ff8800", "rgb(255, 128, 0)", "red"; false for "none" and what is not known. */
 bool bat_svg_colour(bat_span text, double rgb[3]);
 
 /* A row of Bezier pieces that goes on, in the plane. */
 typedef struct {
     bat_input *input;
+    int line;        /* of the element */
     bat_list points; /* of double[3]: x, y, weight; after the first three for each piece: all
                         are raised to cubics */
     bool has_curves, has_weights;

@@ -51,20 +51,28 @@ batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
 
 /* ---- the sheet ---- */
 
+static bool says(bat_span text, const char *word)
+{
+    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
+}
+
 /* A length in millimetres; 0 for none. */
 static double length_of(const bat_xml *xml, const char *name)
 {
     bat_span text;
     size_t at = 0;
-    double value = 0;
-    if (!bat_xml_attribute(xml, name, &text) || !bat_svg_number(text, &at, &value))
+    double value = 0, length = 0;
+    char shown[BAT_SHOWN_SIZE];
+    if (!bat_xml_attribute(xml, name, &text))
         return 0;
-    return value * bat_svg_unit((bat_span){text.bytes + at, text.length - at});
-}
-
-static bool says(bat_span text, const char *word)
-{
-    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
+    if (bat_svg_real(xml->input, xml->line, text, &at, &value))
+        length = value * bat_svg_unit((bat_span){text.bytes + at, text.length - at});
+    const bool is_share = at < text.length && text.bytes[at] == '%';
+    if (!(length > 0) && !is_share && !says(text, "auto"))
+        batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
+                         "its %s is '%.40s', which is no length of a sheet", name,
+                         bat_shown(text.bytes, text.length, shown));
+    return length;
 }
 
 /* A sheet of another shape than its numbers may say how they fit; the standard way is ours. */
@@ -90,10 +98,18 @@ static bat_svg_map sheet_of(const bat_xml *xml)
     bat_span text = {"", 0};
     size_t at = 0;
     int count = 0;
+    char shown[BAT_SHOWN_SIZE];
     if (bat_xml_attribute(xml, "viewBox", &text))
         while (count < 4 && bat_svg_number(text, &at, &box[count]))
             count++;
-    if (count < 4 || !(box[2] > 0 && box[3] > 0)) {
+    const bool is_good = count == 4 && box[2] > 0 && box[3] > 0;
+    if (text.length > 0 && !is_good)
+        batten_notes_add(
+            xml->input->notes, xml->input->file, xml->line, "svg",
+            "the viewBox '%.40s' is not of four numbers, the last two above 0; the "
+            "width and height stand for it",
+            bat_shown(text.bytes, text.length, shown));
+    if (!is_good) {
         box[0] = box[1] = 0;
         box[2] = width > 0 ? width / BAT_SVG_PIXEL : 1;
         box[3] = height > 0 ? height / BAT_SVG_PIXEL : 0;
@@ -157,7 +173,7 @@ static batten_status read_look(const reading *r, level *look)
     }
     if (!bat_xml_attribute(&r->xml, "transform", &text))
         return BATTEN_OK;
-    batten_status status = bat_svg_transform(text, &map);
+    batten_status status = bat_svg_transform(r->input, r->xml.line, text, &map);
     if (status == BATTEN_OK)
         look->map = bat_svg_compose(map, look->map);
     return status;

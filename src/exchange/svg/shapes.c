@@ -28,7 +28,7 @@ static batten_status numbers_of(const bat_xml *xml, int count, const char *const
         values[k] = 0;
         if (!bat_xml_attribute(xml, names[k], &text))
             continue;
-        const double unit = bat_svg_number(text, &at, &values[k])
+        const double unit = bat_svg_real(xml->input, xml->line, text, &at, &values[k])
                                 ? bat_svg_unit((bat_span){text.bytes + at, text.length - at})
                                 : 0;
         char shown[BAT_SHOWN_SIZE];
@@ -92,8 +92,8 @@ static batten_status read_polyline(bat_span text, bool closed, bat_svg_row *row,
     int count = 0;
     batten_status status = BATTEN_OK;
     row->points.count = 0;
-    while (status == BATTEN_OK && bat_svg_number(text, &at, &p[0]) &&
-           bat_svg_number(text, &at, &p[1])) {
+    while (status == BATTEN_OK && bat_svg_real(row->input, row->line, text, &at, &p[0]) &&
+           bat_svg_real(row->input, row->line, text, &at, &p[1])) {
         good = at;
         if (count++ == 0) {
             memcpy(start, p, sizeof p);
@@ -142,6 +142,7 @@ batten_status bat_svg_shape(const bat_xml *xml, bat_svg_row *row, bat_svg_take *
     static const char *const ellipse[4] = {"cx", "cy", "rx", "ry"};
     batten_status status;
     bat_span text = {"", 0};
+    row->line = xml->line;
     if (bat_xml_is(xml, "path")) {
         (void)bat_xml_attribute(xml, "d", &text);
         return bat_svg_path(text, row, take, context);

@@ -265,16 +265,32 @@ TEST(N3_numbers_of_IGES_may_have_a_D)
     const struct {
         const char *text;
         double value;
-    } numbers[] = {{"1D5", 1e5},  {"1.D+3", 1000}, {"1.5d-2", 0.015},
-                   {".5", 0.5},   {"5.", 5},       {"+1", 1},
-                   {"7", 7},      {" 2. ", 2},     {"", 0},
-                   {"1E-400", 0}, {"-0.", -0.0},   {"4.9E-324", 4.9406564584124654e-324}};
+    } numbers[] = {{"1D5", 1e5},
+                   {"1.D+3", 1000},
+                   {"1.5d-2", 0.015},
+                   {".5", 0.5},
+                   {"5.", 5},
+                   {"+1", 1},
+                   {"7", 7},
+                   {" 2. ", 2},
+                   {"", 0},
+                   {"-0.", -0.0},
+                   {"4.9E-324", 4.9406564584124654e-324}};
     for (int i = 0; i < COUNT(numbers); i++) {
         char text[80];
         snprintf(text, sizeof text, "110,%s,2.,3.,4.,5.,6.;", numbers[i].text);
         batten_model *model = read_noting(iges_one(110, text), BATTEN_FORMAT_AUTO, "");
         CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0],
                    numbers[i].value);
+        batten_model_unref(model);
+    }
+    const char *const small[] = {"1E-400", "-1.D-400", "0.1e-330"};
+    for (int i = 0; i < COUNT(small); i++) {
+        char text[80], words[80];
+        snprintf(text, sizeof text, "110,%s,2.,3.,4.,5.,6.;", small[i]);
+        snprintf(words, sizeof words, "parameter 1, %s, is too small for a double", small[i]);
+        batten_model *model = read_noting(iges_one(110, text), BATTEN_FORMAT_AUTO, words);
+        CHECK(batten_curve_points(batten_model_object(model, 0)->curve)[0] == 0);
         batten_model_unref(model);
     }
     const char *const bad[] = {"nan", "inf", "0x1p3", "1e400", "--1", "1 2", "1.2.3", "1H5"};

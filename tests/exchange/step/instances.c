@@ -184,7 +184,7 @@ TEST(N3_numbers_of_step_are_those_of_its_standard)
     CHECK_MESSAGE("#1 X: argument 1 is too large for a double");
     CHECK_OK(bat_step_get_real(&t.file, x, 1, &value));
     CHECK_BITS(value, 0.0);
-    step_check_note(&t, "the number 1.E-400 is read as 0");
+    step_check_note(&t, "the number 1.E-400 is too small for a double; read as 0");
     CHECK_OK(bat_step_get_real(&t.file, x, 2, &value)); /* N5 */
     CHECK_BITS(value, -0.0);
     CHECK_OK(bat_step_get_real(&t.file, x, 3, &value));
