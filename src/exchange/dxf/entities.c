@@ -122,21 +122,54 @@ static batten_status read_points(const bat_dxf_pairs *pairs, int code, size_t co
     return status;
 }
 
-/* A spline that has only the points through which it goes. */
+/* The direction that is given for an end; (0, 0, 0) says nothing. */
+static batten_status read_end(const bat_dxf_pairs *pairs, int code, batten_end *end,
+                              bool *is_given)
+{
+    batten_vec3 d;
+    const batten_status status = bat_dxf_get_point(pairs, code, zero, &d);
+    *is_given = status == BATTEN_OK && (d.x != 0 || d.y != 0 || d.z != 0);
+    if (*is_given)
+        *end = (batten_end){BATTEN_END_DIRECTION, {d.x, d.y, d.z}};
+    return status;
+}
+
+/*
+ * A spline that has only the points through which it goes. Directions at its ends have the
+ * length 1 over chord lengths as parameters: the file gives unit vectors, and only their
+ * direction is sure.
+ */
 static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_curve **out)
 {
     const size_t count = bat_dxf_count(pairs, 11);
     batten_interpolate_options options = batten_interpolate_defaults();
     double *points = NULL;
+    bool has_start = false, has_end = false;
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu points to go through", count);
     batten_status status = read_points(pairs, 11, count, &points);
     options.degree = degree;
+    options.knots_at_data = degree == 3;
+    if (status == BATTEN_OK)
+        status = read_end(pairs, 12, &options.start, &has_start);
+    if (status == BATTEN_OK)
+        status = read_end(pairs, 13, &options.end, &has_end);
+    const bool is_clamped = degree == 3 && (has_start || has_end);
+    if (is_clamped)
+        options.parameters = BATTEN_CHORD;
+    else
+        options.start = options.end = batten_interpolate_defaults().start;
     if (status == BATTEN_OK)
         status = batten_curve_interpolate(3, (int)count, points, &options, NULL, out);
     if (status == BATTEN_OK)
         batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
-                         "it says only %zu points; a curve was put through them", count);
+                         "it says only %zu points%s; a curve was put through them%s", count,
+                         !has_start && !has_end ? ""
+                         : has_start && has_end ? " and the directions at its ends"
+                                                : " and the direction at one end",
+                         is_clamped || (!has_start && !has_end)
+                             ? ""
+                             : ", without these, as it is not cubic");
     bat_release(points);
     return status;
 }

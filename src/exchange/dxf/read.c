@@ -1,3 +1,4 @@
+#include "exchange/dxf/blocks.h"
 #include "exchange/dxf/colours.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/entities.h"
@@ -19,6 +20,8 @@ typedef struct {
     bat_dxf_polyline polyline;
     bat_list faces; /* of double[9]: triangles of 3DFACEs that follow one another */
     batten_object face_look;
+    bat_dxf_block *block;         /* that is being built, or NULL */
+    bat_dxf_part part, face_part; /* what read_look found; of the face_look */
     char face_layer[BAT_DXF_NAME], face_name[64];
     int depth;
 } filling;
@@ -50,26 +53,53 @@ batten_status bat_dxf_recognise(const bat_input *input, bool *is_dxf)
 
 /* ---- entities ---- */
 
-/* Layer, colour, and whether it is shown; bad numbers are as if they were not there. */
-static void read_look(const filling *f, char layer_name[BAT_DXF_NAME], batten_object *object)
+/* A layer that the file does not describe has colour 7. */
+static void colour_of_layer(const bat_dxf_layer_entry *on, double colour[3])
+{
+    if (on && on->has_colour)
+        memcpy(colour, on->colour, sizeof on->colour);
+    else
+        bat_dxf_colour(7, colour);
+}
+
+/* Layer, colour, and whether it is shown; bad numbers are as if they were not there. What lies
+ * on layer 0 of a block has the layer of the INSERT. */
+static void read_look(filling *f, char layer_name[BAT_DXF_NAME], batten_object *object)
 {
     int colour = 256, full = -1, hidden = 0;
     bat_dxf_get_text(&f->pairs, 8, BAT_DXF_NAME, layer_name);
-    const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
+    f->part = (bat_dxf_part){.source = BAT_DXF_OWN};
+    f->part.is_on_zero = f->block && strcmp(layer_name, "0") == 0;
+    const bat_dxf_layer_entry *on =
+        f->part.is_on_zero ? NULL : bat_dxf_find_layer(f->r, layer_name);
     (void)bat_dxf_get_integer(&f->pairs, 62, 256, &colour);
     (void)bat_dxf_get_integer(&f->pairs, 420, -1, &full);
     (void)bat_dxf_get_integer(&f->pairs, 60, 0, &hidden);
-    object->layer = layer_name;
+    object->layer = f->part.is_on_zero ? "" : layer_name;
     object->is_hidden = hidden == 1 || (on && on->is_hidden);
     object->has_colour = bat_dxf_colour(colour, object->colour);
     if (full >= 0) {
         bat_dxf_true_colour(full, object->colour);
         object->has_colour = true;
     }
-    if (!object->has_colour && colour == 256 && on && on->has_colour) {
-        memcpy(object->colour, on->colour, sizeof on->colour);
+    if (object->has_colour)
+        return;
+    if (colour == 256 && f->part.is_on_zero) {
+        f->part.source = BAT_DXF_BY_ZERO;
+    } else if (colour == 256 && (f->block || (on && on->has_colour))) {
+        colour_of_layer(on, object->colour);
         object->has_colour = true;
+    } else {
+        f->part.source = BAT_DXF_BY_BLOCK;
     }
+}
+
+static batten_status add_object(filling *f, const batten_object *object,
+                                const bat_dxf_part *part)
+{
+    const batten_status status = batten_model_add(f->model, object);
+    return status == BATTEN_OK && f->block ? bat_dxf_add_part(f->r->input, f->block, part)
+                                           : status;
 }
 
 static batten_status leave_out(filling *f, const char *kind, int line)
@@ -86,7 +116,7 @@ static batten_status add_curve(filling *f, const char *kind, batten_curve *curve
     batten_object object = {.kind = BATTEN_OBJECT_CURVE, .curve = curve, .name = name};
     snprintf(name, sizeof name, "%s %d", kind, ++f->r->number);
     read_look(f, layer_name, &object);
-    return batten_model_add(f->model, &object);
+    return add_object(f, &object, &f->part);
 }
 
 static batten_status add_point(filling *f)
@@ -102,7 +132,7 @@ static batten_status add_point(filling *f)
         return status;
     f->r->number++;
     read_look(f, layer_name, &object);
-    return batten_model_add(f->model, &object);
+    return add_object(f, &object, &f->part);
 }
 
 /* ---- faces ---- */
@@ -128,7 +158,7 @@ static batten_status flush_faces(filling *f)
         status = batten_mesh_weld(loose, &mesh);
     f->face_look.mesh = mesh;
     if (status == BATTEN_OK)
-        status = batten_model_add(f->model, &f->face_look);
+        status = add_object(f, &f->face_look, &f->face_part);
     batten_mesh_unref(loose);
     batten_mesh_unref(mesh);
     bat_release(order);
@@ -154,14 +184,16 @@ static batten_status add_face(filling *f)
     if (status != BATTEN_OK)
         return status;
     read_look(f, layer_name, &look);
-    if (f->faces.count > 0 && !looks_same(&f->face_look, &look))
+    if (f->faces.count > 0 &&
+        (!looks_same(&f->face_look, &look) || f->face_part.source != f->part.source))
         status = flush_faces(f);
     if (status == BATTEN_OK && f->faces.count == 0) {
         snprintf(f->face_name, sizeof f->face_name, "3DFACE %d", ++f->r->number);
         memcpy(f->face_layer, layer_name, sizeof layer_name);
         f->face_look = look;
         f->face_look.name = f->face_name;
-        f->face_look.layer = f->face_layer;
+        f->face_look.layer = f->part.is_on_zero ? "" : f->face_layer;
+        f->face_part = f->part;
     }
     for (int i = 1; status == BATTEN_OK && i + 1 < count; i++) {
         double triangle[9];
@@ -183,7 +215,7 @@ static batten_status fill(filling *f, const char *end);
  * DEEPEST deep and no further. */
 static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth)
 {
-    filling f = {.r = r, .depth = depth, .faces = {.size = 9 * sizeof(double)}};
+    filling f = {.r = r, .depth = depth, .block = b, .faces = {.size = 9 * sizeof(double)}};
     if (b->model)
         return BATTEN_OK;
     if (b->is_at_work || depth >= DEEPEST)
@@ -242,6 +274,28 @@ static batten_status read_place(const filling *f, const bat_dxf_block *b, batten
     return BATTEN_OK;
 }
 
+/* On layer 0 of a block it is not known yet what the layer will be. */
+static batten_status place(filling *f, bat_dxf_block *b, const char *layer_name,
+                           batten_object *object)
+{
+    const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
+    const double *own = object->has_colour ? object->colour : NULL;
+    const bool is_plain = !own && !on && !f->block && !b->is_bound;
+    batten_model *model = NULL;
+    batten_status status = BATTEN_OK;
+    double colour[3];
+    colour_of_layer(on, colour);
+    if (f->part.is_on_zero || is_plain)
+        model = batten_model_ref(b->model);
+    else
+        status = bat_dxf_place_block(f->r, b, colour, own, &model);
+    object->definition = model;
+    if (status == BATTEN_OK)
+        status = add_object(f, object, &f->part);
+    batten_model_unref(model);
+    return status;
+}
+
 static batten_status add_insert(filling *f)
 {
     char layer_name[BAT_DXF_NAME], name[BAT_DXF_NAME];
@@ -266,8 +320,8 @@ static batten_status add_insert(filling *f)
     if (status != BATTEN_OK)
         return status;
     read_look(f, layer_name, &object);
-    object.definition = b->model;
-    return batten_model_add(f->model, &object);
+    f->part.block = b;
+    return place(f, b, layer_name, &object);
 }
 
 /* ---- one entity after another ---- */
@@ -403,7 +457,7 @@ batten_status bat_read_dxf(bat_input *input, batten_model **out)
     batten_model_unref(model);
     bat_dxf_block *blocks = r.blocks.items;
     for (size_t i = 0; i < r.blocks.count; i++)
-        batten_model_unref(blocks[i].model);
+        bat_dxf_block_end(&blocks[i]);
     bat_release(r.layers.items);
     bat_release(r.blocks.items);
     bat_census_end(&r.census);

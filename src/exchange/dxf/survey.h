@@ -23,6 +23,9 @@ typedef struct {
     int line;
     bool is_at_work; /* to find blocks that hold themselves */
     batten_model *model;
+    /* Colours that depend on the INSERT: src/exchange/dxf/blocks.h. */
+    bat_list parts, variants;
+    bool has_floating, is_bound;
 } bat_dxf_block;
 
 typedef struct {
@@ -32,7 +35,7 @@ typedef struct {
     double unit_metres;
     size_t entities_at; /* 0: there is no such section */
     int entities_line;
-    int number, instances;
+    int number, instances, copied; /* copied: objects, for the colours of INSERTs */
 } bat_dxf_reading;
 
 /* Go through the file once. */

@@ -160,6 +160,42 @@ TEST(splines_of_dxf_files_are_read)
     batten_model_unref(model);
 }
 
+/* Four points, with what else stands in the entity. */
+static batten_model *read_fit(const char *more)
+{
+    char text[600];
+    snprintf(text, sizeof text,
+             "0 SPLINE|8 0|70 8|%s11 0|21 0|31 0|11 1|21 1|31 0|11 2|21 0|31 0|11 3|21 1|31 0|",
+             more);
+    return read_entities(text);
+}
+
+/* The direction of the first curve at an end of it. */
+static double angle_at(const batten_model *model, bool at_end)
+{
+    const batten_curve *curve = batten_model_object(model, 0)->curve;
+    const batten_interval domain = batten_curve_domain(curve);
+    double d[6];
+    CHECK_OK(batten_curve_evaluate(curve, at_end ? domain.b : domain.a, 1, d));
+    return atan2(d[4], d[3]) * 45 / atan(1);
+}
+
+TEST(splines_through_points_keep_the_directions_at_their_ends)
+{
+    batten_model *model = read_fit("71 3|12 1|22 1|32 0|13 0|23 -2|33 0|");
+    CHECK_NEAR(angle_at(model, false), 45, 1e-10);
+    CHECK_NEAR(angle_at(model, true), -90, 1e-10);
+    batten_model_unref(model);
+    model = read_fit("71 3|12 1|22 0|32 0|13 0|23 0|33 0|");
+    CHECK_NEAR(angle_at(model, false), 0, 1e-10);
+    batten_model_unref(model);
+    batten_model *plain = read_fit("71 2|");
+    model = read_fit("71 2|12 1|22 0|32 0|");
+    CHECK_NEAR(angle_at(model, false), angle_at(plain, false), 0);
+    batten_model_unref(plain);
+    batten_model_unref(model);
+}
+
 TEST(layers_say_colour_and_whether_they_are_shown)
 {
     batten_model *model = NULL;
@@ -206,6 +242,84 @@ TEST(blocks_are_placed_as_instances)
     CHECK_NEAR(batten_model_object(flat, 1)->points[0], 1, 0);
     batten_model_unref(flat);
     batten_model_unref(model);
+}
+
+/* Layer and colour of object `index` of the model without its instances; colour -1 for none,
+ * else in hexadecimal. */
+static void check_look(const batten_model *model, int index, const char *layer, int colour)
+{
+    batten_model *flat = NULL;
+    CHECK_OK(batten_model_flat(model, &flat));
+    const batten_object *o = batten_model_object(flat, index);
+    int found = 0;
+    for (int k = 0; k < 3; k++)
+        found = found << 8 | (int)(255 * o->colour[k] + 0.5);
+    CHECK_TEXT(o->layer, layer);
+    CHECK_INT(o->has_colour ? found : -1, colour);
+    batten_model_unref(flat);
+}
+
+static batten_model *read_blocks(const char *blocks, const char *entities)
+{
+    batten_model *model = NULL;
+    CHECK_OK(read_text(
+        file_of("0 LAYER|2 green|70 0|62 3|0 LAYER|2 blue|70 0|62 5|", blocks, entities),
+        BATTEN_FORMAT_AUTO, NULL, &model));
+    return model;
+}
+
+/* By layer on layer 0, by block, by another layer, and red. */
+static const char four[] = "0 BLOCK|8 0|2 four|70 0|10 0|20 0|0 POINT|8 0|10 1|20 0|"
+                           "0 POINT|8 0|62 0|10 2|20 0|0 POINT|8 blue|10 3|20 0|"
+                           "0 POINT|8 0|62 1|10 4|20 0|0 ENDBLK|8 0|";
+
+TEST(what_lies_on_layer_0_of_a_block_has_the_layer_of_the_insert)
+{
+    enum { RED = 0xff0000, GREEN = 0x00ff00, BLUE = 0x0000ff, YELLOW = 0xffff00 };
+    batten_model *model = read_blocks(four, "0 INSERT|8 green|2 four|10 0|20 0|"
+                                            "0 INSERT|8 green|62 2|2 four|10 0|20 0|"
+                                            "0 INSERT|8 green|62 1|2 four|10 0|20 0|"
+                                            "0 INSERT|8 new|2 four|10 0|20 0|"
+                                            "0 INSERT|8 new|62 2|2 four|10 0|20 0|");
+    static const int colours[] = {GREEN, GREEN, YELLOW, RED, -1, YELLOW};
+    for (int i = 0; i < 5; i++) {
+        const char *layer = i < 3 ? "green" : "new";
+        check_look(model, 4 * i, layer, i < 3 ? GREEN : i == 3 ? -1 : 0);
+        check_look(model, 4 * i + 1, layer, colours[i + 1]);
+        check_look(model, 4 * i + 2, "blue", BLUE);
+        check_look(model, 4 * i + 3, layer, RED);
+    }
+    /* Only another colour than that of the layer needs a copy, and one does for two. */
+    const batten_model *first = batten_model_object(model, 0)->definition;
+    const batten_model *second = batten_model_object(model, 1)->definition;
+    CHECK(first == batten_model_object(model, 3)->definition);
+    CHECK(first != second && second == batten_model_object(model, 2)->definition);
+    batten_model_unref(model);
+}
+
+TEST(colours_go_through_blocks_within_blocks)
+{
+    enum { RED = 0xff0000, GREEN = 0x00ff00, BLUE = 0x0000ff };
+    static const char *const inner[] = {"8 0|", "8 0|62 0|", "8 0|62 1|", "8 blue|",
+                                        "8 blue|62 1|"};
+    static const int by_layer[] = {GREEN, GREEN, GREEN, BLUE, BLUE};
+    static const int by_block[] = {GREEN, 0xffff00, RED, BLUE, RED};
+    for (int i = 0; i < COUNT(inner); i++) {
+        char blocks[800];
+        snprintf(
+            blocks, sizeof blocks,
+            "%s0 BLOCK|8 0|2 outer|70 0|10 0|20 0|0 INSERT|%s2 four|10 0|20 0|0 ENDBLK|8 0|",
+            four, inner[i]);
+        batten_model *model = read_blocks(blocks, "0 INSERT|8 green|62 2|2 outer|10 0|20 0|");
+        check_look(model, 0, i < 3 ? "green" : "blue", by_layer[i]);
+        check_look(model, 1, i < 3 ? "green" : "blue", by_block[i]);
+        check_look(model, 2, "blue", BLUE);
+        batten_model_unref(model);
+        model = read_blocks(blocks, "0 INSERT|8 green|2 outer|10 0|20 0|");
+        check_look(model, 0, i < 3 ? "green" : "blue", by_layer[i]);
+        check_look(model, 1, i < 3 ? "green" : "blue", i == 1 ? GREEN : by_block[i]);
+        batten_model_unref(model);
+    }
 }
 
 TEST(P1_a_block_that_holds_itself_is_left_out)
