@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "single.h"
 
 #include <string.h>
@@ -6,6 +7,7 @@
 static const option options[] = {
     {"within", 0, OPTION_VALUE, "TOL",
      "how far data points may lie from the shape, and edges of bodies from faces, as 2 mm"},
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
@@ -55,8 +57,8 @@ static int check_design(batten_design *design, bool json, batten_notes *notes)
 
 static int run_design(const arguments *given)
 {
-    static const char *const of_files[] = {"within", "unit"};
-    for (int i = 0; i < 2; i++)
+    static const char *const of_files[] = {"within", "unit", "from-format"};
+    for (int i = 0; i < 3; i++)
         if (arguments_has(given, of_files[i])) {
             complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
                      "so itself",

@@ -60,14 +60,13 @@ void notes_show(const batten_notes *notes);
 void failed_show(const batten_notes *notes);
 void notes_json(batten_text *text, const batten_notes *notes);
 
-/* Read `file`, `file#name` or `-` into a model. The exit status: EXIT_DONE, EXIT_PARTLY with a
- * model, EXIT_FAILED without. */
-int input_read(const char *file, batten_notes *notes, batten_model **model);
-/* The same of a file that is said to be of a format; AUTO: by its content. */
-int input_read_as(const char *file, batten_format format, batten_notes *notes,
-                  batten_model **model);
+/* Read `file`, `file#name` or `-` into a model, as the format; AUTO: by its content. The exit
+ * status: EXIT_DONE, EXIT_PARTLY with a model, EXIT_FAILED without. */
+int input_read(const char *file, batten_format format, batten_notes *notes,
+               batten_model **model);
 /* The file part of "file#name", yours to release, and the name or NULL. A file that exists
- * under the whole name is meant as it stands. */
+ * under the whole name is meant as it stands; the hash is the last one behind a file that
+ * exists. */
 batten_status input_split(const char *argument, char **file, const char **name);
 
 /* In designs that a command makes, the file is a feature with its own name, so that messages
@@ -79,6 +78,9 @@ void input_add(batten_text *text, const char *argument);
 
 /* Print and free the text; EXIT_FAILED with a complaint when standard output refuses it. */
 int output_print(batten_text *text);
+/* Would writing `output` overwrite the file that is read, under whatever name? Then true, with
+ * a complaint. */
+bool output_is_input(const char *of, const char *input, const char *output);
 /* Save bytes to a file, or print them for "-". */
 int output_save(const char *path, const char *data, size_t size);
 /* The library's message, without the place ":5:39: " in a design that has no file. */

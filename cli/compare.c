@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "method.h"
 #include "values.h"
 
@@ -16,6 +17,7 @@ typedef struct {
     const arguments *given;
     const batten_model *model;
     batten_notes *notes;
+    batten_format format; /* of the file */
     int count;
     panel panels[MAX_METHODS];
 } comparison;
@@ -24,6 +26,7 @@ static const option options[] = {
     {"output", 'o', OPTION_VALUE, "PICTURE", "the picture to write: .png, .svg or .pdf"},
     {"methods", 'm', OPTION_VALUE, "LIST",
      "names with commas between them, each with settings: tension:amount=5,akima; or all"},
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the table as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no table, no remarks"},
@@ -207,7 +210,7 @@ static int compare(comparison *c)
 static int run_on(comparison *c)
 {
     batten_model *model = NULL;
-    int exit = input_read(c->given->files[0], c->notes, &model);
+    int exit = input_read(c->given->files[0], c->format, c->notes, &model);
     if (exit != EXIT_FAILED) {
         c->model = model;
         const int compared = compare(c);
@@ -233,6 +236,9 @@ static int run(const arguments *given)
     if (list && strcmp(list, "all") == 0)
         add_all(&c);
     else if (!add_list(&c, list ? list : usual))
+        return EXIT_USAGE;
+    if (!formats_option("compare", given, "from-format", &c.format) ||
+        output_is_input("compare", given->files[0], output))
         return EXIT_USAGE;
     if (batten_notes_create(1000, &c.notes) != BATTEN_OK)
         return output_failed("compare", BATTEN_OUT_OF_MEMORY);

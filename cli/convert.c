@@ -1,6 +1,7 @@
 #include "formats.h"
 #include "tally.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -11,16 +12,15 @@ static const option options[] = {
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
     {"tolerance", 0, OPTION_VALUE, "T",
      "for what the format cannot say exactly, in the result's unit"},
-    {"from-format", 0, OPTION_VALUE, "FORMAT",
-     "what IN is, where its content does not tell; see 'batten help formats'"},
+    FROM_FORMAT_OPTION,
     {"format", 0, OPTION_VALUE, "FORMAT", "what OUT is to be, where its ending does not tell"},
     {"schema", 0, OPTION_VALUE, "NAME", "STEP: ap214, ap203 or ap242 (ap214)"},
     {"no-pcurves", 0, OPTION_FLAG, NULL, "STEP: faces without curves in (u, v)"},
     {"chord", 0, OPTION_VALUE, "D",
-     "formats of meshes: how far triangles may be from the shape, in the result's unit (1/1000 "
-     "of its size)"},
+     "where shapes become meshes: how far triangles may be from them, in the result's unit "
+     "(1/1000 of their size)"},
     {"angle", 0, OPTION_VALUE, "A",
-     "formats of meshes: degrees between the normals at the ends of an edge (20)"},
+     "where shapes become meshes: degrees between the normals at the ends of an edge (20)"},
     {"text", 0, OPTION_FLAG, NULL, "STL and PLY: the form that can be read"},
     {"eighths", 0, OPTION_FLAG, NULL, "tables of offsets in feet, inches and eighths"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
@@ -74,8 +74,9 @@ typedef struct {
     batten_format format;
     const char *from_unit, *unit; /* NULL: not stated, or without a name */
     tally read, written, left_out;
-    int approximated, faces; /* faces: left out of meshes */
-    bool is_partly;          /* something could not be meshed */
+    int approximated, meshed; /* shapes; one may be placed by several instances */
+    int faces;                /* left out of meshes */
+    bool is_partly;           /* something could not be meshed */
 } outcome;
 
 static void text_report(batten_text *text, const outcome *o)
@@ -88,7 +89,8 @@ static void text_report(batten_text *text, const outcome *o)
     if (o->unit && o->unit != o->from_unit)
         batten_text_add(text, "; unit %s", o->unit);
     if (o->approximated)
-        batten_text_add(text, "; %d approximated", o->approximated);
+        batten_text_add(text, "; %d shape%s approximated", o->approximated,
+                        o->approximated == 1 ? "" : "s");
     if (o->faces)
         batten_text_add(text, "; %d face%s left out", o->faces, o->faces == 1 ? "" : "s");
     if (tally_sum(o->left_out)) {
@@ -131,39 +133,83 @@ static int report(const arguments *given, const outcome *o, const batten_notes *
     return output_print(&text);
 }
 
-static bool has_offsets(const batten_model *model)
+/* Prepare and write the model; what is said of its objects tells what became of them. */
+static batten_status write_prepared(const batten_model *model,
+                                    const batten_write_options *chosen, batten_notes *said,
+                                    outcome *o)
 {
-    return tally_of(model).count[BATTEN_OBJECT_OFFSETS] > 0;
+    batten_model *prepared = NULL;
+    batten_status status = batten_write_prepare(model, chosen, said, &prepared);
+    if (status != BATTEN_OK)
+        return status;
+    const int second = batten_notes_count(said);
+    status = batten_write_file(prepared, o->output, chosen, said);
+    const tally_changes behind = tally_notes(said, 0);
+    o->left_out = behind.left_out;
+    o->approximated = behind.approximated;
+    o->meshed = behind.meshed;
+    o->faces = behind.faces;
+    o->is_partly = behind.is_failed || behind.faces > 0;
+    o->written = tally_without(tally_of(prepared), tally_notes(said, second).left_out);
+    batten_model_unref(prepared);
+    return status;
 }
 
-/* Write the model; what is said of its objects tells what became of them. */
-static batten_status write_model(const batten_model *model, const batten_write_options *given,
-                                 batten_notes *notes, outcome *o)
+/* Options for meshes that nothing became are not passed over in silence. */
+static void note_idle_options(const batten_model *model, const arguments *given,
+                              const outcome *o, batten_notes *notes)
 {
-    batten_write_options chosen = *given;
-    batten_model *prepared = NULL;
-    const int first = batten_notes_count(notes);
-    if (chosen.format == BATTEN_FORMAT_AUTO)
-        chosen.format = batten_format_of_name(o->output);
-    if (chosen.format == BATTEN_FORMAT_OFFSETS && !has_offsets(model) &&
-        given->format == BATTEN_FORMAT_AUTO)
-        chosen.format = BATTEN_FORMAT_POINTS;
+    const bool chord = arguments_has(given, "chord"), angle = arguments_has(given, "angle");
+    batten_format_facts facts;
+    if (o->meshed > 0 || (!chord && !angle) || !batten_format_about(o->format, &facts))
+        return;
+    const tally all = tally_of(model);
+    const bool has_shapes = all.count[BATTEN_OBJECT_SURFACE] ||
+                            all.count[BATTEN_OBJECT_TRIANGLES] ||
+                            all.count[BATTEN_OBJECT_BODY] || all.count[BATTEN_OBJECT_INSTANCE];
+    batten_text why = BATTEN_TEXT;
+    if (has_shapes)
+        batten_text_add(&why,
+                        "nothing becomes triangles in %s files; .stl, .ply, .glb and .3mf take "
+                        "triangles, other formats of meshes those that the feature 'mesh' of a "
+                        "design makes",
+                        facts.title);
+    else
+        batten_text_add(&why, "there is no shape in the file to make triangles of");
+    batten_notes_add(notes, "", 0, "", "%s%s%s no effect: %s", chord ? "--chord" : "",
+                     chord && angle ? " and " : "",
+                     angle ? chord ? "--angle have" : "--angle has" : " has",
+                     why.bytes ? why.bytes : "");
+    batten_text_free(&why);
+}
+
+static void copy_notes(const batten_notes *from, batten_notes *to)
+{
+    for (int i = 0; i < batten_notes_count(from); i++) {
+        const batten_note *note = batten_notes_at(from, i);
+        (note->is_remark ? batten_notes_remark : batten_notes_add)(
+            to, note->file, note->line, note->entity, "%s", note->text);
+    }
+}
+
+static batten_status write_model(const batten_model *model, const arguments *given,
+                                 const batten_write_options *write, batten_notes *notes,
+                                 outcome *o)
+{
+    batten_write_options chosen = *write;
+    batten_notes *said = NULL; /* all that is said, since it is counted */
+    batten_write_choose(o->output, model, &chosen);
     o->format = chosen.format;
     o->read = tally_of(model);
     o->unit = batten_unit_name(batten_model_unit_metres(model));
-    batten_status status = batten_write_prepare(model, &chosen, notes, &prepared);
+    batten_status status = batten_notes_create(INT_MAX, &said);
     if (status != BATTEN_OK)
         return status;
-    const int second = batten_notes_count(notes);
-    status = batten_write_file(prepared, o->output, &chosen, notes);
-    const tally_changes behind = tally_notes(model, notes, first);
-    o->left_out = behind.left_out;
-    o->approximated = behind.approximated;
-    o->faces = behind.faces;
-    o->is_partly = behind.is_failed || behind.faces > 0;
-    o->written =
-        tally_without(tally_of(prepared), tally_notes(prepared, notes, second).left_out);
-    batten_model_unref(prepared);
+    status = write_prepared(model, &chosen, said, o);
+    if (status == BATTEN_OK)
+        note_idle_options(model, given, o, said);
+    copy_notes(said, notes);
+    batten_notes_free(said);
     return status;
 }
 
@@ -213,6 +259,11 @@ static bool write_options(const arguments *given, batten_write_options *write)
         !schema_option(given, &write->schema) ||
         !formats_option("convert", given, "format", &write->format))
         return false;
+    if (arguments_has(given, "angle") && !(degrees > 0 && degrees <= 180)) {
+        complain("batten convert: --angle is %g; it must be above 0 and at most 180 degrees",
+                 degrees);
+        return false;
+    }
     if (arguments_has(given, "angle"))
         write->mesh.angle = degrees * (acos(-1.0) / 180);
     write->no_parameter_curves = arguments_has(given, "no-pcurves");
@@ -228,12 +279,12 @@ static int convert(const arguments *given, batten_format format, const double un
     batten_model *model = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("convert", BATTEN_OUT_OF_MEMORY);
-    int exit = input_read_as(given->files[0], format, notes, &model);
+    int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
         o->from_unit = batten_unit_name(batten_model_unit_metres(model));
         batten_status status = change_unit(units[0], units[1], notes, &model);
         if (status == BATTEN_OK)
-            status = write_model(model, write, notes, o);
+            status = write_model(model, given, write, notes, o);
         if (status == BATTEN_OK) {
             const int reported = report(given, o, notes);
             exit = reported != EXIT_DONE ? reported : o->is_partly ? EXIT_PARTLY : exit;
@@ -266,6 +317,8 @@ static int run(const arguments *given)
                  o.output);
         return EXIT_USAGE;
     }
+    if (output_is_input("convert", given->files[0], o.output))
+        return EXIT_USAGE;
     return convert(given, format, units, &write, &o);
 }
 
@@ -276,17 +329,19 @@ const command command_convert = {
     .manual =
         "IN is STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY, OFF, PCD, a table of offsets, "
         "points or an\n"
-        "aerofoil, told by its content; file#name means one object in it. OUT ends in "
-        ".step, .igs, .g2;\n"
-        "for meshes, which shapes become within --chord and --angle, in .stl, .obj, .ply, "
-        ".glb or .3mf;\n"
-        "for curves also in .dxf or .svg (true scale) or .nc (G-code); for points and "
-        "tables in .csv,\n"
-        ".xyz or .dat. 'batten help formats' says what each keeps. What was read and "
-        "written is counted;\n"
-        "what had to be approximated or left out is reported. Exit status 3 when only a "
-        "part of IN could\n"
-        "be read, or meshed.",
+        "aerofoil, told by its content; file#name means one object in it, as 'batten info' "
+        "names it. OUT\n"
+        "ends in .step, .igs, .g2; for meshes, which shapes become within --chord and --angle, "
+        "in .stl,\n"
+        ".ply, .glb or .3mf, and bodies in .obj, which keeps surfaces; for curves also in .dxf "
+        "or .svg\n"
+        "(true scale, as seen along z) or .nc (G-code); for points and tables in .csv, .xyz or "
+        ".dat.\n"
+        "'batten help formats' says what each keeps. What was read and written is counted; "
+        "what had to be\n"
+        "approximated or left out is reported. OUT cannot be IN itself. Exit status 3 when "
+        "only a part of\n"
+        "IN could be read, or meshed.",
     .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "single.h"
 
 #include <batten/picture.h>
@@ -6,6 +7,7 @@
 static const option options[] = {
     {"output", 'o', OPTION_VALUE, "PICTURE", "the file to write: .svg, .pdf or .png"},
     {"lines-plan", 0, OPTION_FLAG, NULL, "a lines drawing of a hull"},
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };

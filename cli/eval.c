@@ -1,4 +1,4 @@
-#include "command.h"
+#include "formats.h"
 
 #include <batten/number.h>
 #include <string.h>
@@ -10,6 +10,7 @@ static const option options[] = {
     {"order", 0, OPTION_VALUE, "K", "derivatives up to this order (0)"},
     {"beyond", 0, OPTION_VALUE, "RULE",
      "of a curve beyond its domain: refuse, continue its last span, or linear (refuse)"},
+    FROM_FORMAT_OPTION,
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
 };
 
@@ -139,7 +140,9 @@ static bool read_beyond(const arguments *given, batten_beyond *beyond)
 static int run(const arguments *given)
 {
     request asked = {.json = arguments_has(given, "json")};
+    batten_format format = BATTEN_FORMAT_AUTO;
     if (!arguments_count("eval", given, "order", 0, HIGHEST_ORDER, &asked.order) ||
+        !formats_option("eval", given, "from-format", &format) ||
         !read_beyond(given, &asked.beyond))
         return EXIT_USAGE;
     if (!arguments_has(given, "at")) {
@@ -159,7 +162,7 @@ static int run(const arguments *given)
     batten_model *model = NULL;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("eval", BATTEN_OUT_OF_MEMORY);
-    int exit = input_read(given->files[0], notes, &model);
+    int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
         const bool json = asked.json;
         batten_text text = BATTEN_TEXT;

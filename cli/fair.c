@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "single.h"
 
 #include <batten/picture.h>
@@ -6,6 +7,7 @@ static const option options[] = {
     {"output", 'o', OPTION_VALUE, "OUT",
      "the file to write: a table (.csv), .step, .igs, a picture"},
     {"within", 0, OPTION_VALUE, "TOL", "no point moves farther than this, as 2 mm; required"},
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},

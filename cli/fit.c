@@ -1,3 +1,4 @@
+#include "formats.h"
 #include "method.h"
 #include "single.h"
 
@@ -8,6 +9,7 @@ static const option options[] = {
     {"output", 'o', OPTION_VALUE, "OUT", "the file to write: .step, .igs, .svg, .png ..."},
     {"method", 0, OPTION_VALUE, "NAME",
      "the feature that makes the shape, with settings or without (interpolate)"},
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},

@@ -6,7 +6,9 @@
 static const char *const kept[] = {
     [BATTEN_FORMAT_OFFSETS] =
         "tables of offsets, with the names of stations and lines, no unit",
-    [BATTEN_FORMAT_POINTS] = "points in rows; of curves those that they were made from",
+    [BATTEN_FORMAT_POINTS] =
+        "points in rows; of curves those they were made from, of tables those of "
+        "the stations",
     [BATTEN_FORMAT_AEROFOIL] = "one row of points x, y, and a name",
     [BATTEN_FORMAT_IGES] = "curves, surfaces, bodies (written face by face); names, colours, "
                            "levels, groups, unit",
@@ -62,12 +64,12 @@ void formats_manual(batten_text *text)
         "where "
         "it does\n"
         "not tell. When writing, the ending decides, or --format.\n"
-        "Shapes become triangles in STL, PLY, OBJ, glTF and 3MF, within --chord and --angle; "
-        "OBJ keeps\n"
-        "free-form curves and surfaces. What a format cannot hold is left out, and said. A "
-        "file "
-        "that is\n"
-        "damaged in part is read in part: what was left out is said, and the exit status is "
+        "Shapes become triangles in STL, PLY, glTF and 3MF, and bodies in OBJ, which keeps "
+        "free-form curves\n"
+        "and surfaces, within --chord and --angle. What a format cannot hold is left out, and "
+        "said.\n"
+        "A file that is damaged in part is read in part: what was left out is said, and the "
+        "exit status is "
         "3.\n"
         "A format without unit takes the numbers as they are: --from-unit says what they "
         "mean.\n"

@@ -3,6 +3,13 @@
 #define CLI_FORMATS_H
 #include "command.h"
 
+/* The option of all commands that read a file. */
+#define FROM_FORMAT_OPTION                                                           \
+    {                                                                                \
+        "from-format", 0, OPTION_VALUE, "FORMAT",                                    \
+            "what IN is, where its content does not tell; see 'batten help formats'" \
+    }
+
 /* What `batten help formats` says. */
 void formats_manual(batten_text *text);
 /* The format that an option names; AUTO when it was not given. False with a complaint for a

@@ -1,8 +1,11 @@
 #include "facts.h"
+#include "formats.h"
+#include "tally.h"
 
 #include <string.h>
 
 static const option options[] = {
+    FROM_FORMAT_OPTION,
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
     {"no-lint", 0, OPTION_FLAG, NULL, "do not look for what is wrong with the objects"},
 };
@@ -134,29 +137,6 @@ static void add_line(batten_text *text, const batten_object *object, const facts
                         object->is_hidden ? "  hidden" : "");
 }
 
-/* "12 curves, 3 surfaces": how many objects of each kind there are. */
-static void add_totals(batten_text *text, const batten_model *model)
-{
-    static const char *const names[][2] = {{"row of points", "rows of points"},
-                                           {"curve", "curves"},
-                                           {"surface", "surfaces"},
-                                           {"table of offsets", "tables of offsets"},
-                                           {"set of triangles", "sets of triangles"},
-                                           {"body", "bodies"},
-                                           {"mesh", "meshes"},
-                                           {"instance", "instances"}};
-    int counts[sizeof names / sizeof names[0]] = {0};
-    bool first = true;
-    for (int i = 0; i < batten_model_count(model); i++)
-        counts[batten_model_object(model, i)->kind]++;
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
-        if (counts[k])
-            batten_text_add(text, "%s%d %s", first ? "" : ", ", counts[k],
-                            names[k][counts[k] != 1]);
-        first &= counts[k] == 0;
-    }
-}
-
 static int print(const char *file, const batten_model *model, const facts *found,
                  const batten_notes *notes, bool json)
 {
@@ -171,7 +151,7 @@ static int print(const char *file, const batten_model *model, const facts *found
                         batten_model_count(model) == 1 ? "" : "s");
         if (batten_model_count(model) > 1) {
             batten_text_add(&text, " (");
-            add_totals(&text, model);
+            tally_text(&text, tally_of(model));
             batten_text_add(&text, ")");
         }
         batten_text_add(&text, ", unit %s\n", unit ? unit : "not stated");
@@ -253,9 +233,12 @@ static int run(const arguments *given)
 {
     batten_notes *notes = NULL;
     batten_model *model = NULL;
+    batten_format format = BATTEN_FORMAT_AUTO;
+    if (!formats_option("info", given, "from-format", &format))
+        return EXIT_USAGE;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed("info", BATTEN_OUT_OF_MEMORY);
-    int exit = input_read(given->files[0], notes, &model);
+    int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED)
         exit = flatten(&model, notes, exit);
     if (exit != EXIT_FAILED)
@@ -267,7 +250,7 @@ static int run(const arguments *given)
 
 const command command_info = {
     .name = "info",
-    .usage = "IN [--json] [--no-lint]",
+    .usage = "IN [--from-format FORMAT] [--json] [--no-lint]",
     .summary = "what is in a file",
     .manual =
         "IN is a file of any format that is read ('batten help formats'); file#name means "

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* Does the text end so? */
@@ -60,18 +61,37 @@ void notes_json(batten_text *text, const batten_notes *notes)
 
 /* ---- input ---- */
 
+static bool is_there(const char *file)
+{
+    return strcmp(file, "-") == 0 || access(file, F_OK) == 0;
+}
+
 batten_status input_split(const char *argument, char **file, const char **name)
 {
-    const char *hash = strrchr(argument, '#');
-    if (hash && access(argument, F_OK) == 0)
-        hash = NULL;
-    const size_t length = hash ? (size_t)(hash - argument) : strlen(argument);
+    const size_t length = strlen(argument);
+    const char *last = strrchr(argument, '#');
     char *made = batten_array(length + 1, 1);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
     memcpy(made, argument, length);
+    /* Names of files and of objects may both hold hashes. */
+    size_t end = length;
+    while (end > 0 && !is_there(made)) {
+        do
+            end--;
+        while (end > 0 && made[end] != '#');
+        made[end] = '\0';
+    }
+    if (end == 0 && last) {
+        end = (size_t)(last - argument);
+        memcpy(made, argument, end);
+        made[end] = '\0';
+    } else if (end == 0) {
+        end = length;
+        memcpy(made, argument, length);
+    }
     *file = made;
-    *name = hash ? hash + 1 : NULL;
+    *name = end < length ? argument + end + 1 : NULL;
     return BATTEN_OK;
 }
 
@@ -138,16 +158,33 @@ static batten_status no_object(const char *name, const batten_model *model)
     return status;
 }
 
-/* Keep only the object of that name. */
+/* A model of the object of that name alone; NULL when there is none. */
+static batten_status only_object(const char *name, const batten_model *model,
+                                 batten_model **chosen)
+{
+    const int index = batten_model_find(model, name);
+    *chosen = NULL;
+    if (index < 0)
+        return BATTEN_OK;
+    batten_status status = batten_model_create(batten_model_unit_metres(model), chosen);
+    if (status == BATTEN_OK)
+        status = batten_model_add(*chosen, batten_model_object(model, index));
+    return status;
+}
+
+/* Keep only the object of that name, else of that path: what instances place is an object too,
+ * where it stands. */
 static batten_status select_object(const char *name, batten_model **model)
 {
-    const int index = batten_model_find(*model, name);
-    if (index < 0)
-        return no_object(name, *model);
-    batten_model *chosen = NULL;
-    batten_status status = batten_model_create(batten_model_unit_metres(*model), &chosen);
-    if (status == BATTEN_OK)
-        status = batten_model_add(chosen, batten_model_object(*model, index));
+    batten_model *chosen = NULL, *flat = NULL;
+    batten_status status = only_object(name, *model, &chosen);
+    if (status == BATTEN_OK && !chosen)
+        status = batten_model_flat(*model, &flat);
+    if (status == BATTEN_OK && flat)
+        status = only_object(name, flat, &chosen);
+    if (status == BATTEN_OK && !chosen)
+        status = no_object(name, flat);
+    batten_model_unref(flat);
     if (status != BATTEN_OK) {
         batten_model_unref(chosen);
         return status;
@@ -157,13 +194,8 @@ static batten_status select_object(const char *name, batten_model **model)
     return BATTEN_OK;
 }
 
-int input_read(const char *argument, batten_notes *notes, batten_model **model)
-{
-    return input_read_as(argument, BATTEN_FORMAT_AUTO, notes, model);
-}
-
-int input_read_as(const char *argument, batten_format format, batten_notes *notes,
-                  batten_model **model)
+int input_read(const char *argument, batten_format format, batten_notes *notes,
+               batten_model **model)
 {
     char *file = NULL;
     const char *name = NULL;
@@ -207,6 +239,32 @@ void input_add(batten_text *text, const char *argument)
 }
 
 /* ---- output ---- */
+
+/* The file that is read; false when there is none. */
+static bool stat_input(const char *input, struct stat *found)
+{
+    char *file = NULL;
+    const char *name;
+    if (strcmp(input, "-") == 0)
+        return fstat(STDIN_FILENO, found) == 0;
+    const bool is_found =
+        input_split(input, &file, &name) == BATTEN_OK && stat(file, found) == 0;
+    batten_release(file);
+    return is_found;
+}
+
+bool output_is_input(const char *of, const char *input, const char *output)
+{
+    struct stat from, to;
+    /* Nothing is lost by writing to a terminal or another device. */
+    if (strcmp(output, "-") == 0 || stat(output, &to) != 0 || !S_ISREG(to.st_mode) ||
+        !stat_input(input, &from) || from.st_dev != to.st_dev || from.st_ino != to.st_ino)
+        return false;
+    complain("batten %s: '%s' is the file that is read, and would be overwritten; give another "
+             "name",
+             of, output);
+    return true;
+}
 
 static int print(const char *data, size_t size)
 {

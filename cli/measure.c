@@ -1,6 +1,8 @@
+#include "formats.h"
 #include "single.h"
 
 static const option options[] = {
+    FROM_FORMAT_OPTION,
     {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
     {"json", 0, OPTION_FLAG, NULL, "print JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
@@ -19,7 +21,7 @@ static int run(const arguments *given)
 
 const command command_measure = {
     .name = "measure",
-    .usage = "IN [--within TOL] [--json]",
+    .usage = "IN [--from-format FORMAT] [--within TOL] [--json]",
     .summary =
         "lengths, areas, moments and special places of curves; areas and volumes of shapes",
     .manual = "IN is a file of curves, surfaces, bodies or meshes, as batten info takes it.",

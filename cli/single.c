@@ -1,4 +1,5 @@
 #include "single.h"
+#include "formats.h"
 #include "values.h"
 
 #include <string.h>
@@ -131,9 +132,13 @@ int single_run(const single *s, const arguments *given)
 {
     batten_notes *notes = NULL;
     batten_model *model = NULL;
+    batten_format format = BATTEN_FORMAT_AUTO;
+    if (!formats_option(s->command, given, "from-format", &format) ||
+        output_is_input(s->command, given->files[0], s->output))
+        return EXIT_USAGE;
     if (batten_notes_create(1000, &notes) != BATTEN_OK)
         return output_failed(s->command, BATTEN_OUT_OF_MEMORY);
-    int exit = input_read(given->files[0], notes, &model);
+    int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
         const int applied = apply(s, given, model, notes);
         exit = applied == EXIT_DONE ? exit : applied;

@@ -3,15 +3,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const names[TALLY_KINDS][2] = {
-    [BATTEN_OBJECT_POINTS] = {"row of points", "rows of points"},
-    [BATTEN_OBJECT_CURVE] = {"curve", "curves"},
-    [BATTEN_OBJECT_SURFACE] = {"surface", "surfaces"},
-    [BATTEN_OBJECT_OFFSETS] = {"table of offsets", "tables of offsets"},
-    [BATTEN_OBJECT_TRIANGLES] = {"set of Bezier triangles", "sets of Bezier triangles"},
-    [BATTEN_OBJECT_BODY] = {"body", "bodies"},
-    [BATTEN_OBJECT_MESH] = {"mesh", "meshes"},
-    [BATTEN_OBJECT_INSTANCE] = {"instance", "instances"}};
+static const char *const several[TALLY_KINDS] = {[BATTEN_OBJECT_POINTS] = "rows of points",
+                                                 [BATTEN_OBJECT_CURVE] = "curves",
+                                                 [BATTEN_OBJECT_SURFACE] = "surfaces",
+                                                 [BATTEN_OBJECT_OFFSETS] = "tables of offsets",
+                                                 [BATTEN_OBJECT_TRIANGLES] =
+                                                     "sets of Bezier triangles",
+                                                 [BATTEN_OBJECT_BODY] = "bodies",
+                                                 [BATTEN_OBJECT_MESH] = "meshes",
+                                                 [BATTEN_OBJECT_INSTANCE] = "instances"};
 
 static const char *const keys[TALLY_KINDS] = {
     [BATTEN_OBJECT_POINTS] = "points",       [BATTEN_OBJECT_CURVE] = "curves",
@@ -32,19 +32,32 @@ static bool begins(const char *text, const char *with)
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-tally_changes tally_notes(const batten_model *model, const batten_notes *notes, int first)
+/* The kind that the note of an object left out names, "this curve": names do not tell, since
+ * objects may share them. -1: the note is of something else. */
+static int kind_left_out(const char *text)
+{
+    const char *kind = begins(text, "left out") ? strstr(text, "this ") : NULL;
+    for (int k = 0; kind && k < TALLY_KINDS; k++)
+        if (begins(kind + strlen("this "), batten_object_kind_name((batten_object_kind)k)))
+            return k;
+    return -1;
+}
+
+tally_changes tally_notes(const batten_notes *notes, int first)
 {
     static const char faces[] = "faces left out of the mesh: ";
-    tally_changes found = {{{0}}, 0, 0, false};
+    tally_changes found = {{{0}}, 0, 0, 0, false};
     for (int i = first; i < batten_notes_count(notes); i++) {
-        const batten_note *note = batten_notes_at(notes, i);
-        const int object = batten_model_find(model, note->entity);
-        found.approximated += begins(note->text, "approximated");
-        found.is_failed |= begins(note->text, "left out, as it cannot be meshed");
-        if (begins(note->text, faces))
-            found.faces += (int)strtol(note->text + sizeof faces - 1, NULL, 10);
-        if (object >= 0 && begins(note->text, "left out"))
-            found.left_out.count[batten_model_object(model, object)->kind]++;
+        const char *text = batten_notes_at(notes, i)->text;
+        const int kind = kind_left_out(text);
+        const bool near = begins(text, "approximated");
+        found.approximated += near;
+        found.meshed += begins(text, "meshed") || (near && strstr(text, " triangles"));
+        found.is_failed |= kind >= 0 && strstr(text, "cannot be meshed");
+        if (begins(text, faces))
+            found.faces += (int)strtol(text + sizeof faces - 1, NULL, 10);
+        if (kind >= 0)
+            found.left_out.count[kind]++;
     }
     return found;
 }
@@ -71,7 +84,8 @@ void tally_text(batten_text *text, tally t)
         if (t.count[k] == 0)
             continue;
         batten_text_add(text, "%s%d %s", first ? "" : ", ", t.count[k],
-                        names[k][t.count[k] != 1]);
+                        t.count[k] == 1 ? batten_object_kind_name((batten_object_kind)k)
+                                        : several[k]);
         first = false;
     }
     batten_text_add(text, "%s", first ? "nothing" : "");

@@ -14,11 +14,11 @@ tally tally_of(const batten_model *model);
  * those that come near to what they were. */
 typedef struct {
     tally left_out;
-    int approximated;
+    int approximated, meshed;
     int faces;      /* of bodies, that could not be meshed */
     bool is_failed; /* an object could not be meshed at all */
 } tally_changes;
-tally_changes tally_notes(const batten_model *model, const batten_notes *notes, int first);
+tally_changes tally_notes(const batten_notes *notes, int first);
 /* The kinds without those of `less`, none below 0. */
 tally tally_without(tally all, tally less);
 int tally_sum(tally t);

@@ -103,8 +103,15 @@ typedef struct batten_write_options {
     bool as_text;             /**< STL and PLY: the readable form */
     batten_mesh_options mesh; /**< for the formats of meshes: how shapes become triangles */
     bool eighths;             /**< tables of offsets in feet, inches and eighths, "1-7-4" */
+    bool commas;              /**< points: commas between the coordinates, not blanks */
 } batten_write_options;
 BATTEN_API batten_write_options batten_write_defaults(void);
+
+/** What the name of a file says: its format, when the options name none (that of points for a
+ * model without tables in .csv, .tsv or .txt), and commas in .csv.
+ * @return false when the ending names no format, and nothing else does */
+BATTEN_API bool batten_write_choose(const char *path, const batten_model *model,
+                                    batten_write_options *options);
 
 /** The model as it comes into a file of that format: instances placed, triangles as patches,
  * shapes as meshes where the format has no others, and without the objects that it does not

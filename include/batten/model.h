@@ -27,6 +27,9 @@ typedef enum batten_object_kind {
     BATTEN_OBJECT_MESH,
     BATTEN_OBJECT_INSTANCE /**< another model, placed */
 } batten_object_kind;
+/** "row of points", "curve", "surface", "table of offsets", "set of Bezier triangles", "body",
+ * "mesh", "instance". */
+BATTEN_API const char *batten_object_kind_name(batten_object_kind kind);
 
 typedef struct batten_model batten_model;
 

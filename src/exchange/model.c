@@ -15,6 +15,14 @@ struct batten_model {
 
 enum { DEEPEST = 32 };
 
+const char *batten_object_kind_name(batten_object_kind kind)
+{
+    static const char *const names[] = {
+        "row of points",           "curve", "surface", "table of offsets",
+        "set of Bezier triangles", "body",  "mesh",    "instance"};
+    return (size_t)kind < sizeof names / sizeof names[0] ? names[kind] : "?";
+}
+
 static bool is_unit(double metres)
 {
     return isfinite(metres) && metres >= 0;

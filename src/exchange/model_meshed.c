@@ -2,6 +2,8 @@
 #include "exchange/model_meshed.h"
 #include "exchange/model_change.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 typedef struct {
@@ -10,6 +12,18 @@ typedef struct {
     const batten_job *job;
     batten_notes *notes;
 } meshing;
+
+/* What is not farther than that from the shape may lie on it. */
+static double rounding(const batten_mesh *mesh)
+{
+    const batten_box box = batten_mesh_box(mesh);
+    const double ends[6] = {box.low.x,  box.low.y,  box.low.z,
+                            box.high.x, box.high.y, box.high.z};
+    double size = 0;
+    for (int k = 0; k < 6; k++)
+        size = fmax(size, fabs(ends[k]));
+    return 8 * DBL_EPSILON * size;
+}
 
 /* The shape of one object as a mesh. */
 static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
@@ -22,9 +36,13 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         status = batten_mesh_of_triangles(object->triangles, m->options, m->job, &report, out);
     else
         status = batten_mesh_of_body(object->body, m->options, m->job, m->notes, &report, out);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && report.chord > rounding(*out))
         batten_notes_remark(m->notes, "", 0, object->name,
                             "approximated within %g by %d triangles", report.chord,
+                            batten_mesh_view(*out)->triangle_count);
+    else if (status == BATTEN_OK && batten_mesh_view(*out)->triangle_count > 0)
+        batten_notes_remark(m->notes, "", 0, object->name,
+                            "meshed exactly by %d triangles, as far as was measured",
                             batten_mesh_view(*out)->triangle_count);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
@@ -119,8 +137,9 @@ static batten_status add_meshed(void *context, const batten_model *from, int ind
         return batten_model_add(made, object);
     batten_status status = mesh_shape(object, m, &mesh);
     if (status != BATTEN_OK && !is_final(status)) {
-        batten_notes_add(m->notes, "", 0, object->name, "left out, as it cannot be meshed: %s",
-                         batten_message());
+        batten_notes_add(m->notes, "", 0, object->name,
+                         "left out, as this %s cannot be meshed: %s",
+                         batten_object_kind_name(object->kind), batten_message());
         return BATTEN_OK;
     }
     meshed.kind = BATTEN_OBJECT_MESH;

@@ -24,6 +24,8 @@ static const struct {
     {"AC10", "a DWG drawing"},
     {"AutoCAD Binary DXF", "a binary DXF drawing"},
     {"DBRep_DrawableShape", "an OCCT B-rep"},
+    {"CASCADE Topology", "an OCCT B-rep"},
+    {"Open CASCADE Topology", "a binary OCCT B-rep"},
     {"<?xml", "an XML document"},
     {"batten:", "a design of Batten, to be built rather than read"},
     {"{", "a JSON document"},
@@ -38,6 +40,11 @@ static batten_status refuse_signatures(const bat_input *input)
             bat_begins(input, at, signatures[k].bytes))
             return bat_input_fail(input, BATTEN_UNSUPPORTED, 0, "this is %s, which is not read",
                                   signatures[k].name);
+    /* The length of the text, in four bytes, and the text. */
+    if (bat_begins(input, 4, "FREE!ship"))
+        return bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
+                              "this is a binary FREE!ship model (.fbm), which is not read; the "
+                              "text form, .ftm, is");
     return BATTEN_OK;
 }
 

@@ -1,7 +1,10 @@
+#include "exchange/csv/separated.h"
 #include "exchange/formats.h"
 #include "exchange/kept_mesh.h"
 #include "exchange/model_change.h"
 #include "exchange/model_meshed.h"
+
+#include <string.h>
 
 batten_write_options batten_write_defaults(void)
 {
@@ -28,19 +31,36 @@ static void name_kinds(unsigned kinds, batten_text *text)
     }
 }
 
+static bool has_kind(const batten_model *model, batten_object_kind kind)
+{
+    for (int i = 0; i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == kind)
+            return true;
+    return false;
+}
+
+/* One schema of STEP has meshes; whoever did not choose it is told. */
+static const char *mesh_hint(const bat_format_row *row)
+{
+    return row->format == BATTEN_FORMAT_STEP ? "; of schema ap242 (--schema ap242) they do"
+                                             : "";
+}
+
 /* A file would hold nothing of a model that is not empty. */
 static batten_status nothing(const bat_format_row *row, const batten_model *model)
 {
     const int count = batten_model_count(model);
+    const bool held = row->holds & BAT_HOLDS(MESH) || !has_kind(model, BATTEN_OBJECT_MESH);
     batten_text kinds = BATTEN_TEXT;
     name_kinds(row->holds & ~BAT_HOLDS(INSTANCE), &kinds);
     const batten_status status =
         kinds.failed
             ? BATTEN_OUT_OF_MEMORY
-            : bat_fail(BATTEN_UNSUPPORTED,
-                       "%s files hold %s, and of the %d object%s ('%.60s' first) none is such",
-                       row->title, kinds.bytes, count, count == 1 ? "" : "s",
-                       batten_model_object(model, 0)->name);
+            : bat_fail(
+                  BATTEN_UNSUPPORTED,
+                  "%s files hold %s, and of the %d object%s ('%.60s' first) none is such%s",
+                  row->title, kinds.bytes, count, count == 1 ? "" : "s",
+                  batten_model_object(model, 0)->name, held ? "" : mesh_hint(row));
     batten_text_free(&kinds);
     return status;
 }
@@ -83,8 +103,9 @@ static bool has_nothing_to_show(const selection *s, const batten_object *object)
 
 static void leave_out(const selection *s, const batten_object *object)
 {
-    batten_notes_add(s->notes, "", 0, object->name, "left out: %s files hold %s", s->row->title,
-                     s->kinds);
+    batten_notes_add(s->notes, "", 0, object->name, "left out: %s files hold %s, not this %s%s",
+                     s->row->title, s->kinds, batten_object_kind_name(object->kind),
+                     object->kind == BATTEN_OBJECT_MESH ? mesh_hint(s->row) : "");
 }
 
 static batten_status add_mesh(const selection *s, batten_model *held,
@@ -111,7 +132,7 @@ static batten_status add_held(void *context, const batten_model *from, int index
         return BATTEN_OK;
     }
     if (has_nothing_to_show(s, object)) {
-        batten_notes_add(s->notes, "", 0, object->name, "left out: it has no triangles");
+        batten_notes_add(s->notes, "", 0, object->name, "left out: this mesh has no triangles");
         return BATTEN_OK;
     }
     if (object->definition && batten_model_count(object->definition) == 0 &&
@@ -158,7 +179,7 @@ static batten_status prepare(const bat_format_row *row, const batten_model *mode
 {
     batten_model *flat = NULL, *patches = NULL;
     batten_status status = BATTEN_OK;
-    if (!row->holds || (row->holds & BAT_HOLDS(INSTANCE)))
+    if (row->holds & BAT_HOLDS(INSTANCE))
         flat = batten_model_ref(model);
     else
         status = batten_model_flat(model, &flat);
@@ -259,12 +280,22 @@ batten_status batten_write_memory(const batten_model *model,
     return status;
 }
 
-static bool has_offsets(const batten_model *model)
+static bool ends(const char *path, const char *ending)
 {
-    for (int i = 0; i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_OFFSETS)
-            return true;
-    return false;
+    const size_t length = strlen(path), tail = strlen(ending);
+    return length >= tail && bat_same_word(path + length - tail, ending);
+}
+
+bool batten_write_choose(const char *path, const batten_model *model,
+                         batten_write_options *options)
+{
+    if (options->format == BATTEN_FORMAT_AUTO) {
+        options->format = batten_format_of_name(path);
+        if (options->format == BATTEN_FORMAT_OFFSETS && !has_kind(model, BATTEN_OBJECT_OFFSETS))
+            options->format = BATTEN_FORMAT_POINTS;
+    }
+    options->commas |= ends(path, ".csv");
+    return options->format != BATTEN_FORMAT_AUTO;
 }
 
 batten_status batten_write_file(const batten_model *model, const char *path,
@@ -273,12 +304,7 @@ batten_status batten_write_file(const batten_model *model, const char *path,
     batten_write_options chosen = options ? *options : batten_write_defaults();
     char *data = NULL;
     size_t size = 0;
-    if (chosen.format == BATTEN_FORMAT_AUTO) {
-        chosen.format = batten_format_of_name(path);
-        if (chosen.format == BATTEN_FORMAT_OFFSETS && !has_offsets(model))
-            chosen.format = BATTEN_FORMAT_POINTS;
-    }
-    if (chosen.format == BATTEN_FORMAT_AUTO)
+    if (!batten_write_choose(path, model, &chosen))
         return bat_fail(BATTEN_UNSUPPORTED,
                         "the ending of '%s' names no format that is written", path);
     batten_status status = batten_write_memory(model, &chosen, notes, &data, &size);

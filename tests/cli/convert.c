@@ -19,7 +19,7 @@ TEST(convert_counts_what_is_read_and_written)
     test_process run = RUN("batten", "convert", tank, mesh, "--chord", "0.05", "--text");
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.out, "read 1 curve, 1 surface; unit mm\n");
-    CHECK_CONTAINS(run.out, ": 1 mesh; 1 approximated; left out: 1 curve\n");
+    CHECK_CONTAINS(run.out, ": 1 mesh; 1 shape approximated; left out: 1 curve\n");
     CHECK_CONTAINS(run.errors, "approximated within 0.0");
     CHECK_CONTAINS(test_content(mesh), "facet normal");
     run = RUN("batten", "convert", tank, mesh, "--angle", "10", "--json");
@@ -88,7 +88,7 @@ TEST(what_cannot_be_meshed_is_exit_status_3)
     test_write(bow, text);
     test_process run = RUN("batten", "convert", bow, test_scratch("bow.stl"));
     CHECK_INT(run.exit, 1);
-    CHECK_CONTAINS(run.errors, "left out, as it cannot be meshed");
+    CHECK_CONTAINS(run.errors, "left out, as this body cannot be meshed");
     snprintf(text + used, sizeof text - used, "200 1 0 0\n%s", strchr(plane, '\n') + 1);
     test_write(both, text);
     run = RUN("batten", "convert", both, test_scratch("both.stl"));
@@ -107,6 +107,104 @@ TEST(numbers_without_a_unit_are_said_to_be_taken_as_they_are)
     run = RUN("batten", "convert", path, out, "--from-unit", "m", "--unit", "mm", "--text");
     CHECK(strstr(run.errors, "does not say its unit") == NULL);
     CHECK_CONTAINS(test_content(out), "1000 0 0");
+}
+
+TEST(objects_of_one_name_are_counted_by_their_kinds)
+{
+    const char *path = test_scratch("shared.obj"), *out = test_scratch("shared.stl");
+    test_write(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\no same\nf 1 2 3\nl 1 2\nl 2 3\n");
+    const test_process run = RUN("batten", "convert", path, out);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "read 2 curves, 1 mesh; ");
+    CHECK_CONTAINS(run.out, ": 1 mesh; left out: 2 curves\n");
+    CHECK_CONTAINS(run.errors, "same: left out: STL files hold meshes, not this curve");
+}
+
+TEST(what_is_left_out_is_counted_beyond_the_messages_that_are_shown)
+{
+    const char *path = test_scratch("many.obj"), *out = test_scratch("many.stl");
+    static char text[40000];
+    size_t used = (size_t)sprintf(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (int i = 0; i < 1500; i++)
+        used += (size_t)sprintf(text + used, "o l%d\nl 1 2\n", i);
+    test_write(path, text);
+    CHECK_CONTAINS(RUN("batten", "convert", path, out).out, "left out: 1500 curves\n");
+}
+
+TEST(options_of_meshes_that_do_nothing_are_named)
+{
+    const char *tank = write_tank(), *mesh = test_scratch("tank.stl");
+    static const char *const outputs[] = {"idle.obj", "idle.igs", "idle.step", "idle.svg"};
+    for (int i = 0; i < COUNT(outputs); i++) {
+        const test_process run =
+            RUN("batten", "convert", tank, test_scratch(outputs[i]), "--chord", "1", "-q");
+        CHECK_INT(run.exit, 0);
+        CHECK_CONTAINS(run.errors, "--chord has no effect: nothing becomes triangles in ");
+        CHECK_CONTAINS(run.errors, "the feature 'mesh' of a design");
+    }
+    test_process run = RUN("batten", "convert", tank, mesh, "--chord", "1", "--angle", "180");
+    CHECK_INT(run.exit, 0);
+    CHECK(strstr(run.errors, "no effect") == NULL);
+    run = RUN("batten", "convert", mesh, test_scratch("tank.ply"), "--chord=1", "--angle=9");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.errors, "--chord and --angle have no effect: there is no shape");
+    static const char *const angles[] = {"400", "0", "-20"};
+    for (int i = 0; i < COUNT(angles); i++) {
+        run = RUN("batten", "convert", tank, mesh, "--angle", angles[i]);
+        CHECK_INT(run.exit, 2);
+        CHECK_CONTAINS(run.errors, "it must be above 0 and at most 180 degrees");
+    }
+}
+
+TEST(a_mesh_that_STEP_cannot_hold_brings_the_schema_that_can)
+{
+    const char *path = test_scratch("one.off"), *out = test_scratch("one.step");
+    test_write(path, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const test_process run = RUN("batten", "convert", path, out);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "none is such; of schema ap242 (--schema ap242) they do");
+    CHECK_INT(RUN("batten", "convert", path, out, "--schema", "ap242").exit, 0);
+}
+
+TEST(a_plane_is_meshed_and_not_approximated)
+{
+    const char *design = test_scratch("flat.yaml");
+    test_write(design, "batten: 1\nunits: mm\nfeatures:\n"
+                       "  a: {line: [[0, 0, 0], [1000, 0, 0]]}\n"
+                       "  b: {line: [[0, 1000, 9], [1000, 1000, 9]]}\n"
+                       "  c: {ruled: [a, b]}\noutputs:\n  flat.step: c\n");
+    CHECK_INT(RUN("batten", "build", design, "-q").exit, 0);
+    const test_process run =
+        RUN("batten", "convert", test_scratch("flat.step"), test_scratch("flat.stl"));
+    CHECK_CONTAINS(run.out, ": 1 mesh\n");
+    CHECK_CONTAINS(run.errors, "meshed exactly by 2 triangles");
+}
+
+/* Under its own name, by a symbolic link, by a hard link. */
+TEST(the_file_that_is_read_is_not_overwritten)
+{
+    static const char *const lines[] = {
+        "\"$BATTEN\" convert own.svg own.svg",
+        "ln -sf own.svg soft.svg; \"$BATTEN\" convert own.svg -o ./soft.svg",
+        "ln -f own.svg hard.svg; \"$BATTEN\" convert own.svg#line hard.svg",
+        "\"$BATTEN\" convert - own.svg < own.svg",
+        "\"$BATTEN\" draw own.svg -o own.svg",
+        "cp own.svg own.xyz; \"$BATTEN\" fit own.xyz -o own.xyz",
+        "cp own.svg own.xyz; \"$BATTEN\" fair own.xyz -o own.xyz --within 1",
+        "\"$BATTEN\" compare own.svg -o own.svg",
+    };
+    const char *path = test_scratch("own.svg");
+    test_write(path, "<svg xmlns=\"http://www.w3.org/2000/svg\">"
+                     "<path id=\"line\" d=\"M0 0L1 1\"/></svg>\n");
+    for (int i = 0; i < COUNT(lines); i++) {
+        char line[1024];
+        snprintf(line, sizeof line, "cd \"$(dirname '%s')\" && %s", path, lines[i]);
+        const test_process run = test_shell(line);
+        CHECK_INT(run.exit, 2);
+        CHECK_CONTAINS(run.errors, "is the file that is read, and would be overwritten");
+        CHECK_CONTAINS(test_content(path), "M0 0L1 1");
+    }
+    CHECK_INT(RUN("batten", "convert", path, test_scratch("other.svg")).exit, 0);
 }
 
 TEST(help_lists_every_format)

@@ -1,5 +1,9 @@
 #include "support/process.h"
 
+#include <batten/exchange.h>
+#include <stdio.h>
+#include <string.h>
+
 /* A tetrahedron without its last face, and a triangle without area, as a file. */
 static const char *write_mesh(const char *name)
 {
@@ -46,4 +50,71 @@ TEST(info_tells_of_faces_and_near_knots)
     CHECK_CONTAINS(run.out, "\"faces\": 1, \"edges\": 3, \"vertices\": 3, \"shells\": 1");
     CHECK_CONTAINS(run.out, "\"hidden\": false");
     CHECK_CONTAINS(run.out, "\"coloured_faces\": 0");
+}
+
+/* A point cloud within two instances, and an instance beside them, as a STEP file. */
+static const char *write_assembly(void)
+{
+    static const double points[] = {1, 2, 3};
+    const char *path = test_scratch("assembly.step");
+    static const char *const names[] = {"bolt", "arm #2", "crane"};
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = names[0],
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = 1,
+                                                      .points = points}));
+    for (int i = 1; i < 3; i++) {
+        batten_model *outer = NULL;
+        CHECK_OK(batten_model_create(0.001, &outer));
+        CHECK_OK(batten_model_add(
+            outer, &(batten_object){.name = names[i],
+                                    .kind = BATTEN_OBJECT_INSTANCE,
+                                    .definition = model,
+                                    .place = batten_affine_translation(10, 0, 0)}));
+        batten_model_unref(model);
+        model = outer;
+    }
+    CHECK_OK(batten_write_file(model, path, NULL, NULL));
+    batten_model_unref(model);
+    return path;
+}
+
+TEST(names_that_info_shows_name_objects)
+{
+    static const char *const names[] = {"crane/arm #2/bolt", "crane"};
+    const char *path = write_assembly();
+    CHECK_CONTAINS(RUN("batten", "info", path).out, "\ncrane/arm #2/bolt: points");
+    for (int i = 0; i < COUNT(names); i++) {
+        char word[4096];
+        snprintf(word, sizeof word, "%s#%s", path, names[i]);
+        test_process run = RUN("batten", "info", word);
+        CHECK_INT(run.exit, 0);
+        CHECK_CONTAINS(run.out, ": 1 object, unit mm\ncrane/arm #2/bolt: points, 1\n");
+        CHECK_CONTAINS(run.out, "box 21 2 3");
+        CHECK_INT(RUN("batten", "convert", word, test_scratch("bolt.xyz")).exit, 0);
+        CHECK_TEXT(test_content(test_scratch("bolt.xyz")), "x_mm y_mm z_mm\n21 2 3\n");
+        strcat(word, "t");
+        run = RUN("batten", "info", word);
+        CHECK_INT(run.exit, 1);
+        CHECK_CONTAINS(run.errors, "' in the file; there is 'crane/arm #2/bolt'");
+    }
+}
+
+TEST(the_format_can_be_told_wherever_a_file_is_read)
+{
+    const char *path = test_scratch("told");
+    test_write(path, "1 0\n0.5 0.1\n0 0\n0.5 -0.1\n1 0\n");
+    static const char *const commands[] = {"info", "measure", "check", "eval"};
+    for (int i = 0; i < COUNT(commands); i++) {
+        test_process run = RUN("batten", commands[i], path, "--from-format", "ply", "--at=0");
+        if (i != 3)
+            run = RUN("batten", commands[i], path, "--from-format", "ply");
+        CHECK_INT(run.exit, 1);
+        CHECK_CONTAINS(run.errors, "the first line is not 'ply'");
+    }
+    CHECK_INT(RUN("batten", "info", path, "--from-format", "points").exit, 0);
+    const test_process run = RUN("batten", "measure", path, "--from-format", "plyy");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, "did you mean 'ply'?");
 }

@@ -34,6 +34,9 @@ TEST(F7_known_formats_that_are_not_read_are_named)
         {"{\"a\": 1}", "a JSON document"},
         {"batten: 1\nunits: m\n", "a design of Batten"},
         {"\n<?xml version=\"1.0\"?>", "an XML document"},
+        {"DBRep_DrawableShape\n\nCASCADE Topology V1, (c)\n", "an OCCT B-rep"},
+        {"\nCASCADE Topology V1, (c)\nLocations 0\n", "an OCCT B-rep"},
+        {"\nOpen CASCADE Topology V1 (c)\n", "a binary OCCT B-rep"},
     };
     for (int i = 0; i < COUNT(cases); i++)
         check_refused(cases[i].text, BATTEN_FORMAT_AUTO, BATTEN_UNSUPPORTED, cases[i].words);
@@ -93,4 +96,13 @@ TEST(a_format_comes_with_success_alone)
     CHECK_OK(bat_input_begin("OFF BINARY\n", 11, NULL, NULL, NULL, &input));
     CHECK_STATUS(bat_recognise(&input, &format), BATTEN_UNSUPPORTED);
     CHECK_INT(format, BATTEN_FORMAT_AUTO);
+}
+
+TEST(F1_a_binary_model_of_FREEship_is_refused_by_name)
+{
+    static const char bytes[] = "\t\0\0\0FREE!ship\x18\1\0\0";
+    batten_model *model = NULL;
+    CHECK_STATUS(read_bytes(bytes, sizeof bytes - 1, BATTEN_FORMAT_AUTO, NULL, &model),
+                 BATTEN_UNSUPPORTED);
+    CHECK_MESSAGE("this is a binary FREE!ship model (.fbm), which is not read");
 }

@@ -42,14 +42,13 @@ static batten_status run(bat_run *run)
     batten_write_options options = batten_write_defaults();
     batten_model *model = NULL;
     options.format = (batten_format)bat_word(run, "format");
-    if (options.format == BATTEN_FORMAT_AUTO)
-        options.format = batten_format_of_name(run->name);
-    if (options.format == BATTEN_FORMAT_AUTO)
+    if (options.format == BATTEN_FORMAT_AUTO &&
+        batten_format_of_name(run->name) == BATTEN_FORMAT_AUTO)
         return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format; add 'format'",
                         run->name);
     read_options(run, &options);
     batten_status status = bat_merge(run, "write", &model);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && batten_write_choose(run->name, model, &options))
         status = batten_write_memory(model, &options, run->notes, &run->data, &run->size);
     batten_model_unref(model);
     return status;

@@ -244,7 +244,8 @@ static batten_status put_definition(writing *w, int definition)
             status = put_mesh(w, object, *id, &w->is_surface[definition]);
         } else if (!object->mesh)
             batten_notes_add(w->notes, "", 0, object->name,
-                             "left out: 3MF files are written of meshes");
+                             "left out: 3MF files are written of meshes, not of this %s",
+                             batten_object_kind_name(object->kind));
         any = any || *id;
     }
     if (status != BATTEN_OK || definition == 0 || !any)

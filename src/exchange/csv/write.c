@@ -11,6 +11,12 @@ static bool is_of_kind(const batten_object *object, batten_object_kind kind)
                                     object->kind == BATTEN_OBJECT_CURVE && object->point_count);
 }
 
+/* A table counts as the points of its stations, where there may be several rows of points. */
+static bool has_rows(const batten_object *object)
+{
+    return is_of_kind(object, BATTEN_OBJECT_POINTS) || object->kind == BATTEN_OBJECT_OFFSETS;
+}
+
 /* A note for each object that a format with one kind of object cannot hold. */
 static void note_left_out(const batten_model *model, batten_notes *notes,
                           batten_object_kind kind, bool only_first)
@@ -18,15 +24,17 @@ static void note_left_out(const batten_model *model, batten_notes *notes,
     bool first = true;
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        const bool fits = is_of_kind(object, kind) && (first || !only_first);
+        const bool rows = !only_first && kind == BATTEN_OBJECT_POINTS && has_rows(object);
+        const bool fits = rows || (is_of_kind(object, kind) && (first || !only_first));
         first &= !is_of_kind(object, kind);
-        if (fits && object->kind != kind)
+        if (fits && object->kind == BATTEN_OBJECT_CURVE)
             batten_notes_add(
                 notes, "", 0, object->name,
                 "the format has no curves; the points it was made from are written");
         if (!fits)
             batten_notes_add(notes, "", 0, object->name,
-                             "left out: the format cannot hold this");
+                             "left out: the format cannot hold this %s",
+                             batten_object_kind_name(object->kind));
     }
 }
 
@@ -165,39 +173,98 @@ batten_status bat_write_offsets(const batten_model *model, const batten_write_op
 
 /* ---- points ---- */
 
-static void put_coordinates(batten_text *text, const double *point, int count)
+static void put_coordinates(batten_text *text, const double *point, int count,
+                            const char *separator)
 {
     for (int k = 0; k < count; k++) {
         if (k > 0)
-            batten_text_bytes(text, " ", 1);
+            batten_text_bytes(text, separator, 1);
         batten_text_number(text, point[k]);
     }
     batten_text_bytes(text, "\n", 1);
 }
 
+typedef struct {
+    batten_text *text;
+    const char *separator; /* of coordinates */
+    double unit;           /* metres; 0: not stated */
+    bool any;              /* rows so far: an empty line parts them */
+} rows;
+
+static void begin_row(rows *r)
+{
+    if (r->any)
+        batten_text_bytes(r->text, "\n", 1);
+    r->any = true;
+}
+
+static void put_row(rows *r, const batten_object *object)
+{
+    if (object->point_count == 0)
+        return;
+    begin_row(r);
+    for (int k = 0; k < object->point_count; k++)
+        put_coordinates(r->text, &object->points[3 * (size_t)k], 3, r->separator);
+}
+
+/* The points of each station are a row. */
+static void put_stations(rows *r, const batten_object *object, batten_notes *notes)
+{
+    const batten_offsets *offsets = object->offsets;
+    const double own = batten_offsets_unit_metres(offsets);
+    const double scale = own > 0 && r->unit > 0 && own != r->unit ? own / r->unit : 1;
+    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
+        const batten_station *station = batten_offsets_station(offsets, i);
+        begin_row(r);
+        for (int k = 0; k < station->point_count; k++) {
+            const batten_offset_point *p = &station->points[k];
+            const double point[3] = {scale * p->x, scale * p->y, scale * p->z};
+            put_coordinates(r->text, point, 3, r->separator);
+        }
+    }
+    batten_notes_remark(notes, "", 0, object->name,
+                        "the format has no tables; its points are written, a row for each of "
+                        "%d stations",
+                        batten_offsets_station_count(offsets));
+}
+
+static void put_points_head(const rows *r)
+{
+    const char *name = r->unit > 0 ? batten_unit_name(r->unit) : NULL;
+    if (name)
+        batten_text_add(r->text, "x_%s%sy_%s%sz_%s\n", name, r->separator, name, r->separator,
+                        name);
+}
+
+/* The unit of the model; else that of its first table which has one. */
+static double unit_of_points(const batten_model *model)
+{
+    double unit = batten_model_unit_metres(model);
+    for (int i = 0; unit == 0 && i < batten_model_count(model); i++)
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_OFFSETS)
+            unit = batten_offsets_unit_metres(batten_model_object(model, i)->offsets);
+    return unit;
+}
+
 batten_status bat_write_points(const batten_model *model, const batten_write_options *options,
                                batten_notes *notes, batten_text *text)
 {
-    (void)options;
-    const double unit = batten_model_unit_metres(model);
-    bool first = true;
-    if (!first_of_kind(model, BATTEN_OBJECT_POINTS))
+    rows r = {text, options->commas ? "," : " ", unit_of_points(model), false};
+    const int count = batten_model_count(model);
+    int first = 0;
+    while (first < count && !has_rows(batten_model_object(model, first)))
+        first++;
+    if (first == count)
         return nothing("points");
     note_left_out(model, notes, BATTEN_OBJECT_POINTS, false);
-    note_unit(unit, notes);
-    if (unit > 0 && batten_unit_name(unit)) {
-        const char *name = batten_unit_name(unit);
-        batten_text_add(text, "x_%s y_%s z_%s\n", name, name, name);
-    }
-    for (int i = 0; i < batten_model_count(model); i++) {
+    note_unit(r.unit, notes);
+    put_points_head(&r);
+    for (int i = first; i < count; i++) {
         const batten_object *object = batten_model_object(model, i);
-        if (!is_of_kind(object, BATTEN_OBJECT_POINTS) || object->point_count == 0)
-            continue;
-        if (!first)
-            batten_text_bytes(text, "\n", 1);
-        first = false;
-        for (int k = 0; k < object->point_count; k++)
-            put_coordinates(text, &object->points[3 * (size_t)k], 3);
+        if (object->kind == BATTEN_OBJECT_OFFSETS)
+            put_stations(&r, object, notes);
+        else if (has_rows(object))
+            put_row(&r, object);
     }
     return BATTEN_OK;
 }
@@ -240,6 +307,6 @@ batten_status bat_write_aerofoil(const batten_model *model, const batten_write_o
         batten_notes_add(notes, "", 0, object->name, "the format cannot hold this name");
     batten_text_add(text, "%s\n", is_good_name(object->name) ? object->name : "aerofoil");
     for (int k = 0; k < object->point_count; k++)
-        put_coordinates(text, &points[3 * (size_t)k], 2);
+        put_coordinates(text, &points[3 * (size_t)k], 2, " ");
     return BATTEN_OK;
 }

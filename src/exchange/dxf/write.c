@@ -144,7 +144,7 @@ static batten_status put_curve(writing *w, int index, const batten_object *objec
     batten_curve *space = NULL;
     const batten_box box = batten_curve_box(object->curve);
     if (box.high.x == box.low.x && box.high.y == box.low.y && box.high.z == box.low.z) {
-        batten_notes_add(w->notes, "", 0, object->name, "left out: it has no length");
+        batten_notes_add(w->notes, "", 0, object->name, "left out: this curve has no length");
         return BATTEN_OK;
     }
     batten_status status = bat_path_of(object, &is_path, &path);

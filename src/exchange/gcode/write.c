@@ -213,11 +213,13 @@ static batten_status path_of(const batten_object *object, batten_notes *notes, b
         return status;
     if (!*use) {
         batten_notes_add(notes, "", 0, object->name,
-                         "left out: it is no chain of arcs and lines; the feature 'arcs' makes "
-                         "one of a curve");
+                         "left out: this %s is no chain of arcs and lines; the feature 'arcs' "
+                         "makes one of a curve",
+                         batten_object_kind_name(object->kind));
     } else if (!is_level(path)) {
         batten_notes_add(notes, "", 0, object->name,
-                         "left out: it is in no plane z = constant");
+                         "left out: this %s is in no plane z = constant",
+                         batten_object_kind_name(object->kind));
         bat_path_release(path);
         *use = false;
     }

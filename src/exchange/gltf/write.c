@@ -315,7 +315,8 @@ static batten_status put_meshes(writing *w)
                 w->mesh_of[w->definitions.first[i] + k] = w->mesh_count;
             } else if (!object->mesh && !object->definition)
                 batten_notes_add(w->notes, "", 0, object->name,
-                                 "left out: glTF files are written of meshes");
+                                 "left out: glTF files are written of meshes, not of this %s",
+                                 batten_object_kind_name(object->kind));
         }
     }
     return status;

@@ -129,7 +129,8 @@ static batten_status add_part(void *context, const batten_model *from, int index
     if (object->kind == BATTEN_OBJECT_POINTS && object->point_count == 0)
         return BATTEN_OK;
     if (object->kind == BATTEN_OBJECT_INSTANCE && batten_model_count(object->definition) == 0) {
-        batten_notes_add(p->notes, "", 0, object->name, "left out, as it places nothing");
+        batten_notes_add(p->notes, "", 0, object->name,
+                         "left out, as this instance places nothing");
         return BATTEN_OK;
     }
     return object->kind == BATTEN_OBJECT_BODY && is_among_others &&

@@ -86,7 +86,8 @@ static batten_status write_mesh(bat_step_writing *w, const batten_object *object
 {
     if (w->options->schema != BATTEN_STEP_AP242) {
         batten_notes_add(w->step.notes, "", 0, object->name,
-                         "left out: of the schemas of STEP only AP242 has meshes");
+                         "left out: this mesh needs schema ap242 (--schema ap242), which alone "
+                         "has meshes");
         return BATTEN_OK;
     }
     if (batten_mesh_view(object->mesh)->triangle_count == 0)

@@ -193,12 +193,13 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
     bool is_path = false;
     bat_path path = {0};
     if (batten_curve_dimension(object->curve) < 2) {
-        batten_notes_add(notes, "", 0, object->name, "left out: it lies in no plane");
+        batten_notes_add(notes, "", 0, object->name, "left out: this curve lies in no plane");
         return BATTEN_OK;
     }
     const batten_box box = batten_curve_box(object->curve);
     if (box.high.x == box.low.x && box.high.y == box.low.y) {
-        batten_notes_add(notes, "", 0, object->name, "left out: it is one point of the sheet");
+        batten_notes_add(notes, "", 0, object->name,
+                         "left out: this curve is one point of the sheet");
         return BATTEN_OK;
     }
     if (box.high.z > box.low.z)

@@ -67,7 +67,7 @@ static void check_not_written(const char *text, batten_format format, const char
 TEST(what_a_format_cannot_hold_is_refused)
 {
     check_not_written("1 2\n3 4\n", BATTEN_FORMAT_OFFSETS, "the model has no table of offsets");
-    check_not_written("x,z,half_breadth\n1,2,3\n", BATTEN_FORMAT_POINTS,
+    check_not_written("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", BATTEN_FORMAT_POINTS,
                       "the model has no points");
     check_not_written("1 2\n3 4\n", BATTEN_FORMAT_AEROFOIL, "no row of 3 points");
     check_not_written("5 5 0\n0 0 0\n5 -1 0\n", BATTEN_FORMAT_AEROFOIL, "begins with counts");
@@ -97,10 +97,57 @@ TEST(what_is_left_out_is_noted)
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     CHECK_TEXT(data, "1 0 0\n0 0 1\n1 -0.1 0\n\n1 0 0\n0 0 1\n1 -0.1 0\n");
     if (batten_notes_dropped(notes) == 0) {
-        CHECK(has_note(notes, "left out: the format cannot hold this"));
+        CHECK(has_note(notes, "left out: the format cannot hold this row of points"));
         CHECK(has_note(notes, "the format has no z"));
         CHECK(has_note(notes, "the format cannot hold this name"));
         CHECK(has_note(notes, "a unit of 2.5 m has no name"));
+    }
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+TEST(points_have_commas_in_csv_and_read_back_to_the_same_bits)
+{
+    const double points[] = {1.0 / 3, -0.0, 4.9e-324, 1e300, 2, 3, 0.1, 0.2, 0.3};
+    batten_model *model = NULL, *back = NULL;
+    const char *path = test_scratch("commas.csv");
+    size_t size = 0;
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "",
+                                                          .kind = BATTEN_OBJECT_POINTS,
+                                                          .point_count = i ? 3 : 2,
+                                                          .points = points}));
+    CHECK_OK(batten_write_file(model, path, NULL, NULL));
+    CHECK(strncmp(load_bytes(path, &size), "x_mm,y_mm,z_mm\n0.33", 19) == 0);
+    CHECK_OK(batten_read_file(path, NULL, NULL, NULL, &back));
+    CHECK_INT(batten_model_count(back), 2);
+    for (int i = 0; i < 2; i++) {
+        const batten_object *object = batten_model_object(back, i);
+        CHECK_INT(object->point_count, i ? 3 : 2);
+        for (int k = 0; k < 3 * object->point_count; k++)
+            CHECK_BITS(object->points[k], points[k]);
+    }
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
+TEST(tables_are_written_as_the_points_of_their_stations)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    batten_write_options options = batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.format = BATTEN_FORMAT_POINTS;
+    CHECK_OK(read_text("z\\x [mm],0,10\n0,0,1.5\n5,2,\n", BATTEN_FORMAT_AUTO, NULL, &model));
+    CHECK_OK(batten_notes_create(9, &notes));
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    CHECK_TEXT(data, "x_mm y_mm z_mm\n0 0 0\n0 2 5\n\n10 1.5 0\n");
+    if (batten_notes_dropped(notes) == 0) {
+        CHECK(has_note(notes, "a row for each of 2 stations"));
+        CHECK(!has_note(notes, "left out"));
     }
     batten_release(data);
     batten_notes_free(notes);

@@ -195,7 +195,8 @@ TEST(dxf_leaves_out_curves_without_length)
         options.format = formats[k];
         CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
         if (!batten_notes_dropped(notes))
-            CHECK(has_note(notes, k ? "it is one point of the sheet" : "it has no length"));
+            CHECK(has_note(notes, k ? "this curve is one point of the sheet"
+                                    : "this curve has no length"));
         CHECK_OK(read_bytes(data, size, formats[k], NULL, &back));
         CHECK_INT(batten_model_count(back), 1);
         batten_release(data);
