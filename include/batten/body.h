@@ -97,8 +97,13 @@ BATTEN_API batten_body *batten_body_ref(const batten_body *body);
 BATTEN_API void batten_body_unref(batten_body *body);
 /** Valid as long as the body. */
 BATTEN_API const batten_body_parts *batten_body_view(const batten_body *body);
-/** The box of the edges' control points and of the vertices; of faces without loops that of the
- * surface. A face may swell beyond its edges: then beyond this box too. */
+/** A box that holds the body, to its tolerance: that of the vertices and of the control points
+ * of the edges, and of the part of each surface that is within the parameters of the face's
+ * loops, where that swells beyond the edges. Loops of bodies that are not traced are followed
+ * for that at samples. Found when it is first asked for, and kept.
+ *
+ * Cost: of faces whose surface reaches beyond the box of all edges, some hundred evaluations
+ * where they are not plane. */
 BATTEN_API batten_box batten_body_box(const batten_body *body);
 /** A map that mirrors turns the loops and sides of faces, so that outside stays outside. */
 BATTEN_API batten_status batten_body_transform(const batten_body *body,
@@ -138,8 +143,8 @@ typedef struct batten_trace_report {
  * is (a strip that winds around and around) becomes several faces.
  *
  * Files say that they are better than they are. A face whose edges are farther off than the
- * tolerance is traced with ten times that, and so on up to 5e-3 of the size of the body and 1e-2
- * of that of the face, and has a note; the tolerance of the result is `miss` then.
+ * tolerance is traced with ten times that, and so on up to 5e-3 of the size of the body and
+ * 1e-2 of that of the face, and has a note; the tolerance of the result is `miss` then.
  *
  * Given parameter curves are kept, mapped to the domain of the edge, when they are good there
  * at four places of each span and 16 at least. Others are exact where the edge lies in a plane,

@@ -1,4 +1,5 @@
 /* What is wrong with a body: its edges and shells, and all the rest asked for. */
+#include "body/box.h"
 #include "body/check_parts.h"
 #include "body/trace_all.h"
 #include "numeric/vector.h"
@@ -218,7 +219,7 @@ static batten_status check_traced(bat_check *check, const bat_traced_all *traced
 
 static batten_status check_loops(bat_check *check, const batten_body *body)
 {
-    const batten_box box = batten_body_box(body);
+    const batten_box box = bat_body_edge_box(body);
     bat_traced_all traced;
     batten_status status = bat_trace_all(
         body,

@@ -1,5 +1,6 @@
 /* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
 #include "base/work.h"
+#include "body/box.h"
 #include "body/face_integral.h"
 #include "body/trace_all.h"
 #include "numeric/vector.h"
@@ -209,7 +210,7 @@ static batten_status finish(const total *t, double precision, const batten_body_
 /* Where the coordinates are measured from, and by what. */
 static void set_rules(const batten_body *body, bat_face_rules *rules)
 {
-    const batten_box box = batten_body_box(body);
+    const batten_box box = bat_body_edge_box(body);
     rules->centre = bat_vec3_along(bat_vec3_scale(box.low, 0.5), 0.5, box.high);
     rules->size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     if (!(rules->size > 0))

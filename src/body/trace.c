@@ -1,6 +1,7 @@
 #include "body/trace.h"
 #include "base/work.h"
 #include "body/border.h"
+#include "body/box.h"
 #include "numeric/vector.h"
 
 #include <stdint.h>
@@ -202,7 +203,7 @@ batten_status batten_body_trace(const batten_body *body, double tolerance,
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
     bat_trace trace = {.from = from, .tolerance = tolerance, .job = job, .notes = notes};
-    const batten_box box = batten_body_box(body);
+    const batten_box box = bat_body_edge_box(body);
     trace.size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     bat_builder_begin(&trace.builder, from->tolerance);
     batten_status status = copy_edges(&trace);

@@ -1,4 +1,4 @@
-/* Bodies in other places: mapped and turned, and the box around them. */
+/* Bodies in other places: mapped and turned. */
 #include "body/builder.h"
 #include "numeric/vector.h"
 
@@ -97,36 +97,4 @@ batten_status batten_body_transform(const batten_body *body, const batten_affine
         return bat_builder_finish(&builder, parts->is_solid, out);
     bat_builder_end(&builder);
     return status;
-}
-
-/* ---- box ---- */
-
-static void widen(batten_box *box, bool *any, batten_box by)
-{
-    if (!*any)
-        *box = by;
-    *any = true;
-    box->low = (batten_vec3){bat_min(box->low.x, by.low.x), bat_min(box->low.y, by.low.y),
-                             bat_min(box->low.z, by.low.z)};
-    box->high = (batten_vec3){bat_max(box->high.x, by.high.x), bat_max(box->high.y, by.high.y),
-                              bat_max(box->high.z, by.high.z)};
-}
-
-batten_box batten_body_box(const batten_body *body)
-{
-    const batten_body_parts *parts = batten_body_view(body);
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    bool any = false;
-    for (int i = 0; i < parts->vertex_count; i++) {
-        const double *p = &parts->vertices[3 * (size_t)i];
-        const batten_vec3 at = {p[0], p[1], p[2]};
-        widen(&box, &any, (batten_box){at, at});
-    }
-    for (int i = 0; i < parts->edge_count; i++)
-        if (parts->edges[i].curve)
-            widen(&box, &any, batten_curve_box(parts->edges[i].curve));
-    for (int i = 0; i < parts->face_count; i++)
-        if (parts->faces[i].count == 0)
-            widen(&box, &any, batten_surface_box(parts->faces[i].surface));
-    return box;
 }

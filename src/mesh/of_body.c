@@ -1,4 +1,5 @@
 /* Triangles of a body: edges, then borders of faces until none crosses itself, then faces. */
+#include "body/box.h"
 #include "mesh/face.h"
 
 #include <float.h>
@@ -51,7 +52,10 @@ static double largest_of(const batten_box box)
 static batten_status check_options(const batten_mesh_options *o, const batten_body *body,
                                    bat_meshing *m)
 {
-    const batten_box box = batten_body_box(body);
+    batten_box box;
+    const batten_status status = bat_body_find_box(body, &box);
+    if (status != BATTEN_OK)
+        return status;
     const double size = size_of(box);
     if (!(o->chord >= 0 && isfinite(o->chord)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the chord is %g; it must not be below 0",

@@ -1,4 +1,5 @@
 /* Items of representations that have faces: solids, sheets, shells, faces. */
+#include "body/box.h"
 #include "exchange/step/import.h"
 #include "numeric/vector.h"
 
@@ -29,14 +30,22 @@ static const bat_step_instance *first_of(const bat_step_file *file,
  * left. */
 enum { SMALLEST = 10 };
 
+static double size_of(const batten_box *box)
+{
+    return bat_vec3_norm(bat_vec3_subtract(box->high, box->low));
+}
+
 static batten_status check_size(const bat_step_target *target, const bat_step_instance *item,
                                 const batten_body *body)
 {
     const double tolerance = batten_body_view(body)->tolerance;
-    const batten_box box = batten_body_box(body);
-    const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
-    if (size > SMALLEST * tolerance)
+    batten_box box = bat_body_edge_box(body);
+    if (size_of(&box) > SMALLEST * tolerance)
         return BATTEN_OK;
+    const batten_status status = bat_body_find_box(body, &box); /* large faces, small holes */
+    const double size = size_of(&box);
+    if (status != BATTEN_OK || size > SMALLEST * tolerance)
+        return status;
     return bat_step_fail(&target->import->file, item, BATTEN_BAD_FORMAT,
                          "it is %g large, the accuracy is only %g", size, tolerance);
 }

@@ -1,0 +1,33 @@
+/* Boxes around bodies. */
+#ifndef BAT_BODY_BOX_H
+#define BAT_BODY_BOX_H
+#include "base/base.h"
+#include <batten/body.h>
+
+/* The box of the edges and vertices, and of the surfaces of faces without loops: about how
+ * large a body is. Faces may reach beyond it. */
+batten_box bat_body_edge_box(const batten_body *body);
+
+/* As batten_body_box, which gives the box of all surfaces where this fails: OUT_OF_MEMORY. */
+batten_status bat_body_find_box(const batten_body *body, batten_box *out);
+
+/* The box of a body that was found before; false when there is none. */
+bool bat_body_kept_box(const batten_body *body, batten_box *out);
+void bat_body_keep_box(const batten_body *body, const batten_box *box);
+
+/* ---- face_range.c ---- */
+
+/* Parts of a surface that hold a face, as boxes of parameters; two in a direction where the
+ * face crosses the seam. */
+typedef struct {
+    batten_surface *surface; /* clamped, owned */
+    int count[2];
+    batten_interval at[2][2]; /* [direction][count] */
+} bat_face_range;
+
+/* From the curves in the parameters when the body is traced, else from feet of its edges on the
+ * surface; all of the surface where these do not tell. The size is about that of the body. */
+batten_status bat_face_range_find(const batten_body_parts *parts, int face, double size,
+                                  bat_face_range *out);
+
+#endif
