@@ -67,6 +67,8 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
 {
     bat_iges_item item;
     bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
+    if (bat_iges_row_of(entry->type)->kind == BAT_IGES_PART)
+        return leave_out(reading, entry, "it is no geometry by itself");
     if (shape->state == BAT_IGES_BUSY) {
         bat_fail(BATTEN_BAD_FORMAT, "it is a part of itself");
         return leave_out(reading, entry, batten_message());

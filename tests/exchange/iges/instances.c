@@ -74,6 +74,24 @@ TEST(P1_a_subfigure_of_itself_and_wrong_references_are_left_out)
     batten_model_unref(model);
 }
 
+/* It is placed by an instance, and not a member of another; the instance finds it still. */
+TEST(P1_a_subfigure_that_is_a_member_of_another_is_left_out)
+{
+    iges_text file = iges_begin();
+    iges_add(&file, 408, 0, 0, 0, "00000000", "408,3,0.,0.,0.,1.;");
+    iges_add(&file, 308, 0, 0, 0, "00000200", "308,1,1Hb,1,5;");
+    iges_add(&file, 308, 0, 0, 0, "00000200", "308,0,1Ha,1,9;");
+    iges_add(&file, 408, 0, 0, 0, "00000000", "408,5,0.,0.,0.,1.;");
+    iges_add(&file, 110, 0, 0, 0, "00010000", IGES_LINE);
+    batten_model *model = NULL;
+    CHECK_STATUS(read_text(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, NULL, &model),
+                 BATTEN_PARTLY_READ);
+    CHECK_INT(batten_model_count(model), 2);
+    CHECK_INT(batten_model_count(batten_model_object(model, 0)->definition), 0);
+    CHECK_INT(batten_model_count(batten_model_object(model, 1)->definition), 1);
+    batten_model_unref(model);
+}
+
 TEST(groups_within_groups_name_their_members)
 {
     static const int forms[] = {1, 7, 14, 15};
