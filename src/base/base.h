@@ -71,8 +71,8 @@ void bat_text_insert(struct batten_text *text, const char *bytes, size_t length)
 /* Make room for so many bytes more at once: a long text then need not move as it grows. */
 void bat_text_reserve(struct batten_text *text, size_t length);
 
-/* Bytes as they may stand in a message: what is no printable ASCII as \xNN, cut where they do
- * not fit. */
+/* Bytes as they may stand in a message: what is no printable character of UTF-8 as \xNN, cut
+ * where they do not fit. */
 #define BAT_SHOWN_SIZE 512
 const char *bat_shown(const char *bytes, size_t length, char buffer[BAT_SHOWN_SIZE]);
 

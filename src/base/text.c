@@ -158,6 +158,16 @@ void batten_text_free(batten_text *text)
     *text = BATTEN_TEXT;
 }
 
+/* How long the letter beyond ASCII is that begins there; 0 for what is none, or a control. */
+static size_t letter_length(const char *bytes, size_t left)
+{
+    char copy[5] = "";
+    memcpy(copy, bytes, left < 4 ? left : 4);
+    const size_t length = bat_utf8_length(copy);
+    const bool is_control = (unsigned char)copy[0] == 0xc2 && (unsigned char)copy[1] < 0xa0;
+    return length > 1 && !is_control ? length : 0;
+}
+
 const char *bat_shown(const char *bytes, size_t length, char buffer[BAT_SHOWN_SIZE])
 {
     static const char hex[] = "0123456789abcdef";
@@ -169,8 +179,13 @@ const char *bat_shown(const char *bytes, size_t length, char buffer[BAT_SHOWN_SI
             break;
         }
         const unsigned char c = (unsigned char)bytes[i];
+        const size_t letter = letter_length(bytes + i, length - i);
         if (c >= 0x20 && c < 0x7f && c != '\\') {
             buffer[used++] = (char)c;
+        } else if (letter > 0) {
+            memcpy(buffer + used, bytes + i, letter);
+            used += letter;
+            i += letter - 1;
         } else {
             const char escaped[4] = {'\\', 'x', hex[c >> 4], hex[c & 15]};
             memcpy(buffer + used, escaped, 4);

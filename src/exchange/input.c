@@ -89,7 +89,7 @@ batten_status bat_input_as_text(bat_input *input)
 batten_status bat_input_fail(const bat_input *input, batten_status status, int line,
                              const char *format, ...)
 {
-    char place[16] = "", sentence[768];
+    char place[16] = "", sentence[768], shown[BAT_SHOWN_SIZE];
     va_list arguments;
     va_start(arguments, format);
     bat_format(sentence, sizeof sentence, format, arguments);
@@ -98,7 +98,7 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
         snprintf(place, sizeof place, "%d", line);
     const bool named = input->file[0] != '\0';
     return bat_fail(status, "%s%s%s%s%s",
-                    named      ? input->file
+                    named      ? bat_shown(input->file, strlen(input->file), shown)
                     : line > 0 ? "line "
                                : "",
                     named && line > 0 ? ":" : "", place, named || line > 0 ? ": " : "",
@@ -107,12 +107,14 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
 
 const char *bat_input_reason(const bat_input *input, int *line)
 {
+    char shown[BAT_SHOWN_SIZE];
     const char *message = batten_message(), *at = message;
-    const size_t named = strlen(input->file);
+    const char *file = bat_shown(input->file, strlen(input->file), shown);
+    const size_t named = strlen(file);
     int number = 0;
     *line = 0;
     if (named > 0) {
-        if (strncmp(at, input->file, named) != 0 || at[named] != ':')
+        if (strncmp(at, file, named) != 0 || at[named] != ':')
             return message;
         at += named + 1;
     } else if (strncmp(at, "line ", 5) == 0) {
@@ -128,6 +130,18 @@ const char *bat_input_reason(const bat_input *input, int *line)
         return message;
     }
     return *at == ' ' ? at + 1 : message;
+}
+
+void bat_input_behind(const bat_input *input, size_t at)
+{
+    const size_t from = at;
+    while (at < input->size && (bat_is_white(input->data[at]) || input->data[at] == '\0' ||
+                                input->data[at] == '\x1a'))
+        at++;
+    if (at < input->size)
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "%zu bytes follow where the file should end, at byte %zu; not read",
+                         input->size - from, from);
 }
 
 batten_status bat_input_step(bat_input *input, size_t at)

@@ -34,6 +34,9 @@ batten_status bat_input_fail(const bat_input *input, batten_status status, int l
 /* The sentence of the last failure without the place that bat_input_fail put before it, for a
  * note; *line is that of the place, 0 for none. */
 const char *bat_input_reason(const bat_input *input, int *line);
+/* A note when something stands from `at` on, behind the end of what was read: not white space,
+ * not zero bytes, with which some fill up. */
+void bat_input_behind(const bat_input *input, size_t at);
 /* Ask whether to go on: at[size] of the file has been reached. */
 batten_status bat_input_step(bat_input *input, size_t at);
 /* BATTEN_TOO_LARGE when `count` is above the limit on what `what` names. */

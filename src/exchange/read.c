@@ -1,5 +1,6 @@
 #include "exchange/formats.h"
 #include "exchange/recognise.h"
+#include <stdio.h>
 
 static batten_status read_as(bat_input *input, batten_format format, batten_model **out)
 {
@@ -32,6 +33,26 @@ static batten_status read_as(bat_input *input, batten_format format, batten_mode
                           input->left_out, input->left_out + batten_model_count(model));
 }
 
+/* After a failure as a format that was asked for: say which one the bytes are of, when that is
+ * known by more than rows of numbers. */
+static batten_status name_content(const bat_input *asked, batten_format format,
+                                  batten_status status)
+{
+    enum { SIZE = 1024 };
+    char message[SIZE];
+    bat_input input = *asked;
+    bool is_such = false;
+    snprintf(message, sizeof message, "%s", batten_message());
+    input.notes = NULL;
+    for (size_t k = 0; bat_format_at(k); k++) {
+        const bat_format_row *row = bat_format_at(k);
+        if (row->recognise && row->format != format &&
+            row->recognise(&input, &is_such) == BATTEN_OK && is_such)
+            return bat_fail(status, "%.900s; the content is that of %s", message, row->title);
+    }
+    return bat_fail(status, "%s", message);
+}
+
 batten_status batten_read_memory(const char *data, size_t size,
                                  const batten_read_options *options, const batten_job *job,
                                  batten_notes *notes, batten_model **out)
@@ -41,7 +62,11 @@ batten_status batten_read_memory(const char *data, size_t size,
     batten_status status = bat_input_begin(data, size, options, job, notes, &input);
     if (status == BATTEN_OK && format == BATTEN_FORMAT_AUTO)
         status = bat_recognise(&input, &format);
-    return status == BATTEN_OK ? read_as(&input, format, out) : status;
+    if (status == BATTEN_OK)
+        status = read_as(&input, format, out);
+    if (status == BATTEN_BAD_FORMAT && options && options->format != BATTEN_FORMAT_AUTO)
+        status = name_content(&input, format, status);
+    return status;
 }
 
 batten_status batten_read_file(const char *path, const batten_read_options *options,

@@ -165,3 +165,19 @@ TEST(bytes_may_come_before_what_is_there)
     CHECK(text.failed || text.capacity >= 1000);
     batten_text_free(&text);
 }
+
+TEST(F8_letters_are_shown_and_other_bytes_escaped)
+{
+    static const struct {
+        const char *bytes, *shown;
+    } cases[] = {{"a b", "a b"},
+                 {"H\xc3\xbclle \xe8\x88\xb9", "H\xc3\xbclle \xe8\x88\xb9"},
+                 {"H\xfclle", "H\\xfclle"},
+                 {"\xc3", "\\xc3"},
+                 {"\xc2\x85\x1b[0m\n", "\\xc2\\x85\\x1b[0m\\x0a"},
+                 {"\xed\xa0\x80\\", "\\xed\\xa0\\x80\\x5c"}};
+    char buffer[BAT_SHOWN_SIZE];
+    for (int i = 0; i < COUNT(cases); i++)
+        CHECK_TEXT(bat_shown(cases[i].bytes, strlen(cases[i].bytes), buffer), cases[i].shown);
+    CHECK_TEXT(bat_shown("\xc3\xbc", 1, buffer), "\\xc3");
+}

@@ -128,6 +128,7 @@ TEST(F4_a_byte_order_mark_means_nothing_to_each_reader)
 
 TEST(F4_UTF_16_and_zero_bytes_are_refused_by_each_reader)
 {
+    only_once();
     for (int f = 0; f < COUNT(every_format); f++)
         for (int way = 0; way < 3; way++) {
             const char *text = every_format[f].text;
@@ -145,7 +146,42 @@ TEST(F4_UTF_16_and_zero_bytes_are_refused_by_each_reader)
             const batten_status status =
                 read_bytes(wide, size, every_format[f].format, NULL, &model);
             CHECK(status != BATTEN_OK && status != BATTEN_PARTLY_READ && model == NULL);
+            /* Headers of clouds and meshes say themselves what no line of them is. */
+            CHECK(strncmp(batten_message(), "t:", 2) == 0);
+            CHECK(strstr(batten_message(), way < 2 ? "UTF-16" : "is zero; this is no text") ||
+                  (way == 2 && strstr(batten_message(), "no line of a header")));
         }
+}
+
+#define ODD_NAME "k\xfcl\xff"
+
+TEST(F4_names_keep_their_bytes_in_each_reader)
+{
+    static const struct {
+        batten_format format;
+        const char *text;
+    } cases[] = {
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n" ODD_NAME
+                            "\n10\n1\n20\n2\n11\n3\n21\n4\n0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_SVG,
+         "<svg><line id=\"" ODD_NAME "\" x1=\"1\" y1=\"2\" x2=\"3\" y2=\"4\"/></svg>"},
+        {BATTEN_FORMAT_OBJ, "o " ODD_NAME "\nv 0 0 0\nv 1 0 0\nv 1 1.5 0\nf 1 2 3\n"},
+        {BATTEN_FORMAT_STL,
+         "solid " ODD_NAME "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+         "vertex 0 1.5 0\nendloop\nendfacet\nendsolid s\n"},
+        {BATTEN_FORMAT_AEROFOIL, ODD_NAME "\n1.0 .01\n.5 .1\n0 0\n.4 -.05\n1 -.01\n"},
+        {BATTEN_FORMAT_STEP,
+         STEP_BEGIN "#1=CARTESIAN_POINT('',(1.,2.,3.));\n#2=CARTESIAN_POINT('',(1.5,2.,4.));\n"
+                    "#4=POLYLINE('" ODD_NAME "',(#1,#2));\n" STEP_CONTEXT STEP_END},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        batten_model *model = NULL;
+        CHECK_OK(read_text(cases[i].text, cases[i].format, NULL, &model));
+        const batten_object *object = batten_model_object(model, 0);
+        CHECK_TEXT(cases[i].format == BATTEN_FORMAT_DXF ? object->layer : object->name,
+                   ODD_NAME);
+        batten_model_unref(model);
+    }
 }
 
 TEST(F4_bytes_that_are_no_text_harm_no_reader)
@@ -205,6 +241,8 @@ TEST(F7_each_format_is_known_by_its_content_and_refused_as_another)
             const bool rows = !every_format[f].is_known && !every_format[as].is_known;
             if (f == as || !rows)
                 CHECK((status == BATTEN_OK) == (f == as));
+            if (status != BATTEN_OK && every_format[f].is_known)
+                CHECK_MESSAGE("the content is that of ");
             batten_model_unref(model);
         }
     for (int f = 0; f < COUNT(every_format); f++) {
@@ -221,9 +259,43 @@ TEST(F7_each_format_is_known_by_its_content_and_refused_as_another)
     }
 }
 
+static int warnings_of(const char *text, batten_format format, batten_status *status)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    *status = read_text(text, format, notes, &model);
+    const int count = count_warnings(notes);
+    batten_notes_free(notes);
+    batten_model_unref(model);
+    return count;
+}
+
+TEST(F7_what_follows_the_end_of_a_file_is_told_by_each_reader)
+{
+    only_once();
+    for (int f = 0; f < COUNT(every_format); f++)
+        for (int other = 0; other < COUNT(every_format); other++) {
+            char glued[4096];
+            batten_status status;
+            const batten_format format = every_format[f].format;
+            /* Hydrostatics and the like follow the net of a ship. */
+            if (f == other || format == BATTEN_FORMAT_FTM)
+                continue;
+            const int before = warnings_of(every_format[f].text, format, &status);
+            CHECK(status == BATTEN_OK);
+            CHECK((size_t)snprintf(glued, sizeof glued, "%s%s", every_format[f].text,
+                                   every_format[other].text) < sizeof glued);
+            const int after = warnings_of(glued, format, &status);
+            const bool rows = !every_format[f].is_known && !every_format[other].is_known;
+            CHECK(rows || status != BATTEN_OK || after > before);
+        }
+}
+
 TEST(F8_each_reader_takes_odd_names_of_files)
 {
     static const char *const names[] = {"a b", "a'b\"", "a\nb", "\xff\xfe", "-x", "%s%n"};
+    static const char *const shown[] = {"a b", "a'b\"", "a\\x0ab", "\\xff\\xfe", "-x", "%s%n"};
     only_once();
     for (int f = 0; f < COUNT(every_format); f++)
         for (int i = 0; i < COUNT(names); i++) {
@@ -237,6 +309,8 @@ TEST(F8_each_reader_takes_odd_names_of_files)
             batten_model_unref(model);
             CHECK_OK(batten_save_file(path, "\x01", 1));
             CHECK(batten_read_file(path, &options, NULL, NULL, &model) != BATTEN_OK);
+            CHECK(strstr(batten_message(), shown[i]) != NULL);
+            CHECK(strpbrk(batten_message(), "\n\xff") == NULL);
         }
 }
 

@@ -269,7 +269,7 @@ static void read_look(const reading *r, int layer, char name[NAME], batten_objec
     }
     object->has_colour = is_whole(r, at + 2, &colour) && colour >= 0 && colour <= 0xffffff;
     if (!object->has_colour)
-        batten_notes_add(r->input->notes, r->input->file, (int)at + 3, object->name,
+        batten_notes_add(r->input->notes, r->input->file, 0, name,
                          "the colour of the layer is not a whole number from 0 to %d; it has "
                          "none",
                          0xffffff);

@@ -200,6 +200,8 @@ static batten_status read_faces(reading *r)
         batten_notes_add(r->input->notes, r->input->file, 0, "",
                          "%zu of %zu faces are in the file", i, r->faces);
     }
+    if (status == BATTEN_OK && !r->input->is_cut)
+        bat_input_behind(r->input, (size_t)(r->scan.at - r->input->data));
     if (r->face_colours)
         batten_notes_add(r->input->notes, r->input->file, 0, "",
                          "the colours of %zu faces are left out", r->face_colours);

@@ -266,6 +266,8 @@ static batten_status read_ascii(reading *r)
         if (status == BATTEN_OK && count % 10000 == 0)
             status = bat_input_step(r->input, r->at);
     }
+    if (status == BATTEN_OK && count == r->points)
+        bat_input_behind(r->input, r->at);
     return status == BATTEN_OK ? note_end(r, count) : status;
 }
 
@@ -318,6 +320,8 @@ static batten_status read_binary(reading *r)
     const size_t room = (r->input->size - r->at) / bytes_of_point(r);
     const size_t count = r->points < room ? r->points : room;
     batten_status status = take_bytes(r, r->input->data + r->at, count, false);
+    if (status == BATTEN_OK && count == r->points)
+        bat_input_behind(r->input, r->at + count * bytes_of_point(r));
     return status == BATTEN_OK ? note_end(r, count) : status;
 }
 
@@ -342,6 +346,8 @@ static batten_status read_compressed(reading *r)
     batten_status status = bat_input_array(input, whole, 1, &r->unpacked);
     if (status == BATTEN_OK)
         status = bat_lzf(at + 8, packed, r->unpacked, whole);
+    if (status == BATTEN_OK)
+        bat_input_behind(input, r->at + 8 + packed);
     return status == BATTEN_OK ? take_bytes(r, r->unpacked, r->points, true) : status;
 }
 

@@ -306,6 +306,8 @@ static batten_status read_body(reading *r, batten_model *model)
     for (size_t k = 0; status == BATTEN_OK && !r->is_lost && k < r->header.elements.count; k++)
         status = read_element(r, &elements[k]);
     r->input->is_cut = r->is_lost;
+    if (status == BATTEN_OK && !r->is_lost)
+        bat_input_behind(r->input, r->items.at);
     if (status == BATTEN_OK)
         status = bat_indexed_add(&r->mesh, "mesh", model);
     if (status == BATTEN_OK && batten_model_count(model) == 0 &&

@@ -298,6 +298,15 @@ static batten_status scan_statement(reading *r, size_t *at)
 
 /* ---- the whole ---- */
 
+/* Signatures may follow the end. */
+static void note_behind(reading *r, size_t at)
+{
+    size_t unfinished = SIZE_MAX;
+    at = bat_step_blank(r->scan.data, r->scan.size, at, &unfinished);
+    if (at < r->scan.size && !begins_with(&r->scan, at, "SIGNATURE"))
+        bat_input_behind(r->file->input, at);
+}
+
 static batten_status scan_all(reading *r)
 {
     bat_step_scanner *scan = &r->scan;
@@ -319,6 +328,8 @@ static batten_status scan_all(reading *r)
             status = bat_input_step(r->file->input, at / 2);
             r->step = at + 65536;
         }
+        if (status == BATTEN_OK && r->is_over)
+            note_behind(r, at);
     }
     return status;
 }

@@ -328,6 +328,24 @@ static batten_status read_element(reading *r)
     return status == BATTEN_OK ? skip(r) : status;
 }
 
+/* Comments may follow the end, and nothing else. */
+static void note_behind(const reading *r)
+{
+    const bat_input *input = r->input;
+    const bat_span last = r->xml.attributes; /* of </svg>: up to its '>' */
+    size_t at = (size_t)(last.bytes + last.length + 1 - input->data), end;
+    for (;;) {
+        while (at < input->size && bat_is_white(input->data[at]))
+            at++;
+        if (!bat_begins(input, at, "<!--"))
+            break;
+        for (end = at + 4; end < input->size && !bat_begins(input, end, "-->");)
+            end++;
+        at = end < input->size ? end + 3 : end;
+    }
+    bat_input_behind(input, at);
+}
+
 static batten_status read_all(reading *r)
 {
     batten_status status = bat_xml_next(&r->xml);
@@ -345,8 +363,10 @@ static batten_status read_all(reading *r)
         if (status == BATTEN_OK && r->xml.kind != BAT_XML_END) {
             status = read_element(r);
         } else if (status == BATTEN_OK) {
-            if (r->depth == 0)
-                return BATTEN_OK; /* </svg> */
+            if (r->depth == 0) { /* </svg> */
+                note_behind(r);
+                return BATTEN_OK;
+            }
             r->depth--;
         }
         r->group[r->levels[r->depth].group] = '\0';

@@ -289,6 +289,22 @@ TEST(shapes_without_length_are_remarked_on)
     batten_model_unref(model);
 }
 
+TEST(F7_after_the_end_of_a_drawing_only_comments_may_stand)
+{
+    static const struct {
+        const char *tail, *words;
+    } cases[] = {{"\n<!-- <g> -->\n<!---->", ""},
+                 {"<svg/>", "6 bytes follow where the file should end"},
+                 {"<!-- no end", ""},
+                 {" text", "4 bytes follow"},
+                 {"\x1a", ""}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        char text[400];
+        snprintf(text, sizeof text, "%s%s", sheet("<path d=\"M0 0L1 1\"/>"), cases[i].tail);
+        batten_model_unref(read_noting(text, BATTEN_FORMAT_SVG, cases[i].words));
+    }
+}
+
 TEST(S4_groups_within_groups_have_a_limit)
 {
     enum { DEEP = 100000 };
