@@ -3,6 +3,8 @@
 #include "exchange/step/import.h"
 #include "numeric/vector.h"
 
+#include <string.h>
+
 static batten_status leave_out(const bat_step_target *target, const bat_step_instance *item,
                                batten_status reason)
 {
@@ -50,6 +52,35 @@ static batten_status check_size(const bat_step_target *target, const bat_step_in
                          "it is %g large, the accuracy is only %g", size, tolerance);
 }
 
+/* A body is on one layer: on that of its faces when all have the same. One that only some have
+ * is noted. */
+static void take_layer(const bat_step_target *target, const bat_step_instance *item,
+                       batten_object *object)
+{
+    const bat_step_file *file = &target->import->file;
+    const bat_step_instance *instances = file->instances.items;
+    const bat_list *faces = &target->import->topology.faces;
+    const char *layer = NULL;
+    size_t count = 0;
+    char shown[BAT_SHOWN_SIZE];
+    for (size_t k = 0; k < faces->count; k++) {
+        const char *own = bat_step_layer_of(&target->import->styles,
+                                            &instances[((const uint32_t *)faces->items)[k]]);
+        if (own && object->layer && strcmp(own, object->layer) == 0)
+            continue;
+        if (own && !layer)
+            layer = own;
+        count += own && strcmp(own, layer) == 0;
+    }
+    if (!object->layer && count == faces->count)
+        object->layer = layer;
+    else if (layer)
+        bat_step_warn(file, item,
+                      "%zu of its %zu faces are on the layer '%s'; a body is on one layer, and "
+                      "that is left out",
+                      count, faces->count, bat_shown(layer, strlen(layer), shown));
+}
+
 /* What was read since the body was begun, as an object. A sheet that is one whole B-spline
  * surface is that surface. */
 static batten_status finish_body(const bat_step_target *target, const bat_step_instance *item,
@@ -89,8 +120,7 @@ static batten_status finish_body(const bat_step_target *target, const bat_step_i
         from[2] = face ? face : item;
     }
     bat_step_dress(target, 3, from, &object, name);
-    if (!object.layer && face)
-        object.layer = bat_step_layer_of(&import->styles, face);
+    take_layer(target, item, &object);
     status = bat_step_add_object(target, item, &object);
     batten_body_unref(body);
     return status;

@@ -20,6 +20,7 @@ batten_status bat_step_topology_open(bat_step_file *file, bat_census *census,
                              .roots = {.size = sizeof(int)},
                              .pairs = {.size = sizeof(int)},
                              .counts = {.size = sizeof(int)},
+                             .faces = {.size = sizeof(uint32_t)},
                              .uses = {.size = sizeof(bat_step_use)},
                              .loops = {.size = sizeof(int)},
                              .points = {.size = 3 * sizeof(double)}};
@@ -36,8 +37,8 @@ static void drop_surfaces(bat_step_topology *t)
 
 void bat_step_topology_close(bat_step_topology *t)
 {
-    bat_list *lists[] = {&t->edges,  &t->surfaces, &t->roots, &t->pairs,
-                         &t->counts, &t->uses,     &t->loops, &t->points};
+    bat_list *lists[] = {&t->edges, &t->surfaces, &t->roots, &t->pairs, &t->counts,
+                         &t->faces, &t->uses,     &t->loops, &t->points};
     if (t->body)
         bat_builder_end(&t->builder);
     drop_surfaces(t);
@@ -52,7 +53,7 @@ void bat_step_body_begin(bat_step_topology *t, const bat_step_scale *scale)
     t->scale = *scale;
     bat_builder_begin(&t->builder, scale->tolerance);
     drop_surfaces(t);
-    t->edges.count = t->roots.count = 0;
+    t->edges.count = t->roots.count = t->faces.count = 0;
     if (t->pairs.count)
         memset(t->pairs.items, 0xff, t->pairs.count * sizeof(int));
     t->pair_count = 0;
@@ -172,6 +173,9 @@ static batten_status read_face(bat_step_topology *t, const bat_step_instance *ou
         status = bat_step_read_bounds(t, face, record, flipped);
     if (status == BATTEN_OK)
         status = put_face(t, face, record, flipped);
+    const uint32_t index = bat_step_index(t->file, face);
+    if (status == BATTEN_OK)
+        status = bat_list_add(t->file->input, &t->faces, &index);
     if (status == BATTEN_OK) {
         made->stamp = bat_step_stamp(t, BAT_STEP_FACE);
         return bat_census_read(t->file->input, t->census,

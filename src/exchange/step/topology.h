@@ -42,6 +42,7 @@ typedef struct {
     bat_list pairs;    /* edges of polygons by their vertices: a hash of int, -1 where free */
     size_t pair_count;
     bat_list counts; /* uses of each edge in a shell */
+    bat_list faces;  /* uint32_t: the instances of those that were read */
     bool has_spline; /* a face lies on a surface that is a B-spline in the file */
     int left_out;    /* faces */
 

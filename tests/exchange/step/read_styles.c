@@ -4,10 +4,9 @@
 static const double ORIGIN[] = {0, 0, 0};
 
 /* A box #1000 and a line #1100 in a curve set #1101, with what the text says of their looks. */
-static batten_model *read_with(const char *looks)
+static const char *text_with(const char *looks)
 {
     box_text text;
-    batten_model *model = NULL;
     box_shell(box_begin(&text), 1, ORIGIN, 1, 0);
     box_add(&text, "#1000=MANIFOLD_SOLID_BREP('box',#181);\n"
                    "#1100=POLYLINE('keel',(#1,#2));\n"
@@ -30,7 +29,13 @@ static batten_model *read_with(const char *looks)
     box_add(&text, "%s", looks);
     box_context(&text, 900);
     box_add(&text, "#990=SHAPE_REPRESENTATION('',(#1000,#1101),#900);\n");
-    const char *file = box_end(&text);
+    return box_end(&text);
+}
+
+static batten_model *read_with(const char *looks)
+{
+    batten_model *model = NULL;
+    const char *file = text_with(looks);
     CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
     CHECK_INT(batten_model_count(model), 2);
     CHECK_TEXT(batten_model_object(model, 0)->name, "box");
@@ -93,7 +98,8 @@ TEST(styles_that_lead_nowhere_or_in_rings_have_no_effect)
 
 TEST(layers_come_from_items_faces_and_styles)
 {
-    static const char *const members[] = {"#1000", "#181", "#151", "#1200"};
+    static const char *const members[] = {"#1000", "#181", "#1200",
+                                          "#151,#152,#153,#154,#155,#156"};
     for (int k = 0; k < COUNT(members); k++) {
         char looks[400];
         snprintf(looks, sizeof looks,
@@ -105,6 +111,28 @@ TEST(layers_come_from_items_faces_and_styles)
         CHECK_TEXT(batten_model_object(model, 0)->layer, "hull");
         CHECK_TEXT(batten_model_object(model, 1)->layer, "lines");
         CHECK(!batten_model_object(model, 0)->is_hidden);
+        batten_model_unref(model);
+    }
+}
+
+TEST(a_layer_that_only_some_faces_have_is_noted_and_not_taken)
+{
+    static const struct {
+        const char *looks, *layer, *words;
+    } cases[] = {
+        {"#1210=PRESENTATION_LAYER_ASSIGNMENT('hull','',(#151));\n", "",
+         "1 of its 6 faces are on the layer 'hull'"},
+        {"#1210=PRESENTATION_LAYER_ASSIGNMENT('hull','',(#153,#154));\n"
+         "#1211=PRESENTATION_LAYER_ASSIGNMENT('body','',(#1000,#155));\n",
+         "body", "2 of its 6 faces are on the layer 'hull'"},
+        {"#1210=PRESENTATION_LAYER_ASSIGNMENT('hull','',(#151,#152,#153));\n"
+         "#1211=PRESENTATION_LAYER_ASSIGNMENT('body','',(#154,#155,#156));\n",
+         "", "3 of its 6 faces are on the layer 'hull'"},
+        {"#1210=PRESENTATION_LAYER_ASSIGNMENT('hull','',(#151,#1000));\n", "hull", ""}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        batten_model *model =
+            read_noting(text_with(cases[k].looks), BATTEN_FORMAT_STEP, cases[k].words);
+        CHECK_TEXT(batten_model_object(model, 0)->layer, cases[k].layer);
         batten_model_unref(model);
     }
 }
