@@ -87,10 +87,24 @@ static char *output_folder(const arguments *given)
 
 static batten_status make_folder(const char *folder)
 {
-    if (mkdir(folder, 0777) == 0 || errno == EEXIST)
+    struct stat found;
+    if (mkdir(folder, 0777) == 0)
         return BATTEN_OK;
+    const int error = errno;
+    if (error == EEXIST && stat(folder, &found) == 0 && S_ISDIR(found.st_mode))
+        return BATTEN_OK;
+    if (error == EEXIST || error == ENOTDIR)
+        return batten_fail(BATTEN_FILE_ERROR,
+                           "'%s' is to be the folder of the outputs, and is a file", folder);
     return batten_fail(BATTEN_FILE_ERROR, "cannot make the folder '%s': %s", folder,
-                       strerror(errno));
+                       strerror(error));
+}
+
+/* What is asked for must be there before the work, which may be long. */
+static batten_status prepare_folder(const arguments *given)
+{
+    const char *chosen = arguments_get(given, "output");
+    return chosen ? make_folder(chosen) : BATTEN_OK;
 }
 
 static batten_status make_output(batten_design *design, int index, const char *folder,
@@ -129,13 +143,6 @@ static batten_status make_outputs(batten_design *design, const arguments *given,
 {
     char *folder = output_folder(given);
     batten_status status = folder ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
-    if (status == BATTEN_OK && arguments_has(given, "output"))
-        status = make_folder(folder);
-    if (status != BATTEN_OK) {
-        batten_notes_add(notes, "", 0, "", "%s", batten_message());
-        batten_release(folder);
-        return status;
-    }
     for (int i = 0; !ends_all(status) && i < batten_design_output_count(design); i++) {
         const batten_status one = make_output(design, i, folder, notes);
         if (one == BATTEN_OK)
@@ -204,6 +211,8 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     const char *only = arguments_get(given, "only");
     int made = 0;
     batten_status status = names ? set_values(design, given, notes) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && !only)
+        status = prepare_folder(given);
     const bool all = status == BATTEN_OK && !only;
     if (all)
         status = make_all(design, given, notes, names, &made);

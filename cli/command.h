@@ -38,6 +38,9 @@ void command_complain(const char *name);
  * settings (method.h), or NULL. */
 option *command_options(const command *c, const char *choice, int *count);
 
+/* What is to be said of the units of those values; NULL for nothing. */
+const char *command_value_units(int count, const option *options);
+
 /* ---- the running job: progress on a terminal, Ctrl-C ---- */
 
 /* Catch the signals and say whether progress may be shown. */

@@ -17,7 +17,8 @@ static const char *const kept[] = {
         "layers, groups, unit; meshes in AP242",
     [BATTEN_FORMAT_DXF] = "lines, polylines, arcs, ellipses, splines; layers, colours, unit; "
                           "blocks are read where they are inserted",
-    [BATTEN_FORMAT_SVG] = "plane curves at true scale: what text and pictures are is not read",
+    [BATTEN_FORMAT_SVG] =
+        "curves as seen along z, at true scale; text and pictures are not read",
     [BATTEN_FORMAT_GCODE] = "chains of lines and arcs as paths of a tool",
     [BATTEN_FORMAT_G2] = "curves, surfaces and trimmed faces; colours, no names, no unit",
     [BATTEN_FORMAT_OBJ] = "meshes with normals, free-form curves and surfaces; names, no unit",

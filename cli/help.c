@@ -65,6 +65,9 @@ static void add_command(batten_text *text, const command *c)
         batten_text_add(text, "\nOptions:\n");
     for (int i = 0; options && i < count; i++)
         add_option(text, &options[i]);
+    const char *units = options ? command_value_units(count, options) : NULL;
+    if (units)
+        batten_text_add(text, "\n%s\n", units);
     batten_release(options);
 }
 

@@ -26,8 +26,11 @@ static void show(const batten_notes *notes, const char *message)
         char place[32] = "";
         if (*note->file && note->line > 0)
             snprintf(place, sizeof place, "%d:", note->line);
+        /* A column of a text that the user did not write. */
+        const bool in_none = !*note->file && note->line > 0;
+        const char *entity = in_none ? "" : note->entity;
         complain("%s%s%s%s%s%s%s", note->file, *note->file ? ":" : "", place,
-                 *note->file ? " " : "", note->entity, *note->entity ? ": " : "", note->text);
+                 *note->file ? " " : "", entity, *entity ? ": " : "", note->text);
     }
     if (batten_notes_dropped(notes) > 0)
         complain("and %d more messages", batten_notes_dropped(notes));

@@ -46,6 +46,26 @@ static bool has_own_option(const command *c, const char *name)
     return false;
 }
 
+static const char *value_name(const batten_parameter *p)
+{
+    return p->kind == BATTEN_VALUE_ANGLE    ? "ANGLE"
+           : p->kind == BATTEN_VALUE_LENGTH ? "LENGTH"
+                                            : "VALUE";
+}
+
+const char *command_value_units(int count, const option *options)
+{
+    bool length = false, angle = false;
+    for (int i = 0; i < count; i++) {
+        length |= options[i].value && strcmp(options[i].value, "LENGTH") == 0;
+        angle |= options[i].value && strcmp(options[i].value, "ANGLE") == 0;
+    }
+    return length && angle ? "An ANGLE has a unit, 30deg or 0.5rad; a LENGTH may have one, 2mm."
+           : angle         ? "An ANGLE has a unit, 30deg or 0.5rad."
+           : length        ? "A LENGTH may have a unit, 2mm."
+                           : NULL;
+}
+
 option *command_options(const command *c, const char *choice, int *count)
 {
     char chosen[METHOD_SIZE] = "";
@@ -67,7 +87,7 @@ option *command_options(const command *c, const char *choice, int *count)
                                                                 : OPTION_VALUE;
         if (!has_own_option(c, p->name))
             all[(*count)++] =
-                (option){p->name, 0, kind, p->words ? p->words : "VALUE", p->summary};
+                (option){p->name, 0, kind, p->words ? p->words : value_name(p), p->summary};
     }
     return all;
 }

@@ -76,6 +76,9 @@ static void add_command(batten_text *text, const command *c)
         add_escaped(text, options[i].help);
         batten_text_add(text, "\n");
     }
+    const char *units = options ? command_value_units(count, options) : NULL;
+    if (units)
+        batten_text_add(text, ".PP\n%s\n", units);
     batten_release(options);
 }
 

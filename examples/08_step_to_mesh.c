@@ -33,35 +33,55 @@ static void write_pipe(const char *path)
     batten_model_unref(model);
 }
 
-int main(void)
+/* Make triangles of what the STEP file holds, say how they turned out, and save them as STL.
+ * chord: how far they may be from the shape, in the unit of the file; 0: a thousandth of its
+ * size. */
+static void convert(const char *step, const char *stl, double chord)
 {
-    const char *step = "08_pipe.step", *stl = "08_pipe.stl";
-    write_pipe(step);
-
     /* What was odd, approximated or left out is in the notes. */
     batten_notes *notes = NULL;
-    batten_model *model = NULL, *meshes = NULL;
+    batten_model *model = NULL, *flat = NULL, *meshes = NULL;
     must(batten_notes_create(100, &notes));
     must(batten_read_file(step, NULL, NULL, notes, &model));
+    must(batten_model_flat(model, &flat)); /* parts of assemblies, where they stand */
 
     batten_mesh_options options = batten_mesh_defaults();
-    options.chord = 0.01; /* mm: the unit of the file */
-    must(batten_model_meshed(model, &options, NULL, notes, &meshes));
+    options.chord = chord;
+    must(batten_model_meshed(flat, &options, NULL, notes, &meshes));
     for (int i = 0; i < batten_model_count(meshes); i++) {
         const batten_object *object = batten_model_object(meshes, i);
         batten_mesh_facts facts;
+        if (object->kind != BATTEN_OBJECT_MESH)
+            continue;
         must(batten_mesh_check(object->mesh, &facts));
-        printf("%s: area %.1f mm2, %d edges at the rim, %s\n", object->name, facts.area,
+        printf("%s: area %.6g, %d edges at the rim, %s\n", object->name, facts.area,
                facts.rim_edges, facts.is_watertight ? "closed" : "open");
     }
     must(batten_write_file(meshes, stl, NULL, notes));
     for (int i = 0; i < batten_notes_count(notes); i++)
         printf("%s: %s\n", batten_notes_at(notes, i)->entity, batten_notes_at(notes, i)->text);
 
-    remove(step);
-    remove(stl);
     batten_notes_free(notes);
     batten_model_unref(meshes);
+    batten_model_unref(flat);
     batten_model_unref(model);
+}
+
+/* 08_step_to_mesh IN.step OUT.stl; without words a pipe that is made and removed here. */
+int main(int count, char **words)
+{
+    const char *step = "08_pipe.step", *stl = "08_pipe.stl";
+    if (count == 3) {
+        convert(words[1], words[2], 0);
+        return 0;
+    }
+    if (count != 1) {
+        fprintf(stderr, "usage: %s [IN.step OUT.stl]\n", words[0]);
+        return 2;
+    }
+    write_pipe(step);
+    convert(step, stl, 0.01); /* mm: the unit of that file */
+    remove(step);
+    remove(stl);
     return 0;
 }

@@ -108,7 +108,7 @@ static const char *kind_name(batten_value_kind kind)
 {
     static const char *const names[] = {"the name of a feature",
                                         "a length",
-                                        "an angle (with deg or rad)",
+                                        "an angle with its unit (30 deg, 0.5 rad)",
                                         "a number",
                                         "a whole number",
                                         "a word",

@@ -221,8 +221,9 @@ static batten_status make_object(bat_run *run, const bat_method *method,
         if (rows.rows[i].count >= method->least)
             status = make_row(run, method, &rows.rows[i], object);
         else
-            bat_note(run, "'%s' has %d points and is left out; %d are needed",
-                     rows.rows[i].name, rows.rows[i].count, method->least);
+            bat_note(run, "'%s' has %d point%s and is left out; %d are needed",
+                     rows.rows[i].name, rows.rows[i].count, rows.rows[i].count == 1 ? "" : "s",
+                     method->least);
     }
     bat_rows_release(&rows);
     return status;

@@ -59,8 +59,8 @@ static batten_status check_rows(rows *r)
     size_t total = 0;
     for (int k = 0; k < r->count; k++) {
         if (r->counts[k] < 2)
-            return bat_fail(BATTEN_TOO_FEW_POINTS, "row %d has %d points, and needs 2", k,
-                            r->counts[k]);
+            return bat_fail(BATTEN_TOO_FEW_POINTS, "row %d has %d point%s, and needs 2", k,
+                            r->counts[k], r->counts[k] == 1 ? "" : "s");
         total += (size_t)r->counts[k];
     }
     if (total > BAT_MAX_MADE_POINTS)

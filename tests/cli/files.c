@@ -118,6 +118,30 @@ TEST(build_makes_the_other_outputs_when_one_fails)
     CHECK(test_content(test_scratch("bad.igs")) == NULL);
 }
 
+TEST(a_file_where_the_folder_of_outputs_is_to_be_is_said_before_the_work)
+{
+    const char *design = test_scratch("folder.yaml"), *file = test_scratch("folder");
+    test_write(file, "kept");
+    test_write(design, "batten: 1\nfeatures:\n  a: {line: [[0, 0], [1, 1]]}\n"
+                       "outputs:\n  a.igs: a\n  b.igs: a\n");
+    const test_process run = RUN("batten", "build", design, "-o", file);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "folder' is to be the folder of the outputs, and is a file\n");
+    const char *end = strchr(run.errors, '\n');
+    CHECK(end && !end[1]);
+    CHECK(strstr(run.out, "line") == NULL);
+    CHECK_TEXT(test_content(file), "kept");
+}
+
+TEST(points_of_a_design_have_commas_in_csv)
+{
+    const char *design = test_scratch("points.yaml");
+    test_write(design, "batten: 1\nunits: mm\nfeatures:\n  a: {points: [[0, 0], [1.5, 2]]}\n"
+                       "outputs:\n  a.csv: {write: a}\n");
+    CHECK_INT(RUN("batten", "build", design, "-q").exit, 0);
+    CHECK_TEXT(test_content(test_scratch("a.csv")), "x_mm,y_mm,z_mm\n0,0,0\n1.5,2,0\n");
+}
+
 TEST(lists_and_vectors_can_be_given_as_options)
 {
     const char *points = test_scratch("listed.xyz");

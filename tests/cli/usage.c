@@ -1,5 +1,7 @@
 #include "support/process.h"
 
+#include <string.h>
+
 static void check_usage(test_process run, const char *words)
 {
     CHECK_INT(run.exit, 2);
@@ -123,4 +125,20 @@ TEST(a_signal_ends_the_command)
     const test_process told =
         test_shell("sleep 1 | timeout --preserve-status -s TERM 0.2 $BATTEN info -");
     CHECK_INT(told.exit, 128 + 15);
+}
+
+TEST(U1_an_angle_without_its_unit_is_said_without_a_place_in_no_text)
+{
+    const char *points = test_scratch("angle.xyz"), *picture = test_scratch("angle.svg");
+    test_write(points, "0 0 0\n1 2 0\n3 3 1\n");
+    test_process run =
+        RUN("batten", "draw", points, "-o", picture, "--azimuth", "30", "--elevation", "20");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "'azimuth' of picture needs an angle with its unit (30 deg, ");
+    CHECK_CONTAINS(run.errors, "'elevation' of picture needs an angle with its unit");
+    CHECK(strstr(run.errors, "column") == NULL);
+    CHECK_INT(RUN("batten", "draw", points, "-o", picture, "--azimuth", "30deg").exit, 0);
+    run = RUN("batten", "help", "draw");
+    CHECK_CONTAINS(run.out, "--azimuth ANGLE ");
+    CHECK_CONTAINS(run.out, "\nAn ANGLE has a unit, 30deg or 0.5rad");
 }

@@ -55,7 +55,7 @@ TEST(arguments_of_the_wrong_kind_say_what_is_expected)
         const char *feature, *says;
     } rows[] = {
         {"{rotate: p, by: 3}",
-         "'by' of rotate needs an angle (with deg or rad); '3' is a number"},
+         "'by' of rotate needs an angle with its unit (30 deg, 0.5 rad); '3' is a number"},
         {"{rotate: p, by: 3 m}", "'3 m' is a length"},
         {"{scale: p, by: 3 m}", "'by' of scale needs a number; '3 m' is a length"},
         {"{move: p, by: up}", "or one of origin x y z -x -y -z, not 'up'"},

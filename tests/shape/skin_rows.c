@@ -176,7 +176,7 @@ TEST(G9_rows_of_points_that_are_bad_are_named)
     CHECK_STATUS(
         batten_surface_skin_rows(3, 2, few, points, NULL, NULL, NULL, NULL, NULL, &surface),
         BATTEN_TOO_FEW_POINTS);
-    CHECK_MESSAGE("row 1 has 1 points");
+    CHECK_MESSAGE("row 1 has 1 point, and needs 2");
     points[16] = 0; /* the second point of row 1 on its first */
     CHECK_STATUS(
         batten_surface_skin_rows(3, 2, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),

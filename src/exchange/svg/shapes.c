@@ -103,7 +103,8 @@ static batten_status read_polyline(bat_span text, bool closed, bat_svg_row *row,
         }
     }
     if (status == BATTEN_OK && count < 2)
-        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d points", count);
+        status =
+            bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d point%s", count, count == 1 ? "" : "s");
     if (status == BATTEN_OK && closed)
         status = bat_svg_line(row, start[0], start[1]);
     if (status == BATTEN_OK)

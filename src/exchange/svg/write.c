@@ -11,7 +11,8 @@ typedef struct {
     double scale, left, top, bottom, tolerance;
     double rounding; /* of coordinates: halving makes nothing nearer than that */
     int shapes;
-    double off; /* of the object: how far the pieces are that halving does not mend */
+    double off;   /* of the object: how far the pieces are that halving does not mend */
+    bool upright; /* all curves stand upright on the sheet, which is said once */
 } writing;
 
 enum { DEPTH = 24 };
@@ -202,7 +203,7 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
                          "left out: this curve is one point of the sheet");
         return BATTEN_OK;
     }
-    if (box.high.z > box.low.z)
+    if (box.high.z > box.low.z && !w->upright)
         batten_notes_add(
             notes, "", 0, object->name,
             "it is drawn as seen along z; that it reaches from z = %g to %g is lost", box.low.z,
@@ -223,6 +224,29 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
                          w->tolerance);
     bat_path_release(&path);
     return status;
+}
+
+/* Does every curve lie in a plane x = constant or y = constant, and does one reach up in it?
+ * To the tolerance of the drawing. */
+static bool are_upright(const batten_model *model, double within)
+{
+    bool reaches = false;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_box box = batten_curve_box(batten_model_object(model, i)->curve);
+        if (box.high.x - box.low.x > within && box.high.y - box.low.y > within)
+            return false;
+        reaches |= box.high.z - box.low.z > within;
+    }
+    return reaches;
+}
+
+static void note_upright(batten_notes *notes)
+{
+    batten_notes_add(
+        notes, "", 0, "",
+        "all curves lie in planes x = constant or y = constant, which are straight "
+        "strokes as seen along z; 'batten draw' with --view front or side shows "
+        "their shapes, and the feature 'rotate' of a design turns them");
 }
 
 static void begin_sheet(writing *w, const batten_model *model)
@@ -257,6 +281,9 @@ batten_status bat_write_svg(const batten_model *model, const batten_write_option
     writing w = {.text = text};
     begin_sheet(&w, model);
     w.tolerance = options->tolerance > 0 ? options->tolerance : 1e-3 / w.scale;
+    w.upright = are_upright(model, bat_max(w.rounding, w.tolerance));
+    if (w.upright)
+        note_upright(notes);
     batten_status status = BATTEN_OK;
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++)
         status = put_object(&w, batten_model_object(model, i), notes);

@@ -227,7 +227,7 @@ TEST(P2_a_bad_shape_is_left_out_and_the_next_is_read)
         {"<path d=\"M0 0L1 1\" transform=\"matrix(1 2 3)\"/>", "'matrix' with 3 numbers"},
         {"<circle r=\"-1\"/>", "its half axes are -1 and -1"},
         {"<rect width=\"0\" height=\"5\"/>", "it is 0 wide"},
-        {"<polyline points=\"1 1\"/>", "it has 1 points"},
+        {"<polyline points=\"1 1\"/>", "it has 1 point"},
         {"<text x=\"1\" y=\"2\">hello</text>", "0 read, 1 left out"},
         {"<polyline points=\"1 1 2 2 3\"/>", "its points are broken after the first 2; what"},
         {"<polygon points=\"1 1 2 2, 3 3 x\"/>", "its points are broken after the first 3"},

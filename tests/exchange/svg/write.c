@@ -1,4 +1,5 @@
 #include "exchange/paths.h"
+#include "exchange/reading.h"
 
 TEST(svg_is_at_true_scale_with_arcs_as_arcs)
 {
@@ -106,4 +107,37 @@ TEST(svg_notes_what_is_beyond_the_tolerance)
     batten_curve_unref(curve);
     batten_notes_free(notes);
     batten_model_unref(model);
+}
+
+TEST(svg_says_once_that_all_curves_stand_upright)
+{
+    for (int mixed = 0; mixed < 2; mixed++) {
+        batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        batten_write_options options = batten_write_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_OK(batten_model_create(1, &model));
+        for (int i = 0; i < 3; i++) {
+            const double x = i, far = mixed && i == 2 ? 9 : x + 1e-9;
+            const double points[] = {x, 0, 0, x, 2, 1, far, 3, 4};
+            const double knots[] = {0, 0, 0, 1, 1, 1};
+            batten_curve *curve = NULL;
+            CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &curve));
+            CHECK_OK(batten_model_add(model, &(batten_object){.name = "station",
+                                                              .kind = BATTEN_OBJECT_CURVE,
+                                                              .curve = curve}));
+            batten_curve_unref(curve);
+        }
+        options.format = BATTEN_FORMAT_SVG;
+        CHECK_OK(batten_notes_create(9, &notes));
+        CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+        if (batten_notes_dropped(notes) == 0) {
+            CHECK(has_note(notes, "all curves lie in planes x = constant") == !mixed);
+            CHECK(has_note(notes, "it is drawn as seen along z") == mixed);
+        }
+        batten_release(data);
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
 }
