@@ -105,6 +105,8 @@ static batten_status add_object(filling *f, const batten_object *object,
 static batten_status leave_out(filling *f, const char *kind, int line)
 {
     f->r->input->left_out++;
+    if (f->block)
+        f->block->has_lost = true;
     batten_notes_add(f->r->input->notes, f->r->input->file, line, kind, "%s; left out",
                      batten_message());
     return bat_census_leave(f->r->input, &f->r->census, kind);
@@ -218,9 +220,10 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
     filling f = {.r = r, .depth = depth, .block = b, .faces = {.size = 9 * sizeof(double)}};
     if (b->model)
         return BATTEN_OK;
-    if (b->is_at_work || depth >= DEEPEST)
-        return bat_fail(BATTEN_BAD_FORMAT,
-                        "block '%.60s' holds itself, or lies more than %d deep", b->is.name,
+    if (b->is_at_work)
+        return bat_fail(BATTEN_BAD_FORMAT, "block '%.60s' holds itself", b->is.name);
+    if (depth > DEEPEST)
+        return bat_fail(BATTEN_UNSUPPORTED, "block '%.60s' lies more than %d deep", b->is.name,
                         DEEPEST);
     b->is_at_work = true;
     f.polyline.vertices.size = 4 * sizeof(double);
@@ -317,6 +320,9 @@ static batten_status add_insert(filling *f)
         status = bat_fail(BATTEN_TOO_LARGE, "more than %d instances", MOST_INSTANCES);
     if (status == BATTEN_OK)
         status = build_block(f->r, b, f->depth + 1);
+    if (status == BATTEN_OK && b->has_lost && batten_model_count(b->model) == 0)
+        status = bat_fail(BATTEN_BAD_FORMAT,
+                          "block '%.60s' is empty, for what it holds is left out", b->is.name);
     if (status != BATTEN_OK)
         return status;
     read_look(f, layer_name, &object);

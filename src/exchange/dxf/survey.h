@@ -22,6 +22,7 @@ typedef struct {
     batten_vec3 base;
     int line;
     bool is_at_work; /* to find blocks that hold themselves */
+    bool has_lost;   /* something that it holds is left out */
     batten_model *model;
     /* Colours that depend on the INSERT: src/exchange/dxf/blocks.h. */
     bat_list parts, variants;

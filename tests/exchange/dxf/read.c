@@ -331,15 +331,53 @@ TEST(P1_a_block_that_holds_itself_is_left_out)
         read_text(file_of("",
                           "0 BLOCK|8 0|2 a|10 0|20 0|0 INSERT|8 0|2 b|10 0|20 0|0 ENDBLK|8 0|"
                           "0 BLOCK|8 0|2 b|10 0|20 0|0 INSERT|8 0|2 a|10 0|20 0|0 ENDBLK|8 0|",
-                          "0 INSERT|8 0|2 a|10 0|20 0|0 INSERT|8 0|2 none|10 0|20 0|"),
+                          "0 INSERT|8 0|2 a|10 0|20 0|0 INSERT|8 0|2 none|10 0|20 0|"
+                          "0 LINE|8 0|10 0|20 0|11 0|21 1|"),
                   BATTEN_FORMAT_AUTO, notes, &model),
         BATTEN_PARTLY_READ);
     if (!batten_notes_dropped(notes)) {
         CHECK(has_note(notes, "block 'a' holds itself"));
+        CHECK(has_note(notes, "block 'b' is empty, for what it holds is left out"));
         CHECK(has_note(notes, "there is no block 'none'"));
     }
     batten_model_unref(model);
     batten_notes_free(notes);
+}
+
+/* The last of `count` blocks holds a line, each other one the next. */
+static const char *nest(int count)
+{
+    char *blocks = test_array(100 * (size_t)count, 1);
+    for (int k = 0; k < count; k++)
+        sprintf(
+            blocks + strlen(blocks),
+            k < count - 1
+                ? "0 BLOCK|8 0|2 b%d|10 0|20 0|0 INSERT|8 0|2 b%d|10 1|20 0|0 ENDBLK|8 0|"
+                : "0 BLOCK|8 0|2 b%d|10 0|20 0|0 LINE|8 0|10 0|20 0|11 1|21 0|0 ENDBLK|8 0|",
+            k, k + 1);
+    return file_of("", blocks, "0 INSERT|8 0|2 b0|10 0|20 0|0 LINE|8 0|10 0|20 0|11 0|21 1|");
+}
+
+TEST(P1_blocks_lie_32_deep_and_what_is_deeper_leaves_no_empty_instances)
+{
+    batten_model *model = NULL, *flat = NULL;
+    CHECK_OK(read_text(nest(32), BATTEN_FORMAT_AUTO, NULL, &model));
+    CHECK_OK(batten_model_flat(model, &flat));
+    CHECK_INT(batten_model_count(flat), 2);
+    CHECK_NEAR(batten_curve_box(batten_model_object(flat, 0)->curve).high.x, 32, 1e-12);
+    batten_model_unref(flat);
+    batten_model_unref(model);
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(100, &notes));
+    CHECK_STATUS(read_text(nest(33), BATTEN_FORMAT_AUTO, notes, &model), BATTEN_PARTLY_READ);
+    CHECK_INT(batten_model_count(model), 1);
+    CHECK_INT(batten_model_object(model, 0)->kind, BATTEN_OBJECT_CURVE);
+    if (!batten_notes_dropped(notes)) {
+        CHECK(has_note(notes, "block 'b32' lies more than 32 deep"));
+        CHECK(has_note(notes, "block 'b0' is empty, for what it holds is left out"));
+    }
+    batten_notes_free(notes);
+    batten_model_unref(model);
 }
 
 TEST(faces_on_one_layer_become_one_mesh)
