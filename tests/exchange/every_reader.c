@@ -368,38 +368,151 @@ static char *copy_with(char *to, const char *text, int number, int count)
     return to;
 }
 
-static double seconds_to_read(int f, int count)
+typedef struct {
+    batten_format format;
+    const char *before, *again, *after; /* as in every_format */
+} lengthy;
+
+static char *make_long(const lengthy *l, int count)
 {
-    const every *e = &every_format[f];
-    const size_t one = strlen(e->again) + 32;
-    char *text = test_array(strlen(e->before) + (size_t)count * one + strlen(e->after) + 64, 1);
-    char *to = copy_with(text, e->before, 0, count);
+    const size_t one = strlen(l->again) + 32;
+    char *text = test_array(strlen(l->before) + (size_t)count * one + strlen(l->after) + 64, 1);
+    char *to = copy_with(text, l->before, 0, count);
     for (int k = 0; k < count; k++)
-        to = copy_with(to, e->again, k + 1000, count);
-    strcpy(to, e->after);
+        to = copy_with(to, l->again, k + 1000, count);
+    copy_with(to, l->after, 0, count);
+    return text;
+}
+
+static double seconds_to_read(const char *text, batten_format format, bool is_good)
+{
     double best = 1e9;
     for (int attempt = 0; attempt < 3; attempt++) {
         batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(50, &notes));
         const clock_t start = clock();
-        const batten_status status = read_text(text, e->format, NULL, &model);
+        const batten_status status = read_text(text, format, notes, &model);
         best = fmin(best, (double)(clock() - start) / CLOCKS_PER_SEC);
-        CHECK_INT(status, BATTEN_OK);
+        CHECK(!is_good || status == BATTEN_OK);
+        CHECK(batten_notes_count(notes) <= 50);
+        batten_notes_free(notes);
         batten_model_unref(model);
     }
     return best;
 }
 
 /* Four times as much takes four times as long; were it quadratic, sixteen times. */
+static void check_proportion(const char *one, const char *four, batten_format format,
+                             bool is_good, const char *what)
+{
+    const double a = seconds_to_read(one, format, is_good);
+    const double b = seconds_to_read(four, format, is_good);
+    if (b > 10 * fmax(a, 1e-3))
+        printf("%s, %s: %g s, then %g s\n", batten_format_name(format), what, a, b);
+    CHECK(b <= 10 * fmax(a, 1e-3));
+}
+
+enum { FEW = 2000 };
+
 TEST(S3_each_reader_takes_time_in_proportion_to_the_file)
 {
-    enum { FEW = 2000 };
     only_once();
-    for (int f = 0; f < COUNT(every_format); f++)
-        if (every_format[f].again) {
-            const double one = seconds_to_read(f, FEW), four = seconds_to_read(f, 4 * FEW);
-            if (four > 10 * fmax(one, 1e-3))
-                printf("%s: %g s, then %g s\n", batten_format_name(every_format[f].format), one,
-                       four);
-            CHECK(four <= 10 * fmax(one, 1e-3));
-        }
+    for (int f = 0; f < COUNT(every_format); f++) {
+        const every *e = &every_format[f];
+        const lengthy l = {e->format, e->before, e->again, e->after};
+        if (e->again)
+            check_proportion(make_long(&l, FEW), make_long(&l, 4 * FEW), e->format, true, "");
+    }
+}
+
+TEST(S3_errors_comments_and_equal_labels_take_no_longer)
+{
+    static const lengthy cases[] = {
+        {BATTEN_FORMAT_STEP, STEP_BEGIN, "#@=CARTESIAN_POINT('',(1.,x));\n", STEP_END},
+        {BATTEN_FORMAT_STEP, STEP_BEGIN, "#5=CARTESIAN_POINT('',(1.,2.));\n", STEP_END},
+        {BATTEN_FORMAT_STEP, STEP_BEGIN, "#@=POLYLINE('same',(#@,#1));\n", STEP_END},
+        {BATTEN_FORMAT_STEP, STEP_BEGIN, "#@=BANANA@(#@);\n", STEP_END},
+        {BATTEN_FORMAT_STEP, STEP_BEGIN, "/* ' */\n", STEP_END},
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nENTITIES\n", "0\nLINE\n8\nk\n10\nx\n",
+         "0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nENTITIES\n", "0\nINSERT\n2\nb@\n10\n1\n",
+         "0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nENTITIES\n", "0\nBANANA@\n8\nk\n",
+         "0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n",
+         "0\nLAYER\n2\nk\n62\n3\n", "0\nENDTAB\n0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_DXF, "0\nSECTION\n2\nBLOCKS\n", "0\nBLOCK\n2\nk\n0\nENDBLK\n",
+         "0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_DXF, "999\nnone\n", "999\na comment\n",
+         "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n"},
+        {BATTEN_FORMAT_SVG, "<svg>", "<path id=\"a\" d=\"x\"/>\n", "</svg>"},
+        {BATTEN_FORMAT_SVG, "<svg>", "<g id=\"a\"><banana@/></g>\n", "</svg>"},
+        {BATTEN_FORMAT_SVG, "<svg>", "<!-- < -->\n", "</svg>"},
+        {BATTEN_FORMAT_SVG, "<svg>", "<path d=\"M0 0L1 1\n", "</svg>"},
+        {BATTEN_FORMAT_G2, "", "100 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n0 0 x\n", ""},
+        {BATTEN_FORMAT_G2, "100 1 0 0\n", "7 ", "\n"},
+        {BATTEN_FORMAT_OBJ, "v 0 0 0\n", "g same\nv x\nf 1 9 -9\n", ""},
+        {BATTEN_FORMAT_OBJ, "v 0 0 0\n", "cstype bezier\ndeg 9\ncurv 0 1 1 x\nend\n", ""},
+        {BATTEN_FORMAT_OBJ, "v 0 0 0\n", "banana@ 1 2\n", ""},
+        {BATTEN_FORMAT_OBJ, "v 0 0 0\n", "# comment \\\n", ""},
+        {BATTEN_FORMAT_STL, "solid s\n", "facet normal 0 0 1\nouter vertex 1\n", "endsolid\n"},
+        {BATTEN_FORMAT_STL, "", "solid same\nendsolid same\n", ""},
+        {BATTEN_FORMAT_PLY,
+         "ply\nformat ascii 1.0\nelement vertex ^\nproperty float x\nproperty float y\n"
+         "property float z\nend_header\n",
+         "1 x\n", ""},
+        {BATTEN_FORMAT_PLY,
+         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+         "property float z\n",
+         "property float same\n", "end_header\n0 0 0\n"},
+        {BATTEN_FORMAT_PLY, "ply\nformat ascii 1.0\n", "element same 0\n",
+         "end_header\n0 0 0\n"},
+        {BATTEN_FORMAT_PLY, "ply\nformat ascii 1.0\n", "comment c\n",
+         "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+         "0 0 0\n"},
+        {BATTEN_FORMAT_PCD,
+         "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH ^\nHEIGHT 1\n"
+         "POINTS ^\nDATA ascii\n",
+         "1 x\n", ""},
+        {BATTEN_FORMAT_PCD, "", "# comment\n", "VERSION 0.7\nFIELDS x y z\n"},
+        {BATTEN_FORMAT_OFF, "OFF\n^ 0 0\n", "0 x\n", ""},
+        {BATTEN_FORMAT_OFF, "OFF\n1 ^ 0\n0 0 0\n", "3 0 0 9\n", ""},
+        {BATTEN_FORMAT_OFFSETS, "station,x,y,z\n", "same,0,1,2\n", ""},
+        {BATTEN_FORMAT_OFFSETS, "station,x,y,z\n", "#c\n", "1,0,1,1\n1,0,2,2\n"},
+        {BATTEN_FORMAT_POINTS, "", "1 2\n\n", ""},
+        {BATTEN_FORMAT_AEROFOIL, "RAE\n", "1 0\n\n", ""},
+    };
+    only_once();
+    for (int i = 0; i < COUNT(cases); i++) {
+        char what[20];
+        snprintf(what, sizeof what, "case %d", i);
+        check_proportion(make_long(&cases[i], FEW), make_long(&cases[i], 4 * FEW),
+                         cases[i].format, false, what);
+    }
+}
+
+/* `count` lines of IGES with parameters that are none, or with records that are none. */
+static char *iges_of_errors(int count, bool are_records)
+{
+    char *text = test_array((size_t)count * 260 + 1000, 1);
+    char *to = text + sprintf(text, "%-72sS%7d\n%-72sG%7d\n", "hand-made", 1,
+                              "1H,,1H;,1Hx,1Hx,1Hx,1Hx,32,38,6,308,15,1Hx,1.,2,2HMM;", 1);
+    for (int k = 0; k < count; k++)
+        to += sprintf(to, "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n%8d%8d%8d%8d%8d%32dD%7d\n", 110,
+                      k + 1, 0, 0, 0, 0, 0, 0, "00000000", 2 * k + 1, 110, 0, 0, 1, 0, 0,
+                      2 * k + 2);
+    for (int k = 0; k < count; k++)
+        to += sprintf(to, "%-64s%8d%c%7d\n", "110,1.,x;", 2 * k + 1, are_records ? 'x' : 'P',
+                      k + 1);
+    sprintf(to, "S%7dG%7dD%7dP%7d%40sT%7d\n", 1, 1, 2 * count, count, "", 1);
+    return text;
+}
+
+TEST(S3_errors_in_IGES_take_no_longer)
+{
+    only_once();
+    for (int k = 0; k < 2; k++)
+        check_proportion(iges_of_errors(FEW, k), iges_of_errors(4 * FEW, k), BATTEN_FORMAT_IGES,
+                         false, "errors");
 }
