@@ -266,7 +266,7 @@ TEST(a_ridge_is_kept_with_a_normal_for_each_side)
     batten_mesh_unref(mesh);
 }
 
-TEST(W4_what_cannot_be_meshed_is_refused_before_the_work)
+TEST(S5_what_cannot_be_meshed_is_refused_before_the_work)
 {
     const batten_frame world = batten_frame_world();
     batten_surface *sphere = NULL;

@@ -18,21 +18,33 @@ static batten_status copy_text(bat_input *input, bat_span text, char **out)
 }
 
 /* The name of a property 406 form 15, copied; *name stays NULL when `id` is something else. */
-static batten_status read_name_property(bat_iges_reading *reading, int id, char **name)
+static batten_status read_name_property(const bat_iges_item *owner, int id, char **name)
 {
+    bat_iges_reading *reading = owner->reading;
     const bat_iges_entry *entry = NULL;
     bat_iges_item item;
     bool is_string = false;
-    if (bat_iges_find_type(reading, id, 406, &entry) != BATTEN_OK || entry->form != 15)
+    if (bat_iges_find(reading, id, &entry) != BATTEN_OK) {
+        bat_iges_note(reading, owner->entry, "a property of it: %.300s", batten_message());
+        return BATTEN_OK;
+    }
+    if (entry->type != 406 || entry->form != 15)
         return BATTEN_OK;
     batten_status status = bat_iges_open(reading, entry, &item);
     if (status == BATTEN_OK) {
         const bat_span text = bat_iges_text(item.parameters, 2, &is_string);
         if (is_string && text.length > 0)
             status = copy_text(reading->input, text, name);
+        else if (!is_string && text.length > 0)
+            status = bat_fail(BATTEN_BAD_FORMAT, "parameter 2 is no string");
     }
     bat_iges_close(&item);
-    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
+    if (bat_iges_is_fault_of_data(status)) {
+        bat_iges_note(reading, owner->entry, "its name, D%d, cannot be read: %.300s", id,
+                      batten_message());
+        return BATTEN_OK;
+    }
+    return status;
 }
 
 /* After the item's own parameters stand a count and as many associativities, then a count and
@@ -52,7 +64,7 @@ static batten_status read_properties(bat_iges_item *item, char **name)
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < count && !*name; k++)
         if (bat_iges_integer(parameters, at + 1 + (size_t)k, &id) == BATTEN_OK)
-            status = read_name_property(item->reading, id, name);
+            status = read_name_property(item, id, name);
     return status;
 }
 
@@ -171,9 +183,11 @@ static batten_status read_group(bat_iges_reading *reading, const bat_iges_entry 
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         const bat_iges_entry *member = NULL;
         int id = 0;
-        if (bat_iges_integer(item.parameters, 2 + (size_t)k, &id) == BATTEN_OK &&
-            bat_iges_find(reading, id, &member) == BATTEN_OK && member != entry &&
-            bat_iges_shape_of(reading, member)->group == 0)
+        if (bat_iges_integer(item.parameters, 2 + (size_t)k, &id) != BATTEN_OK ||
+            bat_iges_find(reading, id, &member) != BATTEN_OK)
+            bat_iges_note(reading, entry, "its member %d is left out: %.300s", k + 1,
+                          batten_message());
+        else if (member != entry && bat_iges_shape_of(reading, member)->group == 0)
             bat_iges_shape_of(reading, member)->group = (int)reading->groups.count;
     }
     if (status == BATTEN_BAD_FORMAT)

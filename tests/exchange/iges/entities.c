@@ -158,15 +158,24 @@ TEST(a_name_is_found_among_the_properties)
 
 TEST(wrong_pointers_to_names_and_colours_are_ignored)
 {
-    const char *const tails[] = {"0,1,1;", "0,1,2;",   "0,1,99;", "0,7,1;",
-                                 "-5;",    "0,1,1Hx;", "9;",      "0,1,3;"};
-    for (int i = 0; i < COUNT(tails); i++) {
+    static const struct {
+        const char *tail, *note;
+    } cases[] = {{"0,1,1;", ""},
+                 {"0,1,2;", "a property of it: 2 is not the odd number of an entity"},
+                 {"0,1,99;", "a property of it: it refers to entity D99, which is missing"},
+                 {"0,7,1;", ""},
+                 {"-5;", ""},
+                 {"0,1,1Hx;", ""},
+                 {"9;", ""},
+                 {"0,1,3;", ""}};
+    for (int i = 0; i < COUNT(cases); i++) {
         char parameters[200];
         iges_text file = iges_begin();
-        snprintf(parameters, sizeof parameters, HEAD ",0.,1.,0.,0.,0.,%s", tails[i]);
+        snprintf(parameters, sizeof parameters, HEAD ",0.,1.,0.,0.,0.,%s", cases[i].tail);
         iges_add(&file, 126, 0, 0, -1, "00000000", parameters);
-        iges_add(&file, 406, 15, 0, 0, "00010300", "406,1,5;");
-        batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+        iges_add(&file, 406, 1, 0, 0, "00010300", "406,1,5;");
+        batten_model *model =
+            read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, cases[i].note);
         CHECK_TEXT(batten_model_object(model, 0)->name, "curve D1");
         CHECK(!batten_model_object(model, 0)->has_colour);
         batten_model_unref(model);

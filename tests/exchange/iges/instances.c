@@ -125,6 +125,11 @@ TEST(Q4_groups_in_a_ring_or_of_nothing_are_noted)
     iges_add(&bad, 402, 7, 0, 0, "00000000", "402,1000000,1;");
     batten_model_unref(
         read_noting(iges_end(&bad, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "it groups nothing"));
+    iges_text missing = iges_begin();
+    iges_add(&missing, 110, 0, 0, 0, "00000000", IGES_LINE);
+    iges_add(&missing, 402, 7, 0, 0, "00000000", "402,2,1,99;");
+    batten_model_unref(read_noting(iges_end(&missing, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
+                                   "its member 2 is left out: it refers to entity D99"));
 }
 
 TEST(levels_are_layers)

@@ -239,22 +239,24 @@ TEST(Q2_other_delimiters_are_read_and_nonsense_is_refused)
 TEST(Q3_strings_may_run_over_records_but_not_over_the_section)
 {
     const struct {
-        const char *property, *name;
+        const char *property, *name, *note;
     } cases[] = {
         {"406,1,70H0123456789012345678901234567890123456789012345678901234567890123456789;",
-         "0123456789012345678901234567890123456789012345678901234567890123456789"},
-        {"406,1,0H;", "curve D1"},
-        {"406,1,1000000000Hx;", "curve D1"},
-        {"406,1,99999999999999999999Hx;", "curve D1"},
-        {"406,1,-3Habc;", "curve D1"},
-        {"406,1,3Habcd;", "curve D1"},
-        {"406,1, 3Ha;c , 7;", "a;c"},
+         "0123456789012345678901234567890123456789012345678901234567890123456789", ""},
+        {"406,1,0H;", "curve D1", ""},
+        {"406,1,1000000000Hx;", "curve D1",
+         "its name, D3, cannot be read: a string of 1000000000 characters; the limit is"},
+        {"406,1,99999999999999999999Hx;", "curve D1", "its name, D3, cannot be read"},
+        {"406,1,-3Habc;", "curve D1", "its name, D3, cannot be read: parameter 2 is no string"},
+        {"406,1,3Habcd;", "curve D1", "a string of 3 characters is followed by 'd'"},
+        {"406,1, 3Ha;c , 7;", "a;c", ""},
     };
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
         iges_add(&file, 110, 0, 0, 0, "00000000", "110,1.,2.,3.,4.,5.,6.,0,1,3;");
         iges_add(&file, 406, 15, 0, 0, "00010300", cases[i].property);
-        batten_model *model = read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, "");
+        batten_model *model =
+            read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, cases[i].note);
         CHECK_TEXT(batten_model_object(model, 0)->name, cases[i].name);
         batten_model_unref(model);
     }

@@ -159,7 +159,7 @@ TEST(a_full_turn_closes)
 }
 
 /* Of a patch folded onto itself the normal jumps, and no number of points is enough. */
-TEST(W8_an_offset_that_needs_too_many_points_is_left_out_soon)
+TEST(S5_an_offset_that_needs_too_many_points_is_left_out_soon)
 {
     iges_text file = iges_begin();
     iges_add(&file, 128, 0, 0, 0, "00010000",
