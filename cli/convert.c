@@ -1,5 +1,6 @@
 #include "formats.h"
 #include "tally.h"
+#include "unit.h"
 
 #include <limits.h>
 #include <math.h>
@@ -34,9 +35,10 @@ static bool unit_option(const arguments *given, const char *name, double *metres
     *metres = text ? batten_unit_metres(text) : 0;
     if (!text || *metres > 0)
         return true;
-    complain("batten convert: --%s: '%s' is no unit of length; known are m, mm, cm, km, in, ft "
-             "and others",
-             name, text);
+    complain(
+        "batten convert: --%s: '%s' is no unit of length; known are m, mm, cm, km, in, ft, "
+        "yd and others",
+        name, text);
     return false;
 }
 
@@ -72,7 +74,7 @@ static batten_status change_unit(double from, double to, batten_notes *notes,
 typedef struct {
     const char *output;
     batten_format format;
-    const char *from_unit, *unit; /* NULL: not stated, or without a name */
+    char from_unit[UNIT_SIZE], unit[UNIT_SIZE]; /* "": not stated */
     tally read, written, left_out;
     int approximated, meshed; /* shapes; one may be placed by several instances */
     int faces;                /* left out of meshes */
@@ -83,10 +85,11 @@ static void text_report(batten_text *text, const outcome *o)
 {
     batten_text_add(text, "read ");
     tally_text(text, o->read);
-    batten_text_add(text, "; unit %s\nwrote %s: ", o->from_unit ? o->from_unit : "not stated",
+    batten_text_add(text,
+                    "; unit %s\nwrote %s: ", o->from_unit[0] ? o->from_unit : "not stated",
                     o->output);
     tally_text(text, o->written);
-    if (o->unit && o->unit != o->from_unit)
+    if (o->unit[0] && strcmp(o->unit, o->from_unit) != 0)
         batten_text_add(text, "; unit %s", o->unit);
     if (o->approximated)
         batten_text_add(text, "; %d shape%s approximated", o->approximated,
@@ -108,7 +111,7 @@ static void json_report(batten_text *text, const outcome *o, const char *input,
     batten_text_add(text, ", \"to\": ");
     batten_text_json(text, o->output);
     batten_text_add(text, ", \"format\": \"%s\", \"objects\": %d, \"unit\": \"%s\",\n  ",
-                    batten_format_name(o->format), tally_sum(o->read), o->unit ? o->unit : "");
+                    batten_format_name(o->format), tally_sum(o->read), o->unit);
     batten_text_add(text, "\"read\": ");
     tally_json(text, o->read);
     batten_text_add(text, ", \"written\": ");
@@ -201,7 +204,7 @@ static batten_status write_model(const batten_model *model, const arguments *giv
     batten_write_choose(o->output, model, &chosen);
     o->format = chosen.format;
     o->read = tally_of(model);
-    o->unit = batten_unit_name(batten_model_unit_metres(model));
+    unit_words(batten_model_unit_metres(model), o->unit);
     batten_status status = batten_notes_create(INT_MAX, &said);
     if (status != BATTEN_OK)
         return status;
@@ -281,7 +284,7 @@ static int convert(const arguments *given, batten_format format, const double un
         return output_failed("convert", BATTEN_OUT_OF_MEMORY);
     int exit = input_read(given->files[0], format, notes, &model);
     if (exit != EXIT_FAILED) {
-        o->from_unit = batten_unit_name(batten_model_unit_metres(model));
+        unit_words(batten_model_unit_metres(model), o->from_unit);
         batten_status status = change_unit(units[0], units[1], notes, &model);
         if (status == BATTEN_OK)
             status = write_model(model, given, write, notes, o);

@@ -1,6 +1,7 @@
 #include "facts.h"
 #include "formats.h"
 #include "tally.h"
+#include "unit.h"
 
 #include <string.h>
 
@@ -140,12 +141,13 @@ static void add_line(batten_text *text, const batten_object *object, const facts
 static int print(const char *file, const batten_model *model, const facts *found,
                  const batten_notes *notes, bool json)
 {
-    const char *unit = batten_unit_name(batten_model_unit_metres(model));
+    char unit[UNIT_SIZE];
+    unit_words(batten_model_unit_metres(model), unit);
     batten_text text = BATTEN_TEXT;
     if (json) {
         batten_text_add(&text, "{\"file\": ");
         batten_text_json(&text, file);
-        batten_text_add(&text, ", \"unit\": \"%s\",\n  \"objects\": [", unit ? unit : "");
+        batten_text_add(&text, ", \"unit\": \"%s\",\n  \"objects\": [", unit);
     } else {
         batten_text_add(&text, "%s: %d object%s", file, batten_model_count(model),
                         batten_model_count(model) == 1 ? "" : "s");
@@ -154,7 +156,7 @@ static int print(const char *file, const batten_model *model, const facts *found
             tally_text(&text, tally_of(model));
             batten_text_add(&text, ")");
         }
-        batten_text_add(&text, ", unit %s\n", unit ? unit : "not stated");
+        batten_text_add(&text, ", unit %s\n", unit[0] ? unit : "not stated");
     }
     for (int i = 0; i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);

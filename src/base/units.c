@@ -19,6 +19,13 @@ static const struct {
     {2.54e-5, {"mil", "mils"}},
     {1609.344, {"mi", "mile", "miles"}},
     {2.54e-8, {"uin", "microinch", "microinches"}},
+    {0.9144, {"yd", "yard", "yards"}},
+    {0.1, {"dm", "decimetre", "decimetres", "decimeter", "decimeters"}},
+    {10, {"dam", "decametre", "decametres", "decameter", "decameters"}},
+    {100, {"hm", "hectometre", "hectometres", "hectometer", "hectometers"}},
+    {1e-9, {"nm", "nanometre", "nanometres", "nanometer", "nanometers"}},
+    {1e-10, {"angstrom", "angstroms"}},
+    {1200.0 / 3937, {"usft"}}, /* the foot of surveyors in the United States */
 };
 #define UNIT_COUNT (sizeof units / sizeof units[0])
 

@@ -220,3 +220,31 @@ TEST(help_lists_every_format)
         CHECK_CONTAINS(run.out, row);
     }
 }
+
+/* The unit as `info` and `convert` say it. */
+static void check_unit(const char *unit, const char *words)
+{
+    const char *path = test_scratch("unit.dxf"), *other = test_scratch("unit.igs");
+    char content[300], wanted[60];
+    snprintf(content, sizeof content,
+             "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n%s\n0\nENDSEC\n0\nSECTION\n2\n"
+             "ENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n0\nEOF\n",
+             unit);
+    test_write(path, content);
+    snprintf(wanted, sizeof wanted, "unit %s\n", words);
+    CHECK_CONTAINS(RUN("batten", "info", path).out, wanted);
+    CHECK_CONTAINS(RUN("batten", "convert", path, other).out, wanted);
+    snprintf(wanted, sizeof wanted, "\"unit\": \"%s\"", words);
+    CHECK_CONTAINS(RUN("batten", "info", path, "--json").out, wanted);
+    CHECK_CONTAINS(RUN("batten", "convert", path, other, "--json").out, wanted);
+}
+
+TEST(units_are_named_or_given_in_metres)
+{
+    check_unit("10", "yd");
+    check_unit("14", "dm");
+    check_unit("21", "usft");
+    check_unit("17", "1000000000 m");
+    const char *path = test_scratch("unit.dxf"), *other = test_scratch("unit.igs");
+    CHECK_INT(RUN("batten", "convert", path, other, "--unit", "yd").exit, 0);
+}

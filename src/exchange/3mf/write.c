@@ -66,9 +66,11 @@ static const char *unit_of(writing *w, double metres)
     for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
         if (metres == units[k].metres)
             return units[k].name;
-    if (metres > 0)
+    if (metres > 0) {
         w->scale = metres / 0.001;
-    else
+        batten_notes_add(w->notes, "", 0, "",
+                         "3MF has no unit of %g m; what is written is in millimetres", metres);
+    } else
         batten_notes_add(w->notes, "", 0, "",
                          "the model names no unit; its numbers are taken for millimetres");
     return "millimeter";

@@ -18,7 +18,7 @@ static bool is_text(const bat_input *input)
     bat_scan words = bat_scan_begin(input->data + at, input->size - at);
     if (!bat_next_word(&words, &word) || !bat_word_is_like(word, "solid"))
         return false;
-    bat_rest_of_line(&words);
+    bat_stl_name(&words);
     return bat_next_word(&words, &word) &&
            (bat_word_is_like(word, "facet") || bat_word_is_like(word, "endsolid"));
 }
@@ -141,10 +141,19 @@ static batten_status count_bytes(bat_input *input, size_t *count)
                          "the header promises %zu triangles; the file has room for %zu", said,
                          room);
         input->is_cut = true;
-    } else
+        return BATTEN_OK;
+    }
+    const size_t behind = input->size - BEFORE - said * FACET;
+    if (behind % FACET == 0) {
         batten_notes_add(input->notes, input->file, 0, "",
-                         "%zu bytes after the last of %zu triangles are not read",
-                         input->size - BEFORE - said * FACET, said);
+                         "the header promises %zu triangles; %zu more follow and are left out",
+                         said, behind / FACET);
+        input->left_out += (int)(behind / FACET); /* files have at most 1 GiB */
+    } else {
+        batten_notes_add(input->notes, input->file, 0, "",
+                         "%zu bytes after the last of %zu triangles are not read", behind,
+                         said);
+    }
     return BATTEN_OK;
 }
 

@@ -2,6 +2,7 @@
 #ifndef BAT_STL_H
 #define BAT_STL_H
 #include "exchange/input.h"
+#include "exchange/scan.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 
@@ -30,5 +31,9 @@ batten_status bat_stl_end(bat_stl_solid *solid, const char *name, batten_model *
 
 batten_status bat_stl_read_text(bat_input *input, batten_model *model);
 batten_status bat_stl_read_bytes(bat_input *input, batten_model *model);
+
+/* The name after "solid" or "endsolid": the rest of the line, or what stands before the first
+ * triangle when the whole file is one line. */
+bat_span bat_stl_name(bat_scan *words);
 
 #endif

@@ -3,14 +3,17 @@
 #include "exchange/scan.h"
 #include "exchange/stl/stl.h"
 
+#include <string.h>
+
 typedef struct {
     bat_input *input;
     batten_model *model;
     bat_scan words;
     bat_stl_solid solid;
-    size_t facets; /* of this solid, with those left out */
-    bool inside;   /* a solid has begun and not ended */
-    bool passing;  /* what is left of a triangle that was left out */
+    size_t facets;  /* of this solid, with those left out */
+    bool inside;    /* a solid has begun and not ended */
+    bool passing;   /* what is left of a triangle that was left out */
+    bat_span comma; /* a word of the triangle that has one, where a number should be */
     char *name;
 } reading;
 
@@ -20,6 +23,45 @@ static bool expect(reading *r, const char *text)
     return bat_next_word(&r->words, &word) && bat_word_is_like(word, text);
 }
 
+/* Does a triangle, or "solid", begin at the word? */
+static bool ends_name(bat_span word, bat_scan after)
+{
+    bat_span next;
+    return bat_word_is_like(word, "facet") && bat_next_in_line(&after, &next) &&
+           (bat_word_is_like(next, "normal") || bat_word_is_like(next, "outer"));
+}
+
+bat_span bat_stl_name(bat_scan *words)
+{
+    bat_scan look = *words, name = *words;
+    const char *end = NULL;
+    bat_span word;
+    while (!end && bat_next_in_line(&look, &word))
+        end = ends_name(word, look) ? word.bytes : NULL;
+    if (!end)
+        return bat_rest_of_line(words);
+    words->at = end;
+    name.end = end;
+    return bat_rest_of_line(&name);
+}
+
+/* After "endsolid": on one line the next solid may follow. */
+static void pass_name(bat_scan *words)
+{
+    bat_scan line = *words, look;
+    const bat_span name = bat_stl_name(&line);
+    bat_span word;
+    look = bat_scan_begin(name.bytes, name.length);
+    while (bat_next_in_line(&look, &word))
+        if (line.at < line.end && bat_word_is_like(word, "solid") &&
+            !bat_is_white(
+                *line.at)) { /* a triangle stands there, and not the end of the line */
+            words->at = word.bytes;
+            return;
+        }
+    *words = line;
+}
+
 /* NaN and numbers beyond a double come as NaN, for the triangle to be left out. */
 static bool read_numbers(reading *r, int count, double *numbers)
 {
@@ -27,8 +69,11 @@ static bool read_numbers(reading *r, int count, double *numbers)
         bat_span word;
         if (!bat_next_word(&r->words, &word))
             return false;
-        if (!bat_word_real(r->input, r->words.line, word, &numbers[k]))
-            numbers[k] = NAN;
+        if (bat_word_real(r->input, r->words.line, word, &numbers[k]))
+            continue;
+        numbers[k] = NAN;
+        if (memchr(word.bytes, ',', word.length) && !r->comma.length)
+            r->comma = word;
     }
     return true;
 }
@@ -57,7 +102,18 @@ static batten_status add_facet(reading *r)
     double corners[9], normal[3] = {0, 0, 0};
     const int line = r->words.line;
     const size_t index = r->facets++;
-    if (read_facet(r, corners, normal))
+    char shown[BAT_SHOWN_SIZE];
+    r->comma = (bat_span){NULL, 0};
+    const bool is_whole = read_facet(r, corners, normal);
+    if (is_whole && r->comma.length && bat_first_not_finite(corners, 9) < 9) {
+        r->input->left_out++;
+        batten_notes_add(r->input->notes, r->input->file, line, "",
+                         "triangle %zu is left out: '%.40s' is no number; decimals stand after "
+                         "a point",
+                         index + 1, bat_shown(r->comma.bytes, r->comma.length, shown));
+        return BATTEN_OK;
+    }
+    if (is_whole)
         return bat_stl_add(&r->solid, line, index, corners, normal);
     if (r->words.at >= r->words.end) {
         r->input->is_cut = true;
@@ -75,7 +131,7 @@ static batten_status add_facet(reading *r)
 
 static batten_status begin_solid(reading *r)
 {
-    const bat_span name = bat_rest_of_line(&r->words);
+    const bat_span name = bat_stl_name(&r->words);
     batten_status status = bat_input_limit(r->input, r->words.line, name.length,
                                            r->input->limits.string_bytes, "bytes in a name");
     bat_release(r->name);
@@ -127,7 +183,7 @@ static batten_status read_solids(reading *r)
             if (status == BATTEN_OK)
                 status = begin_solid(r);
         } else if (bat_word_is_like(word, "endsolid") && r->inside) {
-            bat_rest_of_line(&r->words);
+            pass_name(&r->words);
             status = end_solid(r);
         } else
             note_stray(r, word);

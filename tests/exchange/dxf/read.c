@@ -196,6 +196,25 @@ TEST(splines_through_points_keep_the_directions_at_their_ends)
     batten_model_unref(model);
 }
 
+TEST(every_unit_of_dxf_is_known)
+{
+    for (int code = 1; code <= 24; code++) {
+        char text[200];
+        batten_model *model = NULL;
+        snprintf(
+            text, sizeof text,
+            "0 SECTION|2 HEADER|9 $INSUNITS|70 %d|0 ENDSEC|0 SECTION|2 ENTITIES|0 POINT|8 0|"
+            "10 1|20 2|0 ENDSEC|0 EOF",
+            code);
+        CHECK_OK(read_text(lines(text), BATTEN_FORMAT_AUTO, NULL, &model));
+        const double unit = batten_model_unit_metres(model);
+        CHECK(unit > 0);
+        if (code == 21)
+            CHECK_NEAR(unit, 0.3048006096012192, 1e-16);
+        batten_model_unref(model);
+    }
+}
+
 TEST(layers_say_colour_and_whether_they_are_shown)
 {
     batten_model *model = NULL;

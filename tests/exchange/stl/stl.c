@@ -176,7 +176,11 @@ TEST(S1_counts_that_do_not_match_the_bytes_are_told)
     CHECK_INT(mesh_at(model, 0)->triangle_count, 2);
     batten_model_unref(model);
     data[80] = 1;
-    CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_STL, NULL, &model));
+    model = read_partly(data, size, BATTEN_FORMAT_STL,
+                        "promises 1 triangles; 1 more follow and are left out");
+    CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
+    batten_model_unref(model);
+    CHECK_OK(read_bytes(data, size - 3, BATTEN_FORMAT_STL, NULL, &model));
     CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
     batten_model_unref(model);
     data[80] = 0;
@@ -347,4 +351,45 @@ TEST(F1_a_byte_order_mark_before_a_header_that_is_cut_short_is_refused)
             CHECK_MESSAGE("a header has 84 bytes");
         batten_model_unref(model);
     }
+}
+
+/* Blanks instead of the ends of lines. */
+static char *on_one_line(const char *text)
+{
+    char *copy = test_array(strlen(text) + 1, 1);
+    for (size_t i = 0; text[i]; i++)
+        copy[i] = text[i] == '\n' ? ' ' : text[i];
+    return copy;
+}
+
+TEST(F3_solids_may_stand_on_one_line)
+{
+    static const char solid[] =
+        "solid %s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\nfacet\nouter loop\nvertex 0 0 0\n"
+        "vertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\nendsolid %s\n";
+    char one[400], two[900];
+    snprintf(one, sizeof one, solid, "a facet", "a facet");
+    snprintf(two, sizeof two, "%s%s", one, one);
+    for (int i = 0; i < 2; i++) {
+        batten_model *model = read_noting(i ? on_one_line(two) : two, BATTEN_FORMAT_AUTO, "");
+        CHECK_INT(batten_model_count(model), 2);
+        for (int k = 0; k < 2; k++) {
+            CHECK_TEXT(batten_model_object(model, k)->name, "a facet");
+            CHECK_INT(mesh_at(model, k)->triangle_count, 2);
+        }
+        batten_model_unref(model);
+    }
+}
+
+TEST(N1_decimal_commas_are_named)
+{
+    const char *text = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                       "vertex 1,5 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+                       "facet normal 0,0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                       "vertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    batten_model *model = read_partly(text, strlen(text), BATTEN_FORMAT_STL,
+                                      "triangle 1 is left out: '1,5' is no number");
+    CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
+    batten_model_unref(model);
 }
