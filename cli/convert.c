@@ -338,13 +338,13 @@ const command command_convert = {
         "in .stl,\n"
         ".ply, .glb or .3mf, and bodies in .obj, which keeps surfaces; for curves also in .dxf "
         "or .svg\n"
-        "(true scale, as seen along z) or .nc (G-code); for points and tables in .csv, .xyz or "
-        ".dat.\n"
-        "'batten help formats' says what each keeps. What was read and written is counted; "
-        "what had to be\n"
-        "approximated or left out is reported. OUT cannot be IN itself. Exit status 3 when "
-        "only a part of\n"
-        "IN could be read, or meshed.",
+        "(true scale, as seen along z) or .nc (G-code); for points and tables in .csv or .xyz, "
+        "an\n"
+        "aerofoil in .dat. 'batten help formats' says what each keeps. What was read and "
+        "written is\n"
+        "counted; what had to be approximated or left out is reported. OUT cannot be IN "
+        "itself. Exit\n"
+        "status 3 when only a part of IN could be read, or meshed.",
     .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

@@ -142,6 +142,14 @@ TEST(points_of_a_design_have_commas_in_csv)
     CHECK_TEXT(test_content(test_scratch("a.csv")), "x_mm,y_mm,z_mm\n0,0,0\n1.5,2,0\n");
 }
 
+TEST(one_point_is_not_several)
+{
+    const char *points = test_scratch("lone.xyz"), *curve = test_scratch("lone.igs");
+    test_write(points, "5 5 5\n\n0 0 0\n1 1 0\n2 0 0\n");
+    CHECK_CONTAINS(RUN("batten", "fit", points, "-o", curve).errors,
+                   "has 1 point and is left out; a curve needs 2");
+}
+
 TEST(lists_and_vectors_can_be_given_as_options)
 {
     const char *points = test_scratch("listed.xyz");

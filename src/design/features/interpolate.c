@@ -139,8 +139,8 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
         else if (rows.rows[i].count == 1 && !lines && object->kind == BATTEN_OBJECT_OFFSETS)
             status = fit_point(run, &rows.rows[i], object);
         else
-            bat_note(run, "'%s' has %d points and is left out; a curve needs 2",
-                     rows.rows[i].name, rows.rows[i].count);
+            bat_note(run, "'%s' has %d point%s and is left out; a curve needs 2",
+                     rows.rows[i].name, rows.rows[i].count, rows.rows[i].count == 1 ? "" : "s");
     }
     if (status == BATTEN_OK)
         note_excursion(run, &e);
