@@ -236,3 +236,18 @@ TEST(surfaces_and_triangles_have_areas)
     batten_release(data);
     batten_design_free(design);
 }
+
+TEST(curves_smaller_than_the_tolerance_are_not_closed_for_that)
+{
+    static const char small[] = "  speck: {line: [[0, 0], [1e-9, 0]]}\n"
+                                "  ring: {circle: 1e-9}\n";
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    CHECK_OK(build(small, "outputs:\n  m.txt: {measure: [speck, ring]}\n", &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+    CHECK_CONTAINS(data, "speck: length 1e-09");
+    CHECK_CONTAINS(data, "ring: closed, length 6.28");
+    batten_release(data);
+    batten_design_free(design);
+}

@@ -10,7 +10,9 @@ static const batten_parameter parameters[] = {
     {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "curves, surfaces, triangles, bodies, meshes"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "ends that are nearer close a curve; the tolerance of the design by default"},
+     "ends that are nearer close a curve; the tolerance of the design by default, but at most "
+     "a "
+     "thousandth of the curve's box"},
 };
 
 typedef enum { INFLECTIONS, FLAT_POINTS, EXTREMA, STANDSTILLS, CROSSINGS, LISTS } list;
@@ -344,12 +346,22 @@ static batten_status add_extent(const bat_run *run, const batten_object *object,
 
 /* ---- the report ---- */
 
+/* A curve that is smaller than the tolerance is not closed for that. */
+static double default_within(const bat_run *run, const batten_curve *curve)
+{
+    const batten_box b = batten_curve_box(curve);
+    const double size =
+        hypot(hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+    const double tolerance = bat_tolerance(run);
+    return size > 0 ? bat_min(tolerance, size / 1000) : tolerance;
+}
+
 static batten_status add_curve(const bat_run *run, const batten_object *object, bool json,
                                batten_text *out)
 {
     facts f;
     const double within =
-        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+        bat_has(run, "within") ? bat_number(run, "within") : default_within(run, object->curve);
     const batten_status status = measure(object, within, &f);
     if (status == BATTEN_OK)
         (json ? json_curve : text_curve)(out, &f);

@@ -373,6 +373,7 @@ static batten_status add_entity(filling *f)
 {
     char kind[32];
     bool is_known = true;
+    double thickness = 0;
     bat_input *input = f->r->input;
     if (f->polyline.is_open && bat_dxf_is(&f->pairs, "VERTEX")) {
         batten_status status = bat_dxf_polyline_vertex(&f->pairs, &f->polyline);
@@ -404,6 +405,8 @@ static batten_status add_entity(filling *f)
         input->left_out++;
         return bat_census_leave(input, &f->r->census, kind);
     }
+    if (bat_dxf_get_real(&f->pairs, 39, 0, &thickness) == BATTEN_OK && thickness != 0)
+        f->r->thick++;
     return f->polyline.is_open ? BATTEN_OK : bat_census_read(input, &f->r->census, kind);
 }
 
@@ -458,6 +461,10 @@ batten_status bat_read_dxf(bat_input *input, batten_model **out)
                                 "none of its %d entities could be read", input->left_out);
     if (status == BATTEN_OK) {
         bat_census_note(input, &r.census);
+        if (r.thick)
+            batten_notes_add(input->notes, input->file, 0, "",
+                             "entities with a thickness: %d; they are read without it",
+                             r.thick);
         *out = batten_model_ref(model);
     }
     batten_model_unref(model);

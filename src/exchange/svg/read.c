@@ -46,6 +46,7 @@ batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
     bat_xml_begin(&xml, &copy);
     *is_svg =
         bat_xml_next(&xml) == BATTEN_OK && xml.kind == BAT_XML_BEGIN && bat_xml_is(&xml, "svg");
+    bat_xml_end(&xml);
     return BATTEN_OK;
 }
 
@@ -396,6 +397,7 @@ batten_status bat_read_svg(bat_input *input, batten_model **out)
     }
     batten_model_unref(r.model);
     bat_svg_row_end(&r.row);
+    bat_xml_end(&r.xml);
     bat_census_end(&r.census);
     bat_release(r.levels);
     return status;

@@ -6,7 +6,12 @@
 
 void bat_xml_begin(bat_xml *xml, bat_input *input)
 {
-    *xml = (bat_xml){.input = input, .line = 1, .kind = BAT_XML_NONE};
+    *xml = (bat_xml){.input = input, .line = 1, .kind = BAT_XML_NONE, .decoded = {.size = 1}};
+}
+
+void bat_xml_end(bat_xml *xml)
+{
+    bat_release(xml->decoded.items);
 }
 
 /* Forward to `to`, counting lines. */
@@ -73,6 +78,63 @@ static size_t end_of(const bat_xml *xml)
     return i;
 }
 
+/* The code of a reference by number, "&#49;" or "&#x31;", that begins at `text`; 0 when none
+ * does. *length is that of the reference. */
+static uint32_t code_of_reference(const char *text, size_t left, size_t *length)
+{
+    const bool is_hex = left > 2 && (text[2] == 'x' || text[2] == 'X');
+    const uint32_t base = is_hex ? 16 : 10;
+    uint32_t code = 0;
+    size_t i = is_hex ? 3 : 2;
+    if (left < 4 || text[0] != '&' || text[1] != '#')
+        return 0;
+    for (; i < left && text[i] != ';'; i++) {
+        const int digit = bat_hex_digit(text[i]);
+        if (digit < 0 || (uint32_t)digit >= base || code > 0x10ffff)
+            return 0;
+        code = base * code + (uint32_t)digit;
+    }
+    *length = i + 1;
+    return i < left ? code : 0;
+}
+
+/* Numbers and words of paths are looked for in what the references mean. Quotes and "&" stay
+ * references: they would end a value, or begin another. */
+static batten_status decode_attributes(bat_xml *xml)
+{
+    const bat_span a = xml->attributes;
+    xml->decoded.count = 0;
+    batten_status status = bat_list_reserve(xml->input, &xml->decoded, a.length);
+    for (size_t i = 0; status == BATTEN_OK && i < a.length;) {
+        size_t length = 1;
+        const uint32_t code = code_of_reference(a.bytes + i, a.length - i, &length);
+        const char c = (char)(code & 127);
+        if (code == 0 || code > 126 || c == '"' || c == '\'' || c == '&') {
+            status = bat_list_add(xml->input, &xml->decoded, a.bytes + i);
+            i++;
+        } else {
+            status = bat_list_add(xml->input, &xml->decoded, &c);
+            i += length;
+        }
+    }
+    if (status == BATTEN_OK)
+        xml->attributes = (bat_span){xml->decoded.items, xml->decoded.count};
+    return status;
+}
+
+static bool has_number_reference(bat_span text)
+{
+    for (size_t i = 0; i + 3 < text.length; i++) {
+        const char *at = memchr(text.bytes + i, '&', text.length - i);
+        if (!at)
+            return false;
+        i = (size_t)(at - text.bytes);
+        if (i + 1 < text.length && at[1] == '#')
+            return true;
+    }
+    return false;
+}
+
 static batten_status read_element(bat_xml *xml)
 {
     const char *data = xml->input->data;
@@ -95,7 +157,7 @@ static batten_status read_element(bat_xml *xml)
     }
     xml->name = (bat_span){data + begin, at - begin};
     xml->attributes = (bat_span){data + at, last - at};
-    return BATTEN_OK;
+    return has_number_reference(xml->attributes) ? decode_attributes(xml) : BATTEN_OK;
 }
 
 batten_status bat_xml_next(bat_xml *xml)
@@ -147,21 +209,26 @@ bool bat_xml_attribute(const bat_xml *xml, const char *name, bat_span *value)
     return false;
 }
 
-/* The character that a reference, from '&' on, stands for; 0 when it is none. *length is that
+/* What a reference, from '&' on, stands for, as UTF-8; 0 bytes when it is none. *length is that
  * of the reference. */
-static char reference(const char *text, size_t left, size_t *length)
+static size_t reference(const char *text, size_t left, size_t *length, char bytes[4])
 {
     static const struct {
         const char *text;
         char c;
     } known[] = {
         {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}};
+    const uint32_t code = code_of_reference(text, left, length);
+    if (code >= ' ')
+        return bat_utf8_write(code, bytes);
     for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
         *length = strlen(known[k].text);
-        if (left >= *length && memcmp(text, known[k].text, *length) == 0)
-            return known[k].c;
+        if (left >= *length && memcmp(text, known[k].text, *length) == 0) {
+            bytes[0] = known[k].c;
+            return 1;
+        }
     }
-    return '\0';
+    return 0;
 }
 
 void bat_xml_text(const bat_xml *xml, const char *name, size_t size, char *buffer)
@@ -169,13 +236,14 @@ void bat_xml_text(const bat_xml *xml, const char *name, size_t size, char *buffe
     bat_span value = {"", 0};
     size_t used = 0;
     (void)bat_xml_attribute(xml, name, &value);
-    for (size_t i = 0; i < value.length && used + 1 < size;) {
+    for (size_t i = 0; i < value.length && used + 4 < size;) {
         size_t length = 1;
-        const char c = value.bytes[i] == '&'
-                           ? reference(value.bytes + i, value.length - i, &length)
-                           : '\0';
-        buffer[used++] = c ? c : value.bytes[i];
-        i += c ? length : 1;
+        char bytes[4] = {value.bytes[i]};
+        const size_t meant =
+            bytes[0] == '&' ? reference(value.bytes + i, value.length - i, &length, bytes) : 0;
+        memcpy(buffer + used, bytes, meant ? meant : 1);
+        used += meant ? meant : 1;
+        i += meant ? length : 1;
     }
     buffer[used] = '\0';
 }

@@ -11,10 +11,12 @@ typedef struct {
     int line; /* of the element */
     bat_xml_kind kind;
     bat_span name;       /* without a prefix and its colon */
-    bat_span attributes; /* as they stand */
+    bat_span attributes; /* with digits and such instead of their references by number */
+    bat_list decoded;    /* the memory of these, where there are any */
 } bat_xml;
 
 void bat_xml_begin(bat_xml *xml, bat_input *input);
+void bat_xml_end(bat_xml *xml);
 /* Go to the next element; the kind is NONE at the end of the text. Comments, declarations and
  * text between elements are skipped. BAD_FORMAT for an element without an end. */
 batten_status bat_xml_next(bat_xml *xml);

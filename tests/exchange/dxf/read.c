@@ -215,6 +215,15 @@ TEST(every_unit_of_dxf_is_known)
     }
 }
 
+TEST(thickness_is_told)
+{
+    const char *text = file_of("", "",
+                               "0 LINE|8 0|39 5|10 0|20 0|11 1|21 1|"
+                               "0 LINE|8 0|39 0|10 0|20 0|11 1|21 1|");
+    batten_model_unref(
+        read_noting(text, BATTEN_FORMAT_DXF, "entities with a thickness: 1; they are read"));
+}
+
 TEST(layers_say_colour_and_whether_they_are_shown)
 {
     batten_model *model = NULL;

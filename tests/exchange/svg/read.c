@@ -305,6 +305,23 @@ TEST(F7_after_the_end_of_a_drawing_only_comments_may_stand)
     }
 }
 
+TEST(references_by_number_are_what_they_mean)
+{
+    batten_model *model = read_noting(
+        sheet("<path id=\"&#x4c;&#228;&#38;&amp;#49;&#34;\" d=\"M0 0&#76;&#x31;0 0\"/>"),
+        BATTEN_FORMAT_SVG, "");
+    const batten_object *object = batten_model_object(model, 0);
+    const batten_box box = batten_curve_box(object->curve);
+    CHECK_TEXT(object->name, "L\xC3\xA4&&#49;\"");
+    CHECK(box.high.x - box.low.x > 9 * (box.high.y - box.low.y));
+    batten_model_unref(model);
+    /* What is no reference stays as it is. */
+    model = read_noting(sheet("<path id=\"&#;&#x110000;&#9\" d=\"M0 0L1 1\"/>"),
+                        BATTEN_FORMAT_SVG, "");
+    CHECK_TEXT(batten_model_object(model, 0)->name, "&#;&#x110000;&#9");
+    batten_model_unref(model);
+}
+
 TEST(S4_groups_within_groups_have_a_limit)
 {
     enum { DEEP = 100000 };
