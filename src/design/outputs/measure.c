@@ -10,9 +10,8 @@ static const batten_parameter parameters[] = {
     {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "curves, surfaces, triangles, bodies, meshes"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "ends that are nearer close a curve; the tolerance of the design by default, but at most "
-     "a "
-     "thousandth of the curve's box"},
+     "ends that are nearer close a curve; the tolerance, at most 1/1000 of its box, by "
+     "default"},
 };
 
 typedef enum { INFLECTIONS, FLAT_POINTS, EXTREMA, STANDSTILLS, CROSSINGS, LISTS } list;
