@@ -23,7 +23,8 @@ BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char *
 /**
  * Put bytes into a file so that, whatever happens, either the old file or the new one is there,
  * whole: written beside it, synchronised, renamed. A symlink's target is replaced, the mode is
- * kept, a read-only file is refused. A pipe or device is written straight.
+ * kept, a read-only file is refused. A pipe or device is written straight. What savings of the
+ * same file left beside it when their process was killed is removed.
  *
  * SIGINT, SIGTERM and SIGHUP wait in the calling thread while the file beside exists. One that
  * arrives before the renaming ends the call with BATTEN_CANCELLED, the old file untouched; then

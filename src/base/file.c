@@ -2,6 +2,7 @@
 #define _DEFAULT_SOURCE /* madvise */
 #include "base/file.h"
 #include "base/base.h"
+#include "base/strays.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -330,11 +331,17 @@ static batten_status open_temporary(saving *save, int *file)
         (uint64_t)now.tv_nsec ^ (uint64_t)getpid() << 32 ^ (uint64_t)(uintptr_t)save;
     const mode_t mode = save->existed ? 0600 : 0666;
     *file = -1;
+    bat_remove_strays(save->folder, save->temporary, suffix);
     for (uint64_t trial = 0; *file < 0 && trial < TRIALS; trial++) {
         choose_suffix(seed + trial, suffix);
         *file = bat_system.open(save->temporary, O_WRONLY | O_CREAT | O_EXCL, mode);
         if (*file < 0 && errno != EEXIST)
             break;
+        if (*file >= 0 && !bat_hold_temporary(*file)) {
+            close(*file);
+            *file = -1;
+            errno = EEXIST;
+        }
     }
     return *file < 0 ? refused("save", save->path, errno) : BATTEN_OK;
 }

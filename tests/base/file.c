@@ -1,5 +1,6 @@
 #define _XOPEN_SOURCE 700
 #include "base/file.h"
+#include "base/strays.h"
 
 #include "support/test.h"
 #include <dirent.h>
@@ -370,12 +371,53 @@ TEST(W2_a_process_killed_at_any_call_of_a_save_leaves_a_whole_file)
     bool is_killed = true;
     if (test_cases(1000) < 1000)
         SKIP("the allocations are those of other tests");
+    int strays = 0;
     while (is_killed) {
         put(path, "old hull");
         is_killed = save_and_be_killed(path, ++call);
         CHECK(holds(path, "new hull") || (is_killed && holds(path, "old hull")));
+        strays = entry_count(where) > strays ? entry_count(where) : strays;
     }
     CHECK(call > 10);
+    CHECK_INT(strays, 2); /* each save takes away what the one before left */
+    CHECK_INT(entry_count(where), 1);
+}
+
+TEST(W2_a_save_removes_strays_of_its_own_file_that_nobody_holds)
+{
+    const char *where = folder("strays"), *path = in(where, "hull.step");
+    const char *const kept[] = {".hull.step.abcde.batten-tmp",  ".hull.step.abcdef.batten-tm",
+                                ".hull.step.ABCDEF.batten-tmp", ".bull.step.abcdef.batten-tmp",
+                                ".hull.step.a12345.batten-tmp", "hull.step.abcdef.batten-tmp"};
+    put(in(where, ".hull.step.abcdef.batten-tmp"), "half");
+    put(in(where, ".hull.step.012345.batten-tmp"), "");
+    for (int i = 0; i < COUNT(kept); i++)
+        put(in(where, kept[i]), "other");
+    /* The last but one is being written by another process. */
+    const int held = open(in(where, kept[4]), O_WRONLY);
+    CHECK(held >= 0 && bat_hold_temporary(held));
+    const batten_status status = save(path, "new hull");
+    close(held);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return;
+    CHECK_INT(status, BATTEN_OK);
+    for (int i = 0; i < COUNT(kept); i++)
+        CHECK(holds(in(where, kept[i]), "other"));
+    CHECK_INT(entry_count(where), COUNT(kept) + 1);
+}
+
+TEST(W2_a_temporary_file_that_was_taken_away_is_not_held)
+{
+    const char *path = in(folder("taken_away"), "a");
+    put(path, "");
+    const int file = open(path, O_WRONLY), other = open(path, O_WRONLY);
+    CHECK(file >= 0 && other >= 0);
+    CHECK(bat_hold_temporary(file) && !bat_hold_temporary(other));
+    close(file);
+    CHECK(bat_hold_temporary(other));
+    CHECK(unlink(path) == 0);
+    CHECK(!bat_hold_temporary(other));
+    close(other);
 }
 
 /* What is not on the disk when it takes the new name is lost with the power. */
@@ -496,6 +538,89 @@ TEST(W4_a_ring_of_links_is_refused)
     CHECK(symlink("a", in(where, "b")) == 0 || errno == EEXIST);
     CHECK_STATUS(save(in(where, "a"), "text"), BATTEN_FILE_ERROR);
     CHECK_MESSAGE("Too many levels of symbolic links");
+}
+
+TEST(W4_the_other_names_of_a_file_keep_the_old_one)
+{
+    const char *where = folder("hard"), *path = in(where, "a"), *other = in(where, "b");
+    unlink(path);
+    unlink(other);
+    put(path, "old");
+    CHECK(link(path, other) == 0);
+    CHECK_OK(save(path, "new"));
+    CHECK(holds(path, "new") && holds(other, "old"));
+}
+
+TEST(W4_the_target_of_a_link_may_be_on_another_disk)
+{
+    const char *where = folder("disks"), *path = in(where, "a");
+    char target[60];
+    struct stat here, there;
+    snprintf(target, sizeof target, "/dev/shm/batten-test-%ld", (long)getpid());
+    if (access("/dev/shm", W_OK) != 0 || stat("/dev/shm", &there) != 0 ||
+        stat(where, &here) != 0 || here.st_dev == there.st_dev)
+        SKIP("there is no other disk");
+    put(target, "old");
+    unlink(path);
+    const bool linked = symlink(target, path) == 0;
+    const batten_status status = save(path, "new");
+    const bool is_new = holds(target, "new");
+    unlink(target);
+    CHECK(linked);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return;
+    CHECK_INT(status, BATTEN_OK);
+    CHECK(is_new && readlink(path, (char[9]){0}, 9) == 9);
+}
+
+enum { SAVED = 7, DENIED = 8, OTHERWISE = 9, NOBODY_IS_NONE = 99 };
+
+/* Save as somebody to whom the system may refuse things. */
+static int save_as_nobody(const char *path)
+{
+    enum { NOBODY = 65534 };
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        if (geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0))
+            _exit(NOBODY_IS_NONE);
+        const batten_status saved = save(path, "new");
+        const bool is_denied = saved == BATTEN_FILE_ERROR &&
+                               strstr(batten_message(), path) != NULL &&
+                               strstr(batten_message(), "Permission denied") != NULL;
+        _exit(saved == BATTEN_OK ? SAVED : is_denied ? DENIED : OTHERWISE);
+    }
+    CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+TEST(W4_a_file_or_folder_that_may_not_be_written_is_refused)
+{
+    char where[60];
+    snprintf(where, sizeof where, "/tmp/batten-test-%ld", (long)getpid());
+    if (test_cases(1000) < 1000)
+        SKIP("the allocations are those of other tests");
+    if (mkdir(where, 0700) != 0)
+        SKIP("there is no /tmp");
+    const char *path = in(where, "a");
+    put(path, "old");
+    const bool ready = chmod(where, 0777) == 0 && chmod(path, 0444) == 0;
+    const int read_only = save_as_nobody(path);
+    const bool kept = holds(path, "old") && entry_count(where) == 1;
+    const bool closed = chmod(path, 0666) == 0 && chmod(where, 0555) == 0;
+    const int in_closed = save_as_nobody(path);
+    const bool kept_again = holds(path, "old") && entry_count(where) == 1;
+    const bool opened = chmod(where, 0777) == 0;
+    const int in_open = save_as_nobody(path);
+    unlink(path);
+    rmdir(where);
+    if (read_only == NOBODY_IS_NONE)
+        SKIP("nobody else can be taken the part of");
+    CHECK(ready && closed && opened);
+    CHECK_INT(read_only, DENIED);
+    CHECK_INT(in_closed, DENIED);
+    CHECK_INT(in_open, SAVED);
+    CHECK(kept && kept_again);
 }
 
 TEST(what_cannot_be_a_file_is_not_saved)
