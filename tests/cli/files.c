@@ -47,6 +47,12 @@ TEST(W8_a_full_or_closed_standard_output_is_a_failure)
         "\"$BATTEN\" help > /dev/full; a=$?; \"$BATTEN\" help features >&-; echo $a $?");
     CHECK_CONTAINS(run.out, "1 1");
     CHECK_CONTAINS(run.errors, "standard output");
+    char line[1024];
+    snprintf(line, sizeof line,
+             "for c in 'info %s' 'info %s --json' 'convert %s - --format csv'; do "
+             "\"$BATTEN\" $c > /dev/full; a=$?; \"$BATTEN\" $c >&-; echo $a $?; done",
+             write_table("full.csv"), write_table("full.csv"), write_table("full.csv"));
+    CHECK_TEXT(test_shell(line).out, "1 1\n1 1\n1 1\n");
 }
 
 TEST(W8_a_closed_pipe_is_a_failure)

@@ -316,8 +316,14 @@ TEST(F8_each_reader_takes_odd_names_of_files)
 
 /* ---- a small stack ---- */
 
+typedef struct {
+    char *texts[COUNT(nested)];
+    batten_status results[COUNT(nested)];
+} deep_files;
+
 static void *read_all_small(void *user)
 {
+    deep_files *all = user;
     for (int f = 0; f < COUNT(every_format); f++) {
         batten_model *model = NULL;
         read_text(every_format[f].text, every_format[f].format, NULL, &model);
@@ -325,7 +331,7 @@ static void *read_all_small(void *user)
     }
     for (int i = 0; i < COUNT(nested); i++) {
         batten_model *model = NULL;
-        read_text(((char **)user)[i], nested[i].format, NULL, &model);
+        all->results[i] = read_text(all->texts[i], nested[i].format, NULL, &model);
         batten_model_unref(model);
     }
     return NULL;
@@ -334,14 +340,14 @@ static void *read_all_small(void *user)
 TEST(S4_each_reader_works_in_a_small_stack_however_deep_its_file_is)
 {
     enum { DEPTH = 100000, STACK = 256 * 1024 };
-    char *texts[COUNT(nested)];
+    deep_files all;
     pthread_attr_t attributes;
     pthread_t thread;
     only_once();
     for (int i = 0; i < COUNT(nested); i++) {
         const size_t length = strlen(nested[i].open);
-        texts[i] = test_array(strlen(nested[i].before) + DEPTH * length + 1, 1);
-        char *to = texts[i] + sprintf(texts[i], "%s", nested[i].before);
+        all.texts[i] = test_array(strlen(nested[i].before) + DEPTH * length + 1, 1);
+        char *to = all.texts[i] + sprintf(all.texts[i], "%s", nested[i].before);
         for (int k = 0; k < DEPTH; k++, to += length)
             memcpy(to, nested[i].open, length);
     }
@@ -349,9 +355,72 @@ TEST(S4_each_reader_works_in_a_small_stack_however_deep_its_file_is)
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     CHECK(pthread_attr_setstacksize(&attributes, STACK) == 0);
 #endif
-    CHECK(pthread_create(&thread, &attributes, read_all_small, texts) == 0);
+    CHECK(pthread_create(&thread, &attributes, read_all_small, &all) == 0);
     CHECK(pthread_join(thread, NULL) == 0);
     pthread_attr_destroy(&attributes);
+    /* A line of OBJ may go on as long as it likes. */
+    for (int i = 0; i < COUNT(nested); i++)
+        CHECK(all.results[i] != BATTEN_OK || nested[i].format == BATTEN_FORMAT_OBJ);
+}
+
+/* Parts within parts: each definition has the next in it so many times. */
+static char *chain_of_dxf(int deep, int times)
+{
+    char *text = test_array((size_t)deep * (60 + 40 * (size_t)times) + 400, 1);
+    char *to = text + sprintf(text, "0\nSECTION\n2\nBLOCKS\n");
+    for (int k = 0; k < deep; k++) {
+        to += sprintf(to, "0\nBLOCK\n2\nb%d\n10\n0\n20\n0\n", k);
+        for (int i = 0; i < times && k + 1 < deep; i++)
+            to += sprintf(to, "0\nINSERT\n2\nb%d\n10\n1\n20\n%d\n", k + 1, i);
+        to += sprintf(to, "%s0\nENDBLK\n", k + 1 < deep ? "" : "0\nPOINT\n10\n1\n20\n2\n");
+    }
+    sprintf(to, "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nb0\n10\n0\n20\n0\n0\n"
+                "ENDSEC\n0\nEOF\n");
+    return text;
+}
+
+static char *chain_of_step(int deep, int times)
+{
+    char *text = test_array((size_t)deep * (200 + 80 * (size_t)times) + 2000, 1);
+    char *to = text + sprintf(text, "%s%s", STEP_BEGIN, STEP_CONTEXT);
+    to += sprintf(to, "#1=CARTESIAN_POINT('',(0.,0.,0.));\n#2=CARTESIAN_POINT('',(1.,2.,4.));\n"
+                      "#4=POLYLINE('',(#1,#2));\n#5=AXIS2_PLACEMENT_3D('',#1,$,$);\n"
+                      "#6=AXIS2_PLACEMENT_3D('',#2,$,$);\n");
+    for (int k = 0; k < deep; k++) {
+        const int id = 1000 + 10 * k;
+        to += sprintf(to, "#%d=SHAPE_REPRESENTATION('',(#5", id);
+        for (int i = 0; i < times && k + 1 < deep; i++)
+            to += sprintf(to, ",#%d", id + 2 + i);
+        to += sprintf(to, "%s),#94);\n#%d=REPRESENTATION_MAP(#5,#%d);\n",
+                      k + 1 < deep ? "" : ",#4", id + 1, id);
+        for (int i = 0; i < times && k + 1 < deep; i++)
+            to += sprintf(to, "#%d=MAPPED_ITEM('',#%d,#6);\n", id + 2 + i, id + 11);
+    }
+    strcpy(to, STEP_END);
+    return text;
+}
+
+TEST(S4_parts_within_parts_have_a_limit_and_doubling_takes_no_longer)
+{
+    enum { SMALL = 20, DEEP = 100 };
+    only_once();
+    for (int k = 0; k < 2; k++) {
+        const batten_format format = k ? BATTEN_FORMAT_STEP : BATTEN_FORMAT_DXF;
+        batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        CHECK_OK(batten_notes_create(1000, &notes));
+        const char *doubling = k ? chain_of_step(SMALL, 2) : chain_of_dxf(SMALL, 2);
+        CHECK_OK(read_text(doubling, format, NULL, &model));
+        CHECK(batten_model_depth(model) >= SMALL - 1);
+        batten_model_unref(model);
+        model = NULL;
+        const char *chain = k ? chain_of_step(DEEP, 1) : chain_of_dxf(DEEP, 1);
+        const batten_status status = read_text(chain, format, notes, &model);
+        CHECK(status != BATTEN_OK);
+        CHECK(strstr(batten_message(), " 32 ") != NULL || has_note(notes, " 32 "));
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
 }
 
 /* ---- time ---- */

@@ -111,6 +111,10 @@ TEST(F6_a_decimal_comma_is_named_with_its_line_and_column)
     check_refused("1.5\t2,7\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "t:1: column");
     check_refused("1.234,5;2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "'1.234,5' has a comma");
+    check_refused("1;2\n1,234.5;2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "t:2: column 1: '1,234.5' has a comma");
+    check_refused("1 2\n1 234 5\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "t:2: 3 columns where the first row has 2");
 }
 
 TEST(F6_ragged_rows_are_refused_with_their_line)
