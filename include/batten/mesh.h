@@ -80,16 +80,25 @@ BATTEN_API batten_mesh_options batten_mesh_defaults(void);
 typedef struct batten_mesh_report {
     double chord; /**< the largest distance found, at samples inside triangles and edges */
     double angle;
-    int failed; /**< faces left out; each has a note */
+    int failed;   /**< faces left out; each has a note */
+    double asked; /**< the chord asked for, or chosen where that was 0 */
+    int beyond;   /**< triangles that are farther from the surface than that */
+    double off;   /**< how far the edges at those are from their faces, at most: triangles at
+                       an edge cannot be nearer to both of its faces than it is itself */
 } batten_mesh_report;
 
 /**
  * Triangles of a body: each edge is sampled once, so that faces that share it meet without a
  * gap; poles are one vertex; normals are those of the surface, turned outside.
  * @param notes, report may be NULL
- * @return BATTEN_OK, also when faces were left out (report->failed); TOO_LARGE beyond `most`;
- * TOLERANCE_NOT_MET never silently: report->chord says what was reached; BAD_ARGUMENT for
- * options out of range, and a chord in the roundoff of the size; CANCELLED, INCOMPLETE
+ * @return BATTEN_OK, also when faces were left out (report->failed), and when the chord is not
+ * met: report->beyond is above 0 then, and report->off says whether edges off their faces are
+ * why; TOO_LARGE beyond `most`; BAD_ARGUMENT for options out of range, and a chord in the
+ * roundoff of the size; CANCELLED, INCOMPLETE
+ *
+ * Triangles are as long as the surface is straight that way. Where an edge is so long that it
+ * keeps points away from where its faces need them it is divided, and these faces are made
+ * again. The chord is met also where edges are off their faces by up to 0.88 of it.
  *
  * What is beyond `most` is refused before the work, by an estimate from second derivatives at
  * samples. A face whose border crosses itself in (u, v) gets finer samples there, then corners

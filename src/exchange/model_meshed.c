@@ -25,6 +25,29 @@ static double rounding(const batten_mesh *mesh)
     return 8 * DBL_EPSILON * size;
 }
 
+/* How near the triangles are, and why no nearer when that is not what was asked. */
+static void say_chord(const batten_object *object, const batten_mesh_report *report,
+                      const batten_mesh *mesh, batten_notes *notes)
+{
+    const int count = batten_mesh_view(mesh)->triangle_count;
+    if (report->chord > rounding(mesh))
+        batten_notes_remark(notes, "", 0, object->name,
+                            "approximated within %g by %d triangles", report->chord, count);
+    else if (count > 0)
+        batten_notes_remark(notes, "", 0, object->name,
+                            "meshed exactly by %d triangles, as far as was measured", count);
+    if (report->beyond > 0 && report->off > 0.5 * report->asked)
+        batten_notes_add(notes, "", 0, object->name,
+                         "the chord of %g is not met: %d of %d triangles are up to %g from the "
+                         "shape, for edges are up to %g off their faces there",
+                         report->asked, report->beyond, count, report->chord, report->off);
+    else if (report->beyond > 0)
+        batten_notes_add(notes, "", 0, object->name,
+                         "the chord of %g is not met: %d of %d triangles are up to %g from the "
+                         "shape and could not be divided",
+                         report->asked, report->beyond, count, report->chord);
+}
+
 /* The shape of one object as a mesh. */
 static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
 {
@@ -36,14 +59,8 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         status = batten_mesh_of_triangles(object->triangles, m->options, m->job, &report, out);
     else
         status = batten_mesh_of_body(object->body, m->options, m->job, m->notes, &report, out);
-    if (status == BATTEN_OK && report.chord > rounding(*out))
-        batten_notes_remark(m->notes, "", 0, object->name,
-                            "approximated within %g by %d triangles", report.chord,
-                            batten_mesh_view(*out)->triangle_count);
-    else if (status == BATTEN_OK && batten_mesh_view(*out)->triangle_count > 0)
-        batten_notes_remark(m->notes, "", 0, object->name,
-                            "meshed exactly by %d triangles, as far as was measured",
-                            batten_mesh_view(*out)->triangle_count);
+    if (status == BATTEN_OK)
+        say_chord(object, &report, *out, m->notes);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
                          report.failed);

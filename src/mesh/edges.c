@@ -97,7 +97,7 @@ static batten_side side_of(const double ends[2][2], int direction, bool at_end)
 }
 
 /* The same for the straight line in (u, v) that the triangles of a face will have there. How
- * far the edge misses the face anyway is not held against the piece. */
+ * far the edge misses the face anyway leaves less room within the chord. */
 static batten_status judge_use(const bat_meshing *m, int use, const piece *p, double *excess)
 {
     const batten_curve *curve = m->parts->uses[use].parameters;
@@ -111,17 +111,21 @@ static batten_status judge_use(const bat_meshing *m, int use, const piece *p, do
         for (int k = 0; k < 2; k++)
             uv[k] = ends[0][k] + i / 4.0 * (ends[1][k] - ends[0][k]);
         bat_sheet_wrap(sheet, uv);
-        status = batten_surface_evaluate_side(
-            sheet->surface, uv[0], uv[1], side_of((const double(*)[2])ends, 0, i == 4),
-            side_of((const double(*)[2])ends, 1, i == 4), 1, d[i]);
+        const batten_side side[2] = {side_of((const double(*)[2])ends, 0, i == 4),
+                                     side_of((const double(*)[2])ends, 1, i == 4)};
+        status = batten_surface_evaluate_side(sheet->surface, uv[0], uv[1], side[0], side[1], 1,
+                                              d[i]);
+        if (status == BATTEN_OK)
+            status = bat_sheet_steady(sheet, uv, side, d[i]);
     }
     if (status != BATTEN_OK)
         return status;
     double miss = 0;
     for (int i = 1; i < 4; i++)
         miss = bat_max(miss, bat_distance_to_segment(d[i], p->ends[0], p->ends[1]));
-    miss -= bat_max(distance(d[0], p->ends[0]), distance(d[4], p->ends[1]));
-    *excess = bat_max(*excess, sqrt(bat_max(miss, 0) / (0.8 * m->chord)));
+    const double off = bat_max(distance(d[0], p->ends[0]), distance(d[4], p->ends[1]));
+    const double room = bat_meshing_limit(m, 0.8 * m->chord, off) - off;
+    *excess = bat_max(*excess, sqrt(bat_max(miss - off, 0) / room));
     if (!bat_sheet_normal(d[0], n[0]) || !bat_sheet_normal(d[4], n[1]))
         return BATTEN_OK;
     /* Along a straight edge the surface may twist: a triangle as wide as long is off by an

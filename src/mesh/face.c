@@ -80,7 +80,9 @@ batten_status bat_face_evaluate(bat_face_mesh *f, int first)
         status =
             batten_surface_evaluate_many(f->sheet->surface, (size_t)count, uv[0], 1, NULL, d);
         for (int k = 0; status == BATTEN_OK && k < count; k++) {
+            static const batten_side side[2] = {BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT};
             bat_face_vertex *v = &f->vertices[i + k];
+            status = bat_sheet_steady(f->sheet, uv[k], side, d + 9 * k);
             v->regular = bat_sheet_normal(d + 9 * k, v->normal);
             if (v->vertex < 0)
                 memcpy(v->point, d + 9 * k, sizeof v->point);
@@ -331,18 +333,21 @@ static batten_status emit_triangle(bat_face_mesh *f, const bat_side_triangle *t)
         for (int i = 0; i < 3; i++)
             turned[3 * k + i] = reversed ? -normals[from][i] : normals[from][i];
     }
-    f->m->report.chord = bat_max(f->m->report.chord, t->miss);
-    f->m->report.angle = bat_max(f->m->report.angle, t->turn);
+    bat_reached *done = &f->m->done[f->face];
+    done->chord = bat_max(done->chord, t->miss);
+    done->angle = bat_max(done->angle, t->turn);
+    if (t->miss > f->m->chord) {
+        done->beyond++;
+        done->off = bat_max(done->off, bat_face_off(f, t));
+    }
     return bat_meshing_triangle(f->m, corners, turned, f->face);
 }
 
 static batten_status emit(bat_face_mesh *f, const bat_pairs *own)
 {
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < own->count; i++) {
-        int index;
-        status = bat_pairs_add(&f->m->taken, own->pairs[i][0], own->pairs[i][1], &index);
-    }
+    for (int i = 0; status == BATTEN_OK && i < own->count; i++)
+        status = bat_meshing_take(f->m, f->face, own->pairs[i][0], own->pairs[i][1]);
     for (int i = 0; status == BATTEN_OK && i < f->sides.count; i++) {
         const bat_side_triangle *t = &f->sides.triangles[i];
         if (t->inside && !bat_face_vanishes(f, t))
@@ -393,7 +398,12 @@ batten_status bat_mesh_face(bat_meshing *m, int face, bat_pairs *splits, bool *s
     if (status == BATTEN_OK)
         status = bat_rim_triangles(&rim, &lattice, &f.sides, splits, simple);
     if (status == BATTEN_OK && *simple)
+        status = bat_pairs_begin(&f.tight, 16);
+    if (status == BATTEN_OK && *simple)
         status = fill(&f, &rim);
+    if (status == BATTEN_OK && *simple)
+        status = bat_rim_refine(&rim, &f.tight, splits);
+    bat_pairs_end(&f.tight);
     bat_sides_end(&f.sides);
     bat_release(f.vertices);
     bat_lattice_end(&lattice);

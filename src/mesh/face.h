@@ -24,7 +24,18 @@ typedef struct {
     bat_face_vertex *vertices;
     double enough; /* triangles, after which they are not divided any more; 0: not known yet */
     bool has_enough;
+    bat_pairs tight; /* sides that keep points away from where they are needed */
 } bat_face_mesh;
+
+/* How far the edges at its corners are from the surface: nearer to it the triangle cannot be.
+ */
+static inline double bat_face_off(const bat_face_mesh *f, const bat_side_triangle *t)
+{
+    double off = 0;
+    for (int k = 0; k < 3; k++)
+        off = bat_max(off, f->vertices[t->corner[k]].off);
+    return off;
+}
 
 /* Put a point in, when it is not too near to others; *added may be NULL. */
 batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double widest,

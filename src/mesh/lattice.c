@@ -5,13 +5,51 @@
 
 /* ---- surfaces ---- */
 
+/* A span below this share of the domain divides what rounding leaves of differences. */
+static const double shortest_span = 1e-9;
+
+static batten_interval steady_part(const batten_surface *surface, batten_direction direction,
+                                   batten_interval domain)
+{
+    batten_interval part = domain;
+    const double close = shortest_span * (domain.b - domain.a);
+    if (strcmp(batten_surface_kind(surface), "nurbs") != 0)
+        return part;
+    const double *knots = batten_surface_knots(surface, direction);
+    const int count = batten_surface_knot_count(surface, direction);
+    for (int i = 0; i < count; i++) {
+        if (knots[i] > domain.a && knots[i] <= domain.a + close)
+            part.a = domain.a + 2 * close;
+        if (knots[i] < domain.b && knots[i] >= domain.b - close)
+            part.b = domain.b - 2 * close;
+    }
+    return part;
+}
+
 void bat_sheet_begin(bat_sheet *sheet, const batten_surface *surface, double tolerance)
 {
     sheet->surface = surface;
     for (int d = 0; d < 2; d++) {
-        sheet->domain[d] = batten_surface_domain(surface, (batten_direction)d);
-        sheet->closed[d] = batten_surface_is_closed(surface, (batten_direction)d, tolerance);
+        const batten_direction direction = (batten_direction)d;
+        sheet->domain[d] = batten_surface_domain(surface, direction);
+        sheet->steady[d] = steady_part(surface, direction, sheet->domain[d]);
+        sheet->closed[d] = batten_surface_is_closed(surface, direction, tolerance);
     }
+}
+
+batten_status bat_sheet_steady(const bat_sheet *sheet, const double uv[2],
+                               const batten_side side[2], double *d)
+{
+    double at[2], steady[9];
+    for (int k = 0; k < 2; k++)
+        at[k] = bat_min(bat_max(uv[k], sheet->steady[k].a), sheet->steady[k].b);
+    if (at[0] == uv[0] && at[1] == uv[1])
+        return BATTEN_OK;
+    const batten_status status =
+        batten_surface_evaluate_side(sheet->surface, at[0], at[1], side[0], side[1], 1, steady);
+    if (status == BATTEN_OK)
+        memcpy(d + 3, steady + 3, 6 * sizeof *d);
+    return status;
 }
 
 void bat_sheet_wrap(const bat_sheet *sheet, double uv[2])
@@ -264,10 +302,16 @@ static void allowed_steps(const bat_meshing *m, const bat_lattice_bounds *b,
         if (b->length[d] * step[d] > 0.7 * m->longest)
             step[d] = 0.7 * m->longest / b->length[d];
     }
+    for (int d = 0; d < 2; d++) { /* triangles that are thin must not tilt */
+        const double rises = bat_lattice_tilt(m) * b->length[1 - d] * step[1 - d];
+        if (bend[d] * step[d] * step[d] > 8 * rises && rises > 0)
+            step[d] = sqrt(8 * rises / bend[d]);
+    }
 }
 
 typedef struct {
     double *need[2];   /* [intervals] cells */
+    double *mean[2];   /* [intervals] of the cells that samples need, their sum */
     double *length[2]; /* [intervals] of the lines, the mean over samples */
     double *weight[2]; /* [intervals] of samples so far */
 } needs;
@@ -297,6 +341,7 @@ static batten_status measure(bat_lattice *l, const bat_meshing *m, const samples
             for (int k = 0; k < 2; k++) {
                 const double w = s[1 - k].weight[at[1 - k]];
                 n->need[k][cell[k]] = bat_max(n->need[k][cell[k]], interval[k] / step[k]);
+                n->mean[k][cell[k]] += w * interval[k] / step[k];
                 n->length[k][cell[k]] += w * bounds.length[k] * interval[k];
                 n->weight[k][cell[k]] += w;
             }
@@ -314,9 +359,20 @@ static int root_cells(double need)
     return (int)ceil(ldexp(need, -halvings) - 1e-9);
 }
 
-/* Widths in the plane are powers of two near the true ones: then the lines of all cells are at
- * places where circles through corners of cells are decided without much ado. */
-static void lay_out(const bat_lattice *l, int k, const needs *n, double least)
+static bool any_needed(const bat_lattice *l, const needs *n)
+{
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i + 1 < l->axis[k].count; i++)
+            if (n->need[k][i] > 1)
+                return true;
+    return false;
+}
+
+/* In the plane the cells that are needed are about square, however long they are: so triangles
+ * between them are as long as the surface allows. Where none are needed the lengths are the
+ * true ones. Widths are powers of two: then the lines of all cells are at places where circles
+ * through corners of cells are decided without much ado. */
+static void lay_out(const bat_lattice *l, int k, const needs *n, bool bends, double least)
 {
     const bat_lattice_axis *axis = &l->axis[k];
     const double period = l->sheet->domain[k].b - l->sheet->domain[k].a;
@@ -327,7 +383,8 @@ static void lay_out(const bat_lattice *l, int k, const needs *n, double least)
         axis->cells[i] = root_cells(n->need[k][i]);
         if (all_around && axis->count < 4)
             axis->cells[i] = bat_max_int(axis->cells[i], 4 - (axis->count - 1));
-        const double width = bat_max(length / axis->cells[i], least);
+        const double mean = n->weight[k][i] > 0 ? n->mean[k][i] / n->weight[k][i] : 1;
+        const double width = (bends ? mean : bat_max(length, least)) / axis->cells[i];
         axis->x[i + 1] = axis->x[i] + axis->cells[i] * ldexp(1, ilogb(width * 1.4142));
     }
 }
@@ -351,8 +408,9 @@ static batten_status choose_cells(bat_lattice *l, const bat_meshing *m, needs *n
         choose_samples(&l->axis[k], &s[k]);
         n->need[k] = bat_array(intervals, sizeof(double));
         n->length[k] = bat_array(intervals, sizeof(double));
+        n->mean[k] = bat_array(intervals, sizeof(double));
         n->weight[k] = bat_array(intervals, sizeof(double));
-        if (!n->need[k] || !n->length[k] || !n->weight[k])
+        if (!n->need[k] || !n->mean[k] || !n->length[k] || !n->weight[k])
             status = BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
@@ -363,7 +421,7 @@ static batten_status choose_cells(bat_lattice *l, const bat_meshing *m, needs *n
     if (status == BATTEN_OK && !(isfinite(total) && total > 0))
         status = bat_fail(BATTEN_SINGULAR_HERE, "the surface has no size: %g", total);
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
-        lay_out(l, k, n, 1e-6 * total);
+        lay_out(l, k, n, any_needed(l, n), 1e-6 * total);
     if (status == BATTEN_OK)
         scale_plane(l);
     return status;
@@ -383,6 +441,7 @@ batten_status bat_lattice_begin(bat_lattice *l, const bat_meshing *m, const bat_
     for (int k = 0; k < 2; k++) {
         bat_release(n.need[k]);
         bat_release(n.length[k]);
+        bat_release(n.mean[k]);
         bat_release(n.weight[k]);
     }
     bat_release(s);

@@ -1,7 +1,7 @@
 /*
  * Where a face needs points: cells in (u, v) over which two triangles are near enough, in a
- * plane that shows the surface with about its own lengths. Lines along which the surface has a
- * crease are lines between cells.
+ * plane in which they are about square. Lines along which the surface has a crease are lines
+ * between cells.
  */
 #ifndef BAT_MESH_LATTICE_H
 #define BAT_MESH_LATTICE_H
@@ -43,5 +43,11 @@ typedef struct {
     double turn[2];   /* |n_u|, |n_v| */
 } bat_lattice_bounds;
 void bat_lattice_bound(const double *derivatives, bat_lattice_bounds *bounds);
+
+/* Across a cell the surface may rise by so much of the cell's width the other way. */
+static inline double bat_lattice_tilt(const bat_meshing *m)
+{
+    return bat_min(m->angle, 0.35);
+}
 
 #endif

@@ -61,7 +61,9 @@ static batten_status judge(const bat_lattice *l, const bat_meshing *m, const cel
     const double mixed = 2 * h[0] * h[1] * most.bend[1] / (8 * m->fine);
     double rise = mixed, turn = 0, reach = 0;
     for (int k = 0; k < 2; k++) {
-        const double own = h[k] * h[k] * bend[k] / (8 * m->fine);
+        const double tilted = bat_lattice_tilt(m) * h[1 - k] * most.length[1 - k];
+        const double own =
+            h[k] * h[k] * bend[k] / (8 * (tilted > 0 ? bat_min(m->fine, tilted) : m->fine));
         const double angle = h[k] * most.turn[k] / m->angle;
         const double length = h[k] * most.length[k];
         rise += own;

@@ -156,7 +156,7 @@ static batten_status measure(const dividing *d, batten_mesh_report *report)
 {
     const double n = d->parts;
     double p[3];
-    *report = (batten_mesh_report){.failed = 0};
+    *report = (batten_mesh_report){.asked = d->chord};
     for (int t = 0; t < d->count; t++)
         for (int row = 0; row < d->parts; row++)
             for (int k = 0; k <= row; k++) {
@@ -176,6 +176,7 @@ static batten_status measure(const dividing *d, batten_mesh_report *report)
                                              d->points[3 * (b + 1) + (size_t)i]) /
                                                 3);
                 report->chord = bat_max(report->chord, off);
+                report->beyond += off > d->chord;
                 const double *at_a = &d->normals[3 * a], *at_b = &d->normals[3 * b];
                 const double turn =
                     bat_max(angle_between(at_a, at_b), bat_max(angle_between(at_a, at_b + 3),

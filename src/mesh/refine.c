@@ -88,22 +88,12 @@ static bool cross_crease(const bat_face_mesh *f, const bat_side_triangle *t, dou
     return false;
 }
 
-/* How far the edges at its corners are from the surface: nearer to it the triangle cannot be.
- */
-static double off_of(const bat_face_mesh *f, const bat_side_triangle *t)
-{
-    double off = 0;
-    for (int k = 0; k < 3; k++)
-        off = bat_max(off, f->vertices[t->corner[k]].off);
-    return off;
-}
-
 /* How far the surface is from the triangle at the samples; the worst one where a point can be
  * put in, else -1. */
 static int measure(const bat_face_mesh *f, bat_side_triangle *t, const double (*points)[3])
 {
     const double *c[3];
-    double worst = f->m->fine + off_of(f, t);
+    double worst = bat_meshing_limit(f->m, f->m->fine, bat_face_off(f, t));
     int place = -1;
     for (int k = 0; k < 3; k++)
         c[k] = f->vertices[t->corner[k]].point;
@@ -148,7 +138,8 @@ static int turn_and_length(const bat_face_mesh *f, bat_side_triangle *t)
 }
 
 /* Does the triangle look away from where the surface looks? Where edges miss the surface, or
- * fold, small ones do so however often they are divided: what is within the chord may. */
+ * fold, or u and v run nearly the same way, small and thin ones do so however often they are
+ * divided: what is within the chord may. */
 static bool is_turned(const bat_face_mesh *f, const bat_side_triangle *t)
 {
     const double *p[3];
@@ -163,13 +154,16 @@ static bool is_turned(const bat_face_mesh *f, const bat_side_triangle *t)
         a[i] = p[1][i] - p[0][i];
         b[i] = p[2][i] - p[0][i];
     }
+    double n[3];
+    for (int i = 0; i < 3; i++)
+        n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
     for (int k = 0; k < 3; k++) {
         const bat_face_vertex *v = &f->vertices[t->corner[k]];
         for (int i = 0; i < 3 && v->regular; i++)
-            sum += v->normal[i] *
-                   (a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+            sum += v->normal[i] * n[i];
     }
-    return sum < 0;
+    const double height = hypot(hypot(n[0], n[1]), n[2]) / longest;
+    return sum < 0 && height > 0.25 * f->m->chord;
 }
 
 /* The middle, in the plane, of the longest edge that is no side; false when all are sides. */
@@ -191,6 +185,15 @@ static bool middle_of_longest(const bat_face_mesh *f, const bat_side_triangle *t
  * triangles need points close by. */
 static const double widest = -0.9995, nearest = 0.01;
 
+/* The side that the last point was too near to is too long. */
+static batten_status blame_side(bat_face_mesh *f)
+{
+    const int a = f->sides.near[0], b = f->sides.near[1];
+    int index;
+    return a < 0 ? BATTEN_OK
+                 : bat_pairs_add(&f->tight, bat_min_int(a, b), bat_max_int(a, b), &index);
+}
+
 /* Put a point into one triangle, when it needs one. */
 static batten_status mend(bat_face_mesh *f, const batch *b, int index)
 {
@@ -207,6 +210,7 @@ static batten_status mend(bat_face_mesh *f, const batch *b, int index)
         place = 0;
     if (place < 0)
         return BATTEN_OK;
+    const bool is_beyond = t->miss > bat_meshing_limit(f->m, f->m->chord, bat_face_off(f, t));
     double at[2], other_place[2];
     bool added = false, is_at_pole = false;
     for (int k = 0; k < 3; k++)
@@ -220,6 +224,8 @@ static batten_status mend(bat_face_mesh *f, const batch *b, int index)
     batten_status status = bat_face_insert(f, at, widest, nearest, &added);
     if (status == BATTEN_OK && !added && has_other)
         status = bat_face_insert(f, other_place, widest, nearest, &added);
+    if (status == BATTEN_OK && !added && is_beyond)
+        status = blame_side(f);
     return status;
 }
 

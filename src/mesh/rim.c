@@ -336,3 +336,14 @@ batten_status bat_rim_triangles(bat_rim *rim, const bat_lattice *lattice, bat_si
         bat_sides_end(sides);
     return status;
 }
+
+batten_status bat_rim_refine(const bat_rim *rim, const bat_pairs *between, bat_pairs *splits)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && between->count && i < rim->count; i++) {
+        const int a = rim->vertex_of[i], b = rim->vertex_of[rim->corners[i].next];
+        if (bat_pairs_find(between, bat_min_int(a, b), bat_max_int(a, b)) >= 0)
+            status = refine(rim, i, splits);
+    }
+    return status;
+}

@@ -35,5 +35,8 @@ void bat_rim_box(const bat_rim *rim, batten_interval box[2]);
  */
 batten_status bat_rim_triangles(bat_rim *rim, const bat_lattice *lattice, bat_sides *sides,
                                 bat_pairs *splits, bool *is_simple);
+/* `splits` gets the segments between these pairs of vertices (the lesser first) of the
+ * triangles. */
+batten_status bat_rim_refine(const bat_rim *rim, const bat_pairs *between, bat_pairs *splits);
 
 #endif

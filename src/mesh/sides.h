@@ -27,7 +27,8 @@ typedef struct {
     int count, room;
     bat_side_triangle *triangles; /* [count]; they fill the hull of the first points */
     int stamp, last;
-    int *list; /* scratch, [list_room] */
+    int near[2]; /* the side that the last point not taken was too near to; -1: none */
+    int *list;   /* scratch, [list_room] */
     int list_room;
     bool *waiting; /* scratch of bat_sides_settle */
 } bat_sides;

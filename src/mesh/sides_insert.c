@@ -98,8 +98,12 @@ static bool find_rim(bat_sides *s, const double *p, int cavity, double widest, d
                 continue;
             const double *a = at(s, here->corner[after(k)]),
                          *b = at(s, here->corner[before(k)]);
-            if (bat_orientation(p, a, b) <= 0 || (fixed && is_near(p, a, b, widest, nearest)))
+            const bool too_near = fixed && is_near(p, a, b, widest, nearest);
+            if (bat_orientation(p, a, b) <= 0 || too_near) {
+                s->near[0] = too_near ? here->corner[after(k)] : -1;
+                s->near[1] = too_near ? here->corner[before(k)] : -1;
                 return false;
+            }
             s->list[cavity + (*count)++] = 3 * s->list[i] + k;
         }
     }
@@ -149,7 +153,7 @@ batten_status bat_sides_insert(bat_sides *s, const double point[2], double wides
                                double nearest, int *vertex)
 {
     int cavity = 0, rim = 0;
-    *vertex = -1;
+    *vertex = s->near[0] = s->near[1] = -1;
     const int t = locate(s, point);
     if (t < 0)
         return BATTEN_OK;

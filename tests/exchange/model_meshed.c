@@ -2,7 +2,9 @@
 #include "support/test.h"
 
 #include <batten/model.h>
+#include <batten/skin.h>
 #include <batten/standard.h>
+#include <string.h>
 
 static void add(batten_model *model, const batten_object *object)
 {
@@ -121,4 +123,61 @@ TEST(faces_of_one_colour_give_it_to_the_mesh)
     CHECK(batten_mesh_view(object->mesh)->triangle_colours == NULL);
     batten_model_unref(meshed);
     batten_model_unref(model);
+}
+
+/* A quarter of a cylinder with the radius 10 in a body with edges that are `off` it outwards.
+ */
+static batten_model *with_edges_off(double off)
+{
+    batten_model *model = NULL;
+    batten_body *around = NULL, *body = NULL;
+    batten_surface *quarters[2] = {NULL, NULL};
+    for (int i = 0; i < 2; i++) {
+        batten_curve *flat = NULL, *arc = NULL;
+        CHECK_OK(batten_curve_arc(i ? 10 + off : 10, 1.5, &flat));
+        CHECK_OK(batten_curve_to_dimension(flat, 3, &arc));
+        CHECK_OK(batten_surface_extruded(arc, (batten_vec3){0, 0, 30}, &quarters[i]));
+        batten_curve_unref(flat);
+        batten_curve_unref(arc);
+    }
+    CHECK_OK(batten_body_of_surface("quarter", quarters[1], 1e-9, &around));
+    batten_body_parts parts = *batten_body_view(around);
+    batten_body_face face = parts.faces[0];
+    face.surface = quarters[0];
+    parts.faces = &face;
+    CHECK_OK(batten_body_create(&parts, &body));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add(model, &(batten_object){.name = "sheet", .kind = BATTEN_OBJECT_BODY, .body = body});
+    batten_body_unref(body);
+    batten_body_unref(around);
+    batten_surface_unref(quarters[0]);
+    batten_surface_unref(quarters[1]);
+    return model;
+}
+
+TEST(a_chord_that_is_not_met_is_a_note_with_the_reason)
+{
+    static const char what[] = "the chord of 0.02 is not met: ";
+    for (int i = 0; i < 2; i++) {
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_model *model = with_edges_off(i ? 0.05 : 0.015), *meshed = NULL;
+        batten_notes *notes = NULL;
+        int found = 0;
+        options.chord = 0.02;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_model_meshed(model, &options, NULL, notes, &meshed));
+        for (int k = 0; k < batten_notes_count(notes); k++) {
+            const batten_note *note = batten_notes_at(notes, k);
+            if (strncmp(note->text, what, sizeof what - 1) != 0)
+                continue;
+            found++;
+            CHECK(!note->is_remark);
+            CHECK_TEXT(note->entity, "sheet");
+            CHECK_CONTAINS(note->text, "edges are up to 0.05 off their faces");
+        }
+        CHECK(i ? found > 0 || batten_notes_dropped(notes) > 0 : found == 0);
+        batten_notes_free(notes);
+        batten_model_unref(meshed);
+        batten_model_unref(model);
+    }
 }

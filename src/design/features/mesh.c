@@ -24,7 +24,7 @@ static batten_status mesh_shape(const bat_run *run, const batten_object *object,
 }
 
 static void say(bat_run *run, const batten_object *object, const batten_mesh *mesh,
-                const batten_mesh_options *options, const batten_mesh_report *report)
+                const batten_mesh_report *report)
 {
     const int count = batten_mesh_view(mesh)->triangle_count;
     bat_remark(run, "'%.60s': %d triangles, at most %g from the shape", object->name, count,
@@ -33,9 +33,12 @@ static void say(bat_run *run, const batten_object *object, const batten_mesh *me
     if (report->failed > 0)
         bat_note(run, "'%.60s': %d face%s not in the mesh", object->name, report->failed,
                  report->failed == 1 ? " is" : "s are");
-    if (options->chord > 0 && report->chord > options->chord)
-        bat_note(run, "'%.60s': triangles are up to %g from the shape, more than 'chord'",
-                 object->name, report->chord);
+    if (report->beyond > 0)
+        bat_note(
+            run,
+            "'%.60s': %d triangles are up to %g from the shape, more than 'chord', %g; edges "
+            "there are up to %g off their faces",
+            object->name, report->beyond, report->chord, report->asked, report->off);
 }
 
 static batten_status add_mesh(bat_run *run, const batten_object *object,
@@ -54,7 +57,7 @@ static batten_status add_mesh(bat_run *run, const batten_object *object,
     made.mesh = mesh;
     status = batten_model_add(run->model, &made);
     if (status == BATTEN_OK)
-        say(run, object, mesh, options, &report);
+        say(run, object, mesh, &report);
     batten_mesh_unref(mesh);
     return status;
 }
