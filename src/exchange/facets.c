@@ -213,8 +213,7 @@ void bat_remark_unit(const batten_model *model, const char *title, batten_notes 
                             unit);
 }
 
-void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name,
-                     batten_notes *notes)
+int bat_count_flat(const batten_mesh *mesh)
 {
     const batten_mesh_parts *p = batten_mesh_view(mesh);
     int flat = 0;
@@ -225,7 +224,14 @@ void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name
                          p->points + 3 * (size_t)t[2], n);
         flat += n[0] == 0 && n[1] == 0 && n[2] == 0;
     }
+    return flat;
+}
+
+void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name,
+                     batten_notes *notes)
+{
+    const int flat = bat_count_flat(mesh);
     if (flat)
         batten_notes_remark(notes, file, 0, name, "%d of %d triangles have no area; kept", flat,
-                            p->triangle_count);
+                            batten_mesh_view(mesh)->triangle_count);
 }

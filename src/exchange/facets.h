@@ -40,8 +40,20 @@ bat_span bat_name_core(const char *name, const char *otherwise);
 
 /* Say in which unit the numbers of a file without units are. */
 void bat_remark_unit(const batten_model *model, const char *title, batten_notes *notes);
+/* Triangles without area. */
+int bat_count_flat(const batten_mesh *mesh);
 /* How often has a mesh triangles without area? A remark says so. */
 void bat_remark_flat(const batten_mesh *mesh, const char *file, const char *name,
                      batten_notes *notes);
+
+/*
+ * The mesh of an object as a format keeps it that has 32 bits for each coordinate, times
+ * `scale` (rounded_mesh.c): without the triangles of which rounding makes two corners one,
+ * which leaves a closed mesh closed, with its coordinates as they were. A remark says how many
+ * those are, a note what else is worse than it was: triangles without area, edges of more than
+ * two triangles, a rim.
+ */
+batten_status bat_rounded_mesh(const batten_object *object, double scale, batten_notes *notes,
+                               batten_mesh **out);
 
 #endif

@@ -303,6 +303,22 @@ static batten_status put_mesh(writing *w, const batten_object *object)
     return status;
 }
 
+/* Without the triangles that rounding takes away; a mesh of nothing else stays as it is, since
+ * glTF has none without triangles. */
+static batten_status put_rounded(writing *w, const batten_object *object)
+{
+    batten_object shown = *object;
+    batten_mesh *rounded = NULL;
+    batten_status status = bat_rounded_mesh(object, w->unit, w->notes, &rounded);
+    if (status != BATTEN_OK)
+        return status;
+    if (batten_mesh_view(rounded)->triangle_count > 0)
+        shown.mesh = rounded;
+    status = put_mesh(w, &shown);
+    batten_mesh_unref(rounded);
+    return status;
+}
+
 static batten_status put_meshes(writing *w)
 {
     batten_status status = BATTEN_OK;
@@ -311,7 +327,7 @@ static batten_status put_meshes(writing *w)
         for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
             const batten_object *object = batten_model_object(model, k);
             if (object->mesh && batten_mesh_view(object->mesh)->triangle_count) {
-                status = put_mesh(w, object);
+                status = put_rounded(w, object);
                 w->mesh_of[w->definitions.first[i] + k] = w->mesh_count;
             } else if (!object->mesh && !object->definition)
                 batten_notes_add(w->notes, "", 0, object->name,

@@ -7,19 +7,6 @@
 
 enum { HEADER = 80, FACET = 50 };
 
-/* Triangles of all objects together. */
-static batten_status count_triangles(const batten_model *model, uint32_t *count)
-{
-    uint64_t sum = 0;
-    for (int i = 0; i < batten_model_count(model); i++)
-        sum += (uint64_t)batten_mesh_view(batten_model_object(model, i)->mesh)->triangle_count;
-    if (sum > UINT32_MAX)
-        return bat_fail(BATTEN_TOO_LARGE, "%.0f triangles are more than an STL file counts",
-                        (double)sum);
-    *count = (uint32_t)sum;
-    return BATTEN_OK;
-}
-
 /* ---- bytes ---- */
 
 typedef struct {
@@ -38,9 +25,10 @@ static void put_float(char *bytes, double value)
 }
 
 /* The normal is that of the rounded corners: so that what is read is written the same. */
-static batten_status put_facet(writing *w, const batten_object *object, int index)
+static batten_status put_facet(writing *w, const batten_object *object, const batten_mesh *mesh,
+                               int index)
 {
-    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    const batten_mesh_parts *p = batten_mesh_view(mesh);
     double corners[9], normal[3];
     char bytes[FACET] = {0};
     for (int k = 0; k < 9; k++) {
@@ -62,22 +50,53 @@ static batten_status put_facet(writing *w, const batten_object *object, int inde
     return BATTEN_OK;
 }
 
-static batten_status write_bytes(const batten_model *model, batten_notes *notes,
-                                 batten_text *text)
+/* The mesh of each object without the triangles that rounding takes away, and the triangles of
+ * all together. */
+static batten_status round_meshes(const batten_model *model, batten_notes *notes,
+                                  batten_mesh **rounded, uint32_t *count)
+{
+    batten_status status = BATTEN_OK;
+    uint64_t sum = 0;
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
+        status = bat_rounded_mesh(batten_model_object(model, i), 1, notes, &rounded[i]);
+        if (status == BATTEN_OK)
+            sum += (uint64_t)batten_mesh_view(rounded[i])->triangle_count;
+    }
+    if (status == BATTEN_OK && sum > UINT32_MAX)
+        return bat_fail(BATTEN_TOO_LARGE, "%.0f triangles are more than an STL file counts",
+                        (double)sum);
+    *count = (uint32_t)sum;
+    return status;
+}
+
+static batten_status put_meshes(writing *w, const batten_model *model, batten_notes *notes)
 {
     /* Must not begin with "solid": some programs would take it for the readable form. */
     static const char header[HEADER] = "Batten, binary STL";
-    writing w = {text, 0};
+    const int objects = batten_model_count(model);
+    batten_mesh **rounded = bat_array((size_t)objects, sizeof *rounded);
     uint32_t count = 0;
-    batten_status status = count_triangles(model, &count);
-    batten_text_bytes(text, header, HEADER);
-    bat_bytes_put(text, count, 4);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const batten_object *object = batten_model_object(model, i);
-        const int triangles = batten_mesh_view(object->mesh)->triangle_count;
+    if (!rounded)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = round_meshes(model, notes, rounded, &count);
+    batten_text_bytes(w->text, header, HEADER);
+    bat_bytes_put(w->text, count, 4);
+    for (int i = 0; status == BATTEN_OK && i < objects; i++) {
+        const int triangles = batten_mesh_view(rounded[i])->triangle_count;
         for (int k = 0; status == BATTEN_OK && k < triangles; k++)
-            status = put_facet(&w, object, k);
+            status = put_facet(w, batten_model_object(model, i), rounded[i], k);
     }
+    for (int i = 0; i < objects; i++)
+        batten_mesh_unref(rounded[i]);
+    bat_release(rounded);
+    return status;
+}
+
+static batten_status write_bytes(const batten_model *model, batten_notes *notes,
+                                 batten_text *text)
+{
+    writing w = {text, 0};
+    const batten_status status = put_meshes(&w, model, notes);
     if (status == BATTEN_OK && w.error > 0)
         batten_notes_remark(notes, "", 0, "",
                             "coordinates are rounded to 32 bits: at most %.3g off", w.error);
