@@ -126,6 +126,8 @@ typedef struct batten_trace_report {
     int loose; /**< faces whose edges are farther off than the tolerance: `miss` says how far */
     int failed; /**< faces whose edges do not lie on them, or whose loops cannot be closed in
                      (u, v): they are not in the result */
+    int rims;   /**< borders of surfaces put in as edges, for one loop only goes around a face:
+                     free edges that the given body did not have */
 } batten_trace_report;
 /**
  * The same body with everything that work in (u, v) needs: every use has a parameter curve B
@@ -169,10 +171,11 @@ BATTEN_API batten_status batten_body_trace(const batten_body *body, double toler
 
 typedef struct batten_body_measures {
     double area;
-    double volume;                   /**< within the shells; of a body that is not closed, 0 */
-    double centroid[3];              /**< of the volume, or of the area when it is not closed */
-    double edge_length;              /**< every edge once */
-    bool is_closed;                  /**< every edge has two uses, one each way */
+    double volume;      /**< within the shells; of a body that is not closed, 0 */
+    double centroid[3]; /**< of the volume, or of the area when it is not closed */
+    double edge_length; /**< every edge once */
+    bool is_closed;     /**< every edge has two uses, one each way, and no face ends where its
+                             surface does for want of a loop */
     double area_error, volume_error; /**< from two rules of integration, and the tracing */
 } batten_body_measures;
 /**

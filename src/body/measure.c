@@ -150,6 +150,7 @@ static batten_status integrate(total *t, double precision, const batten_job *job
 {
     const double size = t->rules.size;
     batten_status status = find_closed(t, &out->is_closed);
+    out->is_closed = out->is_closed && t->traced->rims == 0;
     t->rules.area_precision = t->rules.volume_precision = precision;
     if (status == BATTEN_OK)
         status = add_faces(t, job);

@@ -96,6 +96,7 @@ static batten_status border_edge(bat_relink *r, bool upper, int *vertex, int *ed
     if (status == BATTEN_OK)
         status = bat_builder_edge(&r->trace->builder, rim, *vertex, *vertex, edge);
     r->trace->report.poles += status == BATTEN_OK && chart->pole[side];
+    r->face->rims += status == BATTEN_OK && !chart->pole[side];
     if (status == BATTEN_OK && !chart->pole[side])
         bat_trace_note(r->trace, r->face,
                        "one loop goes around it; the border of its surface is the other");

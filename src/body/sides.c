@@ -338,6 +338,7 @@ batten_status bat_trace_put(bat_trace *trace, bat_trace_face *face)
     for (int i = 0; status == BATTEN_OK && outer && i < n; i++)
         if (areas[i] > 0)
             status = put_face(trace, face, areas, i, outer == 1);
+    trace->report.rims += status == BATTEN_OK ? face->rims : 0;
     bat_release(areas);
     return status;
 }

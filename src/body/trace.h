@@ -40,6 +40,7 @@ typedef struct {
     bat_trace_loops loops;
     double seam[2]; /* where the surface is cut */
     bool cut[2];    /* loops crossed the cut there */
+    int rims;       /* borders of the surface that became edges */
 } bat_trace_face;
 
 typedef struct {

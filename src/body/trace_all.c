@@ -100,12 +100,14 @@ static batten_status trace_round(const batten_body_parts *from, double tolerance
                                  const batten_job *job, bat_traced_all *all)
 {
     batten_body *some = NULL, *traced = NULL;
+    batten_trace_report report = {0};
     batten_status status = take_faces(from, all->is_failed, &some);
     if (status == BATTEN_OK)
-        status = batten_body_trace(some, tolerance, job, NULL, NULL, &traced);
+        status = batten_body_trace(some, tolerance, job, NULL, &report, &traced);
     if (status == BATTEN_OK)
         status = keep(traced, tolerance, all);
     batten_body_unref(some);
+    all->rims += report.rims;
     all->failed = 0;
     for (int f = 0; f < from->face_count; f++)
         all->failed += all->is_failed[f];

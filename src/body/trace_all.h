@@ -22,6 +22,7 @@ typedef struct {
     bat_traced at[BAT_TRACE_ROUNDS];
     int failed;      /* faces of the given body that could not be traced */
     bool *is_failed; /* whether each of them; NULL when none is */
+    int rims;        /* borders of surfaces that became edges: free ones */
 } bat_traced_all;
 
 /* Has every face its loops, and every use its parameters? */

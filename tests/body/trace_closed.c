@@ -81,3 +81,36 @@ TEST(the_area_in_a_loop_does_not_depend_on_where_the_seams_are)
     batten_surface_unref(surfaces[0]);
     batten_surface_unref(surfaces[1]);
 }
+
+/* A disc and a cylinder share their circle; the cylinder ends where its surface does, at a rim
+ * that no loop says. It is no closed body then, although every edge it was given has two uses.
+ */
+TEST(a_body_whose_face_ends_with_its_surface_is_not_closed)
+{
+    hand m = hand_begin();
+    batten_surface *plane = NULL;
+    batten_body *body = NULL;
+    batten_trace_report report;
+    batten_body_measures measures;
+    hand_arc(&m, 3, 1, 0, 360);
+    CHECK_OK(batten_surface_bilinear((batten_vec3){-4, -4, 1}, (batten_vec3){4, -4, 1},
+                                     (batten_vec3){-4, 4, 1}, (batten_vec3){4, 4, 1}, &plane));
+    hand_face(&m, plane, true);
+    HAND_LOOP(&m, -1);
+    hand_face(&m, hand_cylinder(3, 6), false);
+    HAND_LOOP(&m, 1);
+    CHECK_OK(batten_body_create(&m.builder.parts, &body));
+    bat_builder_end(&m.builder);
+    batten_body *traced = NULL;
+    CHECK_OK(batten_body_trace(body, 1e-6, NULL, NULL, &report, &traced));
+    CHECK_INT(report.rims, 1);
+    CHECK_INT(report.failed, 0);
+    for (int k = 0; k < 2; k++) {
+        CHECK_OK(batten_body_measure(k ? traced : body, 1e-9, NULL, &measures));
+        CHECK(!measures.is_closed);
+        CHECK_BITS(measures.volume, 0);
+        CHECK_NEAR(measures.area, 9 * acos(-1) + 6 * acos(-1) * 5, 1e-6);
+    }
+    batten_body_unref(traced);
+    batten_body_unref(body);
+}
