@@ -127,6 +127,14 @@ static outcome read_and_write(const char *text, batten_format format, char *room
     return o;
 }
 
+/* Is something else read, and the same said of it? */
+static bool is_quiet(const outcome *plain, const outcome *bent)
+{
+    return bent->status == plain->status && strcmp(bent->said, plain->said) == 0 &&
+           bent->bytes &&
+           (bent->size != plain->size || memcmp(bent->bytes, plain->bytes, bent->size) != 0);
+}
+
 /* Where a number of any entity is replaced, the reader says so, or reads the same as before. */
 static void check_never_quiet(const char *const *numbers, int count)
 {
@@ -150,11 +158,7 @@ static void check_never_quiet(const char *const *numbers, int count)
                     (strlen(room) != size || at % 81 + strlen(numbers[i]) > 64))
                     continue; /* there is no room for it in the record */
                 const outcome bent = read_and_write(room, format, said);
-                const bool same =
-                    bent.status == plain.status && strcmp(bent.said, plain.said) == 0;
-                const bool is_lost = same && bent.bytes &&
-                                     (bent.size != plain.size ||
-                                      memcmp(bent.bytes, plain.bytes, bent.size) != 0);
+                const bool is_lost = is_quiet(&plain, &bent);
                 if (is_lost)
                     printf("%s: %s for %.*s at byte %zu\n", seeds[s].file, numbers[i],
                            (int)length, text + at, at);
@@ -176,4 +180,49 @@ TEST(N3_a_number_too_small_for_a_double_is_told_by_each_reader)
 {
     static const char *const numbers[] = {"1e-400"};
     check_never_quiet(numbers, COUNT(numbers));
+}
+
+/* Where the next reference of STEP stands in the parameters of an instance, and its length. */
+static bool next_reference(const char *text, size_t *at, size_t *length)
+{
+    for (size_t i = *at; text[i]; i++)
+        if (text[i] == '#' && i > 0 && text[i - 1] != '\n') {
+            *at = i;
+            *length = 1 + strspn(text + i + 1, "0123456789");
+            return true;
+        }
+    return false;
+}
+
+TEST(P1_a_reference_to_nothing_is_never_lost_quietly)
+{
+    /* $ may stand for directions that follow from the others. */
+    static const char *const instead[] = {"#99999", "''"};
+    char *said = test_array(ROOM, 1), *said_plain = test_array(ROOM, 1);
+    int lost = 0;
+    if (test_cases(1000) < 1000)
+        SKIP("the allocations are those of other tests");
+    for (int s = 0; s < COUNT(seeds); s++) {
+        char path[300];
+        size_t size = 0, length = 0;
+        if (seeds[s].format != BATTEN_FORMAT_STEP)
+            continue;
+        snprintf(path, sizeof path, "%s/fuzz/corpus/%s", TESTS_SOURCE, seeds[s].file);
+        const char *text = load_bytes(path, &size);
+        char *room = test_array(size + 100, 1);
+        const outcome plain = read_and_write(text, BATTEN_FORMAT_STEP, said_plain);
+        for (size_t at = 0; next_reference(text, &at, &length); at += length)
+            for (int i = 0; i < COUNT(instead); i++) {
+                sprintf(room, "%.*s%s%s", (int)at, text, instead[i], text + at + length);
+                const outcome bent = read_and_write(room, BATTEN_FORMAT_STEP, said);
+                if (is_quiet(&plain, &bent)) {
+                    printf("%s: %s for %.*s at byte %zu: %.60s\n", seeds[s].file, instead[i],
+                           (int)length, text + at, at, text + (at > 40 ? at - 40 : 0));
+                    lost++;
+                }
+                batten_release(bent.bytes);
+            }
+        batten_release(plain.bytes);
+    }
+    CHECK_INT(lost, 0);
 }

@@ -151,6 +151,26 @@ static batten_status tie(bat_step_import *import)
 
 /* ---- what they are the shape of ---- */
 
+/* The last failure, which costs a name alone. */
+static void note_nameless(const bat_step_file *file)
+{
+    const bat_input *input = file->input;
+    int line = 0;
+    const char *reason = bat_input_reason(input, &line);
+    batten_notes_add(input->notes, input->file, line, "", "%.400s; a product loses its name",
+                     reason);
+}
+
+/* From the definition over its formation to the product, which has the name. */
+static void check_product(const bat_step_file *file, const bat_step_instance *definition)
+{
+    const bat_step_instance *formation = NULL, *product = NULL;
+    if (bat_step_get_reference(file, bat_step_first(file, definition), 2, &formation) !=
+            BATTEN_OK ||
+        bat_step_get_reference(file, bat_step_first(file, formation), 2, &product) != BATTEN_OK)
+        note_nameless(file);
+}
+
 static void read_definition(bat_step_import *import, const bat_step_instance *instance)
 {
     const bat_step_file *file = &import->file;
@@ -158,20 +178,27 @@ static void read_definition(bat_step_import *import, const bat_step_instance *in
     const bat_step_instance *property = NULL, *shape = NULL, *of = NULL;
     char keyword[BAT_STEP_KEYWORD_SIZE];
     if (bat_step_get_reference(file, record, 0, &property) != BATTEN_OK ||
-        bat_step_get_reference(file, record, 1, &shape) != BATTEN_OK)
+        bat_step_get_reference(file, record, 1, &shape) != BATTEN_OK) {
+        note_nameless(file);
         return;
+    }
     bat_step_representation *representation = bat_step_representation_of(import, shape);
-    if (!representation ||
-        bat_step_get_reference(file, bat_step_first(file, property), 2, &of) != BATTEN_OK)
+    if (!representation)
         return;
+    if (bat_step_get_reference(file, bat_step_first(file, property), 2, &of) != BATTEN_OK) {
+        note_nameless(file);
+        return;
+    }
     bat_step_representation *definition =
         (bat_step_representation *)import->representations.items + representation->first;
     bat_step_keyword(file, of, keyword);
     if (bat_step_as(file, of, "PRODUCT_DEFINITION") ||
         bat_step_as(file, of, "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS")) {
         definition->is_product = true;
-        if (!definition->product)
+        if (!definition->product) {
             definition->product = of;
+            check_product(file, of);
+        }
     } else if (bat_step_as(file, of, "SHAPE_ASPECT") || bat_step_as(file, of, "DATUM") ||
                bat_step_as(file, of, "DATUM_FEATURE")) {
         definition->is_aspect = true;
