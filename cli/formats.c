@@ -11,11 +11,12 @@ static const char *const kept[] = {
         "the stations",
     [BATTEN_FORMAT_AEROFOIL] = "one row of points x, y, and a name",
     [BATTEN_FORMAT_IGES] = "curves, surfaces, bodies (written face by face); names, colours, "
-                           "levels, groups, unit",
+                           "levels, groups, what is hidden, unit",
     [BATTEN_FORMAT_STEP] =
         "curves, surfaces, faces, shells, solids, assemblies; names, colours, "
-        "layers, groups, unit; meshes in AP242",
-    [BATTEN_FORMAT_DXF] = "lines, polylines, arcs, ellipses, splines; layers, colours, unit; "
+        "layers, groups, what is hidden, unit; meshes in AP242",
+    [BATTEN_FORMAT_DXF] = "lines, polylines, arcs, ellipses, splines; layers, colours, what is "
+                          "hidden, unit; "
                           "blocks are read where they are inserted",
     [BATTEN_FORMAT_SVG] =
         "curves as seen along z, at true scale; text and pictures are not read",
@@ -23,9 +24,10 @@ static const char *const kept[] = {
     [BATTEN_FORMAT_G2] = "curves, surfaces and trimmed faces; colours, no names, no unit",
     [BATTEN_FORMAT_OBJ] = "meshes with normals, free-form curves and surfaces; names, no unit",
     [BATTEN_FORMAT_STL] = "triangles alone, no unit; binary numbers have 7 digits",
-    [BATTEN_FORMAT_PLY] = "a mesh or points, with colours, normals and values; no unit",
-    [BATTEN_FORMAT_GLTF] = "meshes with normals and colours, assemblies; metres",
-    [BATTEN_FORMAT_3MF] = "meshes with colours, assemblies; unit",
+    [BATTEN_FORMAT_PLY] =
+        "a mesh with normals, values, colours of vertices and faces, or points; no unit",
+    [BATTEN_FORMAT_GLTF] = "meshes with normals and colours, also of faces, assemblies; metres",
+    [BATTEN_FORMAT_3MF] = "meshes with colours, also of faces, assemblies; unit",
     [BATTEN_FORMAT_PCD] = "points, their coordinates",
     [BATTEN_FORMAT_FTM] = "the control net of a hull",
     [BATTEN_FORMAT_OFF] = "a mesh, with colours of vertices; no unit",

@@ -137,7 +137,9 @@ static batten_status add_held(void *context, const batten_model *from, int index
     }
     if (object->definition && batten_model_count(object->definition) == 0 &&
         batten_model_count(batten_model_object(from, index)->definition) > 0) {
-        leave_out(s, object);
+        batten_notes_add(s->notes, "", 0, object->name,
+                         "left out: this instance places nothing that %s files hold",
+                         s->row->title);
         return BATTEN_OK;
     }
     if (object->is_hidden && !s->row->hides) {
