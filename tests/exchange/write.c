@@ -178,7 +178,7 @@ TEST(instances_of_what_a_format_does_not_hold_are_left_out)
             CHECK_INT(batten_model_count(prepared), 1);
             CHECK_TEXT(batten_model_object(prepared, 0)->name, "tip");
             if (!batten_notes_dropped(notes))
-                CHECK(has_note(notes, "left out: this ") &&
+                CHECK(has_note(notes, "not this curve") &&
                       (formats[i / 2] == BATTEN_FORMAT_STL ||
                        has_note(notes, "left out: this instance places nothing")));
         }
