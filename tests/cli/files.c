@@ -49,7 +49,7 @@ TEST(W8_a_full_or_closed_standard_output_is_a_failure)
     CHECK_CONTAINS(run.errors, "standard output");
     char line[1024];
     snprintf(line, sizeof line,
-             "for c in 'info %s' 'info %s --json' 'convert %s - --format csv'; do "
+             "for c in 'info %s' 'info %s --json' 'convert %s - --format points'; do "
              "\"$BATTEN\" $c > /dev/full; a=$?; \"$BATTEN\" $c >&-; echo $a $?; done",
              write_table("full.csv"), write_table("full.csv"), write_table("full.csv"));
     CHECK_TEXT(test_shell(line).out, "1 1\n1 1\n1 1\n");
