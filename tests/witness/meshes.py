@@ -20,17 +20,19 @@ def stl(data):
 def ply(data):
     head, body = data.split(b"end_header\n", 1)
     count = {m[0]: int(m[1]) for m in re.findall(rb"element (\w+) (\d+)", head)}
-    names = re.findall(rb"property double (\w+)", head)
+    of_vertex, of_face = head.split(b"element vertex")[1].split(b"element face")
+    names = re.findall(rb"property double (\w+)", of_vertex)
     if b"ascii" in head:
         lines = body.split(b"\n")
         points = [tuple(map(float, l.split()[:3])) for l in lines[:count[b"vertex"]]]
-        faces = [tuple(map(int, l.split()[1:])) for l in lines[count[b"vertex"]:] if l]
+        faces = [tuple(map(int, l.split()[1:4])) for l in lines[count[b"vertex"]:] if l]
     else:
-        size = 8 * len(names) + 3 * (b"uchar red" in head)
+        size = 8 * len(names) + 3 * (b"uchar red" in of_vertex)
+        step = 13 + 3 * (b"uchar red" in of_face)
         points = [struct.unpack_from("<3d", body, size * i) for i in range(count[b"vertex"])]
         at = size * count[b"vertex"]
-        faces = [struct.unpack_from("<3i", body, at + 13 * i + 1) for i in range(count[b"face"])]
-        assert len(body) == at + 13 * len(faces)
+        faces = [struct.unpack_from("<3i", body, at + step * i + 1) for i in range(count[b"face"])]
+        assert len(body) == at + step * len(faces)
     return points, faces
 
 
