@@ -101,7 +101,8 @@ typedef struct batten_mesh_report {
  * again. The chord is met also where edges are off their faces by up to 0.88 of it.
  *
  * What is beyond `most` is refused before the work, by an estimate from second derivatives at
- * samples. A face whose border crosses itself in (u, v) gets finer samples there, then corners
+ * samples; the message has the number and a chord that would do. Triangles along edges are not in
+ * it: the work stops when there are `most`. A face whose border crosses itself in (u, v) gets finer samples there, then corners
  * where its edges truly are, else it is left out. The distance reached is that of samples, four
  * in each triangle, from its plane. Cost: O(n log n) for n triangles; 200,000 of a bicubic
  * surface in half a second.

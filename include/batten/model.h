@@ -110,8 +110,9 @@ BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
  * The same model with its surfaces, Bezier triangles and bodies as meshes, one for each object,
  * under the same name, layer, group and colour. Definitions of instances are meshed once, by
  * what they measure where they are defined. Points, curves, tables and meshes stay.
- * @param options NULL for the defaults
- * @param notes faces that were left out, each with its object; may be NULL
+ * @param options NULL for the defaults; `most` is for all objects together
+ * @param notes faces that were left out, and chords that are not met, each with its object; may
+ * be NULL
  * @return BATTEN_OK, as batten_mesh_of_body, also when faces were left out
  */
 BATTEN_API batten_status batten_model_meshed(const batten_model *model,

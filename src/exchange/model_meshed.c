@@ -7,8 +7,9 @@
 #include <string.h>
 
 typedef struct {
-    unsigned kinds; /* that become meshes */
-    const batten_mesh_options *options;
+    unsigned kinds;              /* that become meshes */
+    batten_mesh_options options; /* most: what the objects before have left of it */
+    int most;
     const batten_job *job;
     batten_notes *notes;
 } meshing;
@@ -53,14 +54,21 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
 {
     batten_mesh_report report = {.failed = 0};
     batten_status status;
+    if (m->options.most == 0 && m->most > 0)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "the shapes before '%.60s' have the %d triangles that are "
+                        "allowed for all",
+                        object->name, m->most);
     if (object->kind == BATTEN_OBJECT_SURFACE)
-        status = batten_mesh_of_surface(object->surface, m->options, m->job, &report, out);
+        status = batten_mesh_of_surface(object->surface, &m->options, m->job, &report, out);
     else if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        status = batten_mesh_of_triangles(object->triangles, m->options, m->job, &report, out);
+        status = batten_mesh_of_triangles(object->triangles, &m->options, m->job, &report, out);
     else
-        status = batten_mesh_of_body(object->body, m->options, m->job, m->notes, &report, out);
+        status = batten_mesh_of_body(object->body, &m->options, m->job, m->notes, &report, out);
     if (status == BATTEN_OK)
         say_chord(object, &report, *out, m->notes);
+    if (status == BATTEN_OK)
+        m->options.most -= bat_min_int(m->options.most, batten_mesh_view(*out)->triangle_count);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
                          report.failed);
@@ -176,7 +184,9 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
                                const batten_mesh_options *options, const batten_job *job,
                                batten_notes *notes, batten_model **out)
 {
-    meshing m = {.kinds = kinds, .options = options, .job = job, .notes = notes};
+    const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
+    meshing m = {
+        .kinds = kinds, .options = chosen, .most = chosen.most, .job = job, .notes = notes};
     return bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
 }
 

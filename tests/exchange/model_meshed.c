@@ -181,3 +181,23 @@ TEST(a_chord_that_is_not_met_is_a_note_with_the_reason)
         batten_model_unref(model);
     }
 }
+
+TEST(S5_what_is_allowed_is_for_all_objects_together)
+{
+    batten_mesh_options options = batten_mesh_defaults();
+    batten_model *model = NULL, *meshed = NULL;
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3});
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < 3; i++)
+        add(model, &(batten_object){.name = i == 2 ? "last" : "box",
+                                    .kind = BATTEN_OBJECT_BODY,
+                                    .body = box});
+    options.most = 24;
+    CHECK_STATUS(batten_model_meshed(model, &options, NULL, NULL, &meshed), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("the shapes before 'last' have the 24 triangles");
+    options.most = 36;
+    CHECK_OK(batten_model_meshed(model, &options, NULL, NULL, &meshed));
+    batten_model_unref(meshed);
+    batten_model_unref(model);
+    batten_body_unref(box);
+}

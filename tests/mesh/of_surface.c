@@ -278,6 +278,14 @@ TEST(S5_what_cannot_be_meshed_is_refused_before_the_work)
     options = with_chord(1e-4);
     options.most = 1000;
     CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("1000 are allowed, for which no chord would do"); /* the angle asks for 900 */
+    options.most = 20000;
+    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("20000 are allowed, for which a chord of 0.0016 would do");
+    options.chord = 0.0016;
+    CHECK_OK(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh));
+    batten_mesh_unref(mesh);
+    mesh = NULL;
     options = with_chord(1e-17);
     CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
