@@ -92,7 +92,7 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     add_corner(text, f->box.low, f->dimension, ", ");
     batten_text_add(text, "], [");
     add_corner(text, f->box.high, f->dimension, ", ");
-    batten_text_add(text, "]]}");
+    batten_text_add(text, f->controls ? "]], \"box_of\": \"control points\"}" : "]]}");
 }
 
 static void add_line(batten_text *text, const batten_object *object, const facts *f)
@@ -257,13 +257,14 @@ const command command_info = {
     .manual =
         "IN is a file of any format that is read ('batten help formats'); file#name means "
         "one object in it, -\n"
-        "standard input. Boxes of curves and surfaces are those of their control points, "
-        "which hold them;\n"
-        "'batten measure' finds the tight ones of curves. What is odd is said too: knots "
-        "that nearly meet,\n"
-        "poles, tiny or free edges, gaps, faces turned against each other, loops that "
-        "touch; --no-lint\n"
-        "leaves that out. Exit status 3 when only a part could be read.",
+        "standard input. Boxes of curves, surfaces and bodies are those of their control "
+        "points, which\n"
+        "hold them (\"box_of\" in --json); 'batten measure' finds the tight ones of curves. "
+        "What is odd is\n"
+        "said too: knots that nearly meet, poles, tiny or free edges, gaps, faces turned "
+        "against each\n"
+        "other, loops that touch; --no-lint leaves that out. Exit status 3 when only a part "
+        "could be read.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

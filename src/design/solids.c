@@ -39,20 +39,21 @@ static void json_numbers(batten_text *out, const char *key, const double values[
     batten_text_add(out, "]");
 }
 
-static void add_box(batten_text *out, const batten_box *box, bool json)
+static void add_box(batten_text *out, const batten_box *box, bool controls, bool json)
 {
     const double low[3] = {box->low.x, box->low.y, box->low.z};
     const double high[3] = {box->high.x, box->high.y, box->high.z};
     if (!json) {
-        batten_text_add(out, "  box %.9g %.9g %.9g  to  %.9g %.9g %.9g\n", low[0], low[1],
-                        low[2], high[0], high[1], high[2]);
+        batten_text_add(out, "  box %s%.9g %.9g %.9g  to  %.9g %.9g %.9g\n",
+                        controls ? "of the control points " : "", low[0], low[1], low[2],
+                        high[0], high[1], high[2]);
         return;
     }
     for (int k = 0; k < 6; k++) {
         batten_text_add(out, k == 0 ? ", \"box\": [[" : k == 3 ? "], [" : ", ");
         batten_text_number(out, k < 3 ? low[k] : high[k - 3]);
     }
-    batten_text_add(out, "]]");
+    batten_text_add(out, controls ? "]], \"box_of\": \"control points\"" : "]]");
 }
 
 /* ---- measures ---- */
@@ -64,6 +65,7 @@ typedef struct {
     double area, volume, area_error, volume_error;
     const double *centroid;
     batten_box box;
+    bool controls; /* it is that of the control points, which may be beyond the body */
 } extent;
 
 static void add_extent(const batten_object *object, const extent *e, bool json,
@@ -92,7 +94,7 @@ static void add_extent(const batten_object *object, const extent *e, bool json,
                         e->is_closed ? "volume" : "area", e->centroid[0], e->centroid[1],
                         e->centroid[2]);
     }
-    add_box(out, &e->box, json);
+    add_box(out, &e->box, e->controls, json);
 }
 
 static batten_status measure_body(const bat_run *run, const batten_object *object, bool json,
@@ -114,7 +116,8 @@ static batten_status measure_body(const bat_run *run, const batten_object *objec
                       .area_error = m.area_error,
                       .volume_error = m.volume_error,
                       .centroid = m.centroid,
-                      .box = batten_body_box(object->body)};
+                      .box = batten_body_box(object->body),
+                      .controls = true};
     const counted rows[] = {
         {"shells", parts->shell_count == 1 ? "shell" : "shells", parts->shell_count},
         {"faces", "faces", parts->face_count},

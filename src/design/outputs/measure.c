@@ -328,7 +328,7 @@ static void json_extent(batten_text *out, const batten_object *object, const ext
     json_number(out, "area", e->area);
     json_number(out, "error", e->error);
     json_box(out, &e->box);
-    batten_text_add(out, "}");
+    batten_text_add(out, e->controls ? ", \"box_of\": \"control points\"}" : "}");
 }
 
 static batten_status add_extent(const bat_run *run, const batten_object *object, bool json,
