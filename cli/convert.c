@@ -179,9 +179,10 @@ static void note_idle_options(const batten_model *model, const arguments *given,
                         facts.title);
     else
         batten_text_add(&why, "there is no shape in the file to make triangles of");
-    batten_notes_add(notes, "", 0, "", "%s%s%s no effect: %s", chord ? "--chord" : "",
-                     chord && angle ? " and " : "",
-                     angle ? chord ? "--angle have" : "--angle has" : " has",
+    batten_notes_add(notes, "", 0, "", "%s no effect: %s",
+                     chord && angle ? "--chord and --angle have"
+                     : chord        ? "--chord has"
+                                    : "--angle has",
                      why.bytes ? why.bytes : "");
     batten_text_free(&why);
 }

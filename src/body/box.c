@@ -1,22 +1,12 @@
 /* The box around a body: of its edges, and of the parts of surfaces that swell beyond them. */
 #include "body/box.h"
+#include "numeric/box.h"
 #include "numeric/vector.h"
 #include "spline/surface.h"
 
 #include <string.h>
 
 /* ---- boxes ---- */
-
-static void widen(batten_box *box, bool *any, batten_box by)
-{
-    if (!*any)
-        *box = by;
-    *any = true;
-    box->low = (batten_vec3){bat_min(box->low.x, by.low.x), bat_min(box->low.y, by.low.y),
-                             bat_min(box->low.z, by.low.z)};
-    box->high = (batten_vec3){bat_max(box->high.x, by.high.x), bat_max(box->high.y, by.high.y),
-                              bat_max(box->high.z, by.high.z)};
-}
 
 /* One side; what is beyond by less than the tolerance is not: feet are not exact. */
 static void widen_side(double *low, double *high, double a, double b, double tolerance)
@@ -45,20 +35,16 @@ static bool is_within(batten_box inner, batten_box outer, double tolerance)
 batten_box bat_body_edge_box(const batten_body *body)
 {
     const batten_body_parts *parts = batten_body_view(body);
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    bool any = false;
-    for (int i = 0; i < parts->vertex_count; i++) {
-        const double *p = &parts->vertices[3 * (size_t)i];
-        const batten_vec3 at = {p[0], p[1], p[2]};
-        widen(&box, &any, (batten_box){at, at});
-    }
+    batten_box box = bat_box_of_nothing();
+    for (int i = 0; i < parts->vertex_count; i++)
+        bat_box_join(&box, bat_box_at(&parts->vertices[3 * (size_t)i]));
     for (int i = 0; i < parts->edge_count; i++)
         if (parts->edges[i].curve)
-            widen(&box, &any, batten_curve_box(parts->edges[i].curve));
+            bat_box_join(&box, batten_curve_box(parts->edges[i].curve));
     for (int i = 0; i < parts->face_count; i++)
         if (parts->faces[i].count == 0)
-            widen(&box, &any, batten_surface_box(parts->faces[i].surface));
-    return box;
+            bat_box_join(&box, batten_surface_box(parts->faces[i].surface));
+    return bat_box_is_of_nothing(box) ? (batten_box){{0, 0, 0}, {0, 0, 0}} : box;
 }
 
 /* ---- faces ---- */

@@ -2,7 +2,8 @@
 #include "body/elementary_parts.h"
 #include <batten/inspect.h>
 
-/* Steps of a span at first and at most: halved until none turns too far to be told. */
+/* Steps of a span at first and at most: four times as many until none turns too far to be told.
+ */
 enum { FIRST = 8, MOST = 2048 };
 
 /* ---- along a curve ---- */

@@ -148,6 +148,23 @@ TEST(F7_outputs_whose_ending_says_nothing_are_refused)
     }
 }
 
+/* A design that reads a table, both in the scratch folder under that name. */
+static batten_design *open_beside(const char *name, const char *table, const char *text)
+{
+    char path[64];
+    batten_design_options options = batten_design_defaults();
+    batten_design *design = NULL;
+    snprintf(path, sizeof path, "%s.csv", name);
+    FILE *file = fopen(test_scratch(path), "w");
+    CHECK(file != NULL);
+    fputs(table, file);
+    fclose(file);
+    snprintf(path, sizeof path, "%s.yaml", name);
+    options.file_name = test_scratch(path);
+    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    return design;
+}
+
 /* A box: no smooth curve through its three corners stays in it. */
 TEST(curves_of_a_table_that_go_far_beyond_their_points_are_noted)
 {
@@ -155,18 +172,13 @@ TEST(curves_of_a_table_that_go_far_beyond_their_points_are_noted)
                                "  stations: {interpolate: table}\n";
     static const char *const words[] = {"2 of the curves go more than 3 %",
                                         "'cornered-spline'"};
-    FILE *file = fopen(test_scratch("box.csv"), "w");
-    CHECK(file != NULL);
-    fputs("x_m,z_m,half_breadth_m\n0,0,0\n0,0,5\n0,2.5,5\n1,0,0\n1,0,5\n1,2.5,5\n"
-          "2,0,1\n2,1,1.1\n2,2,1.3\n",
-          file);
-    fclose(file);
-    batten_design_options options = batten_design_defaults();
-    options.file_name = test_scratch("box.yaml");
     batten_notes *notes = NULL;
-    batten_design *design = NULL;
     CHECK_OK(batten_notes_create(10, &notes));
-    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
+    batten_design *design =
+        open_beside("box",
+                    "x_m,z_m,half_breadth_m\n0,0,0\n0,0,5\n0,2.5,5\n1,0,0\n1,0,5\n1,2.5,5\n"
+                    "2,0,1\n2,1,1.1\n2,2,1.3\n",
+                    text);
     CHECK_OK(batten_design_evaluate(design, NULL, NULL, notes));
     for (int k = 0; k < COUNT(words); k++) {
         bool found = batten_notes_dropped(notes) > 0;
@@ -180,23 +192,18 @@ TEST(curves_of_a_table_that_go_far_beyond_their_points_are_noted)
 
 TEST(a_skin_ends_in_a_station_of_one_point)
 {
-    FILE *file = fopen(test_scratch("stem.csv"), "w");
-    CHECK(file != NULL);
-    fputs("x_m,z_m,half_breadth_m\n0,0,0\n0,1,1\n0,2,1.2\n2,0.5,0\n2,1,0.5\n2,2,0.8\n"
-          "3,1,0\n3,2,0.3\n3.5,2,0\n",
-          file);
-    fclose(file);
     static const char text[] = "batten: 1\nfeatures:\n  table: {read: stem.csv}\n"
                                "  stations: {interpolate: table}\n"
                                "  faired: {fair: stations, within: 1 mm}\n"
                                "  hull: {skin: faired}\noutputs:\n"
                                "  r.txt: {check: [hull, stations], within: 1 um}\n";
-    batten_design_options options = batten_design_defaults();
-    options.file_name = test_scratch("stem.yaml");
-    batten_design *design = NULL;
+    batten_design *design =
+        open_beside("stem",
+                    "x_m,z_m,half_breadth_m\n0,0,0\n0,1,1\n0,2,1.2\n2,0.5,0\n2,1,0.5\n2,2,0.8\n"
+                    "3,1,0\n3,2,0.3\n3.5,2,0\n",
+                    text);
     char *report = NULL;
     size_t size;
-    CHECK_OK(batten_design_parse(text, strlen(text), &options, NULL, &design));
     CHECK_OK(batten_design_output(design, 0, NULL, NULL, &report, &size));
     const batten_surface *hull =
         batten_model_object(batten_design_result(design, "hull")->value, 0)->surface;

@@ -1,5 +1,6 @@
 /* Loops of a face as edges of a body: which way they run, where they meet, what they share. */
 #include "exchange/iges/loops.h"
+#include "numeric/box.h"
 
 #include <string.h>
 
@@ -368,7 +369,7 @@ static batten_status put_border(const bat_iges_face *face, bat_builder *builder)
 static batten_status sample_sides(bat_iges_face *face, bat_list *points)
 {
     const bat_iges_loop *loops = face->loops.items;
-    batten_box box = bat_iges_no_box;
+    batten_box box = bat_box_of_nothing();
     batten_status status = BATTEN_OK;
     for (size_t l = 0; status == BATTEN_OK && l < face->loops.count; l++) {
         const bat_iges_side *sides = loops[l].sides.items;
@@ -377,7 +378,7 @@ static batten_status sample_sides(bat_iges_face *face, bat_list *points)
     }
     const double *p = points->items;
     for (size_t k = 0; k < points->count; k++)
-        bat_iges_add_to_box(&box, p + 3 * k);
+        bat_box_join(&box, bat_box_at(p + 3 * k));
     face->size = points->count ? bat_iges_size_of_box(box) : 0;
     if (status == BATTEN_OK && isinf(face->size)) /* every gap would be within it */
         status = bat_fail(BATTEN_OVERFLOW, "its edges reach too far to be measured");

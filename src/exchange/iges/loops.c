@@ -163,19 +163,6 @@ batten_status bat_iges_add_sides(bat_iges_face *face, const bat_iges_curves *spa
     return status;
 }
 
-const batten_box bat_iges_no_box = {{INFINITY, INFINITY, INFINITY},
-                                    {-INFINITY, -INFINITY, -INFINITY}};
-
-void bat_iges_add_to_box(batten_box *box, const double p[3])
-{
-    double *low[] = {&box->low.x, &box->low.y, &box->low.z};
-    double *high[] = {&box->high.x, &box->high.y, &box->high.z};
-    for (int i = 0; i < 3; i++) {
-        *low[i] = bat_min(*low[i], p[i]);
-        *high[i] = bat_max(*high[i], p[i]);
-    }
-}
-
 enum { SAMPLES = 9 };
 
 batten_status bat_iges_sample(bat_iges_reading *reading, const batten_curve *curve,

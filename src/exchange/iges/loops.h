@@ -48,9 +48,6 @@ batten_status bat_iges_flatten(const bat_iges_ground *ground, const batten_curve
 /* Add points of a curve to a list of double[3]. */
 batten_status bat_iges_sample(bat_iges_reading *reading, const batten_curve *curve,
                               bat_list *points);
-/* A box that holds nothing, and one that grows by a point. */
-extern const batten_box bat_iges_no_box;
-void bat_iges_add_to_box(batten_box *box, const double p[3]);
 /* How far an edge misses its surface, at samples. */
 double bat_iges_miss(bat_iges_ground *ground, const batten_curve *space,
                      const batten_curve *flat);

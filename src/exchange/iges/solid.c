@@ -9,6 +9,7 @@
 #include "exchange/iges/loops.h"
 #include "exchange/iges/references.h"
 #include "exchange/iges/topology.h"
+#include "numeric/box.h"
 
 #include <string.h>
 
@@ -344,16 +345,13 @@ static batten_status add_shell(bat_iges_reading *reading, int id, bool agrees,
 /* The box of all vertices and edges; without any, of the first face. */
 static batten_box box_of(const batten_body_parts *parts)
 {
-    batten_box box = bat_iges_no_box;
+    batten_box box = bat_box_of_nothing();
     if (parts->vertex_count == 0)
         return batten_surface_box(parts->faces[0].surface);
     for (int k = 0; k < parts->vertex_count; k++)
-        bat_iges_add_to_box(&box, parts->vertices + 3 * (size_t)k);
-    for (int k = 0; k < parts->edge_count; k++) {
-        const batten_box own = batten_curve_box(parts->edges[k].curve);
-        bat_iges_add_to_box(&box, (double[]){own.low.x, own.low.y, own.low.z});
-        bat_iges_add_to_box(&box, (double[]){own.high.x, own.high.y, own.high.z});
-    }
+        bat_box_join(&box, bat_box_at(parts->vertices + 3 * (size_t)k));
+    for (int k = 0; k < parts->edge_count; k++)
+        bat_box_join(&box, batten_curve_box(parts->edges[k].curve));
     return box;
 }
 

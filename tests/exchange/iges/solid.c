@@ -14,16 +14,17 @@ typedef struct {
     unsigned agrees;
 } cube;
 
+static const int cube_edges[12][2] = {{1, 2}, {2, 4}, {4, 3}, {3, 1}, {5, 6}, {6, 8},
+                                      {8, 7}, {7, 5}, {1, 5}, {2, 6}, {3, 7}, {4, 8}};
+/* Each loop as its corners, counter-clockwise seen from outside; vertex 1 + x + 2 y + 4 z.
+ */
+static const int cube_loops[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                     {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+static const double cube_normals[6][3] = {{0, 0, -1}, {0, 0, 1},  {0, -1, 0},
+                                          {0, 1, 0},  {-1, 0, 0}, {1, 0, 0}};
+
 static int add_shell(iges_text *file, const cube *c)
 {
-    static const int edges[12][2] = {{1, 2}, {2, 4}, {4, 3}, {3, 1}, {5, 6}, {6, 8},
-                                     {8, 7}, {7, 5}, {1, 5}, {2, 6}, {3, 7}, {4, 8}};
-    /* Each loop as its corners, counter-clockwise seen from outside; vertex 1 + x + 2 y + 4 z.
-     */
-    static const int loops[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
-                                    {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
-    static const double normals[6][3] = {{0, 0, -1}, {0, 0, 1},  {0, -1, 0},
-                                         {0, 1, 0},  {-1, 0, 0}, {1, 0, 0}};
     char text[600] = "502,8";
     for (int k = 0; k < 8; k++)
         snprintf(text + strlen(text), 60, ",%g,%g,%g", c->at + c->size * (k & 1),
@@ -32,7 +33,7 @@ static int add_shell(iges_text *file, const cube *c)
     const int vertices = iges_add(file, 502, 1, 0, 0, part, text);
     char list[600] = "504,12";
     for (int k = 0; k < 12; k++) {
-        const int a = edges[k][0] - 1, b = edges[k][1] - 1;
+        const int a = cube_edges[k][0] - 1, b = cube_edges[k][1] - 1;
         snprintf(text, sizeof text, "110,%g,%g,%g,%g,%g,%g;", c->at + c->size * (a & 1),
                  c->at + c->size * (a >> 1 & 1), c->at + c->size * (a >> 2),
                  c->at + c->size * (b & 1), c->at + c->size * (b >> 1 & 1),
@@ -52,21 +53,22 @@ static int add_shell(iges_text *file, const cube *c)
             /* Around what points inwards the loop runs the other way. */
             const int at = runs_outward ? i : 3 - i,
                       next = runs_outward ? (i + 1) % 4 : (6 - i) % 4;
-            const int from = loops[f][at], to = loops[f][next];
+            const int from = cube_loops[f][at], to = cube_loops[f][next];
             int k = 0;
-            while (!((edges[k][0] == from && edges[k][1] == to) ||
-                     (edges[k][0] == to && edges[k][1] == from)))
+            while (!((cube_edges[k][0] == from && cube_edges[k][1] == to) ||
+                     (cube_edges[k][0] == to && cube_edges[k][1] == from)))
                 k++;
-            snprintf(loop + strlen(loop), 60, ",0,%d,%d,%d,0", all, k + 1, edges[k][0] == from);
+            snprintf(loop + strlen(loop), 60, ",0,%d,%d,%d,0", all, k + 1,
+                     cube_edges[k][0] == from);
         }
         strcat(loop, ";");
-        const int corner = loops[f][0] - 1;
+        const int corner = cube_loops[f][0] - 1;
         snprintf(text, sizeof text, "116,%g,%g,%g;", c->at + c->size * (corner & 1),
                  c->at + c->size * (corner >> 1 & 1), c->at + c->size * (corner >> 2));
         const int point = iges_add(file, 116, 0, 0, 0, part, text);
         const double side = normal_outward ? 1 : -1;
-        snprintf(text, sizeof text, "123,%g,%g,%g;", side * normals[f][0], side * normals[f][1],
-                 side * normals[f][2]);
+        snprintf(text, sizeof text, "123,%g,%g,%g;", side * cube_normals[f][0],
+                 side * cube_normals[f][1], side * cube_normals[f][2]);
         const int normal = iges_add(file, 123, 0, 0, 0, part, text);
         snprintf(text, sizeof text, "190,%d,%d;", point, normal);
         const int plane = iges_add(file, 190, 0, 0, 0, part, text);
