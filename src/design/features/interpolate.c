@@ -142,7 +142,7 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
             bat_note(run, "'%s' has %d point%s and is left out; a curve needs 2",
                      rows.rows[i].name, rows.rows[i].count, rows.rows[i].count == 1 ? "" : "s");
     }
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && object->kind == BATTEN_OBJECT_OFFSETS)
         note_excursion(run, &e);
     bat_rows_release(&rows);
     return status;
