@@ -55,11 +55,28 @@ batten_status bat_step_spline_surface(const bat_step_reading *reading,
                                       const bat_step_instance *instance, batten_surface **out,
                                       bool *is_spline);
 
-/* ---- curves (read_curves.c, read_composite.c) ---- */
+/* ---- lines and conics (read_conics.c) ---- */
 
 batten_status bat_step_conic_in(const bat_step_reading *reading,
                                 const bat_step_instance *instance, bat_conic *conic,
                                 bool *is_conic);
+/* A parameter of the file as one of the conic: an angle for ellipses, in radians. */
+double bat_step_conic_parameter(const bat_step_reading *reading, const bat_conic *conic,
+                                double t);
+/* From parameter t0 to t1 of the conic, with rising t when `forward`. */
+batten_status bat_step_conic_part(const bat_step_reading *reading,
+                                  const bat_step_instance *instance, const bat_conic *conic,
+                                  double t0, double t1, bool forward, batten_curve **out);
+/* An ellipse; NOT_COMPATIBLE for those without ends. */
+batten_status bat_step_whole_conic(const bat_step_reading *reading,
+                                   const bat_step_instance *instance, const bat_conic *conic,
+                                   batten_curve **out);
+
+/* ---- curves (read_curves.c, read_parts.c, read_composite.c) ---- */
+
+/* A SURFACE_CURVE stands for its 3-D curve, which may be one again. */
+batten_status bat_step_resolve(const bat_step_reading *reading,
+                               const bat_step_instance **instance);
 batten_status bat_step_curve_in(const bat_step_reading *reading,
                                 const bat_step_instance *instance, batten_curve **out);
 /* The part between two parameters of the file, running with the parameter when `forward`; of
@@ -67,6 +84,10 @@ batten_status bat_step_curve_in(const bat_step_reading *reading,
 batten_status bat_step_curve_between(const bat_step_reading *reading,
                                      const bat_step_instance *instance, double t0, double t1,
                                      bool forward, batten_curve **out);
+/* TRIMMED_CURVE(name, basis, (end), (end), sense, what counts) */
+batten_status bat_step_trimmed(const bat_step_reading *reading,
+                               const bat_step_instance *instance, const bat_step_record *record,
+                               batten_curve **out);
 batten_status bat_step_composite(const bat_step_reading *reading,
                                  const bat_step_instance *instance,
                                  const bat_step_record *record, batten_curve **out);
