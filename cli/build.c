@@ -107,6 +107,34 @@ static batten_status prepare_folder(const arguments *given)
     return chosen ? make_folder(chosen) : BATTEN_OK;
 }
 
+/* Would an output overwrite the design, or a file that it reads? */
+static bool overwrites_input(const batten_design *design, const char *input, const char *folder)
+{
+    bool found = false;
+    for (int i = 0; !found && i < batten_design_output_count(design); i++) {
+        batten_text path = BATTEN_TEXT;
+        batten_text_add(&path, "%s%s", folder, batten_design_output_name(design, i));
+        found = !path.failed && output_is_input("build", input, path.bytes);
+        batten_text_free(&path);
+    }
+    return found;
+}
+
+static bool overwrites_inputs(const batten_design *design, const arguments *given)
+{
+    char *folder = output_folder(given);
+    bool found = folder && overwrites_input(design, given->files[0], folder);
+    for (int i = 0; folder && !found && i < batten_design_file_count(design); i++) {
+        char *input = NULL;
+        /* What cannot be read is said when it is. */
+        if (batten_design_file_path(design, i, &input) == BATTEN_OK)
+            found = overwrites_input(design, input, folder);
+        batten_release(input);
+    }
+    batten_release(folder);
+    return found;
+}
+
 static batten_status make_output(batten_design *design, int index, const char *folder,
                                  batten_notes *notes)
 {
@@ -211,6 +239,10 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
     const char *only = arguments_get(given, "only");
     int made = 0;
     batten_status status = names ? set_values(design, given, notes) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && !only && overwrites_inputs(design, given)) {
+        batten_release(names);
+        return EXIT_USAGE;
+    }
     if (status == BATTEN_OK && !only)
         status = prepare_folder(given);
     const bool all = status == BATTEN_OK && !only;
@@ -262,7 +294,9 @@ const command command_build = {
               "is made all the same.\n"
               "The report says how long each feature took, how far its result is from "
               "the data, how far\n"
-              "fairing moved any point. 'batten help design' describes design files.",
+              "fairing moved any point. No output may be DESIGN itself or a file that it "
+              "reads. 'batten help\n"
+              "design' describes design files.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

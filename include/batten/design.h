@@ -121,6 +121,13 @@ BATTEN_API const char *batten_design_text(const batten_design *design, size_t *l
 /** The parameters of the design, in the order of its text. */
 BATTEN_API int batten_design_parameter_count(const batten_design *design);
 BATTEN_API const char *batten_design_parameter_name(const batten_design *design, int index);
+/** The files that its features read, in the order of its text; one as often as it is named. */
+BATTEN_API int batten_design_file_count(const batten_design *design);
+/** The path of such a file as it is opened, beside the design; release with batten_release.
+ * @return also BATTEN_BAD_ARGUMENT when it leaves the folder of the design, and
+ * BATTEN_FILE_ERROR when it is not there: then it is not read */
+BATTEN_API batten_status batten_design_file_path(const batten_design *design, int index,
+                                                 char **path);
 /** How many metres one unit of the design is: the unit of all its results. */
 BATTEN_API double batten_design_unit_metres(const batten_design *design);
 /**

@@ -167,6 +167,36 @@ const char *batten_design_parameter_name(const batten_design *design, int index)
     return design->now.document.parameters[index].name;
 }
 
+/* How many files features name; `path` receives the one at `index`, as it is written. */
+static int find_file(const bat_document *d, int index, const char **path)
+{
+    int count = 0;
+    for (int i = 0; i < d->feature_count; i++) {
+        const batten_feature *f = &d->features[i].feature->shown;
+        for (int k = 0; k < f->parameter_count; k++) {
+            const bat_argument *a = &d->features[i].arguments[k];
+            for (int m = 0; f->parameters[k].kind == BATTEN_VALUE_FILE && m < a->count; m++)
+                if (count++ == index)
+                    *path = a->items[m].text;
+        }
+    }
+    return count;
+}
+
+int batten_design_file_count(const batten_design *design)
+{
+    return find_file(&design->now.document, -1, NULL);
+}
+
+batten_status batten_design_file_path(const batten_design *design, int index, char **path)
+{
+    const char *written = NULL;
+    const int count = find_file(&design->now.document, index, &written);
+    assert(index >= 0 && index < count);
+    (void)count;
+    return bat_path_beside(&design->now.document, written, path);
+}
+
 double batten_design_unit_metres(const batten_design *design)
 {
     return design->now.document.unit_metres;

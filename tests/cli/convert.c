@@ -180,33 +180,6 @@ TEST(a_plane_is_meshed_and_not_approximated)
     CHECK_CONTAINS(run.errors, "meshed exactly by 2 triangles");
 }
 
-/* Under its own name, by a symbolic link, by a hard link. */
-TEST(the_file_that_is_read_is_not_overwritten)
-{
-    static const char *const lines[] = {
-        "\"$BATTEN\" convert own.svg own.svg",
-        "ln -sf own.svg soft.svg; \"$BATTEN\" convert own.svg -o ./soft.svg",
-        "ln -f own.svg hard.svg; \"$BATTEN\" convert own.svg#line hard.svg",
-        "\"$BATTEN\" convert - own.svg < own.svg",
-        "\"$BATTEN\" draw own.svg -o own.svg",
-        "cp own.svg own.xyz; \"$BATTEN\" fit own.xyz -o own.xyz",
-        "cp own.svg own.xyz; \"$BATTEN\" fair own.xyz -o own.xyz --within 1",
-        "\"$BATTEN\" compare own.svg -o own.svg",
-    };
-    const char *path = test_scratch("own.svg");
-    test_write(path, "<svg xmlns=\"http://www.w3.org/2000/svg\">"
-                     "<path id=\"line\" d=\"M0 0L1 1\"/></svg>\n");
-    for (int i = 0; i < COUNT(lines); i++) {
-        char line[1024];
-        snprintf(line, sizeof line, "cd \"$(dirname '%s')\" && %s", path, lines[i]);
-        const test_process run = test_shell(line);
-        CHECK_INT(run.exit, 2);
-        CHECK_CONTAINS(run.errors, "is the file that is read, and would be overwritten");
-        CHECK_CONTAINS(test_content(path), "M0 0L1 1");
-    }
-    CHECK_INT(RUN("batten", "convert", path, test_scratch("other.svg")).exit, 0);
-}
-
 TEST(help_lists_every_format)
 {
     const test_process run = RUN("batten", "help", "formats");
