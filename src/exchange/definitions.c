@@ -1,48 +1,25 @@
 #include "exchange/definitions.h"
 
 #include <limits.h>
-#include <stdint.h>
-
-/* Where the model is in the table, or would be. */
-static size_t place_of(const bat_definitions *d, const batten_model *model)
-{
-    const uint64_t mixed = (uint64_t)(uintptr_t)model * 0x9e3779b97f4a7c15u;
-    size_t at = (size_t)(mixed >> 20) & (d->capacity - 1);
-    while (d->table[at] && d->models[d->table[at] - 1] != model)
-        at = (at + 1) & (d->capacity - 1);
-    return at;
-}
-
-static batten_status grow(bat_definitions *d)
-{
-    const size_t capacity = d->capacity ? 2 * d->capacity : 16;
-    const batten_model **models = bat_resize(d->models, capacity, sizeof *models);
-    if (models)
-        d->models = models;
-    int *table = models ? bat_array(capacity, sizeof *table) : NULL;
-    if (!table)
-        return BATTEN_OUT_OF_MEMORY;
-    bat_release(d->table);
-    d->table = table;
-    d->capacity = capacity;
-    for (int i = 0; i < d->count; i++)
-        d->table[place_of(d, d->models[i])] = i + 1;
-    return BATTEN_OK;
-}
+#include <stdlib.h>
+#include <string.h>
 
 static batten_status add(bat_definitions *d, const batten_model *model)
 {
-    if (2 * (size_t)(d->count + 1) > d->capacity) {
-        batten_status status = grow(d);
-        if (status != BATTEN_OK)
-            return status;
+    if (bat_addresses_find(&d->addresses, model) >= 0)
+        return BATTEN_OK;
+    if ((size_t)d->count == d->capacity) {
+        const size_t capacity = d->capacity ? 2 * d->capacity : 16;
+        const batten_model **models = bat_resize(d->models, capacity, sizeof *models);
+        if (!models)
+            return BATTEN_OUT_OF_MEMORY;
+        d->models = models;
+        d->capacity = capacity;
     }
-    const size_t at = place_of(d, model);
-    if (!d->table[at]) {
-        d->models[d->count] = model;
-        d->table[at] = ++d->count;
-    }
-    return BATTEN_OK;
+    const batten_status status = bat_addresses_add(&d->addresses, model, d->count);
+    if (status == BATTEN_OK)
+        d->models[d->count++] = model;
+    return status;
 }
 
 batten_status bat_definitions_find(const batten_model *model, bat_definitions *d)
@@ -73,13 +50,72 @@ batten_status bat_definitions_find(const batten_model *model, bat_definitions *d
 void bat_definitions_end(bat_definitions *d)
 {
     bat_release(d->models);
-    bat_release(d->table);
+    bat_addresses_end(&d->addresses);
     bat_release(d->first);
 }
 
 int bat_definitions_index(const bat_definitions *d, const batten_model *model)
 {
-    return d->table[place_of(d, model)] - 1;
+    return bat_addresses_find(&d->addresses, model);
+}
+
+typedef struct {
+    const batten_object *object;
+    int mesh, number;
+} looking;
+
+static int compare_looks(const void *left, const void *right)
+{
+    const looking *a = left, *b = right;
+    if (a->mesh != b->mesh)
+        return a->mesh < b->mesh ? -1 : 1;
+    if (a->object->has_colour != b->object->has_colour)
+        return a->object->has_colour ? 1 : -1;
+    for (int k = 0; a->object->has_colour && k < 3; k++)
+        if (a->object->colour[k] != b->object->colour[k])
+            return a->object->colour[k] < b->object->colour[k] ? -1 : 1;
+    return strcmp(a->object->name, b->object->name);
+}
+
+static int compare_numbered(const void *left, const void *right)
+{
+    const int by_look = compare_looks(left, right);
+    return by_look ? by_look
+                   : ((const looking *)left)->number - ((const looking *)right)->number;
+}
+
+/* The first object of each mesh; all objects as they are to be sorted. */
+static batten_status find_meshes(const bat_definitions *d, int *mesh, looking *all)
+{
+    bat_addresses meshes = {0};
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < d->count; i++)
+        for (int k = 0; status == BATTEN_OK && k < batten_model_count(d->models[i]); k++) {
+            const batten_object *object = batten_model_object(d->models[i], k);
+            const int number = d->first[i] + k;
+            const int first = object->mesh ? bat_addresses_find(&meshes, object->mesh) : -1;
+            mesh[number] = first < 0 ? number : first;
+            all[number] = (looking){object, mesh[number], number};
+            if (object->mesh && first < 0)
+                status = bat_addresses_add(&meshes, object->mesh, number);
+        }
+    bat_addresses_end(&meshes);
+    return status;
+}
+
+batten_status bat_definitions_meshes(const bat_definitions *d, int *mesh, int *look)
+{
+    const int count = d->first[d->count];
+    looking *all = bat_array((size_t)count, sizeof *all);
+    const batten_status status = all ? find_meshes(d, mesh, all) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK && count)
+        qsort(all, (size_t)count, sizeof *all, compare_numbered);
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        look[all[i].number] = i && compare_looks(&all[i - 1], &all[i]) == 0
+                                  ? look[all[i - 1].number]
+                                  : all[i].number;
+    bat_release(all);
+    return status;
 }
 
 void bat_definitions_rising(const bat_definitions *d, int *order)

@@ -1,15 +1,15 @@
 /* The models that instances place, each once: for formats that share what is placed often. */
 #ifndef BAT_DEFINITIONS_H
 #define BAT_DEFINITIONS_H
-#include "base/base.h"
+#include "exchange/addresses.h"
 #include <batten/model.h>
 
 typedef struct {
     int count;
     const batten_model **models; /* [count], borrowed; the model itself first */
     int *first;                  /* [count + 1] the number of the first object of each */
-    size_t capacity;             /* of the table, a power of 2 */
-    int *table;                  /* index + 1 by the model's address; 0: empty */
+    size_t capacity;
+    bat_addresses addresses; /* the index by the model's address */
 } bat_definitions;
 
 /* Begin with all 0; release by bat_definitions_end, also after a failure. */
@@ -17,6 +17,10 @@ batten_status bat_definitions_find(const batten_model *model, bat_definitions *o
 void bat_definitions_end(bat_definitions *definitions);
 /* The index of a model that was found. */
 int bat_definitions_index(const bat_definitions *definitions, const batten_model *model);
+/* Which objects have one mesh, and which of these one name and colour too.
+ * mesh, look: [objects] the lowest number of such an object; its own when there is none before
+ * it, and where there is no mesh. Cost: O(n log n). */
+batten_status bat_definitions_meshes(const bat_definitions *definitions, int *mesh, int *look);
 /* The indices in an order in which each comes after those that it places: by rising depth.
  * order: [count]. */
 void bat_definitions_rising(const bat_definitions *definitions, int *order);

@@ -75,6 +75,7 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(INSTANCE),
      .can_place = bat_iges_can_place,
+     .paints = true,
      .hides = true,
      .write = bat_write_iges},
 
@@ -87,6 +88,7 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY) |
               BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .can_place = bat_step_can_place,
+     .paints = true,
      .hides = true,
      .write = bat_write_step},
 

@@ -20,6 +20,7 @@ typedef struct {
     /* Can it say such a place of an instance? NULL: any. */
     bool (*can_place)(const batten_affine *place);
     unsigned keeps; /* of a mesh: bits BAT_KEEPS_... */
+    bool paints;    /* an instance can have a colour of its own */
     bool hides;     /* it can say that an object is not to be shown */
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);

@@ -1,10 +1,18 @@
 /* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
 #include "exchange/model_meshed.h"
+#include "exchange/addresses.h"
 #include "exchange/model_change.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
+
+/* What became of a shape; copies of a definition share theirs. */
+typedef struct {
+    const batten_model *of; /* the definition */
+    const char *name;       /* of its object */
+    batten_mesh *mesh;      /* NULL: it cannot be meshed */
+} meshed_shape;
 
 typedef struct {
     unsigned kinds;              /* that become meshes */
@@ -12,6 +20,9 @@ typedef struct {
     int most;
     const batten_job *job;
     batten_notes *notes;
+    bat_addresses addresses; /* the number in `done` of a surface, triangles or a body */
+    meshed_shape *done;
+    size_t count, capacity;
 } meshing;
 
 /* What is not farther than that from the shape may lie on it. */
@@ -78,6 +89,22 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         *out = NULL;
         return bat_fail(BATTEN_NOT_COMPATIBLE, "none of its %d faces can be", report.failed);
     }
+    return status;
+}
+
+static batten_status keep_shape(meshing *m, const void *address, const meshed_shape *shape)
+{
+    if (m->count == m->capacity) {
+        const size_t capacity = m->capacity ? 2 * m->capacity : 16;
+        meshed_shape *done = bat_resize(m->done, capacity, sizeof *done);
+        if (!done)
+            return BATTEN_OUT_OF_MEMORY;
+        m->done = done;
+        m->capacity = capacity;
+    }
+    const batten_status status = bat_addresses_add(&m->addresses, address, (int)m->count);
+    if (status == BATTEN_OK)
+        m->done[m->count++] = *shape;
     return status;
 }
 
@@ -150,29 +177,54 @@ static bool is_final(batten_status status)
            status == BATTEN_INCOMPLETE || status == BATTEN_TOO_LARGE;
 }
 
+/* The mesh of the object's shape, which may be that of the same object in a copy of the
+ * definition; NULL, with a note, when there is none. */
+static batten_status find_mesh(meshing *m, const batten_model *of, const batten_object *object,
+                               batten_mesh **mesh)
+{
+    const void *address = object->surface     ? (const void *)object->surface
+                          : object->triangles ? (const void *)object->triangles
+                                              : (const void *)object->body;
+    const int found = bat_addresses_find(&m->addresses, address);
+    const meshed_shape *before = found < 0 ? NULL : &m->done[found];
+    if (before && before->of != of && strcmp(before->name, object->name) == 0) {
+        *mesh = before->mesh ? batten_mesh_ref(before->mesh) : NULL;
+        return BATTEN_OK;
+    }
+    meshed_shape shape = {.of = of, .name = object->name};
+    batten_status status = mesh_shape(object, m, &shape.mesh);
+    if (status != BATTEN_OK && !is_final(status)) {
+        batten_notes_add(m->notes, "", 0, object->name,
+                         "left out, as this %s cannot be meshed: %s",
+                         batten_object_kind_name(object->kind), batten_message());
+        status = BATTEN_OK;
+    }
+    if (status == BATTEN_OK && !before)
+        status = keep_shape(m, address, &shape);
+    if (status == BATTEN_OK && shape.mesh)
+        *mesh = before ? shape.mesh : batten_mesh_ref(shape.mesh);
+    else if (status != BATTEN_OK)
+        batten_mesh_unref(shape.mesh);
+    return status;
+}
+
 static batten_status add_meshed(void *context, const batten_model *from, int index,
                                 batten_model *made, const batten_object *object)
 {
-    (void)from;
     (void)index;
     meshing *m = context;
     batten_mesh *mesh = NULL;
     batten_object meshed = *object;
     if (!(m->kinds & 1u << object->kind))
         return batten_model_add(made, object);
-    batten_status status = mesh_shape(object, m, &mesh);
-    if (status != BATTEN_OK && !is_final(status)) {
-        batten_notes_add(m->notes, "", 0, object->name,
-                         "left out, as this %s cannot be meshed: %s",
-                         batten_object_kind_name(object->kind), batten_message());
-        return BATTEN_OK;
-    }
+    batten_status status = find_mesh(m, from, object, &mesh);
+    if (status != BATTEN_OK || !mesh)
+        return status;
     meshed.kind = BATTEN_OBJECT_MESH;
     meshed.surface = NULL;
     meshed.triangles = NULL;
     meshed.body = NULL;
-    if (status == BATTEN_OK)
-        status = take_colours(object, &meshed, &mesh);
+    status = take_colours(object, &meshed, &mesh);
     meshed.mesh = mesh;
     if (status == BATTEN_OK)
         status = batten_model_add(made, &meshed);
@@ -187,7 +239,13 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
     meshing m = {
         .kinds = kinds, .options = chosen, .most = chosen.most, .job = job, .notes = notes};
-    return bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
+    const batten_status status =
+        bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
+    for (size_t i = 0; i < m.count; i++)
+        batten_mesh_unref(m.done[i].mesh);
+    bat_release(m.done);
+    bat_addresses_end(&m.addresses);
+    return status;
 }
 
 batten_status batten_model_meshed(const batten_model *model, const batten_mesh_options *options,

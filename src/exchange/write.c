@@ -3,6 +3,7 @@
 #include "exchange/kept_mesh.h"
 #include "exchange/model_change.h"
 #include "exchange/model_meshed.h"
+#include "exchange/model_painted.h"
 
 #include <string.h>
 
@@ -214,6 +215,17 @@ static batten_status mesh_what_is_not_held(const bat_format_row *row, const batt
     return BATTEN_OK;
 }
 
+/* Where instances have no colour, what they place takes it; before faces become triangles,
+ * since some may have colours of their own. */
+static batten_status paint(const bat_format_row *row, const batten_model *model,
+                           batten_notes *notes, batten_model **out)
+{
+    if ((row->holds & BAT_HOLDS(INSTANCE)) && !row->paints)
+        return bat_model_painted(model, notes, out);
+    *out = batten_model_ref(model);
+    return BATTEN_OK;
+}
+
 static batten_status find_writer(const batten_write_options *options,
                                  const bat_format_row **row)
 {
@@ -230,16 +242,19 @@ batten_status batten_write_prepare(const batten_model *model,
                                    batten_model **out)
 {
     const bat_format_row *found = NULL;
-    batten_model *meshed = NULL, *prepared = NULL;
+    batten_model *painted = NULL, *meshed = NULL, *prepared = NULL;
     batten_status status = find_writer(options, &found);
     if (status != BATTEN_OK)
         return status;
     bat_format_row row = *found;
     if (row.format == BATTEN_FORMAT_STEP && options->schema != BATTEN_STEP_AP242)
         row.holds &= ~BAT_HOLDS(MESH);
-    status = mesh_what_is_not_held(&row, model, options, notes, &meshed);
+    status = paint(&row, model, notes, &painted);
+    if (status == BATTEN_OK)
+        status = mesh_what_is_not_held(&row, painted, options, notes, &meshed);
     if (status == BATTEN_OK)
         status = prepare(&row, meshed, notes, &prepared);
+    batten_model_unref(painted);
     batten_model_unref(meshed);
     if (status == BATTEN_OK && row.holds && batten_model_count(model) > 0 &&
         batten_model_count(prepared) == 0)

@@ -18,6 +18,9 @@ typedef struct {
     int *order;       /* [definitions] those that others place first */
     int *id;          /* [objects] resource of a mesh or of a placed definition; 0: none */
     int *whole;       /* [definitions] resource of a definition */
+    int *same, *look; /* [objects] the first with the same mesh, and with its look too */
+    int *shown;       /* [objects] of that first one: the object + 1 that was written first */
+    bool *is_open;    /* [objects] */
     bool *is_surface; /* [definitions] something in it is open */
     int colours;      /* base materials so far */
     double scale;     /* from the model's unit to the file's */
@@ -119,7 +122,7 @@ static int put_triangles(writing *w, const batten_mesh_parts *p, const bat_palet
 }
 
 /* A solid is closed and has its inside inside; all else is a surface. */
-static batten_status put_mesh(writing *w, const batten_object *object, int id, bool *is_surface)
+static batten_status put_mesh(writing *w, const batten_object *object, int id, bool *is_open)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     batten_mesh_facts facts;
@@ -142,7 +145,7 @@ static batten_status put_mesh(writing *w, const batten_object *object, int id, b
     const int left_out = put_triangles(w, p, palette.count ? &palette : NULL, base);
     bat_palette_end(&palette);
     put(w, "</mesh>\n</object>\n");
-    *is_surface = *is_surface || !is_solid;
+    *is_open = !is_solid;
     if (left_out)
         batten_notes_add(w->notes, "", 0, object->name,
                          "%d triangles with two corners at one vertex are left out", left_out);
@@ -161,6 +164,15 @@ static void put_colour(writing *w, const char *name, const double colour[3])
     batten_text_add(&w->xml, "<base displaycolor=\"#%02X%02X%02X\"", part[0], part[1], part[2]);
     put_name(w, name);
     put(w, "/>\n");
+}
+
+/* The number of an object that was written before and looks like this one, or -1. */
+static int find_written(writing *w, int number)
+{
+    int *shown = &w->shown[w->look[number]];
+    if (!*shown)
+        *shown = number + 1;
+    return *shown == number + 1 ? -1 : *shown - 1;
 }
 
 static batten_status put_colours_of(writing *w, const batten_object *object)
@@ -185,15 +197,19 @@ static batten_status put_colours_of(writing *w, const batten_object *object)
 /* Colours in the order in which their objects will come. */
 static batten_status put_colours(writing *w)
 {
-    batten_status status = BATTEN_OK;
+    batten_status status = bat_definitions_meshes(&w->definitions, w->same, w->look);
     for (int i = 0; i < w->definitions.count; i++) {
         const batten_model *model = w->definitions.models[w->order[i]];
-        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++)
-            status = put_colours_of(w, batten_model_object(model, k));
+        for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
+            const batten_object *object = batten_model_object(model, k);
+            if (find_written(w, w->definitions.first[w->order[i]] + k) < 0)
+                status = put_colours_of(w, object);
+        }
     }
     if (w->colours)
         put(w, "</basematerials>\n");
     w->colours = 0;
+    memset(w->shown, 0, (size_t)w->definitions.first[w->definitions.count] * sizeof *w->shown);
     return status;
 }
 
@@ -228,6 +244,21 @@ static void put_references(writing *w, int definition, const char *element)
     }
 }
 
+/* One that looks like another is that one. */
+static batten_status add_mesh(writing *w, const batten_object *object, int definition, int k)
+{
+    const int number = w->definitions.first[definition] + k;
+    const int written = find_written(w, number);
+    bool is_open = false;
+    batten_status status = BATTEN_OK;
+    w->id[number] = written < 0 ? w->next++ : w->id[written];
+    if (written < 0)
+        status = put_mesh(w, object, w->id[number], &is_open);
+    w->is_open[number] = written < 0 ? is_open : w->is_open[written];
+    w->is_surface[definition] = w->is_surface[definition] || w->is_open[number];
+    return status;
+}
+
 /* The objects of a definition, and when it is placed somewhere the definition itself. */
 static batten_status put_definition(writing *w, int definition)
 {
@@ -242,8 +273,7 @@ static batten_status put_definition(writing *w, int definition)
             *id = w->whole[inner];
             w->is_surface[definition] = w->is_surface[definition] || w->is_surface[inner];
         } else if (object->mesh && batten_mesh_view(object->mesh)->triangle_count) {
-            *id = w->next++;
-            status = put_mesh(w, object, *id, &w->is_surface[definition]);
+            status = add_mesh(w, object, definition, k);
         } else if (!object->mesh)
             batten_notes_add(w->notes, "", 0, object->name,
                              "left out: 3MF files are written of meshes, not of this %s",
@@ -305,7 +335,14 @@ static batten_status make_room(writing *w)
     w->whole = bat_array(definitions, sizeof *w->whole);
     w->is_surface = bat_array(definitions, sizeof *w->is_surface);
     w->id = bat_array(objects, sizeof *w->id);
-    return w->order && w->whole && w->is_surface && w->id ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    w->same = bat_array(objects, sizeof *w->same);
+    w->look = bat_array(objects, sizeof *w->look);
+    w->shown = bat_array(objects, sizeof *w->shown);
+    w->is_open = bat_array(objects, sizeof *w->is_open);
+    return w->order && w->whole && w->is_surface && w->id && w->same && w->look && w->shown &&
+                   w->is_open
+               ? BATTEN_OK
+               : BATTEN_OUT_OF_MEMORY;
 }
 
 batten_status bat_write_3mf(const batten_model *model, const batten_write_options *options,
@@ -333,6 +370,10 @@ batten_status bat_write_3mf(const batten_model *model, const batten_write_option
     bat_release(w.whole);
     bat_release(w.is_surface);
     bat_release(w.id);
+    bat_release(w.same);
+    bat_release(w.look);
+    bat_release(w.shown);
+    bat_release(w.is_open);
     batten_text_free(&w.xml);
     return status;
 }

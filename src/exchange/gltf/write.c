@@ -17,13 +17,21 @@ typedef struct {
     int first, count; /* its children */
 } node;
 
+/* The accessors of a mesh; -1 for none. */
+typedef struct {
+    int positions, normals, colours;
+    int indices; /* of all triangles */
+} vertex_data;
+
 typedef struct {
     batten_notes *notes;
     double unit;
     bat_definitions definitions;
     node *nodes;
     int node_count, node_capacity, root_count;
-    int *mesh_of; /* [objects] index of the mesh + 1; 0: none */
+    int *mesh_of;      /* [objects] index of the mesh + 1; 0: none */
+    int *same, *look;  /* [objects] the first with the same mesh, and with its look too */
+    vertex_data *data; /* [objects] of that first one */
     int mesh_count, material_count, accessor_count;
     batten_text bytes, meshes, materials, accessors, views;
     double error; /* of rounding, metres */
@@ -224,11 +232,6 @@ static int put_material(writing *w, const double colour[3])
     return w->material_count++;
 }
 
-/* The accessors of a mesh; -1 for none. */
-typedef struct {
-    int positions, normals, colours;
-} vertex_data;
-
 static void put_primitive(writing *w, const vertex_data *data, int indices,
                           const double *colour)
 {
@@ -243,9 +246,16 @@ static void put_primitive(writing *w, const vertex_data *data, int indices,
     batten_text_add(&w->meshes, "}");
 }
 
+/* glTF would multiply colours of vertices with it. */
+static const double *one_colour(const batten_object *object)
+{
+    return object->has_colour && !batten_mesh_view(object->mesh)->colours ? object->colour
+                                                                          : NULL;
+}
+
 /* Triangles of one colour are one primitive; all of them use the same vertices. */
 static batten_status put_primitives(writing *w, const batten_object *object,
-                                    const bat_corners *corners, const vertex_data *data)
+                                    const bat_corners *corners, vertex_data *data)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     bat_palette palette;
@@ -255,8 +265,8 @@ static batten_status put_primitives(writing *w, const batten_object *object,
             "the colours of its faces are left out: its vertices have colours too, "
             "which glTF would multiply with them");
     if (p->colours || !p->triangle_colours) {
-        put_primitive(w, data, put_indices(w, corners, p->triangle_count, NULL),
-                      object->has_colour && !p->colours ? object->colour : NULL);
+        data->indices = put_indices(w, corners, p->triangle_count, NULL);
+        put_primitive(w, data, data->indices, one_colour(object));
         return BATTEN_OK;
     }
     const batten_status status = bat_palette_find(p, &palette);
@@ -275,29 +285,38 @@ static batten_status put_primitives(writing *w, const batten_object *object,
     return BATTEN_OK;
 }
 
-static batten_status put_mesh(writing *w, const batten_object *object)
+static void begin_mesh(writing *w, const batten_object *object)
+{
+    put_comma(&w->meshes);
+    batten_text_add(&w->meshes, "{\"name\":");
+    batten_text_json(&w->meshes, object->name);
+    batten_text_add(&w->meshes, ",\"primitives\":[");
+}
+
+static void end_mesh(writing *w)
+{
+    batten_text_add(&w->meshes, "]}");
+    w->mesh_count++;
+}
+
+static batten_status put_mesh(writing *w, const batten_object *object, vertex_data *data)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
     batten_mesh_parts shown = *p;
     bat_corners corners = {0, NULL, NULL};
-    vertex_data data = {-1, -1, -1};
     if (!has_unit_normals(w, object))
         shown.normals = NULL;
     batten_status status = bat_number_corners(&shown, &corners);
     if (status == BATTEN_OK)
-        status = put_positions(w, object, &corners, &data.positions);
+        status = put_positions(w, object, &corners, &data->positions);
     if (status == BATTEN_OK) {
         if (shown.normals)
-            data.normals = put_normals(w, p, &corners);
+            data->normals = put_normals(w, p, &corners);
         if (p->colours)
-            data.colours = put_colours(w, p, &corners);
-        put_comma(&w->meshes);
-        batten_text_add(&w->meshes, "{\"name\":");
-        batten_text_json(&w->meshes, object->name);
-        batten_text_add(&w->meshes, ",\"primitives\":[");
-        status = put_primitives(w, object, &corners, &data);
-        batten_text_add(&w->meshes, "]}");
-        w->mesh_count++;
+            data->colours = put_colours(w, p, &corners);
+        begin_mesh(w, object);
+        status = put_primitives(w, object, &corners, data);
+        end_mesh(w);
     }
     bat_corners_end(&corners);
     return status;
@@ -305,7 +324,7 @@ static batten_status put_mesh(writing *w, const batten_object *object)
 
 /* Without the triangles that rounding takes away; a mesh of nothing else stays as it is, since
  * glTF has none without triangles. */
-static batten_status put_rounded(writing *w, const batten_object *object)
+static batten_status put_rounded(writing *w, const batten_object *object, vertex_data *data)
 {
     batten_object shown = *object;
     batten_mesh *rounded = NULL;
@@ -314,22 +333,41 @@ static batten_status put_rounded(writing *w, const batten_object *object)
         return status;
     if (batten_mesh_view(rounded)->triangle_count > 0)
         shown.mesh = rounded;
-    status = put_mesh(w, &shown);
+    status = put_mesh(w, &shown, data);
     batten_mesh_unref(rounded);
+    return status;
+}
+
+/* The mesh of object `number`; one that looks like another is that one, one of another colour
+ * shares its numbers. */
+static batten_status add_mesh(writing *w, const batten_object *object, int number)
+{
+    const vertex_data *before = &w->data[w->same[number]];
+    batten_status status = BATTEN_OK;
+    w->mesh_of[number] = w->mesh_count + 1;
+    if (w->look[number] < number) {
+        w->mesh_of[number] = w->mesh_of[w->look[number]];
+    } else if (w->same[number] < number && before->indices >= 0) {
+        begin_mesh(w, object);
+        put_primitive(w, before, before->indices, one_colour(object));
+        end_mesh(w);
+    } else {
+        w->data[number] = (vertex_data){-1, -1, -1, -1};
+        status = put_rounded(w, object, &w->data[number]);
+    }
     return status;
 }
 
 static batten_status put_meshes(writing *w)
 {
-    batten_status status = BATTEN_OK;
+    batten_status status = bat_definitions_meshes(&w->definitions, w->same, w->look);
     for (int i = 0; i < w->definitions.count; i++) {
         const batten_model *model = w->definitions.models[i];
         for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++) {
             const batten_object *object = batten_model_object(model, k);
-            if (object->mesh && batten_mesh_view(object->mesh)->triangle_count) {
-                status = put_rounded(w, object);
-                w->mesh_of[w->definitions.first[i] + k] = w->mesh_count;
-            } else if (!object->mesh && !object->definition)
+            if (object->mesh && batten_mesh_view(object->mesh)->triangle_count)
+                status = add_mesh(w, object, w->definitions.first[i] + k);
+            else if (!object->mesh && !object->definition)
                 batten_notes_add(w->notes, "", 0, object->name,
                                  "left out: glTF files are written of meshes, not of this %s",
                                  batten_object_kind_name(object->kind));
@@ -478,6 +516,9 @@ static void release(writing *w)
     bat_definitions_end(&w->definitions);
     bat_release(w->nodes);
     bat_release(w->mesh_of);
+    bat_release(w->same);
+    bat_release(w->look);
+    bat_release(w->data);
     batten_text_free(&w->bytes);
     batten_text_free(&w->meshes);
     batten_text_free(&w->materials);
@@ -506,9 +547,13 @@ batten_status bat_write_gltf(const batten_model *model, const batten_write_optio
     if (status == BATTEN_OK)
         status = find_nodes(&w);
     if (status == BATTEN_OK) {
-        const int objects = w.definitions.first[w.definitions.count];
-        w.mesh_of = bat_array((size_t)objects, sizeof *w.mesh_of);
-        status = w.mesh_of ? put_meshes(&w) : BATTEN_OUT_OF_MEMORY;
+        const size_t objects = (size_t)w.definitions.first[w.definitions.count];
+        w.mesh_of = bat_array(objects, sizeof *w.mesh_of);
+        w.same = bat_array(objects, sizeof *w.same);
+        w.look = bat_array(objects, sizeof *w.look);
+        w.data = bat_array(objects, sizeof *w.data);
+        status =
+            w.mesh_of && w.same && w.look && w.data ? put_meshes(&w) : BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK) {
         put_json(&w, &json);

@@ -100,6 +100,40 @@ TEST(instances_are_components_and_colours_base_materials)
     batten_model_unref(model);
 }
 
+/* A definition in two colours: what has its own colour is written once. */
+TEST(instances_of_other_colours_are_objects_of_their_own)
+{
+    const batten_mesh_parts parts = tetrahedron();
+    batten_model *inner = NULL, *model = NULL;
+    batten_mesh *mesh = NULL;
+    CHECK_OK(batten_model_create(0.001, &inner));
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_mesh_create(&parts, &mesh));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(inner, &(batten_object){.name = i ? "own" : "bare",
+                                                          .has_colour = i,
+                                                          .colour = {0, 1, 0},
+                                                          .kind = BATTEN_OBJECT_MESH,
+                                                          .mesh = mesh}));
+    batten_mesh_unref(mesh);
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = "i",
+                                                          .has_colour = true,
+                                                          .colour = {!i, 0, i},
+                                                          .kind = BATTEN_OBJECT_INSTANCE,
+                                                          .definition = inner,
+                                                          .place = batten_affine_identity()}));
+    batten_model_unref(inner);
+    const char *xml = write_3mf(model);
+    CHECK_CONTAINS(xml, "displaycolor=\"#FF0000\" name=\"bare\"");
+    CHECK_CONTAINS(xml, "displaycolor=\"#0000FF\" name=\"bare\"");
+    const char *own = strstr(xml, "type=\"model\" name=\"own\"");
+    CHECK(own && !strstr(own + 10, "type=\"model\" name=\"own\""));
+    const char *bare = strstr(xml, "type=\"model\" name=\"bare\"");
+    CHECK(bare && strstr(bare + 10, "type=\"model\" name=\"bare\""));
+    batten_model_unref(model);
+}
+
 TEST(units_that_3mf_has_not_become_millimetres_and_flat_triangles_go)
 {
     batten_model *model = NULL;

@@ -262,3 +262,48 @@ TEST(triangles_of_one_colour_are_a_primitive)
     batten_release(data);
     batten_model_unref(model);
 }
+
+/* One mesh as it is and in two colours: the numbers once, materials of their own. */
+TEST(instances_of_other_colours_share_accessors)
+{
+    const batten_mesh_parts parts = tetrahedron();
+    batten_model *inner = NULL, *model = NULL;
+    char *data = NULL;
+    const char *bytes = NULL;
+    size_t size = 0, count = 0;
+    CHECK_OK(batten_model_create(1, &inner));
+    CHECK_OK(batten_model_create(1, &model));
+    add_mesh(inner, "bolt", &parts);
+    for (int i = 0; i < 4; i++)
+        CHECK_OK(batten_model_add(
+            model, &(batten_object){.name = "bolt",
+                                    .has_colour = i > 0,
+                                    .colour = {i == 1, 0, i > 1},
+                                    .kind = BATTEN_OBJECT_INSTANCE,
+                                    .definition = inner,
+                                    .place = batten_affine_translation(i, 0, 0)}));
+    CHECK_OK(write_form(model, BATTEN_FORMAT_GLTF, false, NULL, &data, &size));
+    const char *json = check_chunks(data, size, &bytes, &count);
+    const char *meshes = json_key(json, "meshes"), *materials = json_key(json, "materials");
+    CHECK(json_item(meshes, 2) && !json_item(meshes, 3));
+    CHECK(json_item(materials, 1) && !json_item(materials, 2));
+    CHECK(json_item(json_key(json, "accessors"), 1) &&
+          !json_item(json_key(json, "accessors"), 2));
+    for (int i = 0; i < 4; i++) {
+        const char *node = json_item(json_key(json, "nodes"), 4 + i);
+        const int mesh = (int)json_number(json_key(node, "mesh"));
+        const char *primitive = json_item(json_key(json_item(meshes, mesh), "primitives"), 0);
+        double colour[4];
+        CHECK_INT((int)json_number(json_key(primitive, "indices")), 1);
+        if (i == 0)
+            continue;
+        const char *material =
+            json_item(materials, (int)json_number(json_key(primitive, "material")));
+        json_numbers(json_key(json_key(material, "pbrMetallicRoughness"), "baseColorFactor"), 4,
+                     colour);
+        CHECK(colour[0] == (i == 1) && colour[2] == (i > 1));
+    }
+    batten_release(data);
+    batten_model_unref(inner);
+    batten_model_unref(model);
+}
