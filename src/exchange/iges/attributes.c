@@ -109,40 +109,42 @@ batten_status bat_iges_name(bat_iges_item *item, char **name)
 
 /* ---- colours ---- */
 
-/* What a status is when bad data count as none. */
-static batten_status forgiving(batten_status status)
-{
-    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
-}
-
-static batten_status read_percents(bat_iges_reading *reading, int id, bool *has, double rgb[3])
+static batten_status read_percents(bat_iges_reading *reading, int id, double rgb[3])
 {
     const bat_iges_entry *entry = NULL;
     bat_iges_item item;
     double read[3] = {0};
-    if (bat_iges_find_type(reading, id, 314, &entry) != BATTEN_OK)
-        return BATTEN_OK;
-    batten_status status = bat_iges_open(reading, entry, &item);
+    batten_status status = bat_iges_find_type(reading, id, 314, &entry);
+    if (status != BATTEN_OK)
+        return status;
+    status = bat_iges_open(reading, entry, &item);
     if (status == BATTEN_OK)
         status = bat_iges_reals(item.parameters, 1, 3, read);
     bat_iges_close(&item);
-    bool good = status == BATTEN_OK;
-    for (int k = 0; good && k < 3; k++)
-        good = read[k] >= 0 && read[k] <= 100;
-    for (int k = 0; good && k < 3; k++)
+    for (int k = 0; status == BATTEN_OK && k < 3; k++)
+        if (!(read[k] >= 0 && read[k] <= 100))
+            status = bat_fail(BATTEN_BAD_FORMAT, "part %d is %g percent", k + 1, read[k]);
+    for (int k = 0; status == BATTEN_OK && k < 3; k++)
         rgb[k] = read[k] / 100;
-    *has = good;
-    return forgiving(status);
+    return bat_iges_fault_in(status, id);
 }
 
-batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, double rgb[3])
+batten_status bat_iges_colour(bat_iges_reading *reading, const bat_iges_entry *entry, bool *has,
+                              double rgb[3])
 {
     static const double named[9][3] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                        {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-    *has = colour > 0 && colour <= 8;
-    if (*has)
+    const int colour = entry->colour;
+    batten_status status = BATTEN_OK;
+    *has = false;
+    if (colour < 0)
+        status = read_percents(reading, -colour, rgb);
+    else if (colour > 8)
+        status = bat_fail(BATTEN_BAD_FORMAT, "colours have the numbers 0 to 8");
+    else
         memcpy(rgb, named[colour], sizeof named[colour]);
-    return colour < 0 ? read_percents(reading, -colour, has, rgb) : BATTEN_OK;
+    *has = status == BATTEN_OK && colour != 0;
+    return bat_iges_forgive(status, &reading->wrong_colours, entry, colour);
 }
 
 /* ---- groups ---- */

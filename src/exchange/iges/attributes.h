@@ -7,8 +7,10 @@
 batten_status bat_iges_name(bat_iges_item *item, char **name);
 /* The same from its properties or its label alone; *name stays NULL when it has none. */
 batten_status bat_iges_given_name(bat_iges_item *item, char **name);
-/* 0 is none; 1..8 are named; minus the id of a 314 gives percents. A bad one is none. */
-batten_status bat_iges_colour(bat_iges_reading *reading, int colour, bool *has, double rgb[3]);
+/* 0 is none; 1..8 are named; minus the id of a 314 gives percents. A bad one is none, and
+ * counted as wrong. */
+batten_status bat_iges_colour(bat_iges_reading *reading, const bat_iges_entry *entry, bool *has,
+                              double rgb[3]);
 
 void bat_iges_start_groups(bat_iges_reading *reading);
 /* Find out which entries belong to which groups. */

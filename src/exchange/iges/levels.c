@@ -96,17 +96,31 @@ static const char *name_of_level(const bat_iges_reading *reading, int level)
 }
 
 /* The first of the levels that a property 406 form 1 lists. */
-static batten_status first_level(bat_iges_reading *reading, int id, int *level)
+static batten_status first_level(bat_iges_reading *reading, const bat_iges_entry *of,
+                                 int *level)
 {
+    const int id = -of->level;
     const bat_iges_entry *entry = NULL;
     bat_iges_item item;
-    if (bat_iges_find_type(reading, id, 406, &entry) != BATTEN_OK || entry->form != 1)
-        return BATTEN_OK;
-    batten_status status = bat_iges_open(reading, entry, &item);
+    int count = 1;
+    batten_status status = bat_iges_find_type(reading, id, 406, &entry);
+    if (status == BATTEN_OK && entry->form != 1)
+        status =
+            bat_fail(BATTEN_BAD_FORMAT,
+                     "it refers to entity D%d as a list of levels, form 1, which is of form "
+                     "%d",
+                     id, entry->form);
+    if (status != BATTEN_OK)
+        return status;
+    status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = bat_iges_integer(item.parameters, 1, &count);
     if (status == BATTEN_OK)
         status = bat_iges_integer(item.parameters, 2, level);
     bat_iges_close(&item);
-    return bat_iges_is_fault_of_data(status) ? BATTEN_OK : status;
+    if (status == BATTEN_OK && count > 1)
+        bat_iges_count_odd(&reading->many_levels, of, id);
+    return bat_iges_fault_in(status, id);
 }
 
 batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *entry,
@@ -116,9 +130,9 @@ batten_status bat_iges_layer(bat_iges_reading *reading, const bat_iges_entry *en
     int level = entry->level;
     batten_status status = BATTEN_OK;
     if (level < 0) {
-        const int id = -level;
         level = 0;
-        status = first_level(reading, id, &level);
+        status = bat_iges_forgive(first_level(reading, entry, &level), &reading->wrong_levels,
+                                  entry, entry->level);
     }
     if (status != BATTEN_OK)
         return status;

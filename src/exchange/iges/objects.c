@@ -3,6 +3,7 @@
 #include "exchange/iges/levels.h"
 #include "exchange/iges/references.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* Count an entity as left out, and say why unless that is NULL. */
@@ -38,7 +39,7 @@ static batten_status add_object(bat_iges_item *item, batten_model *model)
     if (status == BATTEN_OK)
         status = bat_iges_layer(item->reading, entry, &layer);
     if (status == BATTEN_OK)
-        status = bat_iges_colour(item->reading, entry->colour, &has_colour, rgb);
+        status = bat_iges_colour(item->reading, entry, &has_colour, rgb);
     if (status == BATTEN_OK) {
         const batten_object object = {.name = name,
                                       .layer = layer,
@@ -192,10 +193,41 @@ batten_status bat_iges_add_roots(bat_iges_reading *reading)
     return status;
 }
 
+/* The first entity with such a field, what is to be said of it, and of how many. */
+static void note_odd(const bat_iges_reading *reading, const bat_iges_odd *odd,
+                     const char *format, ...) BATTEN_PRINTF(3, 4);
+
+static void note_odd(const bat_iges_reading *reading, const bat_iges_odd *odd,
+                     const char *format, ...)
+{
+    char sentence[300], others[48] = "";
+    if (odd->count == 0)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    bat_format(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    if (odd->count > 1)
+        snprintf(others, sizeof others, "; so of %d entities in all", odd->count);
+    bat_iges_note(reading, odd->first, "%s%s", sentence, others);
+}
+
+static void note_fields(const bat_iges_reading *reading)
+{
+    const bat_iges_odd *colours = &reading->wrong_colours, *levels = &reading->wrong_levels,
+                       *many = &reading->many_levels;
+    note_odd(reading, colours, "its colour is %d: %s; taken as none", colours->value,
+             colours->why);
+    note_odd(reading, levels, "its level is %d: %s; taken as none", levels->value, levels->why);
+    note_odd(reading, many, "it is on all levels that D%d lists; only the first is kept",
+             many->value);
+}
+
 void bat_iges_note_oddities(const bat_iges_reading *reading)
 {
     batten_notes *notes = reading->input->notes;
     const char *file = reading->input->file;
+    note_fields(reading);
     if (reading->orphans)
         batten_notes_add(notes, file, 0, "",
                          "%d entities call themselves parts of others, but nothing refers to "

@@ -33,6 +33,34 @@ static void say_what(const bat_iges_entry *entry, char what[WHAT])
     snprintf(what, WHAT, "#%d %s", entry->id, name);
 }
 
+batten_status bat_iges_fault_in(batten_status status, int id)
+{
+    char said[140];
+    if (!bat_iges_is_fault_of_data(status))
+        return status;
+    snprintf(said, sizeof said, "%.139s", batten_message());
+    return bat_fail(status, "D%d: %s", id, said);
+}
+
+void bat_iges_count_odd(bat_iges_odd *odd, const bat_iges_entry *entry, int value)
+{
+    if (odd->count++)
+        return;
+    odd->first = entry;
+    odd->value = value;
+}
+
+batten_status bat_iges_forgive(batten_status status, bat_iges_odd *odd,
+                               const bat_iges_entry *entry, int value)
+{
+    if (!bat_iges_is_fault_of_data(status))
+        return status;
+    if (odd->count == 0)
+        snprintf(odd->why, sizeof odd->why, "%.159s", batten_message());
+    bat_iges_count_odd(odd, entry, value);
+    return BATTEN_OK;
+}
+
 void bat_iges_note(const bat_iges_reading *reading, const bat_iges_entry *entry,
                    const char *format, ...)
 {

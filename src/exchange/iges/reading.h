@@ -55,6 +55,14 @@ typedef struct {
     batten_model *definition; /* kept: of a 308 */
 } bat_iges_shape;
 
+/* What is odd about a field of the directory, in one entry or in many. */
+typedef struct {
+    int count;
+    const bat_iges_entry *first;
+    int value; /* there */
+    char why[160];
+} bat_iges_odd;
+
 typedef struct {
     bat_iges_file file;
     bat_input *input;
@@ -72,6 +80,7 @@ typedef struct {
     /* Oddities that are said once: */
     int orphans, turned_loops, swapped_loops, gaps, loose;
     double largest_gap, largest_miss;
+    bat_iges_odd wrong_colours, wrong_levels, many_levels;
     int reasons[32]; /* for which an entity was left out: its type, or -1 - its use */
     int reason_count;
     batten_model *model;
@@ -111,6 +120,13 @@ batten_status bat_iges_surface(bat_iges_reading *reading, int id, const batten_s
  * 1e-3 of the size of the model; `size` is that of what is at hand. */
 double bat_iges_tolerance(const bat_iges_reading *reading, double size);
 
+/* A fault of data in another entity: its number before the message. */
+batten_status bat_iges_fault_in(batten_status status, int id);
+void bat_iges_count_odd(bat_iges_odd *odd, const bat_iges_entry *entry, int value);
+/* Bad data in a field of the directory, `value`, count as none, and as odd, with the
+ * message. */
+batten_status bat_iges_forgive(batten_status status, bat_iges_odd *odd,
+                               const bat_iges_entry *entry, int value);
 /* A note, a remark on an entity; "#5 126 B-spline curve". */
 void bat_iges_note(const bat_iges_reading *reading, const bat_iges_entry *entry,
                    const char *format, ...) BATTEN_PRINTF(3, 4);

@@ -175,8 +175,7 @@ static batten_status put_face(bat_iges_item *item, face_of_solid *face)
     if (status == BATTEN_OK)
         status = bat_iges_given_name(item, &name);
     if (status == BATTEN_OK)
-        status = bat_iges_colour(face->reading, item->entry->colour, &plain.has_colour,
-                                 plain.colour);
+        status = bat_iges_colour(face->reading, item->entry, &plain.has_colour, plain.colour);
     if (status == BATTEN_OK) {
         plain.name = name;
         plain.surface = made ? made : face->ground->surface;

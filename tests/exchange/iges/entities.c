@@ -172,13 +172,92 @@ TEST(wrong_pointers_to_names_and_colours_are_ignored)
         char parameters[200];
         iges_text file = iges_begin();
         snprintf(parameters, sizeof parameters, HEAD ",0.,1.,0.,0.,0.,%s", cases[i].tail);
-        iges_add(&file, 126, 0, 0, -1, "00000000", parameters);
+        iges_add(&file, 126, 0, 0, 0, "00000000", parameters);
         iges_add(&file, 406, 1, 0, 0, "00010300", "406,1,5;");
         batten_model *model =
             read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, cases[i].note);
         CHECK_TEXT(batten_model_object(model, 0)->name, "curve D1");
         CHECK(!batten_model_object(model, 0)->has_colour);
         batten_model_unref(model);
+    }
+}
+
+/* ---- colours and levels ---- */
+
+static void check_wrong(iges_text *file, const char *line, int where, const char *words)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(read_text(iges_end(file, IGES_GLOBAL), BATTEN_FORMAT_AUTO, notes, &model));
+    CHECK(!batten_model_object(model, 0)->has_colour);
+    CHECK_TEXT(batten_model_object(model, 0)->layer, "");
+    if (!batten_notes_dropped(notes)) {
+        int first = 0;
+        while (batten_notes_at(notes, first)->is_remark)
+            first++;
+        const batten_note *note = batten_notes_at(notes, first);
+        CHECK_INT(count_warnings(notes), 1);
+        CHECK_TEXT(note->text, words);
+        CHECK_CONTAINS(note->entity, line);
+        CHECK_INT(note->line, where);
+    }
+    batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+/* One note says which entity is the first, where it stands and what is wrong, and of how many.
+ */
+TEST(Q4_wrong_colours_are_none_and_said_once)
+{
+    static const struct {
+        int colour;
+        const char *why;
+    } cases[] = {{9, "colours have the numbers 0 to 8"},
+                 {-99, "it refers to entity D99, which is missing"},
+                 {-4, "4 is not the odd number of an entity"},
+                 {-3, "it refers to entity D3 as type 314, which is of type 124"},
+                 {-5, "D5: part 2 is 120 percent"},
+                 {-7, "D7: parameter 2 is no number but a string"}};
+    for (int i = 0; i < COUNT(cases); i++)
+        for (int count = 1; count < 4; count += 2) {
+            char words[200];
+            iges_text file = iges_begin();
+            iges_add(&file, 110, 0, 0, cases[i].colour, "00000000", IGES_LINE);
+            iges_add(&file, 124, 0, 0, 0, "00000000",
+                     "124,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.;");
+            iges_add(&file, 314, 0, 0, 0, "00000200", "314,0.,120.,0.;");
+            iges_add(&file, 314, 0, 0, 0, "00000200", "314,0.,1Hx,0.;");
+            for (int k = 1; k < count; k++)
+                iges_add(&file, 110, 0, 0, cases[i].colour, "00000000", IGES_LINE);
+            snprintf(words, sizeof words, "its colour is %d: %s; taken as none%s",
+                     cases[i].colour, cases[i].why,
+                     count > 1 ? "; so of 3 entities in all" : "");
+            check_wrong(&file, "#1 ", 4, words);
+        }
+}
+
+TEST(Q4_wrong_levels_are_none_and_said_once)
+{
+    static const struct {
+        int level;
+        const char *why;
+    } cases[] = {
+        {-99, "it refers to entity D99, which is missing"},
+        {-1, "it refers to entity D1 as type 406, which is of type 110"},
+        {-3, "it refers to entity D3 as a list of levels, form 1, which is of form 15"},
+        {-5, "D5: parameter 2 is no number but a string"}};
+    for (int i = 0; i < COUNT(cases); i++) {
+        char words[200], level[9];
+        iges_text file = iges_begin();
+        iges_add(&file, 110, 0, 0, 0, "00000000", IGES_LINE);
+        iges_add(&file, 406, 15, 0, 0, "00010300", "406,1,1Hx;");
+        iges_add(&file, 406, 1, 0, 0, "00010300", "406,1,1Hx;");
+        snprintf(level, sizeof level, "%8d", cases[i].level);
+        memcpy(file.directory + 32, level, 8);
+        snprintf(words, sizeof words, "its level is %d: %s; taken as none", cases[i].level,
+                 cases[i].why);
+        check_wrong(&file, "#1 ", 4, words);
     }
 }
 

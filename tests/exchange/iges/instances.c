@@ -146,7 +146,10 @@ TEST(levels_are_layers)
     for (char *at = text; *at && n < 6; at += 81)
         if (at[72] == 'D' && n++ % 2 == 0)
             memcpy(at + 32, levels[n / 2], 8);
-    batten_model *model = read_noting(text, BATTEN_FORMAT_AUTO, "");
+    batten_model *model = read_noting(
+        text, BATTEN_FORMAT_AUTO, "it is on all levels that D7 lists; only the first is kept");
+    batten_model_unref(model);
+    model = read_noting(text, BATTEN_FORMAT_AUTO, "its level is -9: it refers to entity D9");
     CHECK_TEXT(batten_model_object(model, 0)->layer, "3");
     CHECK_TEXT(batten_model_object(model, 1)->layer, "12");
     CHECK_TEXT(batten_model_object(model, 2)->layer, "");
