@@ -41,7 +41,7 @@ void bat_dxf_true_colour(int value, double rgb[3])
 
 bat_dxf_colour_code bat_dxf_code_of_colour(const double rgb[3])
 {
-    bat_dxf_colour_code code = {7, 0};
+    bat_dxf_colour_code code = {BAT_DXF_PLAIN, 0};
     double least = INFINITY;
     for (int i = 1; i < 256; i++) {
         double candidate[3];
@@ -54,7 +54,7 @@ bat_dxf_colour_code bat_dxf_code_of_colour(const double rgb[3])
     }
     for (int k = 0; k < 3; k++)
         code.full = code.full << 8 | (int)(255 * bat_min(1, bat_max(0, rgb[k])) + 0.5);
-    if (least < 1e-6)
+    if (least < 1e-6 && code.index != BAT_DXF_PLAIN)
         code.full = -1;
     return code;
 }

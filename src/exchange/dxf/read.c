@@ -53,17 +53,18 @@ batten_status bat_dxf_recognise(const bat_input *input, bool *is_dxf)
 
 /* ---- entities ---- */
 
-/* A layer that the file does not describe has colour 7. */
+/* A layer that the file does not describe, or that is plain. */
 static void colour_of_layer(const bat_dxf_layer_entry *on, double colour[3])
 {
     if (on && on->has_colour)
         memcpy(colour, on->colour, sizeof on->colour);
     else
-        bat_dxf_colour(7, colour);
+        bat_dxf_colour(BAT_DXF_PLAIN, colour);
 }
 
 /* Layer, colour, and whether it is shown; bad numbers are as if they were not there. What lies
- * on layer 0 of a block has the layer of the INSERT. */
+ * on layer 0 of a block has the layer of the INSERT. The plain colour is none, but in blocks,
+ * where an object without one takes that of the INSERT, it is black. */
 static void read_look(filling *f, char layer_name[BAT_DXF_NAME], batten_object *object)
 {
     int colour = 256, full = -1, hidden = 0;
@@ -81,6 +82,9 @@ static void read_look(filling *f, char layer_name[BAT_DXF_NAME], batten_object *
     if (full >= 0) {
         bat_dxf_true_colour(full, object->colour);
         object->has_colour = true;
+    } else if (colour == BAT_DXF_PLAIN && !f->block) {
+        object->has_colour = false;
+        return;
     }
     if (object->has_colour)
         return;
@@ -283,7 +287,7 @@ static batten_status place(filling *f, bat_dxf_block *b, const char *layer_name,
 {
     const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
     const double *own = object->has_colour ? object->colour : NULL;
-    const bool is_plain = !own && !on && !f->block && !b->is_bound;
+    const bool is_plain = !own && !(on && on->has_colour) && !f->block && !b->is_bound;
     batten_model *model = NULL;
     batten_status status = BATTEN_OK;
     double colour[3];

@@ -31,7 +31,8 @@ static batten_status read_layer(bat_dxf_reading *r, const bat_dxf_pairs *pairs)
     (void)bat_dxf_get_integer(pairs, 70, 0, &flags);
     (void)bat_dxf_get_integer(pairs, 420, -1, &full);
     made.is_hidden = colour < 0 || (flags & 1);
-    made.has_colour = bat_dxf_colour(abs(bat_max_int(colour, -255)), made.colour);
+    colour = abs(bat_max_int(colour, -255));
+    made.has_colour = bat_dxf_colour(colour, made.colour) && colour != BAT_DXF_PLAIN;
     if (full >= 0) {
         bat_dxf_true_colour(full, made.colour);
         made.has_colour = true;

@@ -36,7 +36,7 @@ typedef struct {
     double unit_metres;
     size_t entities_at; /* 0: there is no such section */
     int entities_line;
-    int thick; /* entities with a thickness */
+    int thick;                     /* entities with a thickness */
     int number, instances, copied; /* copied: objects, for the colours of INSERTs */
 } bat_dxf_reading;
 

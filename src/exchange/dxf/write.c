@@ -20,11 +20,10 @@ typedef struct {
 
 /* ---- layers ---- */
 
-/* Where an object has none it is 7, which is black on white and white on black. */
 static bat_dxf_colour_code colour_of(const batten_object *object)
 {
     return object->has_colour ? bat_dxf_code_of_colour(object->colour)
-                              : (bat_dxf_colour_code){7, -1};
+                              : (bat_dxf_colour_code){BAT_DXF_PLAIN, -1};
 }
 
 /* By name, so that equal ones stand together, and the first object of a layer first. */
@@ -64,7 +63,7 @@ static batten_status find_layers(writing *w)
         w->named += !batten_model_object(w->model, i)->layer[0];
     }
     qsort(wanted, (size_t)n, sizeof *wanted, compare_layers);
-    w->layers[w->layer_count++] = (bat_dxf_layer_row){"0", {7, -1}};
+    w->layers[w->layer_count++] = (bat_dxf_layer_row){"0", {BAT_DXF_PLAIN, -1}};
     for (int i = 0; i < n; i++) {
         const bool is_zero = strcmp(wanted[i].row.name, "0") == 0;
         if (!is_zero && strcmp(wanted[i].row.name, w->layers[w->layer_count - 1].name) != 0)

@@ -248,6 +248,32 @@ TEST(layers_say_colour_and_whether_they_are_shown)
     batten_model_unref(model);
 }
 
+/* By layer and on its own; within a block it is black, for an INSERT may have another. */
+TEST(colour_7_is_none)
+{
+    batten_model *model = NULL, *flat = NULL;
+    CHECK_OK(read_text(
+        file_of("0 LAYER|2 plain|70 0|62 7|0 LAYER|2 off|70 0|62 -7|0 LAYER|2 red|70 0|62 1|",
+                "0 BLOCK|8 0|2 b|70 0|10 0|20 0|30 0|0 POINT|8 plain|10 0|20 0|"
+                "0 POINT|8 red|62 7|10 0|20 0|0 POINT|8 0|62 0|10 0|20 0|0 POINT|8 0|10 0|20 0|"
+                "0 ENDBLK|8 0|",
+                "0 LINE|8 plain|10 0|20 0|11 1|21 1|0 LINE|8 red|62 7|10 0|20 0|11 1|21 1|"
+                "0 LINE|8 off|10 0|20 0|11 1|21 1|0 LINE|8 0|10 0|20 0|11 1|21 1|"
+                "0 INSERT|8 red|2 b|10 0|20 0|0 INSERT|8 plain|2 b|10 0|20 0|"),
+        BATTEN_FORMAT_AUTO, NULL, &model));
+    for (int i = 0; i < 4; i++)
+        CHECK(!batten_model_object(model, i)->has_colour);
+    CHECK(batten_model_object(model, 2)->is_hidden);
+    CHECK_OK(batten_model_flat(model, &flat));
+    for (int i = 0; i < 8; i++) {
+        const batten_object *object = batten_model_object(flat, 4 + i);
+        CHECK_INT(object->has_colour, i < 6);
+        CHECK(object->colour[0] == (i == 2 || i == 3) && object->colour[1] == 0);
+    }
+    batten_model_unref(flat);
+    batten_model_unref(model);
+}
+
 TEST(blocks_are_placed_as_instances)
 {
     batten_model *model = NULL, *flat = NULL;

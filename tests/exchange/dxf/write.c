@@ -268,6 +268,24 @@ TEST(colours_of_the_palette_come_back_and_others_as_24_bits)
     batten_model_unref(model);
 }
 
+/* The number 7, which is black or white, is for what has no colour. */
+TEST(black_and_white_and_none_come_back)
+{
+    const double colours[2][3] = {{0, 0, 0}, {1, 1, 1}};
+    batten_model *model = coloured_lines(2, colours);
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_DXF;
+    batten_model *back = there_and_back(model, &options, NULL);
+    for (int i = 0; i < 2; i++) {
+        CHECK(batten_model_object(back, i)->has_colour);
+        CHECK(memcmp(batten_model_object(back, i)->colour, colours[i], sizeof *colours) == 0);
+    }
+    CHECK(!batten_model_object(model, 2)->has_colour &&
+          !batten_model_object(back, 2)->has_colour);
+    batten_model_unref(back);
+    batten_model_unref(model);
+}
+
 TEST(only_colours_of_24_bits_need_release_2004)
 {
     const double orange[1][3] = {{1, 0.5, 0}}, other[1][3] = {{1, 0.6, 0}};
