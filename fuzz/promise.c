@@ -151,6 +151,13 @@ static int has_only_shapes(const batten_model *model, batten_format format)
     return 1;
 }
 
+/* A format without the unit of a model has it in another, where places are rounded. */
+static int has_unit_of(const batten_model *back, const batten_model *model)
+{
+    const double metres = batten_model_unit_metres(model);
+    return !(metres > 0) || fabs(batten_model_unit_metres(back) - metres) <= 1e-12 * metres;
+}
+
 /* @param weighs  the format has products of points and weights, of which points come back
  * rounded */
 static void same_object(const batten_object *p, const batten_object *q, bool weighs)
@@ -326,7 +333,7 @@ static char *write_again(const batten_model *model, int writing, const char *fir
     demand(reading == BATTEN_OK, "what was written reads back");
     /* The bytes of STL are floats, and of one object: only what they hold comes back. */
     if (writing == 1 && has_only_shapes(model, format) && has_only_shapes(back, format) &&
-        (format != BATTEN_FORMAT_STL || as_text))
+        (format != BATTEN_FORMAT_STL || as_text) && has_unit_of(back, model))
         same_model(model, back, format);
     demand(write_as(back, format, as_text, &second, size) == BATTEN_OK, "it is written again");
     batten_model_unref(back);
