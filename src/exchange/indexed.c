@@ -4,6 +4,7 @@
 
 #include <limits.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 bat_indexed bat_indexed_begin(bat_input *input)
@@ -302,15 +303,32 @@ static batten_status add_mesh(bat_indexed *mesh, const char *name, batten_model 
     return status;
 }
 
+/* "normals, colours, 2 further values" */
+static void note_lost_of_points(const bat_indexed *mesh)
+{
+    const size_t further = mesh->attributes.count;
+    char values[48] = "";
+    if (further)
+        snprintf(values, sizeof values, "%zu further value%s", further,
+                 further == 1 ? "" : "s");
+    const char *lost[] = {mesh->normals ? "normals" : "", mesh->colours ? "colours" : "",
+                          values};
+    char list[96] = "";
+    size_t used = 0;
+    for (int k = 0; k < 3; k++)
+        if (*lost[k])
+            used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
+                                     lost[k]);
+    if (used)
+        batten_notes_add(mesh->input->notes, mesh->input->file, 0, "points",
+                         "of points only coordinates are kept; left out of %zu point%s: %s",
+                         mesh->count, mesh->count == 1 ? "" : "s", list);
+}
+
 /* Objects of points hold coordinates alone. */
 static batten_status add_points(const bat_indexed *mesh, batten_model *model)
 {
-    const size_t further = mesh->attributes.count;
-    if (mesh->colours || mesh->normals || further)
-        batten_notes_add(mesh->input->notes, mesh->input->file, 0, "points",
-                         "only coordinates are kept of points:%s%s %zu further values left out",
-                         mesh->colours ? " colours," : "", mesh->normals ? " normals," : "",
-                         further);
+    note_lost_of_points(mesh);
     return batten_model_add(model, &(batten_object){.name = "points",
                                                     .kind = BATTEN_OBJECT_POINTS,
                                                     .point_count = (int)mesh->count,

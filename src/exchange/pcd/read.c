@@ -171,10 +171,12 @@ static batten_status find_axes(reading *r)
         others +=
             k != r->axis[0] && k != r->axis[1] && k != r->axis[2] && !bat_word_is(f->name, "_");
     }
-    if (others)
-        batten_notes_add(r->input->notes, r->input->file, 0, "",
-                         "only coordinates are kept of points: %d further fields are left out",
-                         others);
+    if (others && r->points)
+        batten_notes_add(
+            r->input->notes, r->input->file, 0, "",
+            "of points only coordinates are kept; left out of %zu point%s: %d further "
+            "field%s",
+            r->points, r->points == 1 ? "" : "s", others, others == 1 ? "" : "s");
     return BATTEN_OK;
 }
 

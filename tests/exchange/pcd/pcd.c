@@ -104,7 +104,7 @@ TEST(N1_points_that_are_nowhere_are_told)
     batten_model_unref(model);
     model = read_noting(HEADER "FIELDS x y z rgb\nPOINTS 1\nVIEWPOINT 1 0 0 1 0 0 0\nDATA "
                                "ascii\n1 2 3 4\n",
-                        BATTEN_FORMAT_PCD, "1 further fields are left out");
+                        BATTEN_FORMAT_PCD, "left out of 1 point: 1 further field");
     batten_model_unref(model);
 }
 

@@ -93,10 +93,16 @@ TEST(vertices_without_faces_are_points_and_what_they_lose_is_told)
         read_noting("ply\nformat ascii 1.0\nelement vertex 2\n"
                     "property float x\nproperty float y\nproperty float z\n"
                     "property float time\nend_header\n1 2 3 4\n5 6 7 8\n",
-                    BATTEN_FORMAT_AUTO, "only coordinates are kept of points");
+                    BATTEN_FORMAT_AUTO, "left out of 2 points: 1 further value");
     const batten_object *object = batten_model_object(model, 0);
     CHECK(object->kind == BATTEN_OBJECT_POINTS && object->point_count == 2);
     CHECK_BITS(object->points[5], 7.0);
+    batten_model_unref(read_noting(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float nx\nproperty float ny\n"
+        "property float nz\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float t\n"
+        "property float u\nend_header\n0 0 1 1 2 3 255 0 0 4 5\n",
+        BATTEN_FORMAT_AUTO, "left out of 1 point: normals, colours, 2 further values"));
     batten_model *back = check_second(model, BATTEN_FORMAT_PLY, false);
     CHECK(same_rows(batten_model_object(back, 0)->points, object->points, 6));
     batten_model_unref(back);
