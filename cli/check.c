@@ -102,9 +102,10 @@ const command command_check = {
     .manual =
         "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own "
         "checks are\n"
-        "then made. Of bodies gaps, loose edges and faces turned against each other are "
-        "told; with\n"
-        "--within the status is 1 when there are any beyond it.",
+        "then made. Of bodies gaps, loose edges, faces turned against each other and shells "
+        "turned "
+        "inside\n"
+        "out are told; with --within the status is 1 when there are any beyond it.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -213,8 +213,10 @@ typedef struct batten_body_faults {
     double largest_miss;
     int crossing_loops; /**< loops that touch or cross themselves or another of the face */
     int poles, seams;
-    int close_knots; /**< curves and surfaces with knots nearer than 1e-6 of the domain */
-    int open_shells; /**< said to be closed, but with free edges */
+    int close_knots;   /**< curves and surfaces with knots nearer than 1e-6 of the domain */
+    int open_shells;   /**< said to be closed, but with free edges */
+    int turned_shells; /**< of a solid: its outer shell, when the volume within is below 0, and
+                            voids of which it is above; each shell that closes */
 } batten_body_faults;
 /**
  * Look at every edge, face and shell; nothing is changed.

@@ -1,7 +1,6 @@
 /* What is wrong with a body: its edges and shells, and all the rest asked for. */
 #include "body/box.h"
 #include "body/check_parts.h"
-#include "body/trace_all.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
 
@@ -10,7 +9,6 @@
 
 /* How the faces use an edge. */
 typedef struct {
-    int ways[2];         /* uses along it and against it */
     int first_face;      /* of those that use it; -1 for none */
     int last_face[2];    /* for each way */
     int shell, in_shell; /* the shell looked at last, and how often that uses it */
@@ -40,7 +38,7 @@ static void note_edge(const bat_check *check, int edge, const edge_uses *uses, c
 
 /* ---- uses ---- */
 
-static void count_uses(bat_check *check, edge_uses *uses)
+static void count_uses(bat_check *check, edge_uses *uses, bat_edge_ways *ways)
 {
     const batten_body_parts *p = check->parts;
     for (int e = 0; e < p->edge_count; e++)
@@ -51,7 +49,7 @@ static void count_uses(bat_check *check, edge_uses *uses)
                 const batten_body_use *use = &p->uses[p->loops[l].first + i];
                 edge_uses *of = &uses[use->edge];
                 const int way = use->reversed;
-                of->ways[way]++;
+                ways[use->edge].count[way]++;
                 if (of->first_face < 0)
                     of->first_face = f;
                 if (of->last_face[way] != f && of->last_face[!way] == f)
@@ -61,10 +59,11 @@ static void count_uses(bat_check *check, edge_uses *uses)
 }
 
 /* What number of faces an edge bounds. Those without a curve are poles, of one face each. */
-static void check_uses(bat_check *check, int edge, const edge_uses *uses)
+static void check_uses(bat_check *check, int edge, const edge_uses *uses,
+                       const bat_edge_ways *ways)
 {
     batten_body_faults *faults = check->faults;
-    const int count = uses->ways[0] + uses->ways[1];
+    const int count = ways->count[0] + ways->count[1];
     if (count == 0)
         return;
     if (!check->parts->edges[edge].curve) {
@@ -74,7 +73,7 @@ static void check_uses(bat_check *check, int edge, const edge_uses *uses)
     } else if (count > 2) {
         faults->crowded_edges++;
         note_edge(check, edge, uses, "more than two uses", count, "uses");
-    } else if (uses->ways[0] == 1) {
+    } else if (ways->count[0] == 1) {
         faults->shared_edges++;
     } else {
         faults->wrong_edges++;
@@ -217,7 +216,9 @@ static batten_status check_traced(bat_check *check, const bat_traced_all *traced
     return status;
 }
 
-static batten_status check_loops(bat_check *check, const batten_body *body)
+/* The loops of faces, and to which side they face. */
+static batten_status check_loops(bat_check *check, const batten_body *body,
+                                 const bat_edge_ways *ways)
 {
     const batten_box box = bat_body_edge_box(body);
     bat_traced_all traced;
@@ -234,7 +235,22 @@ static batten_status check_loops(bat_check *check, const batten_body *body)
                              "its loops cannot be closed in the parameters of its surface");
     }
     status = check_traced(check, &traced);
+    if (status == BATTEN_OK)
+        status = bat_check_shells(check, body, &traced, ways);
     bat_trace_all_end(&traced);
+    return status;
+}
+
+static batten_status check_edges(bat_check *check, edge_uses *uses, bat_edge_ways *ways)
+{
+    batten_status status = BATTEN_OK;
+    count_uses(check, uses, ways);
+    for (int e = 0; e < check->parts->edge_count && status == BATTEN_OK; e++) {
+        check_uses(check, e, &uses[e], &ways[e]);
+        status = check_curve(check, e, &uses[e]);
+    }
+    for (int s = 0; s < check->parts->shell_count && status == BATTEN_OK; s++)
+        check_shell(check, s, uses);
     return status;
 }
 
@@ -250,20 +266,15 @@ batten_status batten_body_check(const batten_body *body, double tolerance,
     batten_body_faults faults = {.gaps = 0};
     bat_check check = {parts, tolerance, {.job = job}, notes, &faults, parts, NULL};
     edge_uses *uses = bat_array((size_t)parts->edge_count + 1, sizeof *uses);
-    if (!uses)
-        return BATTEN_OUT_OF_MEMORY;
-    count_uses(&check, uses);
-    batten_status status = BATTEN_OK;
-    for (int e = 0; e < parts->edge_count && status == BATTEN_OK; e++) {
-        check_uses(&check, e, &uses[e]);
-        status = check_curve(&check, e, &uses[e]);
-    }
-    for (int s = 0; s < parts->shell_count; s++)
-        check_shell(&check, s, uses);
+    bat_edge_ways *ways = bat_array((size_t)parts->edge_count + 1, sizeof *ways);
+    batten_status status = uses && ways ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = check_edges(&check, uses, ways);
     for (int f = 0; f < parts->face_count && status == BATTEN_OK; f++)
         status = check_face(&check, f);
     if (status == BATTEN_OK)
-        status = check_loops(&check, body);
+        status = check_loops(&check, body, ways);
+    bat_release(ways);
     bat_release(uses);
     if (status == BATTEN_OK)
         *out = faults;

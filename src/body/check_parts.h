@@ -2,7 +2,13 @@
 #ifndef BAT_CHECK_PARTS_H
 #define BAT_CHECK_PARTS_H
 #include "base/work.h"
+#include "body/trace_all.h"
 #include <batten/body.h>
+
+/* How often faces use an edge along it and against it. */
+typedef struct {
+    int count[2];
+} bat_edge_ways;
 
 typedef struct {
     const batten_body_parts *parts;
@@ -26,5 +32,8 @@ batten_status bat_check_curve_knots(const batten_curve *curve, bool *close, doub
 batten_status bat_check_surface_knots(const batten_surface *surface, bool *close, double *gap);
 /* Whether the loops of face `face`, all with parameters, touch or cross (check_loops.c). */
 batten_status bat_check_loops(bat_check *check, int face);
+/* Whether the shells of a solid are turned inside out (check_shells.c). ways: [edge_count] */
+batten_status bat_check_shells(bat_check *check, const batten_body *body,
+                               const bat_traced_all *traced, const bat_edge_ways *ways);
 
 #endif

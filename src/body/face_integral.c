@@ -1,4 +1,5 @@
 #include "body/face_integral.h"
+#include "body/box.h"
 
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
@@ -480,4 +481,39 @@ batten_status bat_face_integrate(const batten_body_parts *parts, int face,
     bat_release(w.knots[0]);
     bat_release(w.knots[1]);
     return status;
+}
+
+/* ---- sums over faces ---- */
+
+bat_face_rules bat_face_rules_of(const batten_body *body)
+{
+    const batten_box box = bat_body_edge_box(body);
+    const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    return (bat_face_rules){.centre =
+                                bat_vec3_along(bat_vec3_scale(box.low, 0.5), 0.5, box.high),
+                            .size = size > 0 ? size : 1};
+}
+
+void bat_face_add(bat_face_sums *sums, const bat_face_sums *face)
+{
+    for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
+        sums->values[k] += face->values[k];
+    sums->area_error += face->area_error;
+    sums->volume_error += face->volume_error;
+    sums->slack += face->slack;
+}
+
+double bat_face_volume(const bat_face_sums *sums)
+{
+    const double *v = sums->values + BAT_VOLUME;
+    return (v[0] + v[1] + v[2]) / 3;
+}
+
+double bat_face_volume_error(const bat_face_sums *sums)
+{
+    const double mean = bat_face_volume(sums);
+    double spread = 0;
+    for (int k = 0; k < 3; k++)
+        spread = bat_max(spread, fabs(sums->values[BAT_VOLUME + k] - mean));
+    return sums->volume_error + bat_max(sums->slack / 3, spread);
 }

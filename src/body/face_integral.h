@@ -32,6 +32,15 @@ typedef struct {
     bool is_met;  /* both errors are as small as was asked for */
 } bat_face_sums;
 
+/* Where the coordinates of a body are measured from, and by what; the rest is 0. */
+bat_face_rules bat_face_rules_of(const batten_body *body);
+/* Add what a face has to the sums of several. */
+void bat_face_add(bat_face_sums *sums, const bat_face_sums *face);
+/* The mean of the three forms of the volume. They agree when the faces close: their spread is
+ * part of its error. Both in size^3. */
+double bat_face_volume(const bat_face_sums *sums);
+double bat_face_volume_error(const bat_face_sums *sums);
+
 /* Face `face` of a body that is traced, with loops. */
 batten_status bat_face_integrate(const batten_body_parts *parts, int face,
                                  const bat_face_rules *rules, bat_face_sums *out);

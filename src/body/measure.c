@@ -26,11 +26,7 @@ typedef struct {
 
 static void add_face(total *t, int number, const bat_face_sums *face)
 {
-    for (int k = 0; k < BAT_FACE_INTEGRALS; k++)
-        t->sums.values[k] += face->values[k];
-    t->sums.area_error += face->area_error;
-    t->sums.volume_error += face->volume_error;
-    t->sums.slack += face->slack;
+    bat_face_add(&t->sums, face);
     t->gross += fabs(face->values[BAT_AREA]);
     if (!face->is_met && t->unmet++ == 0)
         t->first_unmet = number;
@@ -120,25 +116,10 @@ static batten_status add_lengths(const batten_body_parts *parts, double precisio
     return BATTEN_OK;
 }
 
-static double mean_volume(const double values[BAT_FACE_INTEGRALS])
-{
-    return (values[BAT_VOLUME] + values[BAT_VOLUME + 1] + values[BAT_VOLUME + 2]) / 3;
-}
-
-/* The three forms of the volume agree when the faces close. */
-static double spread_of(const double values[BAT_FACE_INTEGRALS])
-{
-    const double mean = mean_volume(values);
-    double spread = 0;
-    for (int k = 0; k < 3; k++)
-        spread = bat_max(spread, fabs(values[BAT_VOLUME + k] - mean));
-    return spread;
-}
-
 static void set_centroid(const total *t, batten_body_measures *out)
 {
     const double *values = t->sums.values;
-    const double of = out->is_closed ? mean_volume(values) : values[BAT_AREA];
+    const double of = out->is_closed ? bat_face_volume(&t->sums) : values[BAT_AREA];
     const double *moment = values + (out->is_closed ? BAT_VOLUME_MOMENT : BAT_AREA_MOMENT);
     const double centre[3] = {t->rules.centre.x, t->rules.centre.y, t->rules.centre.z};
     for (int k = 0; k < 3; k++)
@@ -155,7 +136,7 @@ static batten_status integrate(total *t, double precision, const batten_job *job
     if (status == BATTEN_OK)
         status = add_faces(t, job);
     /* A thin or a small volume in a large box asks for more. */
-    const double volume = status == BATTEN_OK ? fabs(mean_volume(t->sums.values)) : 0;
+    const double volume = status == BATTEN_OK ? fabs(bat_face_volume(&t->sums)) : 0;
     if (status == BATTEN_OK && out->is_closed && volume > 0 &&
         t->sums.volume_error > precision * volume) {
         t->rules.volume_precision = precision * volume / t->gross;
@@ -166,10 +147,8 @@ static batten_status integrate(total *t, double precision, const batten_job *job
     out->area = t->sums.values[BAT_AREA] * size * size;
     out->area_error = (t->sums.area_error + t->sums.slack) * size * size;
     if (out->is_closed) {
-        out->volume = mean_volume(t->sums.values) * size * size * size;
-        out->volume_error =
-            (t->sums.volume_error + bat_max(t->sums.slack / 3, spread_of(t->sums.values))) *
-            size * size * size;
+        out->volume = bat_face_volume(&t->sums) * size * size * size;
+        out->volume_error = bat_face_volume_error(&t->sums) * size * size * size;
     }
     set_centroid(t, out);
     return BATTEN_OK;
@@ -186,7 +165,7 @@ static int first_failed(const bat_traced_all *traced)
 
 static batten_status finish(const total *t, double precision, const batten_body_measures *out)
 {
-    const double volume = fabs(mean_volume(t->sums.values));
+    const double volume = fabs(bat_face_volume(&t->sums));
     if (!isfinite(out->area) || !isfinite(out->volume))
         return bat_fail(BATTEN_OVERFLOW, "the area is %g and the volume %g", out->area,
                         out->volume);
@@ -208,17 +187,6 @@ static batten_status finish(const total *t, double precision, const batten_body_
     return BATTEN_OK;
 }
 
-/* Where the coordinates are measured from, and by what. */
-static void set_rules(const batten_body *body, bat_face_rules *rules)
-{
-    const batten_box box = bat_body_edge_box(body);
-    rules->centre = bat_vec3_along(bat_vec3_scale(box.low, 0.5), 0.5, box.high);
-    rules->size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
-    if (!(rules->size > 0))
-        rules->size = 1;
-    rules->most = MOST;
-}
-
 batten_status batten_body_measure(const batten_body *body, double precision,
                                   const batten_job *job, batten_body_measures *out)
 {
@@ -229,7 +197,8 @@ batten_status batten_body_measure(const batten_body *body, double precision,
         return bat_fail(BATTEN_BAD_ARGUMENT, "the precision is %g; it must be positive",
                         precision);
     total t = {.given = batten_body_view(body), .traced = &traced};
-    set_rules(body, &t.rules);
+    t.rules = bat_face_rules_of(body);
+    t.rules.most = MOST;
     batten_status status = bat_trace_all(body, COARSEST * t.rules.size, job, &traced);
     if (status != BATTEN_OK)
         return status;

@@ -193,10 +193,10 @@ bool bat_solid_holds(const batten_object *object, const bat_solid_faults *faults
     if (object->kind == BATTEN_OBJECT_MESH)
         return !m->wrong_edges && !m->crowded_edges;
     return !b->wrong_edges && !b->crowded_edges && !b->gaps && !b->loose &&
-           !b->crossing_loops && !b->open_shells;
+           !b->crossing_loops && !b->open_shells && !b->turned_shells;
 }
 
-enum { BODY_ROWS = 12, MESH_ROWS = 6 };
+enum { BODY_ROWS = 13, MESH_ROWS = 6 };
 
 static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
 {
@@ -212,7 +212,8 @@ static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
         {"poles", "poles", b->poles},
         {"seams", "seams", b->seams},
         {"close_knots", "curves and surfaces with close knots", b->close_knots},
-        {"open_shells", "shells that are said to be closed and are open", b->open_shells}};
+        {"open_shells", "shells that are said to be closed and are open", b->open_shells},
+        {"turned_shells", "shells turned inside out", b->turned_shells}};
     for (int i = 0; i < BODY_ROWS; i++)
         rows[i] = all[i];
 }

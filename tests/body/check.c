@@ -23,7 +23,8 @@ TEST(a_good_box_has_no_faults)
     const batten_body_faults f = faults_of(box, 1e-6);
     CHECK_INT(f.shared_edges, 12);
     CHECK_INT(f.free_edges + f.wrong_edges + f.crowded_edges + f.tiny_edges + f.gaps + f.loose +
-                  f.crossing_loops + f.poles + f.seams + f.close_knots + f.open_shells,
+                  f.crossing_loops + f.poles + f.seams + f.close_knots + f.open_shells +
+                  f.turned_shells,
               0);
     CHECK_BITS(f.largest_gap, 0);
     CHECK_NEAR(f.largest_miss, 0, 1e-15);
@@ -327,4 +328,82 @@ TEST(N6_a_tolerance_of_nothing_is_refused)
     CHECK_STATUS(batten_body_check(box, 0, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_body_check(box, NAN, NULL, NULL, &f), BATTEN_BAD_ARGUMENT);
     batten_body_unref(box);
+}
+
+/* A ball with a round void, each as its outside is said to be. */
+static batten_body *hollow_ball(bool outer_turned, bool void_turned, bool is_solid)
+{
+    const batten_frame world = batten_frame_world();
+    batten_surface *outer = NULL, *inner = NULL;
+    batten_body *body = NULL;
+    bat_builder b;
+    bat_builder_begin(&b, 1e-9);
+    CHECK_OK(batten_surface_sphere(&world, 2, &outer));
+    CHECK_OK(batten_surface_sphere(&world, 1, &inner));
+    CHECK_OK(bat_builder_shell(&b, true));
+    CHECK_OK(
+        bat_builder_face(&b, &(batten_body_face){.surface = outer, .reversed = outer_turned}));
+    CHECK_OK(bat_builder_shell(&b, true));
+    CHECK_OK(
+        bat_builder_face(&b, &(batten_body_face){.surface = inner, .reversed = !void_turned}));
+    b.parts.is_solid = is_solid;
+    CHECK_OK(batten_body_create(&b.parts, &body));
+    bat_builder_end(&b);
+    batten_surface_unref(outer);
+    batten_surface_unref(inner);
+    return body;
+}
+
+TEST(shells_that_are_turned_inside_out_are_told)
+{
+    static const struct {
+        bool outer, inner;
+        const char *entity, *words;
+    } cases[] = {
+        {false, false, NULL, NULL},
+        {true, false, "shell 0", "bounds the solid and is turned inward: its volume is -33.51"},
+        {false, true, "shell 1",
+         "bounds a void of the solid and is turned outward: its volume is 4.188"}};
+    for (int i = 0; i < 3; i++) {
+        batten_body *body = hollow_ball(cases[i].outer, cases[i].inner, true);
+        batten_notes *notes = new_notes();
+        batten_body_faults f = {.gaps = -1};
+        CHECK_OK(batten_body_check(body, 1e-6, NULL, notes, &f));
+        CHECK_INT(f.turned_shells, i > 0);
+        if (batten_notes_dropped(notes) == 0)
+            CHECK_INT(batten_notes_count(notes), i > 0);
+        if (batten_notes_dropped(notes) == 0 && i > 0) {
+            CHECK_TEXT(batten_notes_at(notes, 0)->entity, cases[i].entity);
+            CHECK_CONTAINS(batten_notes_at(notes, 0)->text, cases[i].words);
+        }
+        batten_notes_free(notes);
+        batten_body_unref(body);
+    }
+    batten_body *both = hollow_ball(true, true, true), *sheets = hollow_ball(true, true, false);
+    CHECK_INT(faults_of(both, 1e-6).turned_shells, 2);
+    CHECK_INT(faults_of(sheets, 1e-6).turned_shells, 0);
+    batten_body_unref(both);
+    batten_body_unref(sheets);
+}
+
+/* Faces of a box that look inward; of a shell that does not close the side is not asked. */
+TEST(a_box_that_is_turned_inward_is_told)
+{
+    for (int i = 0; i < 2; i++) {
+        changed *c = begin_change();
+        for (int f = 0; f < 6; f++)
+            c->faces[f].reversed = !c->faces[f].reversed;
+        for (int u = 0; u < 24; u++) {
+            c->uses[u] = batten_body_view(c->box)->uses[u / 4 * 4 + 3 - u % 4];
+            c->uses[u].reversed = !c->uses[u].reversed;
+        }
+        if (i) {
+            c->parts.face_count = c->parts.loop_count = 5;
+            c->parts.use_count = 20;
+            c->shells[0].count = 5;
+        }
+        const batten_body_faults f = end_change(c, 1e-6, NULL);
+        CHECK_INT(f.wrong_edges, 0);
+        CHECK_INT(f.turned_shells, !i);
+    }
 }
