@@ -259,7 +259,7 @@ const command command_info = {
         "one object in it, -\n"
         "standard input. Boxes of curves, surfaces and bodies are those of their control "
         "points, which\n"
-        "hold them (\"box_of\" in --json); 'batten measure' finds the tight ones of curves. "
+        "hold them (\"box_of\" in --json); 'batten measure' finds the tight ones. "
         "What is odd is\n"
         "said too: knots that nearly meet, poles, tiny or free edges, gaps, faces turned "
         "against each\n"

@@ -177,6 +177,9 @@ typedef struct batten_body_measures {
     bool is_closed;     /**< every edge has two uses, one each way, and no face ends where its
                              surface does for want of a loop */
     double area_error, volume_error; /**< from two rules of integration, and the tracing */
+    batten_box box;   /**< the tight one: it holds the body, to the body's tolerance */
+    double box_error; /**< so far its sides may be from the body; large where faces could not be
+                           traced: then it is batten_body_box */
 } batten_body_measures;
 /**
  * By Green's theorem: Gauss along the loops in (u, v), and across to them.
@@ -187,7 +190,9 @@ typedef struct batten_body_measures {
  * room between the edges and the curves of the faces. The volume is the mean of the integrals
  * of x Nx, y Ny and z Nz, which agree when the faces close; their spread is part of its error.
  * It is negative where the faces have their outside inside. Faces that cannot be traced within
- * the tolerance of the body are traced more coarsely, up to 1e-3 of its size.
+ * the tolerance of the body are traced more coarsely, up to 1e-3 of its size. The box is that
+ * of the edges, where a coordinate turns back, and of the places inside of faces that are
+ * farther out, found within the precision times the size of the body.
  *
  * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
  * can

@@ -14,6 +14,20 @@ extern "C" {
 /** The tight axis-parallel box: of the ends and of all places where a coordinate turns back. */
 BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out);
 
+/**
+ * The tight axis-parallel box of a surface: it holds the surface, and each side is at most
+ * `slack` from a point of it. Bezier patches are halved where they may reach beyond what is
+ * known to be reached (branch and bound); in 2 dimensions z is 0.
+ *
+ * @param tolerance model units, > 0; also for a formula that only a NURBS surface near it tells
+ * @param[out] slack above the tolerance where 20,000 halvings for a side do not do, as may be
+ * where the surface runs level along a curve; may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT; what batten_surface_to_nurbs returns
+ * Cost: the Bezier patches of all spans are made; some tens of halvings for each side.
+ */
+BATTEN_API batten_status batten_surface_bounds(const batten_surface *surface, double tolerance,
+                                               batten_box *out, double *slack);
+
 /** A box at any angle; its axes are square to each other, of length one, and right-handed. */
 typedef struct batten_oriented_box {
     batten_vec3 centre;

@@ -1,8 +1,10 @@
 /* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
 #include "base/work.h"
 #include "body/box.h"
+#include "body/extent.h"
 #include "body/face_integral.h"
 #include "body/trace_all.h"
+#include "numeric/box.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
 
@@ -187,6 +189,27 @@ static batten_status finish(const total *t, double precision, const batten_body_
     return BATTEN_OK;
 }
 
+/* The tight box; where faces could not be traced that of their surfaces. */
+static batten_status find_box(const batten_body *body, const total *t, double precision,
+                              batten_body_measures *out)
+{
+    bat_extent extent = {bat_box_of_nothing(), bat_box_of_nothing()};
+    batten_status status = bat_edges_extent(t->given, &extent);
+    for (int i = 0; status == BATTEN_OK && i < t->traced->count; i++) {
+        const batten_body_parts *parts = batten_body_view(t->traced->at[i].body);
+        status = bat_edges_extent(parts, &extent);
+        for (int f = 0; status == BATTEN_OK && f < parts->face_count; f++)
+            status = bat_face_extent(parts, f, precision * t->rules.size, &extent);
+    }
+    if (status == BATTEN_OK && t->traced->failed > 0) {
+        status = bat_body_find_box(body, &extent.within);
+        bat_box_join(&extent.within, extent.reached);
+    }
+    out->box = extent.within;
+    out->box_error = bat_extent_slack(&extent);
+    return status;
+}
+
 batten_status batten_body_measure(const batten_body *body, double precision,
                                   const batten_job *job, batten_body_measures *out)
 {
@@ -205,6 +228,8 @@ batten_status batten_body_measure(const batten_body *body, double precision,
     status = add_lengths(t.given, precision, &made.edge_length);
     if (status == BATTEN_OK)
         status = integrate(&t, precision, job, &made);
+    if (status == BATTEN_OK)
+        status = find_box(body, &t, precision, &made);
     if (status == BATTEN_OK)
         status = finish(&t, precision, &made);
     if (status == BATTEN_OK || status == BATTEN_TOLERANCE_NOT_MET)

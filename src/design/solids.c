@@ -39,21 +39,25 @@ static void json_numbers(batten_text *out, const char *key, const double values[
     batten_text_add(out, "]");
 }
 
-static void add_box(batten_text *out, const batten_box *box, bool controls, bool json)
+/* `error`: so far the sides may be from the shape. */
+static void add_box(batten_text *out, const batten_box *box, double error, bool json)
 {
     const double low[3] = {box->low.x, box->low.y, box->low.z};
     const double high[3] = {box->high.x, box->high.y, box->high.z};
     if (!json) {
-        batten_text_add(out, "  box %s%.9g %.9g %.9g  to  %.9g %.9g %.9g\n",
-                        controls ? "of the control points " : "", low[0], low[1], low[2],
+        batten_text_add(out, "  box %.9g %.9g %.9g  to  %.9g %.9g %.9g", low[0], low[1], low[2],
                         high[0], high[1], high[2]);
+        if (error > 0)
+            batten_text_add(out, " (error at most %.3g)", error);
+        batten_text_add(out, "\n");
         return;
     }
     for (int k = 0; k < 6; k++) {
         batten_text_add(out, k == 0 ? ", \"box\": [[" : k == 3 ? "], [" : ", ");
         batten_text_number(out, k < 3 ? low[k] : high[k - 3]);
     }
-    batten_text_add(out, controls ? "]], \"box_of\": \"control points\"" : "]]");
+    batten_text_add(out, "]]");
+    json_number(out, "box_error", error);
 }
 
 /* ---- measures ---- */
@@ -65,7 +69,7 @@ typedef struct {
     double area, volume, area_error, volume_error;
     const double *centroid;
     batten_box box;
-    bool controls; /* it is that of the control points, which may be beyond the body */
+    double box_error;
 } extent;
 
 static void add_extent(const batten_object *object, const extent *e, bool json,
@@ -94,7 +98,7 @@ static void add_extent(const batten_object *object, const extent *e, bool json,
                         e->is_closed ? "volume" : "area", e->centroid[0], e->centroid[1],
                         e->centroid[2]);
     }
-    add_box(out, &e->box, e->controls, json);
+    add_box(out, &e->box, e->box_error, json);
 }
 
 static batten_status measure_body(const bat_run *run, const batten_object *object, bool json,
@@ -116,8 +120,8 @@ static batten_status measure_body(const bat_run *run, const batten_object *objec
                       .area_error = m.area_error,
                       .volume_error = m.volume_error,
                       .centroid = m.centroid,
-                      .box = batten_body_box(object->body),
-                      .controls = true};
+                      .box = m.box,
+                      .box_error = m.box_error};
     const counted rows[] = {
         {"shells", parts->shell_count == 1 ? "shell" : "shells", parts->shell_count},
         {"faces", "faces", parts->face_count},

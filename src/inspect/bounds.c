@@ -1,4 +1,6 @@
 #include "inspect/singular.h"
+#include "inspect/surface_extent.h"
+#include "numeric/box.h"
 #include "numeric/eigen.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -42,6 +44,31 @@ batten_status batten_curve_bounds(const batten_curve *curve, batten_box *out)
     if (status == BATTEN_OK)
         *out = (batten_box){{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
     return status;
+}
+
+/* ---- surfaces ---- */
+
+batten_status batten_surface_bounds(const batten_surface *surface, double tolerance,
+                                    batten_box *out, double *slack)
+{
+    batten_surface *nurbs = NULL;
+    double error = 0;
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g; it must be positive",
+                        tolerance);
+    bat_extent extent = {bat_box_of_nothing(), bat_box_of_nothing()};
+    batten_status status = batten_surface_to_nurbs(surface, tolerance / 4, &nurbs, &error);
+    if (status == BATTEN_OK)
+        status = bat_surface_extent(nurbs, NULL, tolerance / 2, &extent);
+    batten_surface_unref(nurbs);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_vec3 by = {error, error, batten_surface_dimension(surface) > 2 ? error : 0};
+    *out = (batten_box){bat_vec3_subtract(extent.within.low, by),
+                        bat_vec3_add(extent.within.high, by)};
+    if (slack)
+        *slack = bat_extent_slack(&extent) + error;
+    return BATTEN_OK;
 }
 
 /* ---- rectangles ---- */

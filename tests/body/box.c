@@ -22,6 +22,11 @@ static void check_box(batten_box box, const double low[3], const double high[3],
     }
 }
 
+static double size_of(batten_box box)
+{
+    return hypot(hypot(box.high.x - box.low.x, box.high.y - box.low.y), box.high.z - box.low.z);
+}
+
 /* As it is, and traced; the second time it is known. */
 static void check_both(hand *m, const double low[3], const double high[3], double room)
 {
@@ -31,8 +36,12 @@ static void check_both(hand *m, const double low[3], const double high[3], doubl
     bat_builder_end(&m->builder);
     CHECK_OK(batten_body_trace(body, 1e-6, NULL, NULL, NULL, &traced));
     for (int k = 0; k < 2; k++) {
+        batten_body_measures measured;
         check_box(box_of(k ? traced : body), low, high, room);
         check_box(batten_body_box(k ? traced : body), low, high, room);
+        CHECK_OK(batten_body_measure(k ? traced : body, 1e-9, NULL, &measured));
+        check_box(measured.box, low, high, 1e-6);
+        CHECK(measured.box_error <= 1e-8 * size_of(measured.box));
     }
     batten_body_unref(body);
     batten_body_unref(traced);

@@ -150,3 +150,116 @@ TEST(N6_boxes_of_points_and_of_tolerances_that_mean_nothing)
     batten_curve_unref(function);
     batten_curve_unref(point);
 }
+
+/* ---- surfaces ---- */
+
+static void check_bounds(const batten_surface *surface, const double low[3],
+                         const double high[3])
+{
+    batten_box box;
+    double slack = -1;
+    CHECK_OK(batten_surface_bounds(surface, 1e-9, &box, &slack));
+    CHECK(slack >= 0 && slack <= 1e-9);
+    const double a[3] = {box.low.x, box.low.y, box.low.z};
+    const double b[3] = {box.high.x, box.high.y, box.high.z};
+    for (int k = 0; k < 3; k++) {
+        CHECK_NEAR(a[k], low[k], 1.1e-9);
+        CHECK_NEAR(b[k], high[k], 1.1e-9);
+    }
+}
+
+/* A tilted torus: along each axis the large circle reaches R sin of the angle to its axis. */
+TEST(the_box_of_a_tilted_torus_is_tight)
+{
+    const batten_vec3 z = {2.0 / 3, 1.0 / 3, 2.0 / 3}, x = {1.0 / 3, 2.0 / 3, -2.0 / 3};
+    const batten_frame frame = {{5, -1, 2}, x, z};
+    const double axis[3] = {z.x, z.y, z.z}, centre[3] = {5, -1, 2};
+    double low[3], high[3];
+    batten_surface *torus = NULL;
+    CHECK_OK(batten_surface_torus(&frame, 3, 0.5, &torus));
+    for (int k = 0; k < 3; k++) {
+        const double reach = 3 * sqrt(1 - axis[k] * axis[k]) + 0.5;
+        low[k] = centre[k] - reach;
+        high[k] = centre[k] + reach;
+    }
+    check_bounds(torus, low, high);
+    batten_surface_unref(torus);
+}
+
+/* z = 4 u (1 - u) v reaches 1 on a border; x and y are u and v. Its control points reach 2. */
+TEST(the_box_of_a_hill_ends_at_its_top)
+{
+    const batten_axis u = {2, 3, (double[]){0, 0, 0, 1, 1, 1}, false};
+    const batten_axis v = {1, 2, (double[]){0, 0, 1, 1}, false};
+    const double points[6][3] = {{0, 0, 0},   {0, 1, 0}, {0.5, 0, 0},
+                                 {0.5, 1, 2}, {1, 0, 0}, {1, 1, 0}};
+    batten_surface *hill = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points[0], NULL, &hill));
+    check_bounds(hill, (double[]){0, 0, 0}, (double[]){1, 1, 1});
+    batten_surface_unref(hill);
+}
+
+/* What has many spans, is periodic, or no NURBS: nothing of a fine grid is outside, and each
+ * side is near one of its points. */
+static void check_by_grid(const batten_surface *surface)
+{
+    enum { N = 301 };
+    double *at[2], *points = test_array((size_t)N * N * 3, sizeof *points);
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, slack = 0;
+    double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    batten_box box;
+    for (int k = 0; k < 2; k++) {
+        const batten_interval d = batten_surface_domain(surface, (batten_direction)k);
+        at[k] = test_array(N, sizeof *at[k]);
+        for (int i = 0; i < N; i++)
+            at[k][i] = i < N - 1 ? d.a + (d.b - d.a) * i / (N - 1) : d.b;
+    }
+    CHECK_OK(batten_surface_evaluate_grid(surface, N, at[0], N, at[1], 0, NULL, points));
+    for (int i = 0; i < 3 * N * N; i++) {
+        low[i % 3] = fmin(low[i % 3], points[i]);
+        high[i % 3] = fmax(high[i % 3], points[i]);
+    }
+    CHECK_OK(batten_surface_bounds(surface, 1e-7, &box, &slack));
+    CHECK(slack <= 1e-7);
+    const double a[3] = {box.low.x, box.low.y, box.low.z};
+    const double b[3] = {box.high.x, box.high.y, box.high.z};
+    for (int k = 0; k < 3; k++) {
+        CHECK(low[k] >= a[k] - 1e-12 && low[k] <= a[k] + 1e-3);
+        CHECK(high[k] <= b[k] + 1e-12 && high[k] >= b[k] - 1e-3);
+    }
+}
+
+TEST(the_box_of_a_wavy_surface_touches_it)
+{
+    enum { M = 9, N = 8 };
+    double u[M + 4], v[N + 1], points[M * N * 3];
+    for (int i = 0; i < M + 4; i++)
+        u[i] = i < 4 ? 0 : i > M - 1 ? M - 3 : i - 3;
+    for (int i = 0; i < N + 1; i++)
+        v[i] = i;
+    for (int i = 0; i < M; i++)
+        for (int j = 0; j < N; j++) {
+            double *p = points + 3 * (i * N + j);
+            p[0] = i + 0.2 * sin(3.0 * j);
+            p[1] = (3 + cos(2.0 * i)) * cos(2 * 3.14159265358979 * j / N);
+            p[2] = (3 + sin(1.3 * i * j)) * sin(2 * 3.14159265358979 * j / N);
+        }
+    const batten_axis around = {3, N, v, true}, along = {3, M, u, false};
+    batten_surface *wavy = NULL;
+    CHECK_OK(batten_surface_create(3, &along, &around, points, NULL, &wavy));
+    check_by_grid(wavy);
+    batten_surface_unref(wavy);
+}
+
+TEST(a_box_of_a_surface_needs_a_tolerance)
+{
+    batten_surface *ball = NULL;
+    batten_box box;
+    CHECK_OK(batten_surface_sphere(&(batten_frame){{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, 1, &ball));
+    CHECK_STATUS(batten_surface_bounds(ball, 0, &box, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_MESSAGE("the tolerance is 0");
+    CHECK_STATUS(batten_surface_bounds(ball, NAN, &box, NULL), BATTEN_BAD_ARGUMENT);
+    CHECK_OK(batten_surface_bounds(ball, 1e-300, &box, NULL)); /* as far as numbers tell */
+    CHECK_NEAR(box.high.z, 1, 1e-15);
+    batten_surface_unref(ball);
+}

@@ -273,7 +273,7 @@ static const double precision = 1e-10;
 typedef struct {
     double area, error;
     batten_box box;
-    bool controls; /* the box is that of the control points */
+    double box_error; /* so far its sides may be from the surface */
 } extent;
 
 /* A fold, where halving does not converge, is told by the error. */
@@ -288,20 +288,46 @@ static batten_status add_area(const bat_run *run, const batten_surface *surface,
     return status;
 }
 
+static void join(batten_box *box, const batten_box *by)
+{
+    box->low = (batten_vec3){fmin(box->low.x, by->low.x), fmin(box->low.y, by->low.y),
+                             fmin(box->low.z, by->low.z)};
+    box->high = (batten_vec3){fmax(box->high.x, by->high.x), fmax(box->high.y, by->high.y),
+                              fmax(box->high.z, by->high.z)};
+}
+
+static batten_status add_bounds(const batten_surface *surface, bool first, extent *e)
+{
+    const batten_box b = batten_surface_box(surface);
+    const double size =
+        hypot(hypot(b.high.x - b.low.x, b.high.y - b.low.y), b.high.z - b.low.z);
+    batten_box box;
+    double error = 0;
+    const batten_status status =
+        batten_surface_bounds(surface, size > 0 ? 1e-9 * size : 1, &box, &error);
+    if (status != BATTEN_OK)
+        return status;
+    if (first)
+        e->box = box;
+    join(&e->box, &box);
+    e->box_error = fmax(e->box_error, error);
+    return BATTEN_OK;
+}
+
 static batten_status measure_extent(const bat_run *run, const batten_object *object, extent *e)
 {
     batten_model *one = NULL, *patches = NULL;
-    const bool is_surface = object->kind == BATTEN_OBJECT_SURFACE;
-    e->box = is_surface ? batten_surface_box(object->surface)
-                        : batten_triangles_box(object->triangles);
-    e->controls = !is_surface || strcmp(batten_surface_kind(object->surface), "nurbs") == 0;
+    *e = (extent){.area = 0};
     batten_status status = batten_model_create(bat_unit_metres(run), &one);
     if (status == BATTEN_OK)
         status = batten_model_add(one, object);
     if (status == BATTEN_OK)
         status = batten_model_with_patches(one, BATTEN_PATCHES_POLE, &patches);
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(patches); i++)
+    for (int i = 0; status == BATTEN_OK && i < batten_model_count(patches); i++) {
         status = add_area(run, batten_model_object(patches, i)->surface, e);
+        if (status == BATTEN_OK)
+            status = add_bounds(batten_model_object(patches, i)->surface, i == 0, e);
+    }
     batten_model_unref(patches);
     batten_model_unref(one);
     return status;
@@ -314,8 +340,10 @@ static void text_extent(batten_text *out, const char *name, const extent *e)
     batten_text_add(out, "%s: area %.9g", name, e->area);
     if (e->error > precision * e->area)
         batten_text_add(out, ", error at most %.3g", e->error);
-    text_numbers(out, e->controls ? "\n  box of the control points" : "\n  box", 3, from);
+    text_numbers(out, "\n  box", 3, from);
     text_numbers(out, "  to ", 3, to);
+    if (e->box_error > 0)
+        batten_text_add(out, " (error at most %.3g)", e->box_error);
     batten_text_add(out, "\n");
 }
 
@@ -328,7 +356,8 @@ static void json_extent(batten_text *out, const batten_object *object, const ext
     json_number(out, "area", e->area);
     json_number(out, "error", e->error);
     json_box(out, &e->box);
-    batten_text_add(out, e->controls ? ", \"box_of\": \"control points\"}" : "}");
+    json_number(out, "box_error", e->box_error);
+    batten_text_add(out, "}");
 }
 
 static batten_status add_extent(const bat_run *run, const batten_object *object, bool json,
@@ -423,7 +452,7 @@ const bat_feature bat_feature_measure = {
          "itself.\n"
          "All of them are found, but for what is lost in the rounding of the control points. "
          "Of surfaces\n"
-         "and triangles the area, and the box of the control points. Of bodies the area of the "
+         "and triangles the area and the tight box. Of bodies the tight box, the area of the "
          "faces\n"
          "within their loops, the length of all edges and, when they close, the volume, with "
          "bounds of\n"
