@@ -54,12 +54,14 @@ batten_status bat_meshing_apply_splits(bat_meshing *m, bat_pairs *splits, bool *
 {
     batten_status status = BATTEN_OK;
     qsort(splits->pairs, (size_t)splits->count, sizeof *splits->pairs, compare_splits);
-    for (int i = 0; status == BATTEN_OK && i < splits->count; i++) {
+    for (int i = 0, count; status == BATTEN_OK && i < splits->count; i += count) {
         const int edge = splits->pairs[i][0];
-        bool split = false;
-        status = bat_meshing_split(m, edge, splits->pairs[i][1], &split);
-        *any = *any || split;
-        for (int k = m->edge_first[edge]; split && k < m->edge_first[edge + 1]; k++)
+        int made = 0;
+        for (count = 1; i + count < splits->count && splits->pairs[i + count][0] == edge;)
+            count++;
+        status = bat_meshing_split(m, count, (const int(*)[2])splits->pairs + i, &made);
+        *any = *any || made > 0;
+        for (int k = m->edge_first[edge]; made && k < m->edge_first[edge + 1]; k++)
             ask[m->use_face[m->edge_uses[k]]] = true;
     }
     bat_pairs_clear(splits);

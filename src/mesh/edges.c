@@ -22,26 +22,30 @@ batten_status bat_meshing_point(bat_meshing *m, const double point[3], int *inde
     return BATTEN_OK;
 }
 
-static batten_status add_sample(bat_polyline *line, int place, double t, int vertex)
+static batten_status grow_line(bat_polyline *line, int count)
 {
-    if (line->count == line->room) {
-        const int room = bat_max_int(8, 2 * line->room);
-        double *ts = bat_resize(line->t, (size_t)room, sizeof *ts);
-        if (!ts)
-            return BATTEN_OUT_OF_MEMORY;
-        line->t = ts;
-        int *vertices = bat_resize(line->vertex, (size_t)room, sizeof *vertices);
-        if (!vertices)
-            return BATTEN_OUT_OF_MEMORY;
-        line->vertex = vertices;
-        line->room = room;
-    }
-    const size_t behind = (size_t)(line->count - place);
-    memmove(line->t + place + 1, line->t + place, behind * sizeof *line->t);
-    memmove(line->vertex + place + 1, line->vertex + place, behind * sizeof *line->vertex);
-    line->t[place] = t;
-    line->vertex[place] = vertex;
-    line->count++;
+    if (count <= line->room)
+        return BATTEN_OK;
+    const int room = bat_max_int(8, bat_max_int(count, 2 * line->room));
+    double *ts = bat_resize(line->t, (size_t)room, sizeof *ts);
+    if (!ts)
+        return BATTEN_OUT_OF_MEMORY;
+    line->t = ts;
+    int *vertices = bat_resize(line->vertex, (size_t)room, sizeof *vertices);
+    if (!vertices)
+        return BATTEN_OUT_OF_MEMORY;
+    line->vertex = vertices;
+    line->room = room;
+    return BATTEN_OK;
+}
+
+static batten_status add_sample(bat_polyline *line, double t, int vertex)
+{
+    const batten_status status = grow_line(line, line->count + 1);
+    if (status != BATTEN_OK)
+        return status;
+    line->t[line->count] = t;
+    line->vertex[line->count++] = vertex;
     return BATTEN_OK;
 }
 
@@ -222,7 +226,7 @@ static batten_status end_piece(bat_meshing *m, int edge, const piece *p, bool is
         line->count--;
     if (!is_last)
         status = bat_meshing_point(m, p->ends[1], &vertex);
-    return status == BATTEN_OK ? add_sample(line, line->count, p->b, vertex) : status;
+    return status == BATTEN_OK ? add_sample(line, p->b, vertex) : status;
 }
 
 static batten_status divide(bat_meshing *m, int edge, waiting *w)
@@ -259,7 +263,7 @@ static batten_status sample(bat_meshing *m, int edge, waiting *w)
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(e->curve, breaks);
     const int parts = least_parts(m, edge, count - 1);
-    batten_status status = add_sample(&m->edges[edge], 0, breaks[0], e->vertices[0]);
+    batten_status status = add_sample(&m->edges[edge], breaks[0], e->vertices[0]);
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++) {
         piece p = {.a = breaks[i], .b = breaks[i + 1]};
         for (int k = 0; status == BATTEN_OK && k < 2; k++) {
@@ -293,20 +297,63 @@ batten_status bat_meshing_edges(bat_meshing *m)
     return status;
 }
 
-batten_status bat_meshing_split(bat_meshing *m, int edge, int segment, bool *split)
+/* A sample that comes behind number `segment`. */
+typedef struct {
+    int segment, vertex;
+    double t;
+} middle;
+
+static batten_status make_middles(bat_meshing *m, int count, const int (*splits)[2],
+                                  middle *middles, int *made)
 {
-    bat_polyline *line = &m->edges[edge];
-    const batten_curve *curve = m->parts->edges[edge].curve;
-    const double a = line->t[segment], b = line->t[segment + 1], t = a + (b - a) / 2;
-    double point[3];
-    int vertex = 0;
-    *split = b - a > 1e-9 * (line->t[line->count - 1] - line->t[0]);
-    if (!*split)
-        return BATTEN_OK;
-    batten_status status = batten_curve_evaluate(curve, t, 0, point);
+    const bat_polyline *line = &m->edges[splits[0][0]];
+    const batten_curve *curve = m->parts->edges[splits[0][0]].curve;
+    batten_status status = BATTEN_OK;
+    *made = 0;
+    for (int i = 0; status == BATTEN_OK && i < count; i++) {
+        const int segment = splits[i][1];
+        const double a = line->t[segment], b = line->t[segment + 1];
+        middle *next = &middles[*made];
+        double point[3];
+        if (!(b - a > 1e-9 * (line->t[line->count - 1] - line->t[0])))
+            continue;
+        *next = (middle){.segment = segment, .t = a + (b - a) / 2};
+        status = batten_curve_evaluate(curve, next->t, 0, point);
+        if (status == BATTEN_OK)
+            status = bat_meshing_point(m, point, &next->vertex);
+        *made += 1;
+    }
+    return status;
+}
+
+/* Each sample moves once, however many come before it. */
+static void merge(bat_polyline *line, int count, const middle *middles)
+{
+    int from = line->count;
+    line->count += count;
+    for (int i = 0; i < count; i++) {
+        const int first = middles[i].segment + 1, shift = count - i;
+        const size_t behind = (size_t)(from - first);
+        memmove(line->t + first + shift, line->t + first, behind * sizeof *line->t);
+        memmove(line->vertex + first + shift, line->vertex + first,
+                behind * sizeof *line->vertex);
+        line->t[first + shift - 1] = middles[i].t;
+        line->vertex[first + shift - 1] = middles[i].vertex;
+        from = first;
+    }
+}
+
+batten_status bat_meshing_split(bat_meshing *m, int count, const int (*splits)[2], int *made)
+{
+    bat_polyline *line = &m->edges[splits[0][0]];
+    middle *middles = bat_array((size_t)count, sizeof *middles);
+    if (!middles)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = make_middles(m, count, splits, middles, made);
     if (status == BATTEN_OK)
-        status = bat_meshing_point(m, point, &vertex);
+        status = grow_line(line, line->count + *made);
     if (status == BATTEN_OK)
-        status = add_sample(line, segment + 1, t, vertex);
+        merge(line, *made, middles);
+    bat_release(middles);
     return status;
 }

@@ -20,10 +20,8 @@ static batten_status grow_vertices(bat_face_mesh *f)
 /* Is a place on a line between cells across which the surface may have a crease? */
 static bool is_on_break(const bat_lattice_axis *axis, double x)
 {
-    for (int i = 1; i + 1 < axis->count; i++)
-        if (fabs(x - axis->x[i]) <= 1e-9)
-            return true;
-    return false;
+    const int i = bat_max_int(1, bat_lattice_break(axis, x - 1e-9));
+    return i + 1 < axis->count && axis->x[i] <= x + 1e-9;
 }
 
 static bat_face_vertex vertex_at(const bat_face_mesh *f, const double at[2])
@@ -56,6 +54,14 @@ batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double wides
         return bat_fail(BATTEN_TOO_LARGE, "face %d needs more than %d triangles", f->face,
                         f->m->most);
     return status;
+}
+
+batten_status bat_face_step(bat_face_mesh *f, uint64_t steps, double part)
+{
+    const uint64_t more = f->sides.steps - f->told;
+    f->told = f->sides.steps;
+    return bat_work_step(&f->m->work, steps + more, (f->face + part) / f->m->parts->face_count,
+                         "triangles of faces");
 }
 
 static double distance(const double *a, const double *b)
@@ -173,79 +179,6 @@ batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t
     return BATTEN_OK;
 }
 
-/* ---- edges that other triangles have already ---- */
-
-enum { MOST_DOUBLES = 512 };
-
-/* Of an edge across the face from border to border: is it, with its direction, an edge of
- * another face or of this one, or the same vertex twice? Then it must be divided. */
-static batten_status is_double(const bat_face_mesh *f, bat_pairs *own,
-                               const bat_side_triangle *t, int k, bool *found)
-{
-    const int a = f->vertices[t->corner[(k + 1) % 3]].vertex;
-    const int b = f->vertices[t->corner[(k + 2) % 3]].vertex;
-    *found = false;
-    if ((t->fixed >> k & 1) || a < 0 || b < 0)
-        return BATTEN_OK;
-    const int known = own->count;
-    int index = -1;
-    batten_status status = BATTEN_OK;
-    if (a != b && bat_pairs_find(&f->m->taken, a, b) < 0)
-        status = bat_pairs_add(own, a, b, &index);
-    *found = index != known;
-    return status;
-}
-
-/* The middles of such edges, MOST_DOUBLES at most; `own` gets the edges that are none. */
-static batten_status find_doubles(const bat_face_mesh *f, bat_pairs *own, double (*middles)[2],
-                                  int *count)
-{
-    batten_status status = BATTEN_OK;
-    *count = 0;
-    bat_pairs_clear(own);
-    for (int i = 0; status == BATTEN_OK && i < f->sides.count; i++) {
-        const bat_side_triangle *t = &f->sides.triangles[i];
-        if (!t->inside || bat_face_vanishes(f, t))
-            continue;
-        for (int k = 0; status == BATTEN_OK && k < 3 && *count < MOST_DOUBLES; k++) {
-            const double *a = f->sides.at[t->corner[(k + 1) % 3]];
-            const double *b = f->sides.at[t->corner[(k + 2) % 3]];
-            bool found = false;
-            status = is_double(f, own, t, k, &found);
-            if (!found)
-                continue;
-            middles[*count][0] = (a[0] + b[0]) / 2;
-            middles[(*count)++][1] = (a[1] + b[1]) / 2;
-        }
-    }
-    return status;
-}
-
-/* `own`: the edges from border to border, as they are in the end. */
-static batten_status divide_doubles(bat_face_mesh *f, bat_pairs *own)
-{
-    double(*middles)[2] = bat_array(MOST_DOUBLES, sizeof *middles);
-    if (!middles)
-        return BATTEN_OUT_OF_MEMORY;
-    batten_status status = BATTEN_OK;
-    bool going_on = true;
-    while (status == BATTEN_OK && going_on) {
-        const int first = f->count;
-        int count = 0;
-        going_on = false;
-        status = find_doubles(f, own, middles, &count);
-        for (int i = 0; status == BATTEN_OK && i < count; i++) {
-            bool added = false;
-            status = bat_face_insert(f, middles[i], -1, 0, &added);
-            going_on = going_on || added;
-        }
-        if (status == BATTEN_OK)
-            status = bat_face_evaluate(f, first);
-    }
-    bat_release(middles);
-    return status;
-}
-
 /* ---- the face ---- */
 
 static batten_status take_rim(bat_face_mesh *f, const bat_rim *rim)
@@ -266,16 +199,31 @@ static batten_status take_rim(bat_face_mesh *f, const bat_rim *rim)
     return bat_face_evaluate(f, 0);
 }
 
+/* Is the seed on the box around the border? Then it is not inside, and to walk to it would take
+ * as long as the border is: before it lie triangles, each as long as a part of the border that
+ * is nearly straight, one behind the other. */
+static bool is_at_end(const bat_lattice *l, const bat_seed *seed)
+{
+    const double at[2] = {seed->x, seed->y};
+    for (int k = 0; k < 2; k++)
+        if (at[k] <= 0 || at[k] >= l->axis[k].x[l->axis[k].count - 1])
+            return true;
+    return false;
+}
+
+/* The order of the seeds, level after level and in each along their cells, is one in which each
+ * is near to the one before. */
 static batten_status insert_seeds(bat_face_mesh *f)
 {
-    const int first = f->count;
+    const int first = f->count, count = f->lattice->seed_count;
     batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < f->lattice->seed_count; i++) {
-        const double at[2] = {f->lattice->seeds[i].x, f->lattice->seeds[i].y};
-        status = bat_face_insert(f, at, -0.5, 0.25, NULL);
-        if (status == BATTEN_OK && i % 1024 == 0)
-            status = bat_work_step(&f->m->work, 1024, (double)f->face / f->m->parts->face_count,
-                                   "triangles of faces");
+    for (int i = 0; status == BATTEN_OK && i < count; i++) {
+        const bat_seed *seed = &f->lattice->seeds[i];
+        if (is_at_end(f->lattice, seed))
+            continue;
+        status = bat_face_insert(f, (double[]){seed->x, seed->y}, -0.5, 0.25, NULL);
+        if (status == BATTEN_OK && f->sides.steps - f->told >= 8192)
+            status = bat_face_step(f, 0, 0.5 * i / count);
     }
     return status == BATTEN_OK ? bat_face_evaluate(f, first) : status;
 }
@@ -369,7 +317,7 @@ static batten_status fill(bat_face_mesh *f, const bat_rim *rim)
     if (status == BATTEN_OK)
         status = bat_face_refine(f);
     if (status == BATTEN_OK)
-        status = divide_doubles(f, &own);
+        status = bat_face_divide_doubles(f, &own);
     if (status == BATTEN_OK)
         status = bat_face_refine(f);
     if (status == BATTEN_OK)

@@ -24,6 +24,7 @@ typedef struct {
     bat_face_vertex *vertices;
     double enough; /* triangles, after which they are not divided any more; 0: not known yet */
     bool has_enough;
+    uint64_t told;   /* of the steps of `sides`, those that the job knows of */
     bat_pairs tight; /* sides that keep points away from where they are needed */
 } bat_face_mesh;
 
@@ -40,6 +41,9 @@ static inline double bat_face_off(const bat_face_mesh *f, const bat_side_triangl
 /* Put a point in, when it is not too near to others; *added may be NULL. */
 batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double widest,
                               double nearest, bool *added);
+/* Tell the job of so many steps more, and of those that the triangles took; `part` of the face
+ * is done. */
+batten_status bat_face_step(bat_face_mesh *f, uint64_t steps, double part);
 /* Points, normals of vertices from `first` on. */
 batten_status bat_face_evaluate(bat_face_mesh *f, int first);
 /* Does the triangle vanish at a pole? */
@@ -50,6 +54,9 @@ void bat_face_place(const bat_face_mesh *f, const bat_side_triangle *t, int k, d
 batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
                               double normal[3], bool *found);
 
+/* Put points into edges from border to border that are edges of other triangles already. `own`:
+ * those edges that are none, as they are in the end (doubles.c). */
+batten_status bat_face_divide_doubles(bat_face_mesh *f, bat_pairs *own);
 /* Points where triangles are too far from the surface, or turn too much (refine.c). */
 batten_status bat_face_refine(bat_face_mesh *f);
 

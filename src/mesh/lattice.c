@@ -145,6 +145,12 @@ static double between(const double *from, const double *to, int i, double value)
     return part == 1 ? to[i + 1] : to[i] + part * (to[i + 1] - to[i]);
 }
 
+int bat_lattice_break(const bat_lattice_axis *axis, double x)
+{
+    const int i = interval_of(axis->x, axis->count, x);
+    return axis->x[i] >= x ? i : axis->x[i + 1] >= x ? i + 1 : axis->count;
+}
+
 double bat_lattice_to_plane(const bat_lattice_axis *axis, double u)
 {
     return between(axis->u, axis->x, interval_of(axis->u, axis->count, u), u);

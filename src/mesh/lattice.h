@@ -33,6 +33,8 @@ batten_status bat_lattice_begin(bat_lattice *lattice, const bat_meshing *m,
 void bat_lattice_end(bat_lattice *lattice);
 batten_status bat_lattice_seeds(bat_lattice *lattice, bat_meshing *m);
 
+/* The first break at x or behind; `count` when there is none. */
+int bat_lattice_break(const bat_lattice_axis *axis, double x);
 double bat_lattice_to_plane(const bat_lattice_axis *axis, double u);
 double bat_lattice_from_plane(const bat_lattice_axis *axis, double x);
 

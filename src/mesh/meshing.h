@@ -93,9 +93,9 @@ batten_status bat_meshing_predict(bat_meshing *m);
 
 /* Sample all edges (edges.c). */
 batten_status bat_meshing_edges(bat_meshing *m);
-/* A new sample in the middle behind number `segment`; false when the edge is too short there.
- */
-batten_status bat_meshing_split(bat_meshing *m, int edge, int segment, bool *split);
+/* New samples in the middles of segments (edge, segment) of one edge, the last one first; *made
+ * of them, for where the edge is too short there is none. */
+batten_status bat_meshing_split(bat_meshing *m, int count, const int (*splits)[2], int *made);
 
 /* Finer samples until the border of no face crosses itself (borders.c). */
 batten_status bat_meshing_settle(bat_meshing *m);

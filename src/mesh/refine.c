@@ -67,23 +67,22 @@ static bool cross_crease(const bat_face_mesh *f, const bat_side_triangle *t, dou
             high = bat_max(high, p[t->corner[k]][d]);
         }
         const double close = 1e-3 * (high - low);
-        for (int i = 1; i + 1 < axis->count; i++) {
-            const double x = axis->x[i];
-            double sum = 0;
-            int hits = 0;
-            if (x <= low + close || x >= high - close)
+        const int i = bat_max_int(1, bat_lattice_break(axis, low + close));
+        if (i + 1 >= axis->count || axis->x[i] >= high - close)
+            continue;
+        const double x = axis->x[i];
+        double sum = 0;
+        int hits = 0;
+        for (int k = 0; k < 3; k++) {
+            const double *a = p[t->corner[k]], *b = p[t->corner[(k + 1) % 3]];
+            if ((a[d] < x) == (b[d] < x))
                 continue;
-            for (int k = 0; k < 3; k++) {
-                const double *a = p[t->corner[k]], *b = p[t->corner[(k + 1) % 3]];
-                if ((a[d] < x) == (b[d] < x))
-                    continue;
-                sum += a[1 - d] + (x - a[d]) / (b[d] - a[d]) * (b[1 - d] - a[1 - d]);
-                hits++;
-            }
-            at[d] = x;
-            at[1 - d] = sum / hits;
-            return true;
+            sum += a[1 - d] + (x - a[d]) / (b[d] - a[d]) * (b[1 - d] - a[1 - d]);
+            hits++;
         }
+        at[d] = x;
+        at[1 - d] = sum / hits;
+        return true;
     }
     return false;
 }
@@ -239,8 +238,7 @@ static batten_status run(bat_face_mesh *f, batch *b, int count)
     if (status == BATTEN_OK)
         status = bat_face_evaluate(f, first);
     if (status == BATTEN_OK)
-        status = bat_work_step(&f->m->work, (uint64_t)count,
-                               (double)f->face / f->m->parts->face_count, "triangles of faces");
+        status = bat_face_step(f, (uint64_t)count, 0.5);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #ifndef BAT_MESH_SIDES_H
 #define BAT_MESH_SIDES_H
 #include "base/base.h"
+#include <stdint.h>
 
 typedef struct {
     int corner[3];       /* counter-clockwise */
@@ -26,9 +27,11 @@ typedef struct {
     int *start;      /* [vertex_count] scratch */
     int count, room;
     bat_side_triangle *triangles; /* [count]; they fill the hull of the first points */
-    int stamp, last;
-    int near[2]; /* the side that the last point not taken was too near to; -1: none */
-    int *list;   /* scratch, [list_room] */
+    int stamp;
+    int last;       /* where the walk to the next point begins, and where the last one ended */
+    int near[2];    /* the side that the last point not taken was too near to; -1: none */
+    uint64_t steps; /* triangles met by all walks and holes so far */
+    int *list;      /* scratch, [list_room] */
     int list_room;
     bool *waiting; /* scratch of bat_sides_settle */
 } bat_sides;

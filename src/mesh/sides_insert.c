@@ -9,28 +9,47 @@ static bool holds(const bat_sides *s, int t, const double *p)
            bat_orientation(at(s, c[2]), at(s, c[0]), p) >= 0;
 }
 
-/* The triangle that holds the point, or -1. Walks; sides can lead a walk round in circles, then
- * all are asked. */
-static int locate(const bat_sides *s, const double *p)
+/* The edge beyond which the point is, or -1; not that to where the walk comes from. A side only
+ * when it must be: behind those of a border that is nearly straight lie triangles as long as
+ * the border, one behind the other. */
+static int way_out(const bat_sides *s, const bat_side_triangle *here, int from, int first,
+                   const double *p)
 {
-    int t = s->last;
+    int out = -1;
+    for (int i = 0; i < 3; i++) {
+        const int k = (first + i) % 3;
+        if ((from >= 0 && here->beside[k] == from) || (out >= 0 && bit(here->fixed, k)) ||
+            bat_orientation(at(s, here->corner[after(k)]), at(s, here->corner[before(k)]), p) >=
+                0)
+            continue;
+        out = k;
+        if (!bit(here->fixed, k))
+            break;
+    }
+    return out;
+}
+
+/* The triangle that holds the point, or -1; the walk ends at `last`. Sides can lead a walk
+ * round in circles, then all are asked. */
+static int locate(bat_sides *s, const double *p)
+{
+    int t = s->last, from = -1;
     for (int steps = 0; steps < s->count; steps++) {
         const bat_side_triangle *here = &s->triangles[t];
-        int k = steps % 3, tried = 0;
-        while (tried < 3 && bat_orientation(at(s, here->corner[after(k)]),
-                                            at(s, here->corner[before(k)]), p) >= 0) {
-            k = after(k);
-            tried++;
-        }
-        if (tried == 3)
+        const int k = way_out(s, here, from, steps % 3, p);
+        s->last = t;
+        s->steps++;
+        if (k < 0)
             return t;
         if (here->beside[k] < 0)
             return -1;
+        from = t;
         t = here->beside[k];
     }
+    s->steps += (uint64_t)s->count;
     for (t = 0; t < s->count; t++)
         if (holds(s, t, p))
-            return t;
+            return s->last = t;
     return -1;
 }
 
@@ -155,12 +174,10 @@ batten_status bat_sides_insert(bat_sides *s, const double point[2], double wides
     int cavity = 0, rim = 0;
     *vertex = s->near[0] = s->near[1] = -1;
     const int t = locate(s, point);
-    if (t < 0)
-        return BATTEN_OK;
-    s->last = t;
-    if (!s->triangles[t].inside || is_taken(s, t, point))
+    if (t < 0 || !s->triangles[t].inside || is_taken(s, t, point))
         return BATTEN_OK;
     batten_status status = find_cavity(s, t, point, &cavity);
+    s->steps += (uint64_t)cavity;
     if (status != BATTEN_OK || !find_rim(s, point, cavity, widest, nearest, &rim))
         return status;
     if (s->vertex_count == s->vertex_room) {
