@@ -29,10 +29,11 @@ batten_status bat_edges_extent(const batten_body_parts *parts, bat_extent *exten
         if (!curve || holds(extent->reached, batten_curve_box(curve), 0))
             continue;
         const batten_status status = batten_curve_bounds(curve, &box);
-        if (status != BATTEN_OK)
+        if (status == BATTEN_OUT_OF_MEMORY)
             return status;
-        bat_box_join(&extent->reached, box);
-        bat_box_join(&extent->within, box);
+        if (status == BATTEN_OK)
+            bat_box_join(&extent->reached, box);
+        bat_box_join(&extent->within, status == BATTEN_OK ? box : batten_curve_box(curve));
     }
     return BATTEN_OK;
 }
@@ -166,5 +167,8 @@ batten_status bat_face_extent(const batten_body_parts *parts, int face, double t
         status =
             bat_surface_extent(of->surface, &(bat_region){share_of, &p}, tolerance, extent);
     bat_release(p.sides);
-    return status;
+    if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
+        return status;
+    bat_box_join(&extent->within, batten_surface_box(of->surface));
+    return BATTEN_OK;
 }

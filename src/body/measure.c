@@ -205,9 +205,11 @@ static batten_status find_box(const batten_body *body, const total *t, double pr
         status = bat_body_find_box(body, &extent.within);
         bat_box_join(&extent.within, extent.reached);
     }
+    if (status != BATTEN_OK || bat_box_is_of_nothing(extent.within))
+        return status;
     out->box = extent.within;
     out->box_error = bat_extent_slack(&extent);
-    return status;
+    return BATTEN_OK;
 }
 
 batten_status batten_body_measure(const batten_body *body, double precision,
