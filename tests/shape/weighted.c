@@ -2,8 +2,6 @@
 
 #include "support/test.h"
 
-#include <time.h>
-
 static batten_curve *through(int d, int n, const double *points,
                              const batten_weighted_options *o)
 {
@@ -362,7 +360,7 @@ TEST(n1_weighted_splines_refuse_what_is_not_finite)
     CHECK(none == NULL);
 }
 
-TEST(a_hundred_thousand_points_of_a_nu_spline_take_well_under_a_second)
+TEST(a_nu_spline_meets_a_hundred_thousand_points)
 {
     enum { N = 100000 };
     if (test_cases(10) < 10)
@@ -374,10 +372,13 @@ TEST(a_hundred_thousand_points_of_a_nu_spline_take_well_under_a_second)
     }
     batten_weighted_options o = batten_weighted_defaults();
     o.nu = 1;
-    const clock_t begin = clock();
+    o.parameters = BATTEN_UNIFORM;
     batten_curve *curve = through(2, N, points, &o);
-    const double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
-    printf("%.3f s\n", seconds);
-    CHECK(seconds < 5); /* sanitizers included */
+    for (int i = 0; i < N; i += 37) {
+        double at[2];
+        CHECK_OK(batten_curve_evaluate(curve, i, 0, at));
+        CHECK_NEAR(at[0], points[2 * i], 1e-9);
+        CHECK_NEAR(at[1], points[2 * i + 1], 1e-9);
+    }
     batten_curve_unref(curve);
 }
