@@ -199,31 +199,17 @@ static batten_status take_rim(bat_face_mesh *f, const bat_rim *rim)
     return bat_face_evaluate(f, 0);
 }
 
-/* Is the seed on the box around the border? Then it is not inside, and to walk to it would take
- * as long as the border is: before it lie triangles, each as long as a part of the border that
- * is nearly straight, one behind the other. */
-static bool is_at_end(const bat_lattice *l, const bat_seed *seed)
-{
-    const double at[2] = {seed->x, seed->y};
-    for (int k = 0; k < 2; k++)
-        if (at[k] <= 0 || at[k] >= l->axis[k].x[l->axis[k].count - 1])
-            return true;
-    return false;
-}
-
 /* The order of the seeds, level after level and in each along their cells, is one in which each
  * is near to the one before. */
-static batten_status insert_seeds(bat_face_mesh *f)
+static batten_status insert_seeds(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lattice)
 {
-    const int first = f->count, count = f->lattice->seed_count;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < count; i++) {
-        const bat_seed *seed = &f->lattice->seeds[i];
-        if (is_at_end(f->lattice, seed))
-            continue;
-        status = bat_face_insert(f, (double[]){seed->x, seed->y}, -0.5, 0.25, NULL);
+    const int first = f->count;
+    batten_status status = bat_rim_choose_seeds(rim, lattice);
+    for (int i = 0; status == BATTEN_OK && i < lattice->seed_count; i++) {
+        const double at[2] = {lattice->seeds[i].x, lattice->seeds[i].y};
+        status = bat_face_insert(f, at, -0.5, 0.25, NULL);
         if (status == BATTEN_OK && f->sides.steps - f->told >= 8192)
-            status = bat_face_step(f, 0, 0.5 * i / count);
+            status = bat_face_step(f, 0, 0.5 * i / lattice->seed_count);
     }
     return status == BATTEN_OK ? bat_face_evaluate(f, first) : status;
 }
@@ -305,7 +291,7 @@ static batten_status emit(bat_face_mesh *f, const bat_pairs *own)
 }
 
 /* The triangles of the border are there: points inside, then out into the mesh. */
-static batten_status fill(bat_face_mesh *f, const bat_rim *rim)
+static batten_status fill(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lattice)
 {
     bat_pairs own;
     batten_status status = bat_pairs_begin(&own, 64);
@@ -313,7 +299,7 @@ static batten_status fill(bat_face_mesh *f, const bat_rim *rim)
         return status;
     status = take_rim(f, rim);
     if (status == BATTEN_OK)
-        status = insert_seeds(f);
+        status = insert_seeds(f, rim, lattice);
     if (status == BATTEN_OK)
         status = bat_face_refine(f);
     if (status == BATTEN_OK)
@@ -348,7 +334,7 @@ batten_status bat_mesh_face(bat_meshing *m, int face, bat_pairs *splits, bool *s
     if (status == BATTEN_OK && *simple)
         status = bat_pairs_begin(&f.tight, 16);
     if (status == BATTEN_OK && *simple)
-        status = fill(&f, &rim);
+        status = fill(&f, &rim, &lattice);
     if (status == BATTEN_OK && *simple)
         status = bat_rim_refine(&rim, &f.tight, splits);
     bat_pairs_end(&f.tight);

@@ -115,7 +115,7 @@ static void draw_waves(int count, double (*corners)[2])
 
 TEST(the_cost_within_a_long_wavy_border)
 {
-    check_cost(draw_waves, 150);
+    check_cost(draw_waves, 12);
 }
 
 /* Its long sides are bent within rounding. */
@@ -131,7 +131,7 @@ static void draw_rectangle(int count, double (*corners)[2])
 
 TEST(the_cost_within_a_border_that_is_straight_but_for_rounding)
 {
-    check_cost(draw_rectangle, 150);
+    check_cost(draw_rectangle, 12);
 }
 
 /* An L: lower side, right side, and two that bend within rounding, in the middle of the box and
@@ -149,5 +149,5 @@ static void draw_l(int count, double (*corners)[2])
 
 TEST(the_cost_beside_an_inner_border_that_is_straight_but_for_rounding)
 {
-    check_cost(draw_l, 150);
+    check_cost(draw_l, 12);
 }
