@@ -99,8 +99,8 @@ static void add_line(batten_text *text, const batten_object *object, const facts
 {
     batten_text_add(text, "%s: %s%s", object->name, f->rational ? "rational " : "", f->type);
     if (f->directions == 1)
-        batten_text_add(text, ", degree %d, %d points%s", f->degree[0], f->points[0],
-                        f->closed[0] ? ", closed" : "");
+        batten_text_add(text, ", degree %d, %d point%s%s", f->degree[0], f->points[0],
+                        f->points[0] == 1 ? "" : "s", f->closed[0] ? ", closed" : "");
     else if (f->directions == 2)
         batten_text_add(text, " (%s), degree %d x %d, %d x %d points%s%s", f->kind,
                         f->degree[0], f->degree[1], f->points[0], f->points[1],
@@ -115,7 +115,9 @@ static void add_line(batten_text *text, const batten_object *object, const facts
             batten_text_add(text, ", %ss with colours of their own: %d", f->counted[0],
                             f->coloured_faces);
     } else if (f->points[1])
-        batten_text_add(text, ", %d stations, %d lines", f->points[0], f->points[1]);
+        batten_text_add(text, ", %d station%s, %d line%s", f->points[0],
+                        f->points[0] == 1 ? "" : "s", f->points[1],
+                        f->points[1] == 1 ? "" : "s");
     else
         batten_text_add(text, ", %d", f->points[0]);
     if (f->remark)
@@ -186,8 +188,10 @@ static int flatten(batten_model **model, batten_notes *notes, int exit)
     if (status != BATTEN_OK)
         return output_failed("info", status);
     if (instances > 0)
-        batten_notes_remark(notes, "", 0, "", "%d of %d objects are instances, %d deep at most",
-                            instances, batten_model_count(*model), batten_model_depth(*model));
+        batten_notes_remark(
+            notes, "", 0, "", "instances among the %d object%s: %d, %d deep at most",
+            batten_model_count(*model), batten_model_count(*model) == 1 ? "" : "s", instances,
+            batten_model_depth(*model));
     batten_model_unref(*model);
     *model = flat;
     return exit;

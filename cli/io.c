@@ -33,7 +33,8 @@ static void show(const batten_notes *notes, const char *message)
                  *note->file ? " " : "", entity, *entity ? ": " : "", note->text);
     }
     if (batten_notes_dropped(notes) > 0)
-        complain("and %d more messages", batten_notes_dropped(notes));
+        complain("and %d more message%s", batten_notes_dropped(notes),
+                 batten_notes_dropped(notes) == 1 ? "" : "s");
 }
 
 void notes_show(const batten_notes *notes)

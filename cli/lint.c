@@ -103,7 +103,7 @@ static batten_status lint_body(const batten_object *object, batten_notes *notes)
         batten_notes_add(notes, "", 0, object->name, "and %d more", batten_notes_dropped(own));
     if (status == BATTEN_OK && faults.free_edges > 0 && parts->is_solid)
         batten_notes_add(notes, "", 0, object->name,
-                         "it calls itself a solid, and has %d edges of one face",
+                         "it calls itself a solid, and has edges of one face: %d",
                          faults.free_edges);
     batten_notes_free(own);
     return status;
@@ -135,10 +135,10 @@ static batten_status lint_mesh(const batten_object *object, const facts *told,
                   {f.loose_vertices, "vertices of no triangle"}};
     for (size_t k = 0; k < sizeof faults / sizeof faults[0]; k++)
         if (faults[k].count > 0)
-            batten_notes_add(notes, "", 0, object->name, "%d %s", faults[k].count,
-                             faults[k].what);
+            batten_notes_add(notes, "", 0, object->name, "%s: %d", faults[k].what,
+                             faults[k].count);
     if (f.rim_edges > 0)
-        batten_notes_remark(notes, "", 0, object->name, "%d edges of one triangle: its rim",
+        batten_notes_remark(notes, "", 0, object->name, "edges of one triangle, its rim: %d",
                             f.rim_edges);
     return BATTEN_OK;
 }

@@ -61,8 +61,8 @@ static void feature_text(batten_text *text, const batten_feature_result *r, cons
     if (r->has_error)
         batten_text_add(text, "  error at most %.3g %s", r->error_max, unit);
     if (r->has_moves)
-        batten_text_add(text, "  %d points moved, at most %.3g %s", r->moved_count, r->move_max,
-                        unit);
+        batten_text_add(text, "  %d point%s moved, at most %.3g %s", r->moved_count,
+                        r->moved_count == 1 ? "" : "s", r->move_max, unit);
     if (r->fairing)
         batten_text_add(text, ", excess inflections %d -> %d",
                         r->fairing->before.excess_inflections,

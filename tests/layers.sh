@@ -15,7 +15,7 @@ for folder in base numeric spline inspect shape fair body mesh exchange; do
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
 for folder in picture design; do
-    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/base\.h\")")"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural)\.h\")")"
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "body/box.h"
 
 #include <limits.h>
@@ -117,8 +118,9 @@ static batten_status check_edges(const batten_body_parts *p)
                                 edge->vertices[k], p->vertex_count);
         if (edge->curve && batten_curve_dimension(edge->curve) != 3)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the curve of edge %d has %d dimensions, not 3", i,
-                            batten_curve_dimension(edge->curve));
+                            "the curve of edge %d has %d dimension%s, not 3", i,
+                            batten_curve_dimension(edge->curve),
+                            bat_plural(batten_curve_dimension(edge->curve)));
         if (!edge->curve && edge->vertices[0] != edge->vertices[1])
             return bat_fail(BATTEN_BAD_ARGUMENT,
                             "edge %d has no curve, but goes from vertex %d to vertex %d", i,
@@ -142,8 +144,9 @@ static batten_status check_uses(const batten_body_parts *p)
                             p->edge_count);
         if (use->parameters && batten_curve_dimension(use->parameters) != 2)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "the parameter curve of use %d has %d dimensions, not 2", i,
-                            batten_curve_dimension(use->parameters));
+                            "the parameter curve of use %d has %d dimension%s, not 2", i,
+                            batten_curve_dimension(use->parameters),
+                            bat_plural(batten_curve_dimension(use->parameters)));
         if (p->is_traced && !use->parameters)
             return bat_fail(BATTEN_BAD_ARGUMENT, "use %d of a traced body has no parameters",
                             i);
@@ -207,8 +210,10 @@ static batten_status check_faces(const batten_body_parts *p)
         status = check_range(p->shells[i].first, p->shells[i].count, 1, &faces, p->face_count,
                              "shell", i);
     if (status == BATTEN_OK && (loops != p->loop_count || faces != p->face_count))
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d loops are of no face, %d faces of no shell",
-                        p->loop_count - loops, p->face_count - faces);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d loop%s %s of no face, %d face%s of no shell",
+                        p->loop_count - loops, bat_plural(p->loop_count - loops),
+                        bat_one_or_many(p->loop_count - loops, "is", "are"),
+                        p->face_count - faces, bat_plural(p->face_count - faces));
     return status;
 }
 

@@ -11,6 +11,7 @@
  *     0 --0-> 1
  */
 #include "body/border.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 
 #include <stdint.h>
@@ -49,8 +50,9 @@ batten_status bat_border_surface(const batten_surface *surface, double tolerance
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
     if (batten_surface_dimension(surface) != 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimensions, not 3",
-                        batten_surface_dimension(surface));
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimension%s, not 3",
+                        batten_surface_dimension(surface),
+                        bat_plural(batten_surface_dimension(surface)));
     batten_status status = batten_surface_to_nurbs(surface, tolerance, &made, NULL);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         batten_surface *clamped = NULL;

@@ -2,6 +2,7 @@
  * A parameter curve by following the feet of an edge on the surface: at nodes the foot and its
  * velocity, between them a cubic in Hermite form. A piece that misses is halved.
  */
+#include "base/plural.h"
 #include "body/parameters.h"
 #include "numeric/vector.h"
 
@@ -100,8 +101,8 @@ static batten_status begin(path *p, const double *guess)
     const int spans = batten_curve_spans(p->curve, NULL) - 1;
     const int each = bat_max_int(1, bat_min_int(4, 8 / spans));
     if (spans * each + 1 > MOST_NODES)
-        return bat_fail(BATTEN_TOO_LARGE, "an edge has %d spans, more than %d", spans,
-                        MOST_NODES);
+        return bat_fail(BATTEN_TOO_LARGE, "an edge has %d span%s, more than %d", spans,
+                        bat_plural(spans), MOST_NODES);
     double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
     p->room = 2 * (spans * each + 1);
     p->nodes = bat_array((size_t)p->room, sizeof *p->nodes);
@@ -200,8 +201,8 @@ static batten_status refine(path *p, bool *more)
         if (count + p->count - i >= MOST_NODES)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "a parameter curve misses its edge by %g, more than %g, with %d "
-                            "pieces",
-                            miss, p->chart->tolerance, count);
+                            "piece%s",
+                            miss, p->chart->tolerance, count, bat_plural(count));
         between(a, b, 0.5, guess);
         status = make_node(p, a->t + (b->t - a->t) / 2, b->t - a->t, guess, &half);
         p->other[count++] = half;

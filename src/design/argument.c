@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/document.h"
 
 #include <stdio.h>
@@ -199,8 +200,8 @@ static void read_coordinates(reading r, const bat_node *node, int least, int mos
     const bat_node *nodes = r.document->tree.nodes;
     char what[120];
     if (node->count < least || node->count > most) {
-        snprintf(what, sizeof what, "needs %s, not %d values", kind_name(r.parameter->kind),
-                 node->count);
+        snprintf(what, sizeof what, "needs %s, not %d value%s", kind_name(r.parameter->kind),
+                 node->count, bat_plural(node->count));
         complain_of(&r, what);
         return;
     }

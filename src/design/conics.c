@@ -1,4 +1,5 @@
 #include "design/conics.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -8,16 +9,16 @@ static void tell(bat_run *run, const char *name, const batten_conics_report *rep
         bat_note(run, "'%s' bends to both sides in %d of its spans; curvature jumps there",
                  name, report->inflections);
     if (report->arcs > 0)
-        bat_note(
-            run,
-            "%d spans of '%s' are biarcs, as their tangents do not meet near them; the first "
-            "is after point %d",
-            report->arcs, name, report->first_arcs);
+        bat_note(run,
+                 "in %d span%s '%s' is a biarc, as the tangents do not meet near it; the first "
+                 "is after point %d",
+                 report->arcs, bat_plural(report->arcs), name, report->first_arcs);
     if (report->fallen_back > 0)
         bat_note(run,
-                 "%d spans of '%s' have no pair of conics with these curvatures and keep the "
+                 "in %d span%s '%s' has no pair of conics with these curvatures and keeps the "
                  "tangents alone; the first is after point %d",
-                 report->fallen_back, name, report->first_fallen_back);
+                 report->fallen_back, bat_plural(report->fallen_back), name,
+                 report->first_fallen_back);
 }
 
 batten_status bat_conics_make(bat_run *run, const bat_data *data,

@@ -1,4 +1,5 @@
 #include "design/grid.h"
+#include "base/plural.h"
 
 /* Put the rows of an object after those that are there; the first row of all says how long they
  * are. */
@@ -11,9 +12,9 @@ static batten_status add_rows(const batten_object *object, bat_rows *all)
     const int first = all->count ? all->rows[0].count : more.count ? more.rows[0].count : 0;
     for (int i = 0; i < more.count && status == BATTEN_OK; i++)
         if (more.rows[i].count != first)
-            status =
-                bat_fail(BATTEN_NOT_COMPATIBLE, "'%s' has %d points, and the first row has %d",
-                         more.rows[i].name, more.rows[i].count, first);
+            status = bat_fail(
+                BATTEN_NOT_COMPATIBLE, "'%s' has %d point%s, and the first row has %d",
+                more.rows[i].name, more.rows[i].count, bat_plural(more.rows[i].count), first);
     bat_row *grown =
         status == BATTEN_OK
             ? bat_resize(all->rows, (size_t)(all->count + more.count), sizeof *grown)

@@ -1,4 +1,5 @@
 #include "design/local.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -7,9 +8,10 @@ void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_rep
     if (report->turned_back > 0)
         bat_note(
             run,
-            "'%s' turns back on itself at %d points, the first is point %d: its tangent is "
+            "'%s' turns back on itself at %d point%s, the first is point %d: its tangent is "
             "at right angles there",
-            data->name, report->turned_back, report->first_turned_back);
+            data->name, report->turned_back, bat_plural(report->turned_back),
+            report->first_turned_back);
 }
 
 /* Parameters, closed one more, and tangents of a row. */
@@ -119,8 +121,9 @@ batten_status bat_vectors(const bat_run *run, const bat_data *data, const char *
     if (list->count == 0)
         return BATTEN_OK;
     if (list->count != data->count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vectors for %d points", parameter,
-                        list->count, data->count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vector%s for %d point%s", parameter,
+                        list->count, bat_plural(list->count), data->count,
+                        bat_plural(data->count));
     double *rows = bat_array3((size_t)list->count, 3, sizeof *rows);
     if (!rows)
         return BATTEN_OUT_OF_MEMORY;

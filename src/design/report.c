@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/check.h"
 
 static const char *kind_name(const batten_object *object)
@@ -278,7 +279,7 @@ static void add_length(batten_text *out, const bat_check *check, double value)
 
 static void add_plural(batten_text *out, int count, const char *what)
 {
-    batten_text_add(out, "%d %s%s", count, what, count == 1 ? "" : "s");
+    batten_text_add(out, "%d %s%s", count, what, bat_plural(count));
 }
 
 static void text_feature(batten_text *out, const bat_check *check,
@@ -309,8 +310,9 @@ static void text_feature(batten_text *out, const bat_check *check,
     if (r->skin) {
         batten_text_add(out, "    sections moved by at most ");
         add_length(out, check, r->skin->deviation);
-        batten_text_add(out, "; %d inner knots along them, the exact union has %d\n",
-                        r->skin->knot_count, r->skin->exact_knot_count);
+        batten_text_add(out, "; %d inner knot%s along them, the exact union has %d\n",
+                        r->skin->knot_count, bat_plural(r->skin->knot_count),
+                        r->skin->exact_knot_count);
     } else if (r->has_error) {
         batten_text_add(out, "    error at most ");
         add_length(out, check, r->error_max);
@@ -421,8 +423,8 @@ static void text_object(batten_text *out, const bat_check *check, const bat_chec
         batten_text_add(out, "\n");
     }
     if (c->knot_count)
-        batten_text_add(out, "    joins at %d knots, all at least C%d and G%d\n", c->knot_count,
-                        c->parametric, c->geometric);
+        batten_text_add(out, "    joins at %d knot%s, all at least C%d and G%d\n",
+                        c->knot_count, bat_plural(c->knot_count), c->parametric, c->geometric);
     if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
         bat_solid_text(c->object, &c->faults, out);
     if (c->object->kind == BATTEN_OBJECT_TRIANGLES)

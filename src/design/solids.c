@@ -1,9 +1,10 @@
 #include "design/solids.h"
+#include "base/plural.h"
 
 /* ---- pairs of a name and a number ---- */
 
 typedef struct {
-    const char *key, *text;
+    const char *key, *one, *many;
     int count;
 } counted;
 
@@ -12,7 +13,8 @@ static void text_counts(batten_text *out, int count, const counted *rows)
     bool first = true;
     for (int i = 0; i < count; i++)
         if (rows[i].count) {
-            batten_text_add(out, "%s%d %s", first ? "" : ", ", rows[i].count, rows[i].text);
+            batten_text_add(out, "%s%d %s", first ? "" : ", ", rows[i].count,
+                            bat_one_or_many(rows[i].count, rows[i].one, rows[i].many));
             first = false;
         }
 }
@@ -122,11 +124,10 @@ static batten_status measure_body(const bat_run *run, const batten_object *objec
                       .centroid = m.centroid,
                       .box = m.box,
                       .box_error = m.box_error};
-    const counted rows[] = {
-        {"shells", parts->shell_count == 1 ? "shell" : "shells", parts->shell_count},
-        {"faces", "faces", parts->face_count},
-        {"edges", "edges", parts->edge_count},
-        {"vertices", "vertices", parts->vertex_count}};
+    const counted rows[] = {{"shells", "shell", "shells", parts->shell_count},
+                            {"faces", "face", "faces", parts->face_count},
+                            {"edges", "edge", "edges", parts->edge_count},
+                            {"vertices", "vertex", "vertices", parts->vertex_count}};
     add_extent(object, &e, json, out);
     if (json) {
         json_number(out, "edge_length", m.edge_length);
@@ -153,11 +154,11 @@ static batten_status measure_mesh(const batten_object *object, bool json, batten
                       .volume = f.volume,
                       .centroid = f.centroid,
                       .box = batten_mesh_box(object->mesh)};
-    const counted rows[] = {{"triangles", "triangles", parts->triangle_count},
-                            {"vertices", "vertices", parts->vertex_count},
-                            {"edges", "edges", f.edges},
-                            {"pieces", f.pieces == 1 ? "piece" : "pieces", f.pieces},
-                            {"rim_edges", "edges at the rim", f.rim_edges}};
+    const counted rows[] = {{"triangles", "triangle", "triangles", parts->triangle_count},
+                            {"vertices", "vertex", "vertices", parts->vertex_count},
+                            {"edges", "edge", "edges", f.edges},
+                            {"pieces", "piece", "pieces", f.pieces},
+                            {"rim_edges", "edge at the rim", "edges at the rim", f.rim_edges}};
     add_extent(object, &e, json, out);
     if (json) {
         json_counts(out, 5, rows);
@@ -205,19 +206,24 @@ enum { BODY_ROWS = 13, MESH_ROWS = 6 };
 static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
 {
     const counted all[BODY_ROWS] = {
-        {"shared_edges", "shared edges", b->shared_edges},
-        {"free_edges", "free edges", b->free_edges},
-        {"wrong_edges", "edges between faces turned against each other", b->wrong_edges},
-        {"crowded_edges", "edges of more than two faces", b->crowded_edges},
-        {"tiny_edges", "edges shorter than that", b->tiny_edges},
-        {"gaps", "ends that miss their vertices", b->gaps},
-        {"loose", "edges off their faces", b->loose},
-        {"crossing_loops", "loops that cross", b->crossing_loops},
-        {"poles", "poles", b->poles},
-        {"seams", "seams", b->seams},
-        {"close_knots", "curves and surfaces with close knots", b->close_knots},
-        {"open_shells", "shells that are said to be closed and are open", b->open_shells},
-        {"turned_shells", "shells turned inside out", b->turned_shells}};
+        {"shared_edges", "shared edge", "shared edges", b->shared_edges},
+        {"free_edges", "free edge", "free edges", b->free_edges},
+        {"wrong_edges", "edge between faces turned against each other",
+         "edges between faces turned against each other", b->wrong_edges},
+        {"crowded_edges", "edge of more than two faces", "edges of more than two faces",
+         b->crowded_edges},
+        {"tiny_edges", "edge shorter than that", "edges shorter than that", b->tiny_edges},
+        {"gaps", "end that misses its vertex", "ends that miss their vertices", b->gaps},
+        {"loose", "edge off its face", "edges off their faces", b->loose},
+        {"crossing_loops", "loop that crosses", "loops that cross", b->crossing_loops},
+        {"poles", "pole", "poles", b->poles},
+        {"seams", "seam", "seams", b->seams},
+        {"close_knots", "curve or surface with close knots",
+         "curves and surfaces with close knots", b->close_knots},
+        {"open_shells", "shell that is said to be closed and is open",
+         "shells that are said to be closed and are open", b->open_shells},
+        {"turned_shells", "shell turned inside out", "shells turned inside out",
+         b->turned_shells}};
     for (int i = 0; i < BODY_ROWS; i++)
         rows[i] = all[i];
 }
@@ -225,12 +231,16 @@ static void body_rows(const batten_body_faults *b, counted rows[BODY_ROWS])
 static void mesh_rows(const batten_mesh_facts *m, counted rows[MESH_ROWS])
 {
     const counted all[MESH_ROWS] = {
-        {"rim_edges", "edges at the rim", m->rim_edges},
-        {"wrong_edges", "edges between triangles turned against each other", m->wrong_edges},
-        {"crowded_edges", "edges of more than two triangles", m->crowded_edges},
-        {"flat_triangles", "triangles without area", m->flat_triangles},
-        {"loose_vertices", "vertices of no triangle", m->loose_vertices},
-        {"pieces", m->pieces == 1 ? "piece" : "pieces", m->pieces}};
+        {"rim_edges", "edge at the rim", "edges at the rim", m->rim_edges},
+        {"wrong_edges", "edge between triangles turned against each other",
+         "edges between triangles turned against each other", m->wrong_edges},
+        {"crowded_edges", "edge of more than two triangles", "edges of more than two triangles",
+         m->crowded_edges},
+        {"flat_triangles", "triangle without area", "triangles without area",
+         m->flat_triangles},
+        {"loose_vertices", "vertex of no triangle", "vertices of no triangle",
+         m->loose_vertices},
+        {"pieces", "piece", "pieces", m->pieces}};
     for (int i = 0; i < MESH_ROWS; i++)
         rows[i] = all[i];
 }

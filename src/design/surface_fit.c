@@ -1,4 +1,5 @@
 #include "design/surface_fit.h"
+#include "base/plural.h"
 
 batten_status bat_smoothness_of(const bat_run *run, batten_smooth_by *by, double *amount)
 {
@@ -45,7 +46,8 @@ void bat_report_surface_fit(bat_run *run, const batten_surface_fit_report *repor
         bat_remark(run, "points farther than %.3g count less, after %d rounds",
                    report->threshold, report->reweightings);
     if (report->end != BATTEN_LEVELS_NONE)
-        bat_remark(run, "%d levels: %s", report->rounds, why_ended(report->end));
+        bat_remark(run, "%d level%s: %s", report->rounds, bat_plural(report->rounds),
+                   why_ended(report->end));
     if (report->layered > 0.2)
         bat_note(run,
                  "%.0f of 100 points lie beside points that are %.3g away in space: the cloud "

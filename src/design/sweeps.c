@@ -1,4 +1,5 @@
 #include "design/sweeps.h"
+#include "base/plural.h"
 
 #include <batten/measure.h>
 #include <stdio.h>
@@ -56,10 +57,12 @@ static void say(bat_run *run, const batten_sweep_report *report)
 {
     bat_report_error(run, report->error, report->error);
     if (report->turn != 0)
-        bat_remark(run, "%d sections; the frames are turned back by %.4g degrees in a round",
-                   report->section_count, report->turn * 180 / BAT_PI);
+        bat_remark(run, "%d section%s; the frames are turned back by %.4g degrees in a round",
+                   report->section_count, bat_plural(report->section_count),
+                   report->turn * 180 / BAT_PI);
     else
-        bat_remark(run, "%d sections", report->section_count);
+        bat_remark(run, "%d section%s", report->section_count,
+                   bat_plural(report->section_count));
     if (report->clearance <= 0)
         bat_note(run,
                  "the sections run into each other around %.6g of the spine: curvature times "

@@ -1,4 +1,5 @@
 #include "design/through.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -222,7 +223,7 @@ static batten_status make_object(bat_run *run, const bat_method *method,
             status = make_row(run, method, &rows.rows[i], object);
         else
             bat_note(run, "'%s' has %d point%s and is left out; %d are needed",
-                     rows.rows[i].name, rows.rows[i].count, rows.rows[i].count == 1 ? "" : "s",
+                     rows.rows[i].name, rows.rows[i].count, bat_plural(rows.rows[i].count),
                      method->least);
     }
     bat_rows_release(&rows);
@@ -261,8 +262,8 @@ batten_status bat_numbers_each(const bat_run *run, const char *parameter, int co
 {
     const bat_argument *given = bat_argument_of(run, parameter);
     if (given->count != 1 && given->count != count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d numbers for %d %s", parameter,
-                        given->count, count, things);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d number%s for %d %s", parameter,
+                        given->count, bat_plural(given->count), count, things);
     double *numbers = bat_array((size_t)count, sizeof *numbers);
     if (!numbers)
         return BATTEN_OUT_OF_MEMORY;

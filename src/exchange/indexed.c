@@ -1,4 +1,5 @@
 #include "exchange/indexed.h"
+#include "base/plural.h"
 #include "exchange/facets.h"
 #include "exchange/scan.h"
 
@@ -78,7 +79,8 @@ static bool check(bat_indexed *mesh, int line)
         return true;
     if (n < 3)
         batten_notes_add(input->notes, input->file, line, "",
-                         "face %zu is left out: it has %zu corners", mesh->polygons, n);
+                         "face %zu is left out: it has %zu corner%s", mesh->polygons, n,
+                         bat_plural(n));
     else
         batten_notes_add(input->notes, input->file, line, "",
                          "face %zu is left out: its corner %zu is vertex %lld, %s",
@@ -309,8 +311,7 @@ static void note_lost_of_points(const bat_indexed *mesh)
     const size_t further = mesh->attributes.count;
     char values[48] = "";
     if (further)
-        snprintf(values, sizeof values, "%zu further value%s", further,
-                 further == 1 ? "" : "s");
+        snprintf(values, sizeof values, "%zu further value%s", further, bat_plural(further));
     const char *lost[] = {mesh->normals ? "normals" : "", mesh->colours ? "colours" : "",
                           values};
     char list[96] = "";
@@ -322,7 +323,7 @@ static void note_lost_of_points(const bat_indexed *mesh)
     if (used)
         batten_notes_add(mesh->input->notes, mesh->input->file, 0, "points",
                          "of points only coordinates are kept; left out of %zu point%s: %s",
-                         mesh->count, mesh->count == 1 ? "" : "s", list);
+                         mesh->count, bat_plural(mesh->count), list);
 }
 
 /* Objects of points hold coordinates alone. */

@@ -1,4 +1,5 @@
 #include "exchange/input.h"
+#include "base/plural.h"
 
 #include <limits.h>
 #include <stdarg.h>
@@ -140,8 +141,9 @@ void bat_input_behind(const bat_input *input, size_t at)
         at++;
     if (at < input->size)
         batten_notes_add(input->notes, input->file, 0, "",
-                         "%zu bytes follow where the file should end, at byte %zu; not read",
-                         input->size - from, from);
+                         "%zu byte%s %s where the file should end, at byte %zu; not read",
+                         input->size - from, bat_plural(input->size - from),
+                         bat_one_or_many(input->size - from, "follows", "follow"), from);
 }
 
 batten_status bat_input_step(bat_input *input, size_t at)

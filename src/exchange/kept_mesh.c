@@ -22,9 +22,10 @@ batten_status bat_mesh_kept(const bat_format_row *row, const batten_object *obje
                          "the colours of its faces are left out: %s files do not hold them",
                          row->title);
     if (values)
-        batten_notes_add(notes, "", 0, object->name,
-                         "%d values of each vertex are left out: %s files do not hold them",
-                         parts.attribute_count, row->title);
+        batten_notes_add(
+            notes, "", 0, object->name,
+            "further values of each vertex: %d; left out, as %s files do not hold them",
+            parts.attribute_count, row->title);
     parts.colours = colours ? NULL : parts.colours;
     parts.triangle_colours = triangles ? NULL : parts.triangle_colours;
     parts.attribute_count = values ? 0 : parts.attribute_count;

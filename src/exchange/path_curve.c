@@ -1,4 +1,5 @@
 /* Paths of lines and arcs as curves. */
+#include "base/plural.h"
 #include "exchange/path.h"
 #include "numeric/vector.h"
 
@@ -96,7 +97,8 @@ batten_status bat_path_curve(const bat_path *path, batten_curve **out)
     size_t pieces = 0;
     bool has_arcs = false;
     if (sides < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "a path of %d points", path->count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "a path of %d point%s", path->count,
+                        bat_plural(path->count));
     for (int i = 0; i < sides; i++) {
         const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
         if (a->x == b->x && a->y == b->y)

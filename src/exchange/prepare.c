@@ -1,4 +1,5 @@
 #include "exchange/prepare.h"
+#include "base/plural.h"
 #include "spline/surface.h"
 
 batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
@@ -38,8 +39,9 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     double error = 0;
     if (batten_surface_dimension(object->surface) != 3)
         return bat_fail(BATTEN_UNSUPPORTED,
-                        "surface '%.60s' has %d dimensions; the format needs 3", object->name,
-                        batten_surface_dimension(object->surface));
+                        "surface '%.60s' has %d dimension%s; the format needs 3", object->name,
+                        batten_surface_dimension(object->surface),
+                        bat_plural(batten_surface_dimension(object->surface)));
     batten_status status = batten_surface_to_nurbs(object->surface, tolerance, &nurbs, &error);
     if (status == BATTEN_OK && error > 0)
         batten_notes_add(notes, "", 0, object->name, "approximated within %g", error);

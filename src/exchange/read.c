@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/formats.h"
 #include "exchange/recognise.h"
 #include <stdio.h>
@@ -23,10 +24,12 @@ static batten_status read_as(bat_input *input, batten_format format, batten_mode
     }
     *out = model;
     if (input->is_cut)
-        return bat_input_fail(
-            input, BATTEN_PARTLY_READ, 0,
-            "the end of the file is missing; %d entities are read, %d left out",
-            batten_model_count(model), input->left_out);
+        return bat_input_fail(input, BATTEN_PARTLY_READ, 0,
+                              "the end of the file is missing; %d %s %s read, %d left out",
+                              batten_model_count(model),
+                              bat_one_or_many(batten_model_count(model), "entity", "entities"),
+                              bat_one_or_many(batten_model_count(model), "is", "are"),
+                              input->left_out);
     if (input->left_out == 0)
         return BATTEN_OK;
     return bat_input_fail(input, BATTEN_PARTLY_READ, 0, "%d of %d entities are left out",

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/csv/separated.h"
 #include "exchange/formats.h"
 #include "exchange/kept_mesh.h"
@@ -60,7 +61,7 @@ static batten_status nothing(const bat_format_row *row, const batten_model *mode
             : bat_fail(
                   BATTEN_UNSUPPORTED,
                   "%s files hold %s, and of the %d object%s ('%.60s' first) none is such%s",
-                  row->title, kinds.bytes, count, count == 1 ? "" : "s",
+                  row->title, kinds.bytes, count, bat_plural(count),
                   batten_model_object(model, 0)->name, held ? "" : mesh_hint(row));
     batten_text_free(&kinds);
     return status;

@@ -1,4 +1,5 @@
 /* The numbers behind the word "fair", of a chain. */
+#include "base/plural.h"
 #include "fair/criteria.h"
 #include "inspect/local.h"
 #include "numeric/polynomial.h"
@@ -195,14 +196,15 @@ static batten_status required_by(const batten_chain *chain, int n, const double 
     const size_t numbers = (size_t)bat_max_int(n, 0) * (size_t)batten_chain_dimension(chain);
     *required = 0;
     if (n < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d points", n);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there %s %d point%s",
+                        bat_one_or_many(n, "is", "are"), n, bat_plural(n));
     const size_t bad = bat_first_not_finite(points, numbers);
     if (bad < numbers)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
                         bad / (size_t)batten_chain_dimension(chain));
     if (d == 1 && n != chain->count + 1)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "%d values, but the function has %d breaks", n,
-                        chain->count + 1);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "%d value%s, but the function has %d breaks", n,
+                        bat_plural(n), chain->count + 1);
     if (d == 3)
         return BATTEN_OK;
     double *plane = chain->placed ? into_plane(chain, n, points) : NULL;

@@ -1,4 +1,5 @@
 #include "fair/criteria.h"
+#include "base/plural.h"
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
 #include "numeric/quadrature.h"
@@ -322,13 +323,15 @@ static batten_status check_points(const batten_curve *curve, int count, const do
     const int d = batten_curve_dimension(curve), spans = batten_curve_spans(curve, NULL);
     const size_t values = (size_t)bat_max_int(count, 0) * (size_t)d;
     if (count < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d points", count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there %s %d point%s",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (bat_first_not_finite(points, values) < values)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite",
                         bat_first_not_finite(points, values) / (size_t)d);
     if (d == 1 && count != spans)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "%d values, but the function has %d distinct knots", count, spans);
+                        "%d value%s, but the function has %d distinct knots", count,
+                        bat_plural(count), spans);
     return BATTEN_OK;
 }
 

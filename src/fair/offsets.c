@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "base/work.h"
 #include "fair/springback.h"
 #include "fair/strands.h"
@@ -283,8 +284,9 @@ static batten_status check(const batten_offsets *offsets, batten_fair_families f
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no family %d of lines", (int)families);
     if (options->corner_count > 0)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d corners are given, but those of a table are found",
-                        options->corner_count);
+                        "%d corner%s %s given, but those of a table are found",
+                        options->corner_count, bat_plural(options->corner_count),
+                        bat_one_or_many(options->corner_count, "is", "are"));
     if (!(options->corner_angle > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the angle of a corner is %g, not above 0",
                         options->corner_angle);

@@ -1,4 +1,5 @@
 #include "fair/springback.h"
+#include "base/plural.h"
 #include "base/work.h"
 #include "fair/criteria.h"
 #include <batten/interpolate.h>
@@ -49,8 +50,9 @@ batten_status bat_fair_check_options(int count, const batten_fair_options *optio
     for (int k = 0; k < options->corner_count; k++)
         if (options->corners[k] < 0 || options->corners[k] >= count)
             return bat_fail(BATTEN_BAD_ARGUMENT,
-                            "corner %d is point %d, but there are %d points", k,
-                            options->corners[k], count);
+                            "corner %d is point %d, but there %s %d point%s", k,
+                            options->corners[k], bat_one_or_many(count, "is", "are"), count,
+                            bat_plural(count));
     if (!(options->relaxation > 0 && options->relaxation <= 1))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the relaxation is %g, not above 0 and at most 1",
                         options->relaxation);
@@ -70,8 +72,8 @@ static batten_status check(int dimension, int count, const double *points,
         return bat_fail(BATTEN_BAD_ARGUMENT, "points have %d coordinates, not 1 to 3",
                         dimension);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d points, at least 2 are needed",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d point%s, at least 2 are needed",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     const size_t bad = bat_first_not_finite(points, (size_t)count * (size_t)dimension);
     if (bad < (size_t)count * (size_t)dimension)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite", bad / (size_t)dimension);

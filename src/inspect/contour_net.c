@@ -1,4 +1,5 @@
 #include "inspect/contour_net.h"
+#include "base/plural.h"
 
 #include "numeric/vector.h"
 
@@ -146,9 +147,9 @@ batten_status bat_net_add_node(bat_net *net, double value, int *out)
 batten_status bat_net_add_triangle(bat_net *net, const bat_triangle *triangle)
 {
     if (net->triangle_count >= MOST_TRIANGLES)
-        return bat_fail(BATTEN_TOO_LARGE,
-                        "contours need more than %d triangles: the shape has %d pieces",
-                        MOST_TRIANGLES, net->pieces->piece_count);
+        return bat_fail(
+            BATTEN_TOO_LARGE, "contours need more than %d triangles: the shape has %d piece%s",
+            MOST_TRIANGLES, net->pieces->piece_count, bat_plural(net->pieces->piece_count));
     if (net->triangle_count == net->triangle_capacity) {
         const size_t capacity = 2 * net->triangle_capacity + 256;
         bat_triangle *larger = bat_resize(net->triangles, capacity, sizeof *larger);

@@ -3,6 +3,7 @@
  * rectangles between its knot lines.
  */
 #include "inspect/contours.h"
+#include "base/plural.h"
 
 #include "inspect/contour_lines.h"
 #include "numeric/vector.h"
@@ -186,10 +187,10 @@ static batten_status list_spans(spans *s)
 static batten_status check_space(const batten_surface *surface)
 {
     const int d = batten_surface_dimension(surface);
-    return d == 3
-               ? BATTEN_OK
-               : bat_fail(BATTEN_NOT_COMPATIBLE,
-                          "a surface in %d dimensions has no fields: it must be in space", d);
+    return d == 3 ? BATTEN_OK
+                  : bat_fail(BATTEN_NOT_COMPATIBLE,
+                             "a surface in %d dimension%s has no fields: it must be in space",
+                             d, bat_plural(d));
 }
 
 static double size_of(const batten_surface *surface)

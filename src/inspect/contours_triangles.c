@@ -1,4 +1,5 @@
 /* Contours on sets of Bezier triangles. */
+#include "base/plural.h"
 #include "inspect/contours.h"
 
 #include "numeric/vector.h"
@@ -75,8 +76,9 @@ static batten_status triangles_contours(const batten_triangles *triangles,
     const size_t count = (size_t)batten_triangles_count(triangles);
     if (batten_triangles_dimension(triangles) != 3)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "triangles in %d dimensions have no fields: they must be in space",
-                        batten_triangles_dimension(triangles));
+                        "triangles in %d dimension%s have no fields: they must be in space",
+                        batten_triangles_dimension(triangles),
+                        bat_plural(batten_triangles_dimension(triangles)));
     const batten_box box = batten_triangles_box(triangles);
     const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     corner *corners = bat_array3(count, 3, sizeof *corners);

@@ -5,6 +5,7 @@
  * negative to positive, or at an end. Of each span whose box comes nearer than what was found
  * so far all these places are found; so the result is the global minimum.
  */
+#include "base/plural.h"
 #include "base/work.h"
 #include "inspect/forms.h"
 #include "inspect/nearest.h"
@@ -262,8 +263,8 @@ batten_status bat_deviation_check(int dimension, int count, const double *points
     const size_t values = (size_t)bat_max_int(count, 0) * (size_t)dimension;
     const size_t guesses = start ? (size_t)bat_max_int(count, 0) * (size_t)start_width : 0;
     if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d points, at least 1 is needed",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d point%s, at least 1 is needed",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     const size_t bad = bat_first_not_finite(points, values);
     if (bad < values)
         return bat_fail(BATTEN_NOT_FINITE, "point %zu is not finite", bad / (size_t)dimension);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
@@ -165,8 +166,8 @@ static batten_status add_convex(division *d)
     if (d->curve->dimension != 2)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "only curves in the plane have convex pieces, this one has %d "
-                        "dimensions",
-                        d->curve->dimension);
+                        "dimension%s",
+                        d->curve->dimension, bat_plural(d->curve->dimension));
     batten_status status = add_breaks(d, false);
     if (status == BATTEN_OK)
         status = add(d, batten_curve_inflections(d->curve, &more), &more);

@@ -7,6 +7,7 @@
  * on the plane itself counts as above it, so that every crossing has exactly one edge and no
  * curve ends there.
  */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
 
@@ -303,9 +304,9 @@ static batten_status check(const batten_surface *surface, batten_vec3 normal, do
                            int cells_u, int cells_v)
 {
     if (batten_surface_dimension(surface) != 3)
-        return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "a surface in %d dimensions has no plane section",
-                        batten_surface_dimension(surface));
+        return bat_fail(
+            BATTEN_NOT_COMPATIBLE, "a surface in %d dimension%s has no plane section",
+            batten_surface_dimension(surface), bat_plural(batten_surface_dimension(surface)));
     if (!isfinite(normal.x) || !isfinite(normal.y) || !isfinite(normal.z) || !isfinite(offset))
         return bat_fail(BATTEN_NOT_FINITE, "the plane (%g, %g, %g) . x = %g is not finite",
                         normal.x, normal.y, normal.z, offset);

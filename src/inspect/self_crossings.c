@@ -1,4 +1,5 @@
 #include "inspect/self_crossings.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -458,8 +459,8 @@ batten_status batten_curve_self_crossings(const batten_curve *curve, batten_para
 {
     if (curve->dimension != 2)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "crossings are those of a plane curve; this one has %d dimensions",
-                        curve->dimension);
+                        "crossings are those of a plane curve; this one has %d dimension%s",
+                        curve->dimension, bat_plural(curve->dimension));
     bat_crossings found = {0};
     batten_curve *clamped = NULL;
     batten_status status = batten_curve_clamp(curve, &clamped);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "base/work.h"
 #include "numeric/vector.h"
 #include <batten/inspect.h>
@@ -8,8 +9,8 @@ static batten_status check_space(const batten_surface *surface)
 {
     const int d = batten_surface_dimension(surface);
     if (d != 3)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "a surface in %d dimensions has no curvature",
-                        d);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "a surface in %d dimension%s has no curvature",
+                        d, bat_plural(d));
     return BATTEN_OK;
 }
 

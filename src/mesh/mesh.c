@@ -1,4 +1,5 @@
 #include "base/base.h"
+#include "base/plural.h"
 
 #include <batten/mesh.h>
 #include <stdint.h>
@@ -63,8 +64,9 @@ static batten_status check_numbers(const double *values, size_t count, const cha
 static batten_status check(const batten_mesh_parts *p)
 {
     if (p->vertex_count < 0 || p->triangle_count < 0 || p->attribute_count < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d vertices, %d triangles, %d attributes",
-                        p->vertex_count, p->triangle_count, p->attribute_count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d %s, %d triangle%s, %d attributes",
+                        p->vertex_count, bat_one_or_many(p->vertex_count, "vertex", "vertices"),
+                        p->triangle_count, bat_plural(p->triangle_count), p->attribute_count);
     const size_t vertices = (size_t)p->vertex_count, triangles = (size_t)p->triangle_count;
     for (size_t i = 0; i < 3 * triangles; i++)
         if (p->corners[i] < 0 || p->corners[i] >= p->vertex_count)

@@ -1,4 +1,5 @@
 /* Triangles of a whole surface: as of a body of one face. */
+#include "base/plural.h"
 #include "body/border.h"
 
 #include <batten/mesh.h>
@@ -36,8 +37,9 @@ batten_status batten_mesh_of_surface(const batten_surface *surface,
     batten_body *body = NULL;
     assert(surface && out);
     if (batten_surface_dimension(surface) != 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimensions, not 3",
-                        batten_surface_dimension(surface));
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimension%s, not 3",
+                        batten_surface_dimension(surface),
+                        bat_plural(batten_surface_dimension(surface)));
     batten_status status = whole(surface, &body);
     if (status == BATTEN_OK)
         status = batten_mesh_of_body(body, options, job, NULL, report, out);

@@ -3,6 +3,7 @@
  * are computed from its control points alone, in one direction for both sides: then they agree
  * to the bit, and welding makes them one.
  */
+#include "base/plural.h"
 #include "base/work.h"
 
 #include <batten/mesh.h>
@@ -302,8 +303,9 @@ batten_status batten_mesh_of_triangles(const batten_triangles *triangles,
     assert(triangles && out);
     batten_mesh_report reached;
     if (batten_triangles_dimension(triangles) != 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the triangles have %d dimensions, not 3",
-                        batten_triangles_dimension(triangles));
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the triangles have %d dimension%s, not 3",
+                        batten_triangles_dimension(triangles),
+                        bat_plural(batten_triangles_dimension(triangles)));
     batten_status status = choose_parts(&d, &chosen);
     if (status != BATTEN_OK)
         return status;

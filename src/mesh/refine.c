@@ -1,4 +1,5 @@
 /* Triangles of a face that are not near enough get points. */
+#include "base/plural.h"
 #include "mesh/face.h"
 
 #include <stdio.h>
@@ -254,9 +255,9 @@ static bool is_enough(bat_face_mesh *f)
     snprintf(entity, sizeof entity, "face %d", face);
     if (!f->has_enough)
         batten_notes_add(f->m->notes, "", 0, entity,
-                         "face %d was divided no further at %d triangles; some are folded, or "
+                         "face %d was divided no further at %d triangle%s; some are folded, or "
                          "farther than the chord from the surface",
-                         face, f->sides.count);
+                         face, f->sides.count, bat_plural(f->sides.count));
     f->has_enough = true;
     return true;
 }

@@ -1,4 +1,5 @@
 #include "numeric/quadratic_program.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 
 #include <float.h>
@@ -355,8 +356,8 @@ static batten_status shortest(program *p)
     for (int i = most_violated(p); i >= 0; i = most_violated(p)) {
         if (p->report.steps > limit)
             return bat_fail(BATTEN_INCOMPLETE,
-                            "%d steps did not find out which of %d inequalities press", limit,
-                            p->of->least_count);
+                            "%d step%s did not find out which of %d inequalities press", limit,
+                            bat_plural(limit), p->of->least_count);
         const batten_status status = take_up(p, i);
         if (status != BATTEN_OK)
             return status;

@@ -1,4 +1,5 @@
 #include "picture/flat.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -108,7 +109,7 @@ static batten_status add_body(flattening *f, const batten_object *object)
         batten_mesh_of_body(object->body, &f->mesh, f->job, f->notes, &report, &mesh);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(f->notes, "", 0, object->name, "%d face%s not drawn", report.failed,
-                         report.failed == 1 ? " is" : "s are");
+                         bat_one_or_many(report.failed, " is", "s are"));
     if (status == BATTEN_OK)
         status = add_colours(f, object, batten_mesh_view(mesh));
     batten_mesh_unref(mesh);

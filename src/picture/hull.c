@@ -1,4 +1,5 @@
 #include "picture/hull.h"
+#include "base/plural.h"
 
 #include "picture/sheet.h"
 #include <batten/inspect.h>
@@ -182,8 +183,9 @@ static batten_status place_given(bat_hull *hull, const batten_lines_plan_options
 {
     bat_cuts *cuts = &hull->families[BAT_STATIONS];
     if (plan->station_count < 0 || plan->station_count > CUT_LIMIT)
-        return bat_fail(BATTEN_TOO_LARGE, "%d stations are given; a lines plan draws up to %d",
-                        plan->station_count, CUT_LIMIT);
+        return bat_fail(BATTEN_TOO_LARGE, "%d station%s %s given; a lines plan draws up to %d",
+                        plan->station_count, bat_plural(plan->station_count),
+                        bat_one_or_many(plan->station_count, "is", "are"), CUT_LIMIT);
     for (int i = 0; i < plan->station_count; i++) {
         if (!isfinite(plan->station_at[i]))
             return bat_fail(BATTEN_NOT_FINITE, "station %d stands at %g", i,

@@ -1,5 +1,6 @@
 /* Least squares with splines. */
 #include "shape/approximate.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -292,8 +293,9 @@ batten_status batten_curve_least_squares(int dimension, int count, const double 
     t.robust = (bat_robust){.how = t.options->robust, .threshold = t.options->threshold};
     choose_sizes(t.options, count, &t.request);
     if (!t.options->periodic && t.request.count <= t.request.degree)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d control points for degree %d; %d are needed",
-                        t.request.count, t.request.degree, t.request.degree + 1);
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "%d control point%s for degree %d; %d are needed", t.request.count,
+                        bat_plural(t.request.count), t.request.degree, t.request.degree + 1);
     status = run(&t);
     if (status == BATTEN_OK) {
         if (parameters)

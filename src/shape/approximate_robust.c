@@ -1,4 +1,5 @@
 /* Robust fits by weighing data anew, and the data that are outliers. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/approximate.h"
 
@@ -230,7 +231,8 @@ batten_status batten_curve_outliers(const batten_curve *curve, int count, const 
     const int d = batten_curve_dimension(curve);
     const size_t n = (size_t)bat_max_int(count, 0);
     if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points; outliers need 1", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; outliers need 1", count,
+                        bat_plural(count));
     if (!(times > 0 && times < HUGE_VAL))
         return bat_fail(isfinite(times) ? BATTEN_BAD_ARGUMENT : BATTEN_NOT_FINITE,
                         "outliers from %g times the median distance; it must be above 0",

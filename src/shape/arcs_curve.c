@@ -1,4 +1,5 @@
 /* A curve as few arcs: from corner to corner the longest that stays in the band, and again. */
+#include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/arcs_smooth.h"
@@ -376,8 +377,9 @@ batten_status batten_arcs_of_curve(const batten_curve *curve,
         return status;
     if (batten_curve_dimension(curve) != 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "the curve has %d dimensions; arcs are for curves in the plane",
-                        batten_curve_dimension(curve));
+                        "the curve has %d dimension%s; arcs are for curves in the plane",
+                        batten_curve_dimension(curve),
+                        bat_plural(batten_curve_dimension(curve)));
     status = bat_curve_check_size(curve);
     if (status != BATTEN_OK)
         return status;

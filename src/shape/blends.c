@@ -2,6 +2,7 @@
  * Blending functions as clamped splines. That F, G and H of Coons' splines are the only such
  * ones: C2 cubics on three fixed spans have six coefficients, and there are six conditions.
  */
+#include "base/plural.h"
 #include "shape/coons.h"
 
 #include "spline/curve.h"
@@ -102,8 +103,8 @@ batten_status batten_blending_check(int order, const batten_curve *const *functi
         const batten_curve *function = functions[i];
         const batten_interval domain = batten_curve_domain(function);
         if (function->dimension != 1)
-            status = bat_fail(BATTEN_NOT_COMPATIBLE, "%s has %d dimensions, not 1", names[i],
-                              function->dimension);
+            status = bat_fail(BATTEN_NOT_COMPATIBLE, "%s has %d dimension%s, not 1", names[i],
+                              function->dimension, bat_plural(function->dimension));
         else if (domain.a != 0 || domain.b != 1)
             status = bat_fail(BATTEN_NOT_COMPATIBLE, "%s is given over [%g, %g], not [0, 1]",
                               names[i], domain.a, domain.b);

@@ -6,6 +6,7 @@
  */
 #include <batten/constrained.h>
 
+#include "base/plural.h"
 #include "numeric/quadratic_program.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
@@ -57,8 +58,9 @@ static batten_status check_constraint(int d, int count, int degree, const batten
     if (c->from < 0 || c->from >= count || to < 0 || to >= count ||
         (is_inequality(c->kind) && c->from >= to))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "constraint %d (%s) goes from point %d to %d; there are %d points", i,
-                        name_of(c->kind), c->from, at_point ? c->from : to, count);
+                        "constraint %d (%s) goes from point %d to %d; there %s %d point%s", i,
+                        name_of(c->kind), c->from, at_point ? c->from : to,
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (is_inequality(c->kind) && (int)c->kind > degree)
         return bat_fail(BATTEN_BAD_ARGUMENT, "constraint %d (%s) on a curve of degree %d", i,
                         name_of(c->kind), degree);
@@ -415,9 +417,9 @@ static batten_status name_culprit(const task *t, const bat_quadratic_report *rep
                                                    : t->equal_of[report->refused_equation];
     if (of < 0)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "a curve of degree %d with %d control points cannot pass point %d as "
+                        "a curve of degree %d with %d control point%s cannot pass point %d as "
                         "well: give it a higher degree or more pieces",
-                        t->degree, t->control_count, -1 - of);
+                        t->degree, t->control_count, bat_plural(t->control_count), -1 - of);
     const batten_constraint *c = &t->options->constraints[of];
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "constraint %d (%s, from point %d to %d) cannot hold together with the "

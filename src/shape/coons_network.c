@@ -6,6 +6,7 @@
  *
  * slopes blended from those of the curves leave no other terms (see coons_patch.c).
  */
+#include "base/plural.h"
 #include "shape/coons.h"
 #include "shape/net_twists.h"
 
@@ -269,8 +270,8 @@ static batten_status check_axis(const network *net, int k)
         const batten_interval domain = batten_curve_domain(curve);
         if (curve->dimension != net->dimension)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
-                            "curve %d along %c has %d dimensions, not %d", j + 1, name,
-                            curve->dimension, net->dimension);
+                            "curve %d along %c has %d dimension%s, not %d", j + 1, name,
+                            curve->dimension, bat_plural(curve->dimension), net->dimension);
         if (curve->weights)
             return bat_fail(BATTEN_UNSUPPORTED,
                             "curve %d along %c is rational; a net of patches is a spline only "

@@ -10,6 +10,7 @@
  * A line that is not given is made of what is known at its ends, sum_j B_j C_ij. Then its terms
  * in the formula are terms of corners.
  */
+#include "base/plural.h"
 #include "shape/coons.h"
 
 #include "numeric/vector.h"
@@ -87,8 +88,9 @@ static batten_status take_lines(patch *p)
             const batten_curve *curve = part_of(&p->sides[edge_of(k, i)], i / 2);
             if (curve && curve->dimension != p->dimension)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
-                                "edge %s has %d dimensions, another side %d",
-                                edge_name(edge_of(k, i)), curve->dimension, p->dimension);
+                                "edge %s has %d dimension%s, another side %d",
+                                edge_name(edge_of(k, i)), curve->dimension,
+                                bat_plural(curve->dimension), p->dimension);
             if (curve)
                 status = take_line(curve, i == 3, &p->coons.line[k][i]);
         }

@@ -1,4 +1,5 @@
 /* Four sides from boundary curves in any order and direction. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 #include <batten/coons.h>
@@ -81,7 +82,8 @@ static batten_status check_counts(int count, const int *counts)
     int sum = 0;
     for (int s = 0; s < 4; s++) {
         if (counts[s] < 0)
-            return bat_fail(BATTEN_BAD_ARGUMENT, "a side has %d curves", counts[s]);
+            return bat_fail(BATTEN_BAD_ARGUMENT, "a side has %d curve%s", counts[s],
+                            bat_plural(counts[s]));
         sum += counts[s];
     }
     if (counts[0] < 1)
@@ -121,8 +123,8 @@ batten_status batten_boundary_sides(int count, const batten_curve *const *curves
     const int *parts = counts ? counts : usual_counts(count);
     if (!parts)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d curves make four sides only when it is said how many each side has",
-                        count);
+                        "%d curve%s %s four sides only when it is said how many each side has",
+                        count, bat_plural(count), bat_one_or_many(count, "makes", "make"));
     batten_curve *made[4] = {NULL, NULL, NULL, NULL};
     batten_loop_place *found = bat_array((size_t)bat_max_int(count, 1), sizeof *found);
     batten_status status = found ? check_counts(count, parts) : BATTEN_OUT_OF_MEMORY;

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include <batten/cubic_spline.h>
 
@@ -214,7 +215,8 @@ static batten_status check(int dimension, int count, const batten_cornered_optio
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "a curve with corners has 2 or 3 dimensions, not %d", dimension);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points are given; 2 are needed", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s %s given; 2 are needed", count,
+                        bat_plural(count), bat_one_or_many(count, "is", "are"));
     if (o->parameters == BATTEN_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT,
                         "parameters cannot be given to curves with corners");

@@ -10,6 +10,7 @@
  * it is as smooth as the curve; there quintics that have Q, Q', Q'' at both ends follow it with
  * an error that falls with the sixth power of their length.
  */
+#include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/curve_offset.h"
@@ -343,8 +344,8 @@ static batten_status follow(bat_offset *o, strand *s, place a, const place *b)
         if (error > o->options.tolerance) {
             if (waiting > DEPTH || s->count > o->options.most_pieces)
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                                "the offset is missed by %g near u = %.17g after %d pieces",
-                                error, a.u, s->count);
+                                "the offset is missed by %g near u = %.17g after %d piece%s",
+                                error, a.u, s->count, bat_plural(s->count));
             ends[waiting++] = a.u + (next.u - a.u) / 2;
             continue;
         }

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/banded.h"
 #include "numeric/vector.h"
 #include <batten/cubic_spline.h>
@@ -278,7 +279,8 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d", dimension);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points are given; 2 are needed", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s %s given; 2 are needed", count,
+                        bat_plural(count), bat_one_or_many(count, "is", "are"));
     double *t = bat_array((size_t)count, sizeof *t);
     batten_status status = t ? allocate(&w) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)

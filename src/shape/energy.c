@@ -1,5 +1,6 @@
 /* Curves of least energy: from points to nodes and back. */
 #include "shape/energy.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include <batten/curve.h>
@@ -40,7 +41,8 @@ static batten_status check(int d, int count, const double *points,
                            const batten_energy_options *options)
 {
     if (d < 2 || d > 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve of least energy in %d dimensions", d);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve of least energy in %d dimension%s", d,
+                        bat_plural(d));
     if ((int)options->energy < 0 || options->energy > BATTEN_ENERGY_VARIATION)
         return bat_fail(BATTEN_BAD_ARGUMENT, "energy %d is none", (int)options->energy);
     if (!(options->tension >= 0 && isfinite(options->tension)))
@@ -53,8 +55,8 @@ static batten_status check(int d, int count, const double *points,
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d pieces between points; 1 to %d are possible",
                         options->pieces, MOST_PIECES);
     if (options->max_steps < 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d steps; at least 1 is needed",
-                        options->max_steps);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
+                        options->max_steps, bat_plural(options->max_steps));
     batten_status status = bat_points_check(d, count, points, options->closed ? 3 : 2);
     if (status == BATTEN_OK && !options->closed)
         status = check_end("start", d, options->start_tangent, options->start_curvature);
@@ -109,8 +111,9 @@ static batten_status task_begin(task *t)
     bat_energy_curve *nodes = &t->nodes;
     const size_t n = (size_t)t->count, d = (size_t)t->d, pieces = (size_t)t->options->pieces;
     if (n * pieces > (size_t)4000000)
-        return bat_fail(BATTEN_TOO_LARGE, "%d points with %d pieces between them", t->count,
-                        t->options->pieces);
+        return bat_fail(BATTEN_TOO_LARGE, "%d point%s with %d piece%s between them", t->count,
+                        bat_plural(t->count), t->options->pieces,
+                        bat_plural(t->options->pieces));
     nodes->d = t->d;
     nodes->closed = t->options->closed;
     nodes->spans = (int)((n - !nodes->closed) * pieces);
@@ -383,9 +386,10 @@ static batten_status search(task *t, bat_energy_task *what, batten_energy_report
     }
     return least ? BATTEN_OK
                  : bat_fail(BATTEN_INCOMPLETE,
-                            "%d steps took the energy from %g to %g, and it could fall by %g "
+                            "%d step%s took the energy from %g to %g, and it could fall by %g "
                             "more: give directions at the ends, a tension, or more points",
-                            report->steps, report->before, report->after, report->remaining);
+                            report->steps, bat_plural(report->steps), report->before,
+                            report->after, report->remaining);
 }
 
 /* From the curve that stands at the nodes. */

@@ -1,4 +1,5 @@
 #include "shape/even_speed.h"
+#include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/curve_offset.h"
@@ -176,8 +177,8 @@ static batten_status follow(task *t, const batten_curve *piece, place a, const p
             if (waiting > DEPTH || !(middle > a.u && middle < next.u) ||
                 t->report.pieces >= t->most)
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                                "the curve is missed by %g near u = %.17g after %d pieces",
-                                error, a.u, t->report.pieces);
+                                "the curve is missed by %g near u = %.17g after %d piece%s",
+                                error, a.u, t->report.pieces, bat_plural(t->report.pieces));
             ends[waiting++] = middle;
             continue;
         }

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/corners.h"
@@ -245,8 +246,10 @@ static batten_status round_corner(void *context, const bat_corner *corner, bat_c
 static batten_status check_radii(int count, const double *radii, int corners)
 {
     if (count != 1 && count != corners)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d radii for %d corners", count,
-                        corners);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there %s %d %s for %d corner%s",
+                        bat_one_or_many(count, "is", "are"), count,
+                        bat_one_or_many(count, "radius", "radii"), corners,
+                        bat_plural(corners));
     for (int i = 0; i < count; i++)
         if (!(radii[i] >= 0 && isfinite(radii[i])))
             return bat_fail(BATTEN_BAD_ARGUMENT, "radius %d is %g, below 0", i, radii[i]);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/fold_parts.h"
 #include <batten/inspect.h>
@@ -343,8 +344,8 @@ static batten_status fold_all(bat_fold_task *t)
     }
     if (status == BATTEN_OK && deviation(t) > t->options->tolerance)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                          "the sheets are within %g with %d samples, not within %g",
-                          deviation(t), count, t->options->tolerance);
+                          "the sheets are within %g with %d sample%s, not within %g",
+                          deviation(t), count, bat_plural(count), t->options->tolerance);
     return status;
 }
 

@@ -1,4 +1,5 @@
 /* Where each profile meets each guide. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/gordon.h"
 
@@ -88,7 +89,7 @@ static batten_status refuse_misses(const bat_network *net, const misses *all)
                     "%s%s%s: more than the gap allowed, %g; of %d pairs %d %s apart%s%s",
                     text[0], text[1], text[2], net->gap / net->scale,
                     net->family[0].given * net->family[1].given, all->count,
-                    all->count == 1 ? "is" : "are",
+                    bat_one_or_many(all->count, "is", "are"),
                     all->count > WORST ? ", these are the worst" : "", advice);
 }
 

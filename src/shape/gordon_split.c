@@ -7,6 +7,7 @@
  * thin edge may be within the tolerance. Meetings of two ends, corners of the network or poles,
  * are asked last.
  */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/gordon.h"
 
@@ -277,8 +278,8 @@ batten_status batten_network_split(int count, const batten_curve *const *curves,
     if (tolerance <= 0)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d curves; a network has 2 or more",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d curve%s; a network has 2 or more",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (count > 1000)
         return bat_fail(BATTEN_TOO_LARGE,
                         "there are %d curves in one list; the limit is 1000: give profiles and "

@@ -1,5 +1,6 @@
 /* Least squares on grids, and what all fits to grids share. */
 #include "shape/grid_fit.h"
+#include "base/plural.h"
 #include "numeric/dense.h"
 #include "numeric/select.h"
 #include "numeric/vector.h"
@@ -49,12 +50,13 @@ static batten_status settle_size(bat_grid_fit *t, int direction)
     const int least = t->periodic[k] ? bat_min_int(t->degree[k] + 1, count) : t->degree[k] + 1;
     if (t->wanted[k] < 0 || (t->wanted[k] > 0 && t->wanted[k] < least))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d control points along %c, and degree %d needs %d", t->wanted[k],
-                        names[k], t->degree[k], least);
+                        "%d control point%s along %c, and degree %d needs %d", t->wanted[k],
+                        bat_plural(t->wanted[k]), names[k], t->degree[k], least);
     if (t->wanted[k] > count)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "%d control points along %c, and the grid has %d lines there",
-                        t->wanted[k], names[k], count);
+                        "%d control point%s along %c, and the grid has %d line%s there",
+                        t->wanted[k], bat_plural(t->wanted[k]), names[k], count,
+                        bat_plural(count));
     if (t->wanted[k] == 0)
         t->wanted[k] = bat_min_int(count, bat_max_int(least, (count + 3) / 4));
     return BATTEN_OK;

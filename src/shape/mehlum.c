@@ -8,6 +8,7 @@
  * is then missing at the end of the span, of the third power, is put right by two unknowns: a
  * scale of all lengths, and a bend that turns the first half one way and the second the other.
  */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/biarc.h"
 #include "shape/shape.h"
@@ -200,8 +201,8 @@ static batten_status make_span(task *t, mehlum *m, int index)
     find_turns(m);
     if (!fit(m, 16 * DBL_EPSILON * (size + m->elastica->length)))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "%d arcs cannot follow the elastica after point %d: take more",
-                        m->count, index);
+                        "%d arc%s cannot follow the elastica after point %d: take more",
+                        m->count, bat_plural(m->count), index);
     put_arcs(m, t->made + t->arcs);
     measure(m, t->made + t->arcs);
     return BATTEN_OK;

@@ -3,6 +3,7 @@
  * each with weights for the point before, the point itself and the one after.
  */
 #include "shape/net_twists.h"
+#include "base/plural.h"
 
 #include "numeric/vector.h"
 #include <batten/interpolate.h>
@@ -233,8 +234,8 @@ static void selesnick(const bat_net *net, const batten_twist_shape *shape, int i
 batten_status bat_net_check_axis(char name, int count, const double *t)
 {
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the net has %d lines in %c, fewer than 2",
-                        count, name);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "the net has %d line%s in %c, fewer than 2",
+                        count, bat_plural(count), name);
     for (int i = 0; i < count; i++) {
         if (!isfinite(t[i]))
             return bat_fail(BATTEN_NOT_FINITE, "parameter %d in %c is %g", i, name, t[i]);

@@ -1,6 +1,7 @@
 /* Nonlinear splines: from points to the polygon's angles, and from tangents to a chain. */
 #include <batten/nonlinear.h>
 
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/chord_polygon.h"
 #include "shape/shape.h"
@@ -63,8 +64,8 @@ static batten_status check(int count, const double *points,
     if (!family_of(options->family))
         return bat_fail(BATTEN_BAD_ARGUMENT, "span family %d is none", (int)options->family);
     if (options->max_steps < 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d steps; at least 1 is needed",
-                        options->max_steps);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
+                        options->max_steps, bat_plural(options->max_steps));
     batten_status status = bat_points_check(2, count, points, options->closed ? 3 : 2);
     if (status == BATTEN_OK && !options->closed)
         status = check_end("start", options->start, options->start_value);

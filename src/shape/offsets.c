@@ -1,4 +1,5 @@
 #include "base/base.h"
+#include "base/plural.h"
 #include <batten/offsets.h>
 
 #include <string.h>
@@ -28,10 +29,11 @@ static batten_status check_counts(double unit_metres, int line_count, int statio
         return bat_fail(BATTEN_BAD_ARGUMENT, "the unit of the offsets is %g metres, below 0",
                         unit_metres);
     if (line_count < 0)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the offsets have %d lines", line_count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the offsets have %d line%s", line_count,
+                        bat_plural(line_count));
     if (station_count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "the offsets have %d stations, and need one",
-                        station_count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "the offsets have %d station%s, and need one",
+                        station_count, bat_plural(station_count));
     return BATTEN_OK;
 }
 
@@ -43,8 +45,10 @@ static batten_status check_point(const batten_station *station, int index, int l
                         text_of(station->name), point->x, point->y, point->z);
     if (point->line < -1 || point->line >= line_count)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "point %d of station \"%s\" is on line %d, but there are %d lines",
-                        index, text_of(station->name), point->line, line_count);
+                        "point %d of station \"%s\" is on line %d, but there %s %d line%s",
+                        index, text_of(station->name), point->line,
+                        bat_one_or_many(line_count, "is", "are"), line_count,
+                        bat_plural(line_count));
     return BATTEN_OK;
 }
 
@@ -62,8 +66,8 @@ static batten_status check_station(const batten_station *stations, int index, in
             name, station->x, stations[index - 1].x);
     if (station->point_count < 1)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "station %d, \"%s\", has %d points, and needs one", index, name,
-                        station->point_count);
+                        "station %d, \"%s\", has %d point%s, and needs one", index, name,
+                        station->point_count, bat_plural(station->point_count));
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < station->point_count; i++)
         status = check_point(station, i, line_count);

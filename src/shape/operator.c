@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
@@ -116,8 +117,9 @@ static batten_status check_request(const bat_request *r)
         const int given = conditions_at(r, side ? r->count - 1 : 0, side ? r->end : r->start);
         if (given > (r->degree - 1) / 2)
             status = bat_fail(BATTEN_BAD_ARGUMENT,
-                              "the %s has %d conditions, and degree %d takes %d",
-                              side ? "end" : "start", given, r->degree, (r->degree - 1) / 2);
+                              "the %s has %d condition%s, and degree %d takes %d",
+                              side ? "end" : "start", given, bat_plural(given), r->degree,
+                              (r->degree - 1) / 2);
     }
     return status;
 }

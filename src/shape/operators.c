@@ -1,4 +1,5 @@
 /* Splines whose control points are sums over few data: Schoenberg's, quasi-interpolants. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
@@ -201,7 +202,8 @@ static batten_status begin(task *t, const batten_operator_options *o, int most_d
     if (o->periodic && o->bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "Bernstein's operator makes no closed curves");
     if (o->periodic && t->count < 3)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points; a closed curve needs 3", t->count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; a closed curve needs 3", t->count,
+                        bat_plural(t->count));
     t->periodic = o->periodic;
     t->degree = o->periodic || o->bernstein ? o->degree : bat_min_int(o->degree, t->count - 1);
     return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
@@ -340,7 +342,8 @@ static batten_status check_known(const known *k)
                         BATTEN_MAX_DEGREE);
     if (k->count <= k->degree || k->count > BAT_MAX_POINTS)
         return bat_fail(k->count > k->degree ? BATTEN_TOO_LARGE : BATTEN_TOO_FEW_POINTS,
-                        "%d control points for degree %d", k->count, k->degree);
+                        "%d control point%s for degree %d", k->count, bat_plural(k->count),
+                        k->degree);
     return bat_knots_check(k->degree, k->count, k->knots, "knot");
 }
 

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "shape/shape.h"
 #include "spline/curve.h"
 
@@ -215,7 +216,8 @@ batten_status bat_points_check(int dimension, int count, const double *points, i
                         dimension);
     if (count < least)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "there are %d points, and at least %d are needed", count, least);
+                        "there %s %d point%s, and at least %d are needed",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count), least);
     if (count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d points; the limit is %d", count,
                         (int)BAT_MAX_POINTS);

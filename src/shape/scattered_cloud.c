@@ -1,4 +1,5 @@
 /* Clouds of points: parameters by projection, then by steps towards the feet. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/scattered.h"
 #include "spline/surface.h"
@@ -18,8 +19,9 @@ static batten_status project(int count, const double *points, const batten_surfa
     if (!base)
         return bat_scatter_on_plane((size_t)count, points, uv);
     if (batten_surface_dimension(base) != 3)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "the base has %d dimensions, not 3",
-                        batten_surface_dimension(base));
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the base has %d dimension%s, not 3",
+                        batten_surface_dimension(base),
+                        bat_plural(batten_surface_dimension(base)));
     return batten_surface_project(base, count, points, NULL, job, uv, NULL, &ignored);
 }
 

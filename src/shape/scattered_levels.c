@@ -3,6 +3,7 @@
  * the sum of those before leaves. The sum is kept on the last lattice. Lattices reach one span
  * beyond the domain on every side, with even knots; the result is clamped.
  */
+#include "base/plural.h"
 #include "numeric/dense.h"
 #include "shape/scattered.h"
 #include "spline/spline.h"
@@ -218,8 +219,8 @@ static batten_status climb(bat_scatter *s, lattice *l)
     }
     if (tolerance > 0 && most > tolerance)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "after %d levels datum %zu is missed by %g, more than %g",
-                        s->report.rounds, worst, most, tolerance);
+                        "after %d level%s datum %zu is missed by %g, more than %g",
+                        s->report.rounds, bat_plural(s->report.rounds), worst, most, tolerance);
     return BATTEN_OK;
 }
 

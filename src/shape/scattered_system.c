@@ -2,6 +2,7 @@
  * The equations of a penalised fit: normal equations of the data and of the bending energy,
  * solved by a band or by conjugate gradients.
  */
+#include "base/plural.h"
 #include "numeric/banded.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
@@ -326,8 +327,8 @@ static batten_status descend(bat_scatter *s, double lambda, const gradients *g, 
     for (int step = 0; square > enough; step++, y->iterations++) {
         if (step == MOST_STEPS)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                            "conjugate gradients leave %g of the right side after %d steps",
-                            sqrt(square / enough) * 1e-9, step);
+                            "conjugate gradients leave %g of the right side after %d step%s",
+                            sqrt(square / enough) * 1e-9, step, bat_plural(step));
         for (size_t i = 0; i < n; i++)
             g->way[i] =
                 g->rest[i] / g->diagonal[i] + (step > 0 ? square / before * g->way[i] : 0);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "shape/skin_parts.h"
 
 #include <string.h>
@@ -34,8 +35,8 @@ static batten_status check_end(const batten_skin_options *o, const batten_end *e
 static batten_status check(int count, const batten_skin_options *o)
 {
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d sections, and a skin needs 2",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d section%s, and a skin needs 2",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (count > BAT_MAX_MADE_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d sections; the limit is %d", count,
                         (int)BAT_MAX_MADE_POINTS);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include "shape/skin_rows_parts.h"
@@ -52,7 +53,8 @@ static batten_status check_rows(rows *r)
 {
     if (r->count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "there are %d rows of points, and a skin needs 2", r->count);
+                        "there %s %d row%s of points, and a skin needs 2",
+                        bat_one_or_many(r->count, "is", "are"), r->count, bat_plural(r->count));
     if (r->count > BAT_MAX_MADE_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d rows; the limit is %d", r->count,
                         (int)BAT_MAX_MADE_POINTS);
@@ -60,7 +62,7 @@ static batten_status check_rows(rows *r)
     for (int k = 0; k < r->count; k++) {
         if (r->counts[k] < 2)
             return bat_fail(BATTEN_TOO_FEW_POINTS, "row %d has %d point%s, and needs 2", k,
-                            r->counts[k], r->counts[k] == 1 ? "" : "s");
+                            r->counts[k], bat_plural(r->counts[k]));
         total += (size_t)r->counts[k];
     }
     if (total > BAT_MAX_MADE_POINTS)

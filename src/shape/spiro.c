@@ -1,5 +1,6 @@
 /* Splines after Spiro: from points to the equations, and from their solution to a chain. */
 #include "shape/spiro.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include "shape/spiral.h"
@@ -27,8 +28,8 @@ static batten_status check_end(const char *name, const batten_spiro_end *end)
 static batten_status check(int count, const double *points, const batten_spiro_options *options)
 {
     if (options->max_steps < 1)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d steps; at least 1 is needed",
-                        options->max_steps);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
+                        options->max_steps, bat_plural(options->max_steps));
     batten_status status = bat_points_check(2, count, points, options->closed ? 3 : 2);
     if (status == BATTEN_OK && !options->closed)
         status = check_end("start", &options->start);

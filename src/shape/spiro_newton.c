@@ -5,6 +5,7 @@
  * It goes from Euler spirals, which join at all points with curvature alone, to what the points
  * ask for: directly, and where that fails by parts.
  */
+#include "base/plural.h"
 #include "numeric/givens.h"
 #include "numeric/vector.h"
 #include "shape/spiro.h"
@@ -276,8 +277,8 @@ static batten_status improve(search *s)
             return BATTEN_SINGULAR_SYSTEM;
         if (s->steps == s->max_steps)
             return bat_fail(BATTEN_INCOMPLETE,
-                            "after %d steps the spline still jumps by %g at point %d", s->steps,
-                            s->now.worst, s->now.worst_at);
+                            "after %d step%s the spline still jumps by %g at point %d",
+                            s->steps, bat_plural(s->steps), s->now.worst, s->now.worst_at);
         s->steps++;
         const batten_status status = find_step(s);
         if (status != BATTEN_OK)

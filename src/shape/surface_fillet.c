@@ -1,6 +1,7 @@
 /* Fillets: arcs at the stations of a rolling ball, and the spline through them, in homogeneous
  * coordinates. */
 #include "shape/surface_fillet.h"
+#include "base/plural.h"
 
 #include "spline/curve.h"
 #include "spline/surface.h"
@@ -106,8 +107,8 @@ static batten_status double_stations(task *t)
     const int n = t->spine.count;
     if (2 * n - 1 > MOST_STATIONS)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
-                        "with %d stations the fillet is still %g from the truth", n,
-                        t->out->error);
+                        "with %d station%s the fillet is still %g from the truth", n,
+                        bat_plural(n), t->out->error);
     bat_ball *made = bat_array((size_t)(2 * n - 1), sizeof *made);
     batten_status status = made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < n && status == BATTEN_OK; i++) {

@@ -1,6 +1,7 @@
 /* Joining a surface to another: its first rows of control points are laid anew. */
 #include <batten/surface_match.h>
 
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/ribbon_fit.h"
 #include "spline/curve.h"
@@ -120,9 +121,10 @@ static batten_status take(const batten_surface *first, batten_edge edge, int ord
                      batten_surface_degree(surface, BATTEN_U), order, order);
     if (status == BATTEN_OK && batten_surface_point_count(surface, BATTEN_U) < order + 2)
         status = bat_fail(BATTEN_TOO_FEW_POINTS,
-                          "%d rows of control points across the edge; %d would move and the "
+                          "%d row%s of control points across the edge; %d would move and the "
                           "opposite edge must stay",
-                          batten_surface_point_count(surface, BATTEN_U), order + 1);
+                          batten_surface_point_count(surface, BATTEN_U),
+                          bat_plural(batten_surface_point_count(surface, BATTEN_U)), order + 1);
     if (status == BATTEN_OK)
         *out = batten_surface_ref(surface);
     batten_surface_unref(surface);

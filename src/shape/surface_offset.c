@@ -1,5 +1,6 @@
 /* The offset of a surface: exact where it can be, else a formula, as such or near it. */
 #include "shape/surface_offset.h"
+#include "base/plural.h"
 
 #include "numeric/vector.h"
 #include "shape/formula.h"
@@ -137,8 +138,8 @@ static batten_status check(const batten_surface *surface, double distance,
                         "the surface is of the kind '%s': make it a NURBS surface first",
                         batten_surface_kind(surface));
     if (surface->dimension != 3)
-        return bat_fail(BATTEN_UNSUPPORTED, "a surface in %d dimensions has no normal",
-                        surface->dimension);
+        return bat_fail(BATTEN_UNSUPPORTED, "a surface in %d dimension%s has no normal",
+                        surface->dimension, bat_plural(surface->dimension));
     return BATTEN_OK;
 }
 

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/sweep_truth.h"
 #include "spline/curve.h"
@@ -26,8 +27,8 @@ static batten_status take_sections(int count, const batten_curve *const *section
                                    const double *at, bat_sweep *sweep)
 {
     if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d sections, and a sweep needs 1",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d section%s, and a sweep needs 1",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (count == 1)
         return take_section(sections[0], &sweep->section);
     double *even = bat_array((size_t)count, sizeof *even);

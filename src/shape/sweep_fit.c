@@ -1,5 +1,6 @@
 /* NURBS surfaces near true sweeps: the control points of the section are followed along v by
  * splines through sections at Greville's abscissae; sections are added where it is too far. */
+#include "base/plural.h"
 #include "numeric/banded.h"
 #include "numeric/vector.h"
 #include "shape/sweep_truth.h"
@@ -276,8 +277,9 @@ static batten_status not_met(const fitting *f, int needed)
     return bat_fail(
         BATTEN_TOLERANCE_NOT_MET,
         "the sweep is still %g from its true shape, more than %g, between %.17g and "
-        "%.17g of the path, with %d sections, %s",
-        f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, why);
+        "%.17g of the path, with %d section%s, %s",
+        f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, bat_plural(f->count),
+        why);
 }
 
 static batten_status too_many_spans(const bat_motion *m)

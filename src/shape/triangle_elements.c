@@ -1,5 +1,6 @@
 /* Smooth elements over triangles: values and gradients at the corners become Bezier triangles.
  */
+#include "base/plural.h"
 #include "spline/curve.h"
 #include "spline/triangles.h"
 #include <batten/scattered_triangles.h>
@@ -35,7 +36,10 @@ batten_status batten_triangles_linear(const batten_triangulation *domain, int co
     assert(domain && values && out);
     if (count < 1 || count > BAT_MAX_POINTS || domain->vertex_count < 3)
         return bat_fail(count > BAT_MAX_POINTS ? BATTEN_TOO_LARGE : BATTEN_TOO_FEW_POINTS,
-                        "there are %d triangles with %d vertices", count, domain->vertex_count);
+                        "there %s %d triangle%s with %d %s",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count),
+                        domain->vertex_count,
+                        bat_one_or_many(domain->vertex_count, "vertex", "vertices"));
     batten_status status =
         check_finite(values, (size_t)domain->vertex_count, 1, "value", "vertex");
     if (status != BATTEN_OK)

@@ -1,5 +1,6 @@
 /* The tangents for which curvature is continuous: Newton's method, linear in the spans. */
 #include "shape/two_angle.h"
+#include "base/plural.h"
 #include "numeric/banded.h"
 #include "shape/chord_polygon.h"
 
@@ -296,9 +297,10 @@ static batten_status fail_here(const bat_two_angle *task, const iterate *it,
     if (most > 0.9 * task->family->limit)
         return fail_span(task, it->angles, widest);
     if (steps > 0)
-        return bat_fail(BATTEN_INCOMPLETE,
-                        "after %d steps curvature still jumps by %g of the largest at point %d",
-                        steps, it->worst / it->curvature, worst);
+        return bat_fail(
+            BATTEN_INCOMPLETE,
+            "after %d step%s curvature still jumps by %g of the largest at point %d", steps,
+            bat_plural(steps), it->worst / it->curvature, worst);
     if (tried->failed >= 0)
         return fail_span(task, tried->angles, tried->failed);
     return bat_fail(BATTEN_TOLERANCE_NOT_MET,

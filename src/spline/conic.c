@@ -1,4 +1,5 @@
 /* Lines, circles and their kin as exact NURBS curves. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -48,7 +49,8 @@ batten_status batten_curve_polyline(int dimension, int count, const double *poin
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
                         dimension);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d points; a polyline needs 2", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; a polyline needs 2", count,
+                        bat_plural(count));
     double *knots = bat_array((size_t)count + 2, sizeof *knots);
     if (!knots)
         return BATTEN_OUT_OF_MEMORY;

@@ -1,5 +1,6 @@
 /* Making, keeping and describing curves. */
 #include "spline/curve.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 
 #include <stdint.h>
@@ -16,8 +17,9 @@ static batten_status check_sizes(int dimension, int degree, int point_count, int
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", degree,
                         BATTEN_MAX_DEGREE);
     if (point_count < least)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d control points for degree %d; %d are needed",
-                        point_count, degree, least);
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "%d control point%s for degree %d; %d are needed", point_count,
+                        bat_plural(point_count), degree, least);
     if (point_count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "%d control points; the limit is %d", point_count,
                         BAT_MAX_POINTS);

@@ -1,4 +1,5 @@
 /* Curves from and to other ways of writing them: Bezier, Hermite, powers. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 
@@ -9,7 +10,8 @@
 batten_status bat_breaks_check(int piece_count, const double *breaks)
 {
     if (piece_count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d pieces; at least 1 is needed", piece_count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d piece%s; at least 1 is needed", piece_count,
+                        bat_plural(piece_count));
     for (int i = 0; i <= piece_count; i++) {
         if (!isfinite(breaks[i]))
             return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i, breaks[i]);
@@ -114,7 +116,8 @@ batten_status batten_curve_from_hermite(int dimension, int count, int k,
         return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
                         dimension);
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d parameters; at least 2 are needed", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d parameter%s; at least 2 are needed", count,
+                        bat_plural(count));
     batten_status status = check_size(2 * k - 1, (double)count * k);
     if (status == BATTEN_OK)
         status = bat_breaks_check(count - 1, parameters);

@@ -1,6 +1,7 @@
 /* Curves from their polygons. */
 #include <batten/polygon.h>
 
+#include "base/plural.h"
 #include "spline/curve.h"
 
 #include <string.h>
@@ -36,8 +37,8 @@ batten_status batten_curve_edges(const batten_curve *curve, double *start, doubl
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
             "the edges of a polygon belong to one polynomial span; this curve has %d "
-            "control points of degree %d",
-            curve->count, p);
+            "control point%s of degree %d",
+            curve->count, bat_plural(curve->count), p);
     memcpy(start, curve->points, (size_t)d * sizeof *start);
     for (int i = 0; i < p * d; i++)
         edges[i] = curve->points[d + i] - curve->points[i];
@@ -61,7 +62,8 @@ static batten_status check_uniform(int dimension, int degree, int count,
         return bat_fail(BATTEN_BAD_ARGUMENT, "phantom vertices are for degree 3, not %d",
                         degree);
     if (count < least)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d vertices; %d are needed", count, least);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d %s; %d are needed", count,
+                        bat_one_or_many(count, "vertex", "vertices"), least);
     if (count > BAT_MAX_POINTS - 2 * degree)
         return bat_fail(BATTEN_TOO_LARGE, "%d vertices; the limit is %d", count,
                         BAT_MAX_POINTS - 2 * degree);

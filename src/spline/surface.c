@@ -1,5 +1,6 @@
 /* Making, keeping and describing surfaces. */
 #include "spline/surface.h"
+#include "base/plural.h"
 #include "numeric/vector.h"
 
 #include "spline/curve.h"
@@ -19,9 +20,9 @@ static batten_status check_axis(const batten_axis *axis, const char *name)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree in %s is %d; it must be in 1..%d", name,
                         axis->degree, BATTEN_MAX_DEGREE);
     if (axis->point_count < least)
-        return bat_fail(BATTEN_TOO_FEW_POINTS,
-                        "%d control points in %s for degree %d; %d are needed",
-                        axis->point_count, name, axis->degree, least);
+        return bat_fail(
+            BATTEN_TOO_FEW_POINTS, "%d control point%s in %s for degree %d; %d are needed",
+            axis->point_count, bat_plural(axis->point_count), name, axis->degree, least);
     if (axis->point_count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "%d control points in %s; the limit is %d",
                         axis->point_count, name, BAT_MAX_POINTS);

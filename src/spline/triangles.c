@@ -1,5 +1,6 @@
 /* Making, keeping and describing sets of Bezier triangles. */
 #include "spline/triangles.h"
+#include "base/plural.h"
 
 #include "numeric/vector.h"
 #include "spline/curve.h"
@@ -79,8 +80,8 @@ static batten_status check_sizes(int dimension, int degree, int count,
         return bat_fail(BATTEN_BAD_DEGREE, "the degree is %d; it must be in 1..%d", degree,
                         BATTEN_MAX_DEGREE);
     if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d triangles; at least 1 is needed",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d triangle%s; at least 1 is needed",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     const long long total = (long long)count * BATTEN_TRIANGLE_POINTS(degree);
     if (total > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE,

@@ -1,4 +1,5 @@
 /* The same triangles in another form: mapped, elevated, cut, selected. */
+#include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 #include "spline/triangles.h"
@@ -278,8 +279,8 @@ batten_status batten_triangles_select(const batten_triangles *triangles, int cou
 {
     assert(triangles && which && out);
     if (count < 1)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d triangles are selected; at least 1 must be",
-                        count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "%d triangle%s %s selected; at least 1 must be",
+                        count, bat_plural(count), bat_one_or_many(count, "is", "are"));
     for (int i = 0; i < count; i++)
         if (which[i] < 0 || which[i] >= triangles->count)
             return bat_fail(BATTEN_OUT_OF_DOMAIN, "triangle %d does not exist; there are %d",

@@ -1,5 +1,6 @@
 /* Points of the plane as vertices, and the triangles between them. */
 #include "spline/triangulate.h"
+#include "base/plural.h"
 #include "numeric/plane_signs.h"
 #include "spline/curve.h"
 #include "spline/delaunay.h"
@@ -28,7 +29,8 @@ static batten_status check(int count, const double *points,
                            const batten_triangulate_options *options)
 {
     if (count < 3)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "there are %d points; triangles need 3", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d point%s; triangles need 3",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count));
     if (count > BAT_MAX_POINTS)
         return bat_fail(BATTEN_TOO_LARGE, "there are %d points; the limit is %d", count,
                         (int)BAT_MAX_POINTS);

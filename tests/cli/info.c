@@ -27,8 +27,8 @@ TEST(info_tells_of_meshes_and_what_is_odd_with_them)
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.out, "4 triangles, 4 vertices");
     CHECK_CONTAINS(run.out, "not watertight");
-    CHECK_CONTAINS(run.errors, "1 triangles without area");
-    CHECK_CONTAINS(run.errors, "3 edges of one triangle");
+    CHECK_CONTAINS(run.errors, "triangles without area: 1");
+    CHECK_CONTAINS(run.errors, "edges of one triangle, its rim: 3");
     run = RUN("batten", "info", path, "--no-lint");
     CHECK(strstr(run.errors, "without area") == NULL);
     run = RUN("batten", "info", path, "--json");

@@ -132,7 +132,7 @@ TEST(g3_what_local_methods_cannot_keep_is_noted)
         "{catmull-rom: q, blend: 3, local: 0}", "{interpolate: rise, as: function}",
         "{interpolate: rise, as: function, ends: natural}"};
     static const char *const says[] = {
-        "the first is point 1", "keep the tangents alone", "passes near the points",
+        "the first is point 1", "keeps the tangents alone", "passes near the points",
         "points are convex, but the curve bends back at point", "because point 1 stands out"};
     for (int i = 0; i < COUNT(says); i++) {
         batten_notes *notes = NULL;

@@ -140,7 +140,7 @@ TEST(operations_say_what_they_cannot_do)
         {"{ruled: [l1, l2, l3]}", "between 2 curves, not 3"},
         {"{curve-of: s}", "'u' or 'v' must say"},
         {"{select: c, names: [q]}", "'c' has no object 'q'"},
-        {"{skin: [l1, l2], twist: 3 deg}", "'twist' has 1 values for 2 sections"},
+        {"{skin: [l1, l2], twist: 3 deg}", "'twist' has 1 value for 2 sections"},
         {"{skin: [l1, l2], spine: s}", "curves are needed"},
         {"{skin: [l1, l2], spine: t}", "curves are needed"},
         {"{fair: s, within: 1 mm}", "without the points it was made from"},

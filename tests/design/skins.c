@@ -49,10 +49,10 @@ TEST(features_of_skins_say_what_they_cannot_do)
         const char *feature, *says;
     } rows[] = {
         {"{skin: [ring, wall]}", "section 0 is closed, and section 1 is open"},
-        {"{skin: [ring, ring2], starts: [0.1]}", "'starts' has 1 values for 2 sections"},
+        {"{skin: [ring, ring2], starts: [0.1]}", "'starts' has 1 value for 2 sections"},
         {"{skin: [wall, wall2], starts: [0.1, 0.1]}", "section 0 is open"},
         {"{skin: [frame, frame2], match: marks, marks: [0.3], within: 1 mm}",
-         "'marks' has 1 values, not as many for each of 2 sections"},
+         "'marks' has 1 value, not as many for each of 2 sections"},
         {"{skin: [frame, frame2], match: marks, within: 1 mm}", "there are no marks"},
         {"{skin: [frame, frame2], match: arc-length}", "a tolerance is needed"},
         {"{skin: [wall, wall, wall2]}", "sections 0 and 1 coincide"},

@@ -236,7 +236,8 @@ TEST(what_a_format_does_not_keep_of_a_mesh_is_noted)
         if (!batten_notes_dropped(notes)) {
             CHECK(has_note(notes, "colours of its vertices") == (strchr(loses, 'c') != NULL));
             CHECK(has_note(notes, "colours of its faces") == (strchr(loses, 't') != NULL));
-            CHECK(has_note(notes, "1 values of each vertex") == (strchr(loses, 'v') != NULL));
+            CHECK(has_note(notes, "further values of each vertex: 1;") ==
+                  (strchr(loses, 'v') != NULL));
         }
         batten_model_unref(prepared);
         batten_notes_free(notes);

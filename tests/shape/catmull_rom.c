@@ -477,7 +477,7 @@ TEST(k9_s1_degrees_and_counts_beyond_the_limits_are_refused)
         {2, -1, 4, 0.5, BATTEN_BAD_DEGREE, "local degree is -1"},
         {20, 6, 4, 0.5, BATTEN_BAD_DEGREE, "the limit, 25"},
         {2147483647, 1, 4, 0.5, BATTEN_BAD_DEGREE, "the limit, 25"},
-        {2, 1, 1, 0.5, BATTEN_TOO_FEW_POINTS, "there are 1 points"},
+        {2, 1, 1, 0.5, BATTEN_TOO_FEW_POINTS, "there is 1 point"},
         {2, 1, -1, 0.5, BATTEN_TOO_FEW_POINTS, "there are -1 points"},
         {2, 1, 2147483647, 0.5, BATTEN_TOO_LARGE, "the limit is"},
         {2, 1, 4, 1.5, BATTEN_BAD_ARGUMENT, "alpha is 1.5"},

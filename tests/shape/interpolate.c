@@ -532,7 +532,7 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
     batten_curve_unref(hermite);
     CHECK_STATUS(batten_curve_interpolate(2, 1, points, NULL, NULL, &line),
                  BATTEN_TOO_FEW_POINTS);
-    CHECK_MESSAGE("there are 1 points, and at least 2");
+    CHECK_MESSAGE("there is 1 point, and at least 2");
 }
 
 TEST(G1_coincident_points_are_named)

@@ -539,7 +539,7 @@ TEST(n1_bad_input_of_nonlinear_splines_is_refused)
     options.max_steps = 1;
     CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
                  BATTEN_INCOMPLETE);
-    CHECK_MESSAGE("after 1 steps curvature still jumps");
+    CHECK_MESSAGE("after 1 step curvature still jumps");
 }
 
 TEST(g9_two_points_with_circular_ends_determine_no_circle)

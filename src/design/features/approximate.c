@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 #include <batten/within.h>
 
@@ -18,8 +19,9 @@ static batten_status approximate(bat_run *run, const batten_object *object)
             ? batten_chain_approximate(object->chain, degree, tolerance, &error, &made)
             : batten_curve_approximate(object->curve, degree, tolerance, &error, &made);
     if (status == BATTEN_OK) {
-        bat_remark(run, "'%s': %d control points instead of %d", object->name,
-                   batten_curve_point_count(made), batten_curve_point_count(object->curve));
+        bat_remark(run, "'%s': %d control point%s instead of %d", object->name,
+                   batten_curve_point_count(made), bat_plural(batten_curve_point_count(made)),
+                   batten_curve_point_count(object->curve));
         bat_report_error(run, error, error);
     } else if (status != BATTEN_OUT_OF_MEMORY && status != BATTEN_CANCELLED) {
         status = bat_fail(status, "%s: %s", object->name, batten_message());

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/rows.h"
 #include "design/through.h"
 #include <batten/arcs.h>
@@ -38,10 +39,10 @@ static void tell(bat_run *run, const char *name, const batten_arcs_report *repor
 {
     bat_remark(
         run,
-        "'%s': %d arcs and %d lines, %g beside it to the left and %g to the right; least "
+        "'%s': %d arc%s and %d line%s, %g beside it to the left and %g to the right; least "
         "radius %g, largest corner %.3g degrees",
-        name, report->arcs, report->lines, report->left, report->right, report->least_radius,
-        report->largest_turn * 180 / BAT_PI);
+        name, report->arcs, bat_plural(report->arcs), report->lines, bat_plural(report->lines),
+        report->left, report->right, report->least_radius, report->largest_turn * 180 / BAT_PI);
 }
 
 /* ---- points ---- */

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/through.h"
 
 #include <batten/polygon.h>
@@ -29,7 +30,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         return batten_curve_from_edges(data->dimension, n - 1, data->points,
                                        data->points + data->dimension, &made->curve);
     if (given->count && given->count != n)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weights for %d corners", given->count, n);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weight%s for %d corner%s", given->count,
+                        bat_plural(given->count), n, bat_plural(n));
     for (int i = 0; i < given->count; i++)
         weights[i] = given->items[i].number[0];
     return batten_curve_bezier(data->dimension, n - 1, data->points,

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/grid.h"
 
 static const batten_parameter parameters[] = {
@@ -15,7 +16,8 @@ static batten_status weights_of(const bat_run *run, const bat_grid *grid, double
     if (given->count == 0)
         return BATTEN_OK;
     if (given->count != total)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weights for %d points", given->count, total);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weight%s for %d point%s", given->count,
+                        bat_plural(given->count), total, bat_plural(total));
     double *weights = bat_array((size_t)total, sizeof *weights);
     if (!weights)
         return BATTEN_OUT_OF_MEMORY;

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <string.h>
@@ -54,9 +55,9 @@ static batten_status find_degree(const bat_run *run, int count, int *degree)
                         count, n, each);
     if (count != each && !bat_has(run, "degree"))
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "%d points are no triangular net: 3, 6, 10, 15 ... are; 'degree' cuts "
+                        "%d point%s %s no triangular net: 3, 6, 10, 15 ... are; 'degree' cuts "
                         "a list into several nets",
-                        count);
+                        count, bat_plural(count), bat_one_or_many(count, "is", "are"));
     *degree = n;
     return BATTEN_OK;
 }
@@ -67,7 +68,8 @@ static batten_status read_weights(const bat_run *run, int count, double **out)
     if (given->count == 0)
         return BATTEN_OK;
     if (given->count != count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weights for %d points", given->count, count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weight%s for %d point%s", given->count,
+                        bat_plural(given->count), count, bat_plural(count));
     double *weights = bat_array((size_t)count, sizeof *weights);
     if (!weights)
         return BATTEN_OUT_OF_MEMORY;

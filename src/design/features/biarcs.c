@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/through.h"
 #include <batten/biarc.h>
 
@@ -31,8 +32,8 @@ static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made
     const batten_status status = batten_chain_biarcs(data->count, data->points, &options,
                                                      made->parameters, &report, &made->chain);
     if (status == BATTEN_OK && report.long_arcs > 0)
-        bat_note(run, "'%s' has %d arcs that turn by more than 180 degrees", data->name,
-                 report.long_arcs);
+        bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,
+                 report.long_arcs, bat_plural(report.long_arcs));
     return status;
 }
 

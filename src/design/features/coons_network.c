@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/grid.h"
 #include "design/place.h"
 
@@ -55,8 +56,8 @@ static batten_status places_of(const bat_run *run, const char *parameter, int co
 {
     const bat_argument *given = bat_argument_of(run, parameter);
     if (given->count > 0 && given->count != count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d values for %d curves", parameter,
-                        given->count, count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d value%s for %d curve%s", parameter,
+                        given->count, bat_plural(given->count), count, bat_plural(count));
     *out = bat_array((size_t)count, sizeof **out);
     for (int i = 0; *out && i < count; i++)
         (*out)[i] = given->count > 0 ? given->items[i].number[0]

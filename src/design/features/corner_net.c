@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/grid.h"
 
 #include <batten/coons.h>
@@ -53,8 +54,8 @@ static batten_status take(const bat_run *run, const char *parameter, net *n, int
     const bat_argument *given = bat_argument_of(run, parameter);
     const int count_u = n->grid.count_u, count_v = n->grid.count_v, count = count_u * count_v;
     if (given->count != 1 && given->count != count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vectors for %d corners", parameter,
-                        given->count, count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d vector%s for %d corner%s", parameter,
+                        given->count, bat_plural(given->count), count, bat_plural(count));
     double *out = n->values + (size_t)which * (size_t)count * 3;
     for (int i = 0; i < count_u; i++)
         for (int j = 0; j < count_v; j++)

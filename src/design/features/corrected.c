@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/rows.h"
 #include <batten/cubic_spline.h>
 
@@ -63,14 +64,16 @@ static batten_status correct(const bat_run *run, const batten_curve *curve, batt
         bat_remark(run, "%d of %d spans corrected", report.corrected, report.span_count);
     if (report.incurable > 0)
         bat_note(run,
-                 "%d spans turn too far to be corrected, the first of them span %d; more "
+                 "%d span%s %s too far to be corrected, the first of them span %d; more "
                  "points are needed there",
-                 report.incurable, report.first_incurable + 1);
+                 report.incurable, bat_plural(report.incurable),
+                 bat_one_or_many(report.incurable, "turns", "turn"),
+                 report.first_incurable + 1);
     if (options.joins == BATTEN_CORRECT_CURVATURE && report.broken > 0)
         bat_note(run,
-                 "curvature could not be brought together at %d joins; mostly because the "
+                 "curvature could not be brought together at %d join%s; mostly because the "
                  "directions there bend the spans to opposite sides",
-                 report.broken);
+                 report.broken, bat_plural(report.broken));
     return BATTEN_OK;
 }
 

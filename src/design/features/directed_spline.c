@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/through.h"
 #include <batten/cubic_spline.h>
 
@@ -21,8 +22,8 @@ static batten_status find_directions(const bat_run *run, batten_directed_options
     const bat_argument *at = bat_argument_of(run, "at");
     const bat_argument *directions = bat_argument_of(run, "directions");
     if (at->count != directions->count)
-        return bat_fail(BATTEN_NOT_COMPATIBLE, "'at' names %d points and 'directions' has %d",
-                        at->count, directions->count);
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "'at' names %d point%s and 'directions' has %d",
+                        at->count, bat_plural(at->count), directions->count);
     batten_direction_at *made = bat_array((size_t)at->count, sizeof *made);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
@@ -44,8 +45,8 @@ static batten_status find_tension(const bat_run *run, int count,
         return BATTEN_OK;
     if (given->count != 1 && given->count != count)
         return bat_fail(BATTEN_NOT_COMPATIBLE,
-                        "'tension' has %d numbers for %d points; it takes 1 or one for each",
-                        given->count, count);
+                        "'tension' has %d number%s for %d point%s; it takes 1 or one for each",
+                        given->count, bat_plural(given->count), count, bat_plural(count));
     *out = bat_array((size_t)count, sizeof **out);
     for (int i = 0; *out && i < count; i++)
         (*out)[i] = given->items[given->count == 1 ? 0 : i].number[0];

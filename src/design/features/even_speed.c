@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/even_speed.h>
@@ -18,8 +19,8 @@ static batten_status change(const bat_run *run, const batten_curve *curve, doubl
     if (status != BATTEN_OK)
         return status;
     *error = report.error;
-    bat_remark(run, "length %.10g; the speed is 1 to %.2g on %d pieces", report.length,
-               report.speed, report.pieces);
+    bat_remark(run, "length %.10g; the speed is 1 to %.2g on %d piece%s", report.length,
+               report.speed, report.pieces, bat_plural(report.pieces));
     return BATTEN_OK;
 }
 

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/rows.h"
 
 #include <string.h>
@@ -263,8 +264,9 @@ static void show_report(bat_run *run)
             s->to[2]);
     }
     if (report->suspect_count > MOST_SUSPECTS)
-        bat_note(run, "%d more points look like blunders",
-                 report->suspect_count - MOST_SUSPECTS);
+        bat_note(run, "%d more point%s %s like blunders", report->suspect_count - MOST_SUSPECTS,
+                 bat_plural(report->suspect_count - MOST_SUSPECTS),
+                 bat_one_or_many(report->suspect_count - MOST_SUSPECTS, "looks", "look"));
 }
 
 static batten_status run(bat_run *run)

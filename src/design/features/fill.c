@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/fill.h>
@@ -201,11 +202,11 @@ static void report(const bat_run *run, const bat_objects *curves,
                  curve_name(curves, reached, reached->corner + reached->count - 1),
                  curve_name(curves, reached, reached->corner), reached->corner_angle * DEGREES);
     if (reached->twisted > 0)
-        bat_remark(run, "at %d corners the surfaces around twist against each other",
-                   reached->twisted);
+        bat_remark(run, "at %d corner%s the surfaces around twist against each other",
+                   reached->twisted, bat_plural(reached->twisted));
     if (reached->flat_corners > 0)
-        bat_remark(run, "at %d corners sides go on smoothly: the fill has no normal there",
-                   reached->flat_corners);
+        bat_remark(run, "at %d corner%s sides go on smoothly: the fill has no normal there",
+                   reached->flat_corners, bat_plural(reached->flat_corners));
     if (reached->folded)
         bat_note(run, "the fill folds over near (%g, %g, %g)", reached->fold_at[0],
                  reached->fold_at[1], reached->fold_at[2]);

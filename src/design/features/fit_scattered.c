@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/rows.h"
 #include "design/surface_fit.h"
 
@@ -43,7 +44,8 @@ static batten_status base_of_corners(const bat_run *run, batten_surface **base)
     const bat_argument *given = bat_argument_of(run, "corners");
     double corners[12];
     if (given->count != 4)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'corners' has %d points, not 4", given->count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'corners' has %d point%s, not 4", given->count,
+                        bat_plural(given->count));
     const int order[4] = {0, 1, 3, 2}; /* around, to rows */
     for (int i = 0; i < 4; i++)
         memcpy(corners + 3 * i, given->items[order[i]].number, 3 * sizeof *corners);
@@ -66,8 +68,8 @@ static batten_status find_base(const bat_run *run, batten_surface **base)
     if (surfaces.count == 1)
         *base = batten_surface_ref(surfaces.at[0]->surface);
     else
-        status = bat_fail(BATTEN_BAD_ARGUMENT, "'base' has %d surfaces; one is needed",
-                          surfaces.count);
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "'base' has %d surface%s; one is needed",
+                          surfaces.count, bat_plural(surfaces.count));
     bat_objects_release(&surfaces);
     return status;
 }

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/through.h"
 #include <batten/within.h>
 
@@ -51,10 +52,10 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         return status;
     bat_remark(
         run,
-        "'%s': %d control points for %d points, %d corner%s; between points the curve is up "
+        "'%s': %d control point%s for %d point%s, %d corner%s; between points the curve is up "
         "to %.3g from their polygon",
-        data->name, report.points, data->count, report.corners, report.corners == 1 ? "" : "s",
-        report.apart);
+        data->name, report.points, bat_plural(report.points), data->count,
+        bat_plural(data->count), report.corners, bat_plural(report.corners), report.apart);
     made->has_error = true;
     made->error_max = report.max;
     made->error_rms = report.rms;

@@ -1,4 +1,5 @@
 #include "design/features/fold.h"
+#include "base/plural.h"
 
 #include <stdio.h>
 
@@ -94,9 +95,10 @@ static batten_status run(bat_run *run)
     }
     bat_remark(
         run,
-        "%d samples along %.6g; the sheets may be %.4g (left) and %.4g (right) wide; lengths "
+        "%d sample%s along %.6g; the sheets may be %.4g (left) and %.4g (right) wide; lengths "
         "differ by %.1e from those of the flat sheet",
-        fold.count, fold.length, fold.left.regression, fold.right.regression, fold.stretch);
+        fold.count, bat_plural(fold.count), fold.length, fold.left.regression,
+        fold.right.regression, fold.stretch);
     batten_fold_release(&fold);
     return status;
 }

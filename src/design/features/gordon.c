@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 
 #include <batten/gordon.h>
@@ -170,30 +171,33 @@ static void tell_changes(bat_run *run, const network *n, const batten_gordon_rep
 {
     char names[2][LABEL];
     if (r->cut_count > 0)
-        bat_remark(run, "%d curves go on beyond the network and are cut, up to %.3g",
+        bat_remark(run, "curves that go on beyond the network: %d; cut, by up to %.3g",
                    r->cut_count, r->cut);
     if (r->reversed_count > 0)
-        bat_remark(run, "%d curves are run backwards", r->reversed_count);
+        bat_remark(run, "%d curve%s %s run backwards", r->reversed_count,
+                   bat_plural(r->reversed_count),
+                   bat_one_or_many(r->reversed_count, "is", "are"));
     for (int i = 0; i < r->repeated_count && i < BATTEN_GORDON_REPEATED; i++)
         bat_remark(run, "%s is %s again, %.3g away at most, and is left out",
                    label(n, r->repeated[i].is_guide, r->repeated[i].left, names[0]),
                    label(n, r->repeated[i].is_guide, r->repeated[i].used, names[1]),
                    r->repeated[i].apart);
     if (r->repeated_count > BATTEN_GORDON_REPEATED)
-        bat_remark(run, "%d curves in all stand there again and are left out",
-                   r->repeated_count);
+        bat_remark(run, "curves that stand there again: %d; left out", r->repeated_count);
     if (r->seam > r->size * 1e-6)
         bat_remark(run, "%s is taken as closed: its ends are %.3g apart, the widest",
                    label(n, r->seam_is_guide, r->seam_curve, names[0]), r->seam);
     if (r->pole_count > 0)
-        bat_remark(run, "%d poles, in which one family ends", r->pole_count);
+        bat_remark(run, "%d pole%s, in which one family ends", r->pole_count,
+                   bat_plural(r->pole_count));
 }
 
 static void tell(bat_run *run, const network *n, const batten_gordon_report *r)
 {
     char names[2][LABEL];
-    bat_remark(run, "%d profiles and %d guides: %d by %d control points", n->profiles.count,
-               n->guides.count, r->points_u, r->points_v);
+    bat_remark(run, "%d profile%s and %d guide%s: %d by %d control points", n->profiles.count,
+               bat_plural(n->profiles.count), n->guides.count, bat_plural(n->guides.count),
+               r->points_u, r->points_v);
     if (r->worst >= 0 && r->deviation > 0)
         bat_remark(run, "%s is %.3g away, the farthest",
                    label(n, r->worst_is_guide, r->worst, names[0]), r->deviation);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/place.h"
 #include "design/through.h"
 
@@ -100,7 +101,8 @@ static void note_excursion(const bat_run *run, const excursion *e)
             run,
             "%d of the curves %s more than 3 %% of their size beyond their points, '%s' by "
             "%.3g, %.0f %%; where the table has corners, 'cornered-spline' keeps them",
-            e->count, e->count == 1 ? "goes" : "go", e->name, e->reach, 100 * e->part);
+            e->count, bat_one_or_many(e->count, "goes", "go"), e->name, e->reach,
+            100 * e->part);
 }
 
 static batten_status fit_row(bat_run *run, const bat_row *row, const batten_object *from,
@@ -140,7 +142,7 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
             status = fit_point(run, &rows.rows[i], object);
         else
             bat_note(run, "'%s' has %d point%s and is left out; a curve needs 2",
-                     rows.rows[i].name, rows.rows[i].count, rows.rows[i].count == 1 ? "" : "s");
+                     rows.rows[i].name, rows.rows[i].count, bat_plural(rows.rows[i].count));
     }
     if (status == BATTEN_OK && object->kind == BATTEN_OBJECT_OFFSETS)
         note_excursion(run, &e);

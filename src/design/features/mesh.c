@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 #include <batten/mesh.h>
 
@@ -32,13 +33,15 @@ static void say(bat_run *run, const batten_object *object, const batten_mesh *me
     bat_report_error(run, report->chord, report->chord);
     if (report->failed > 0)
         bat_note(run, "'%.60s': %d face%s not in the mesh", object->name, report->failed,
-                 report->failed == 1 ? " is" : "s are");
+                 bat_one_or_many(report->failed, " is", "s are"));
     if (report->beyond > 0)
         bat_note(
             run,
-            "'%.60s': %d triangles are up to %g from the shape, more than 'chord', %g; edges "
+            "'%.60s': %d triangle%s %s up to %g from the shape, more than 'chord', %g; edges "
             "there are up to %g off their faces",
-            object->name, report->beyond, report->chord, report->asked, report->off);
+            object->name, report->beyond, bat_plural(report->beyond),
+            bat_one_or_many(report->beyond, "is", "are"), report->chord, report->asked,
+            report->off);
 }
 
 static batten_status add_mesh(bat_run *run, const batten_object *object,

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/rows.h"
 
 #include <batten/scattered_triangles.h>
@@ -26,19 +27,24 @@ static void remark(bat_run *run, const batten_scattered_triangles_report *report
     if (report->slivers > 0)
         bat_remark(run, "%d slivers on the rim are left out", report->slivers);
     if (report->swaps > 0)
-        bat_remark(run, "%d edges were swapped", report->swaps);
+        bat_remark(run, "%d edge%s %s swapped", report->swaps, bat_plural(report->swaps),
+                   bat_one_or_many(report->swaps, "was", "were"));
     if (report->iterations > 0)
-        bat_remark(run, "the network took %d steps", report->iterations);
+        bat_remark(run, "the network took %d step%s", report->iterations,
+                   bat_plural(report->iterations));
     if (report->merged > 0 && !(report->conflict > 0))
-        bat_remark(run, "%d points are equal to others", report->merged);
+        bat_remark(run, "%d point%s %s equal to others", report->merged,
+                   bat_plural(report->merged), bat_one_or_many(report->merged, "is", "are"));
     if (report->conflict > 0)
         bat_note(run,
-                 "%d points lie where others do, with heights up to %.3g apart (point %d): "
+                 "%d point%s %s where others do, with heights up to %.3g apart (point %d): "
                  "their means are taken",
-                 report->merged, report->conflict, report->conflicting);
+                 report->merged, bat_plural(report->merged),
+                 bat_one_or_many(report->merged, "lies", "lie"), report->conflict,
+                 report->conflicting);
     if (report->planes > 0)
-        bat_note(run, "near %d vertices only planes are determined, no quadratics",
-                 report->planes);
+        bat_note(run, "near %d %s only planes are determined, no quadratics", report->planes,
+                 bat_one_or_many(report->planes, "vertex", "vertices"));
     if (report->thinnest < 0.02)
         bat_note(run,
                  "there are thin pieces: an edge is cut at %.3g of its length; "

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/through.h"
 #include <batten/biarc.h>
 
@@ -27,8 +28,8 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         data->name, report.start_angle / degree, report.sensitive_at,
         report.sensitivity * degree, report.jump);
     if (report.long_arcs > 0)
-        bat_note(run, "'%s' has %d arcs that turn by more than 180 degrees", data->name,
-                 report.long_arcs);
+        bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,
+                 report.long_arcs, bat_plural(report.long_arcs));
     return BATTEN_OK;
 }
 

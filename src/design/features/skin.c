@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/place.h"
 
 static const batten_parameter parameters[] = {
@@ -52,8 +53,8 @@ static batten_status list_numbers(const bat_run *run, const char *parameter, int
     if (given->count == 0)
         return BATTEN_OK;
     if (given->count != count)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d values for %d sections", parameter,
-                        given->count, count);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'%s' has %d value%s for %d section%s", parameter,
+                        given->count, bat_plural(given->count), count, bat_plural(count));
     *out = bat_array((size_t)count, sizeof **out);
     for (int i = 0; *out && i < count; i++)
         (*out)[i] = given->items[i].number[0];
@@ -83,8 +84,8 @@ static batten_status list_marks(const bat_run *run, int count, const batten_curv
         return BATTEN_OK;
     if (given % count)
         return bat_fail(BATTEN_BAD_ARGUMENT,
-                        "'marks' has %d values, not as many for each of %d sections", given,
-                        count);
+                        "'marks' has %d value%s, not as many for each of %d sections", given,
+                        bat_plural(given), count);
     options->mark_count = given / count;
     const batten_status status = list_numbers(run, "marks", given, &out->marks);
     if (status == BATTEN_OK)

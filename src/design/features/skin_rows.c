@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/place.h"
 #include "design/rows.h"
 #include <batten/skin_rows.h>
@@ -97,9 +98,10 @@ static batten_status skin(bat_run *run, const all_rows *all)
                                  NULL, NULL, &report, &surface);
     if (status == BATTEN_OK) {
         bat_remark(run,
-                   "%d inner knots along the rows, where knots of their own would be %d; %d "
-                   "rows have fewer points than control points",
-                   report.knot_count, report.separate_knot_count, report.free_rows);
+                   "%d inner knot%s along the rows, where knots of their own would be %d; %d "
+                   "row%s with fewer points than control points",
+                   report.knot_count, bat_plural(report.knot_count), report.separate_knot_count,
+                   report.free_rows, bat_plural(report.free_rows));
         bat_report_error(run, report.residual, report.residual);
     }
     return bat_put_surface(run, status, surface);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/sweeps.h"
 
 static const batten_parameter parameters[] = {
@@ -38,8 +39,8 @@ static batten_status find_places(const bat_run *run, int sections, double **at)
     if (given->count == 0)
         return BATTEN_OK;
     if (given->count != sections)
-        return bat_fail(BATTEN_BAD_ARGUMENT, "'at' has %d values for %d sections", given->count,
-                        sections);
+        return bat_fail(BATTEN_BAD_ARGUMENT, "'at' has %d value%s for %d section%s",
+                        given->count, bat_plural(given->count), sections, bat_plural(sections));
     *at = bat_array((size_t)sections, sizeof **at);
     for (int i = 0; *at && i < sections; i++)
         (*at)[i] = given->items[i].number[0];

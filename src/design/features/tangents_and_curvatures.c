@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/local.h"
 
 #include <string.h>
@@ -58,9 +59,10 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         memcpy(made->parameters, t, n * sizeof *t);
         if (report.fallen_back > 0)
             bat_note(run,
-                     "%d spans of '%s' have no cubic with these curvatures and keep the "
+                     "in %d span%s '%s' has no cubic with these curvatures and keeps the "
                      "tangents alone; the first is after point %d",
-                     report.fallen_back, data->name, report.first_fallen_back);
+                     report.fallen_back, bat_plural(report.fallen_back), data->name,
+                     report.first_fallen_back);
     }
     bat_release(t);
     bat_release(tangents);

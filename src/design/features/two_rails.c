@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/sweeps.h"
 
 static const batten_parameter parameters[] = {
@@ -34,7 +35,7 @@ static batten_status sweep(bat_run *run, const bat_objects *rails)
     if (status == BATTEN_OK) {
         bat_remark_space_section(run, section);
         bat_report_error(run, report.error, report.error);
-        bat_remark(run, "%d sections", report.section_count);
+        bat_remark(run, "%d section%s", report.section_count, bat_plural(report.section_count));
     }
     return bat_put_surface(run, status, surface);
 }

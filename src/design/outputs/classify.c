@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "design/feature.h"
 #include <batten/cubic.h>
 #include <batten/invariants.h>
@@ -97,7 +98,7 @@ static void text_cubics(batten_text *out, const char *name, int count,
                         const batten_cubic *spans)
 {
     int seen[BATTEN_CUBIC_CLASS_COUNT] = {0};
-    batten_text_add(out, "%s: %d span%s", name, count, count == 1 ? "" : "s");
+    batten_text_add(out, "%s: %d span%s", name, count, bat_plural(count));
     for (int i = 0; i < count; i++)
         seen[spans[i].segment]++;
     for (int k = 0; k < BATTEN_CUBIC_CLASS_COUNT; k++)
@@ -150,7 +151,7 @@ static void text_censuses(batten_text *out, const char *name, int count,
                           const batten_census *spans, const batten_canonical *forms)
 {
     int sums[BATTEN_SPECIAL_COUNT] = {0};
-    batten_text_add(out, "%s: %d span%s", name, count, count == 1 ? "" : "s");
+    batten_text_add(out, "%s: %d span%s", name, count, bat_plural(count));
     for (int i = 0; i < count; i++)
         for (int k = 0; k < BATTEN_SPECIAL_COUNT; k++)
             sums[k] += spans[i].segment[k];

@@ -148,7 +148,7 @@ static batten_status put_mesh(writing *w, const batten_object *object, int id, b
     *is_open = !is_solid;
     if (left_out)
         batten_notes_add(w->notes, "", 0, object->name,
-                         "%d triangles with two corners at one vertex are left out", left_out);
+                         "triangles with two corners at one vertex: %d; left out", left_out);
     return BATTEN_OK;
 }
 

@@ -1,4 +1,5 @@
 #include "exchange/csv/separated.h"
+#include "base/plural.h"
 
 #include <batten/number.h>
 #include <limits.h>
@@ -266,7 +267,8 @@ batten_status bat_row_check(const bat_separated *table, int count)
 {
     if (table->count < count || bat_row_length(table) > count)
         return bat_input_fail(table->input, BATTEN_BAD_FORMAT, table->line,
-                              "%d columns where the first row has %d", table->count, count);
+                              "%d column%s where the first row has %d", table->count,
+                              bat_plural(table->count), count);
     return BATTEN_OK;
 }
 

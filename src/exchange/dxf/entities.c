@@ -1,4 +1,5 @@
 #include "exchange/dxf/entities.h"
+#include "base/plural.h"
 #include "body/elementary.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/path.h"
@@ -146,7 +147,8 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
     double *points = NULL;
     bool has_start = false, has_end = false;
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu points to go through", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu point%s to go through", count,
+                        bat_plural(count));
     batten_status status = read_points(pairs, 11, count, &points);
     options.degree = degree;
     options.knots_at_data = degree == 3;
@@ -163,7 +165,8 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
         status = batten_curve_interpolate(3, (int)count, points, &options, NULL, out);
     if (status == BATTEN_OK)
         batten_notes_add(pairs->input->notes, pairs->input->file, pairs->line, "SPLINE",
-                         "it says only %zu points%s; a curve was put through them%s", count,
+                         "it says only %zu point%s%s; a curve was put through them%s", count,
+                         bat_plural(count),
                          !has_start && !has_end ? ""
                          : has_start && has_end ? " and the directions at its ends"
                                                 : " and the direction at one end",
@@ -233,7 +236,7 @@ static batten_status make_path(const bat_input *input, int line, const batten_fr
     }
     if (dropped)
         batten_notes_add(input->notes, input->file, line, "polyline",
-                         "%d points that repeat their neighbour are dropped", dropped);
+                         "points that repeat their neighbour: %d; dropped", dropped);
     const batten_status status = bat_path_curve(&path, out);
     bat_path_release(&path);
     return status;
@@ -349,7 +352,8 @@ batten_status bat_dxf_polyline_curve(const bat_dxf_pairs *pairs,
     if (polyline->is_mesh)
         return bat_fail(BATTEN_UNSUPPORTED, "it is a mesh, which is not read");
     if (polyline->vertices.count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu points", polyline->vertices.count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu point%s", polyline->vertices.count,
+                        bat_plural(polyline->vertices.count));
     if (polyline->is_plane)
         return make_path(pairs->input, polyline->line, &polyline->frame, polyline->closed,
                          polyline->vertices.count, polyline->vertices.items, out);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/path.h"
 #include "exchange/prepare.h"
@@ -203,7 +204,7 @@ static batten_status write_all(writing *w)
             w->notes, "", 0, "",
             "DXF files hold no names: %d object%s without a layer %s on a layer "
             "of that name",
-            w->named, w->named == 1 ? "" : "s", w->named == 1 ? "is" : "are");
+            w->named, bat_plural(w->named), bat_one_or_many(w->named, "is", "are"));
     if (status == BATTEN_OK && w->entities == 0 && batten_model_count(w->model) > 0)
         status = bat_fail(BATTEN_UNSUPPORTED,
                           "DXF files hold points and curves, and there are none");

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/census.h"
 #include "exchange/formats.h"
 #include "exchange/ftm/ftm.h"
@@ -388,8 +389,9 @@ static void note_rest(const reading *r)
     batten_notes_add(
         input->notes, input->file, 0, "",
         "the control net is read; the subdivision surface that it stands for, with "
-        "%d creases and %d curves, is not made",
-        r->crease_count, r->curve_count);
+        "%d crease%s and %d curve%s, is not made",
+        r->crease_count, bat_plural(r->crease_count), r->curve_count,
+        bat_plural(r->curve_count));
 }
 
 static batten_status read_all(reading *r)

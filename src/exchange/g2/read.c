@@ -335,7 +335,7 @@ static bool next_header(reading *r)
     if (skipped > 0 && !r->is_bad) {
         r->input->left_out++;
         batten_notes_add(r->input->notes, r->input->file, line, r->name,
-                         "%d words after its end belong to no object; left out", skipped);
+                         "words after its end that belong to no object: %d; left out", skipped);
     }
     return r->words.word.length > 0;
 }

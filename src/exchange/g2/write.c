@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/g2/g2.h"
 #include "exchange/prepare.h"
 
@@ -204,8 +205,9 @@ static batten_status put_body(writing *w, const batten_object *object)
     }
     if (status == BATTEN_OK && parts->face_count > 1)
         batten_notes_add(w->notes, "", 0, object->name,
-                         "%d faces are written one by one: the format has no shells",
-                         parts->face_count);
+                         "%d face%s %s written one by one: the format has no shells",
+                         parts->face_count, bat_plural(parts->face_count),
+                         bat_one_or_many(parts->face_count, "is", "are"));
     if (status == BATTEN_OK && turned)
         batten_notes_add(w->notes, "", 0, object->name,
                          "the sides of reversed faces are lost: the format has none");

@@ -1,4 +1,5 @@
 #include "exchange/iges/curves.h"
+#include "base/plural.h"
 #include "spline/curve.h"
 
 #include <batten/standard.h>
@@ -183,7 +184,8 @@ static batten_status make_polyline(bat_iges_item *item, int count, const double 
 {
     double *knots = NULL;
     if (count < 2)
-        return bat_fail(BATTEN_TOO_FEW_POINTS, "a row of %d points is no curve", count);
+        return bat_fail(BATTEN_TOO_FEW_POINTS, "a row of %d point%s is no curve", count,
+                        bat_plural(count));
     batten_status status =
         bat_input_array(item->reading->input, (size_t)count + 2, sizeof *knots, &knots);
     if (status != BATTEN_OK)
@@ -212,7 +214,7 @@ batten_status bat_iges_read_copious(bat_iges_item *item)
     const size_t first = kind == 1 ? 4 : 3, width = kind == 1 ? 2 : kind == 2 ? 3 : 6;
     status = bat_iges_read_count(item, 2, first, width, &count);
     if (status == BATTEN_OK && count < 1)
-        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d points", count);
+        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d point%s", count, bat_plural(count));
     if (status == BATTEN_OK && kind == 1)
         status = bat_iges_real(item->parameters, 3, &common);
     if (status == BATTEN_OK)
@@ -248,7 +250,8 @@ batten_status bat_iges_read_spline_curve(bat_iges_item *item)
     if (status == BATTEN_OK)
         status = bat_iges_read_count(item, 4, 6, 13, &count);
     if (status == BATTEN_OK && count < 1)
-        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d segments", count);
+        status =
+            bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d segment%s", count, bat_plural(count));
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)count;

@@ -1,4 +1,5 @@
 #include "exchange/iges/objects.h"
+#include "base/plural.h"
 #include "exchange/iges/attributes.h"
 #include "exchange/iges/levels.h"
 #include "exchange/iges/references.h"
@@ -230,25 +231,26 @@ void bat_iges_note_oddities(const bat_iges_reading *reading)
     note_fields(reading);
     if (reading->orphans)
         batten_notes_add(notes, file, 0, "",
-                         "%d entities call themselves parts of others, but nothing refers to "
-                         "them; they are read on their own",
+                         "entities that call themselves parts of others, but to which nothing "
+                         "refers: %d; read on their own",
                          reading->orphans);
     if (reading->swapped_loops)
         batten_notes_add(notes, file, 0, "",
-                         "of %d faces an inner loop comes before the outer one; put in order",
-                         reading->swapped_loops);
+                         "of %d face%s an inner loop comes before the outer one; put in order",
+                         reading->swapped_loops, bat_plural(reading->swapped_loops));
     if (reading->turned_loops)
         batten_notes_add(notes, file, 0, "",
-                         "%d loops of faces run the wrong way around; turned",
-                         reading->turned_loops);
+                         "%d loop%s of faces %s the wrong way around; turned",
+                         reading->turned_loops, bat_plural(reading->turned_loops),
+                         bat_one_or_many(reading->turned_loops, "runs", "run"));
     if (reading->gaps)
         batten_notes_add(notes, file, 0, "",
-                         "%d edges of faces begin off the end of the one before, by %g at "
-                         "most; they meet halfway",
-                         reading->gaps, reading->largest_gap);
+                         "edges of faces that begin off the end of the one before, by %g at "
+                         "most: %d; put together halfway",
+                         reading->largest_gap, reading->gaps);
     if (reading->loose)
         batten_notes_add(notes, file, 0, "",
-                         "the edges of %d bodies miss their surfaces by %g at most, more than "
-                         "the resolution of the file, %g; their tolerance is twice that",
-                         reading->loose, reading->largest_miss, reading->resolution);
+                         "bodies whose edges miss their surfaces by %g at most, more than the "
+                         "resolution of the file, %g: %d; their tolerance is twice that",
+                         reading->largest_miss, reading->resolution, reading->loose);
 }

@@ -1,4 +1,5 @@
 /* 130: offset curves. */
+#include "base/plural.h"
 #include "exchange/iges/curves.h"
 
 #include <batten/curve_offset.h>
@@ -18,8 +19,8 @@ static batten_status offset(bat_iges_item *item, const batten_curve *base, doubl
         bat_input_most_near(item->reading->input, batten_curve_point_count(base));
     batten_status status = batten_curve_offset(base, distance, &options, &report, &made);
     if (status == BATTEN_OK && made.count != 1)
-        status = bat_fail(BATTEN_SINGULAR_HERE, "its offset by %g is %d curves", distance,
-                          made.count);
+        status = bat_fail(BATTEN_SINGULAR_HERE, "its offset by %g is %d curve%s", distance,
+                          made.count, bat_plural(made.count));
     if (status == BATTEN_OK && report.error > 0)
         bat_iges_remark(item->reading, item->entry, "offset by %g within %g", distance,
                         report.error);

@@ -1,4 +1,5 @@
 #include "exchange/iges/reading.h"
+#include "base/plural.h"
 #include "exchange/iges/curves.h"
 #include "exchange/iges/references.h"
 
@@ -173,7 +174,8 @@ batten_status bat_iges_need(const bat_iges_item *item, size_t count)
     const size_t have = bat_iges_count_of(item->parameters);
     if (count <= have)
         return BATTEN_OK;
-    return bat_fail(BATTEN_BAD_FORMAT, "%zu parameters, need %zu", have, count);
+    return bat_fail(BATTEN_BAD_FORMAT, "%zu parameter%s, need %zu", have, bat_plural(have),
+                    count);
 }
 
 batten_status bat_iges_real_array(bat_iges_item *item, size_t first, size_t count, double **out)
@@ -203,7 +205,7 @@ batten_status bat_iges_read_count(const bat_iges_item *item, size_t index, size_
     if (said < 0)
         return bat_fail(BATTEN_BAD_FORMAT, "parameter %zu, a count, is %d", index, said);
     if (said > 0 && (have < first || (size_t)said > (have - first) / width))
-        return bat_fail(BATTEN_BAD_FORMAT, "%zu parameters, need %zu", have,
+        return bat_fail(BATTEN_BAD_FORMAT, "%zu parameter%s, need %zu", have, bat_plural(have),
                         first + width * (size_t)said);
     *count = said;
     return BATTEN_OK;

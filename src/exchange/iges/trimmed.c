@@ -1,5 +1,6 @@
 /* 141, 142, 143, 144: surfaces with boundaries; 108: bounded planes. Each is a body of one
  * face. */
+#include "base/plural.h"
 #include "exchange/iges/bodies.h"
 #include "exchange/iges/loops.h"
 #include "exchange/iges/references.h"
@@ -87,7 +88,8 @@ static batten_status read_boundary(bat_iges_face *face, int id)
     if (status == BATTEN_OK)
         status = bat_iges_read_count(&item, 4, 5, 3, &count);
     if (status == BATTEN_OK && count < 1)
-        status = bat_fail(BATTEN_TOO_FEW_POINTS, "its boundary D%d has %d curves", id, count);
+        status = bat_fail(BATTEN_TOO_FEW_POINTS, "its boundary D%d has %d curve%s", id, count,
+                          bat_plural(count));
     if (status == BATTEN_OK)
         status = bat_iges_add_loop(face);
     for (int k = 0; status == BATTEN_OK && k < count; k++)

@@ -232,8 +232,9 @@ void bat_iges_note_ends(const bat_iges_writing *w, const batten_body_parts *part
             largest = bat_max(largest, gap);
         }
     if (count)
-        batten_notes_add(w->notes, "", 0, name,
-                         "%d ends of edges miss their vertices, by %g at most; they are moved "
-                         "to them",
-                         count, largest);
+        batten_notes_add(
+            w->notes, "", 0, name,
+            "ends of edges that miss their vertices, by %g at most: %d; they are moved "
+            "to them",
+            largest, count);
 }

@@ -243,9 +243,9 @@ static batten_status add_mesh(making *m, const bat_obj_part *part)
         bat_remark_flat(mesh, m->obj->input->file, m->name, m->obj->input->notes);
     if (status == BATTEN_OK && m->odd)
         batten_notes_add(m->obj->input->notes, m->obj->input->file, 0, m->name,
-                         "%d faces cross themselves, or have a bay and more than %d corners: "
-                         "their triangles overlap",
-                         m->odd, BAT_POLYGON_MOST);
+                         "faces that cross themselves, or have a bay and more than %d corners: "
+                         "%d; their triangles overlap",
+                         BAT_POLYGON_MOST, m->odd);
     batten_mesh_unref(mesh);
     bat_release(points);
     bat_release(colours);

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/bytes.h"
 #include "exchange/formats.h"
 #include "exchange/pcd/pcd.h"
@@ -167,7 +168,8 @@ static batten_status find_axes(reading *r)
             f->type != 'F' && (f->size == 1 || f->size == 2 || f->size == 4 || f->size == 8);
         if (r->data != ASCII && !is_real && !is_whole)
             return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "no number of type %c has %d bytes", f->type, f->size);
+                                  "no number of type %c has %d byte%s", f->type, f->size,
+                                  bat_plural(f->size));
         others +=
             k != r->axis[0] && k != r->axis[1] && k != r->axis[2] && !bat_word_is(f->name, "_");
     }
@@ -176,7 +178,7 @@ static batten_status find_axes(reading *r)
             r->input->notes, r->input->file, 0, "",
             "of points only coordinates are kept; left out of %zu point%s: %d further "
             "field%s",
-            r->points, r->points == 1 ? "" : "s", others, others == 1 ? "" : "s");
+            r->points, bat_plural(r->points), others, bat_plural(others));
     return BATTEN_OK;
 }
 
@@ -369,7 +371,8 @@ static batten_status make_model(const reading *r, batten_model **out)
     batten_model *model = NULL;
     if (r->nowhere)
         batten_notes_remark(r->input->notes, r->input->file, 0, "",
-                            "%zu points are nowhere (NaN); not kept", r->nowhere);
+                            "%zu point%s %s nowhere (NaN); not kept", r->nowhere,
+                            bat_plural(r->nowhere), bat_one_or_many(r->nowhere, "is", "are"));
     if (r->read.count == 0 && r->points > 0)
         return bat_input_fail(r->input, BATTEN_BAD_FORMAT, 0, "no point could be read");
     batten_status status = batten_model_create(0, &model);

@@ -247,9 +247,10 @@ static void note_attributes(const writing *w)
     for (int i = 0; i < batten_model_count(w->model); i++) {
         const batten_mesh_parts *p = mesh_of(w, i);
         if (!w->parts && p && p->attribute_count)
-            batten_notes_add(w->notes, "", 0, batten_model_object(w->model, i)->name,
-                             "%d values of each vertex are left out: other objects have none",
-                             p->attribute_count);
+            batten_notes_add(
+                w->notes, "", 0, batten_model_object(w->model, i)->name,
+                "further values of each vertex: %d; left out, as other objects have none",
+                p->attribute_count);
     }
 }
 

@@ -1,4 +1,5 @@
 /* The loops of faces: uses of edges, head to tail. */
+#include "base/plural.h"
 #include "exchange/step/topology.h"
 #include "numeric/vector.h"
 
@@ -101,8 +102,8 @@ static batten_status read_polygon(bat_step_topology *t, const bat_step_instance 
     size_t at = 0;
     batten_status status = bat_step_get_list(t->file, record, 1, &count, &at);
     if (status == BATTEN_OK && count < 3)
-        return bat_step_fail(t->file, loop, BATTEN_BAD_FORMAT, "the polygon has %d corners",
-                             count);
+        return bat_step_fail(t->file, loop, BATTEN_BAD_FORMAT, "the polygon has %d corner%s",
+                             count, bat_plural(count));
     if (status == BATTEN_OK)
         status = bat_step_spend(t, loop, (size_t)count);
     if (status == BATTEN_OK)

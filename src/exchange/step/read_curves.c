@@ -1,4 +1,5 @@
 /* The curves of a STEP file. */
+#include "base/plural.h"
 #include "body/lift.h"
 #include "exchange/step/geometry.h"
 #include "numeric/vector.h"
@@ -50,7 +51,7 @@ static batten_status read_polyline(const bat_step_reading *reading,
         status = bat_step_get_list(reading->file, record, 1, &count, &at);
     if (status == BATTEN_OK && count < 2)
         status = bat_step_fail(reading->file, instance, BATTEN_TOO_FEW_POINTS,
-                               "it has %d points, and needs two", count);
+                               "it has %d point%s, and needs two", count, bat_plural(count));
     if (status == BATTEN_OK)
         status = bat_input_limit(input, 0, (size_t)count, input->limits.points,
                                  "points in an object");
@@ -105,8 +106,8 @@ static batten_status read_offset(const bat_step_reading *reading,
     status =
         batten_curve_offset(base, distance * reading->scale.length, &options, &report, &made);
     if (status == BATTEN_OK && made.count != 1)
-        status = bat_fail(BATTEN_SINGULAR_HERE, "its offset by %g is %d curves", distance,
-                          made.count);
+        status = bat_fail(BATTEN_SINGULAR_HERE, "its offset by %g is %d curve%s", distance,
+                          made.count, bat_plural(made.count));
     if (status == BATTEN_OK)
         *out = batten_curve_ref(made.at[0]);
     batten_curves_release(&made);

@@ -1,5 +1,6 @@
 /* The B-splines of a STEP file: with knots, uniform, quasi-uniform, Bezier; rational ones are
  * complex instances, whose parts have no names. */
+#include "base/plural.h"
 #include "exchange/step/geometry.h"
 
 #include <string.h>
@@ -50,7 +51,8 @@ static batten_status given_knots(const bat_step_file *file, const knot_source *f
         status = bat_step_get_list(file, from->record, from->values, &values, &at_value);
     if (status == BATTEN_OK && multiplicities != values)
         status = bat_step_fail(file, from->instance, BATTEN_BAD_FORMAT,
-                               "it has %d knots and %d multiplicities", values, multiplicities);
+                               "it has %d knot%s and %d multiplicities", values,
+                               bat_plural(values), multiplicities);
     for (int k = 0; status == BATTEN_OK && k < values; k++) {
         int times = 0;
         double knot = 0;
@@ -101,7 +103,9 @@ static batten_status read_knots(const bat_step_file *file, const knot_source *fr
                              "its degree is %d; 1 to 25 are read", from->degree);
     if (from->count <= from->degree)
         return bat_step_fail(file, from->instance, BATTEN_TOO_FEW_POINTS,
-                             "%d points are too few for degree %d", from->count, from->degree);
+                             "%d point%s %s too few for degree %d", from->count,
+                             bat_plural(from->count), bat_one_or_many(from->count, "is", "are"),
+                             from->degree);
     batten_status status = bat_input_array(
         file->input, (size_t)from->count + (size_t)from->degree + 1, sizeof *knots, &knots);
     if (status == BATTEN_OK)
@@ -196,7 +200,8 @@ static batten_status read_weights(const bat_step_reading *reading,
     batten_status status = bat_step_item_list(reading->file, from, at, &given, &item);
     if (status == BATTEN_OK && given != count)
         status = bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
-                               "it has %d weights for %d points%s", given, count, what);
+                               "it has %d weight%s for %d point%s%s", given, bat_plural(given),
+                               count, bat_plural(count), what);
     for (int i = 0; status == BATTEN_OK && i < count; i++)
         status = bat_step_item_real(reading->file, from, &item, &weights[i]);
     return status;
@@ -298,9 +303,9 @@ static batten_status read_rows(const bat_step_reading *reading,
             status = point_room(reading, (size_t)n->count[0] * (size_t)count, &n->points);
         }
         if (status == BATTEN_OK && count != n->count[1])
-            status =
-                bat_step_fail(file, instance, BATTEN_BAD_FORMAT,
-                              "row %d has %d points, row 1 has %d", i + 1, count, n->count[1]);
+            status = bat_step_fail(file, instance, BATTEN_BAD_FORMAT,
+                                   "row %d has %d point%s, row 1 has %d", i + 1, count,
+                                   bat_plural(count), n->count[1]);
         if (status == BATTEN_OK)
             status = bat_step_points_in(reading, p->shape, &at, count,
                                         n->points + (size_t)reading->dimension * (size_t)i *
@@ -318,9 +323,9 @@ static batten_status surface_weights(const bat_step_reading *reading,
         return BATTEN_OK;
     batten_status status = bat_step_get_list(reading->file, p->weights, 0, &rows, &row);
     if (status == BATTEN_OK && rows != n->count[0])
-        status =
-            bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
-                          "it has %d rows of weights for %d rows of points", rows, n->count[0]);
+        status = bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
+                               "it has %d row%s of weights for %d row%s of points", rows,
+                               bat_plural(rows), n->count[0], bat_plural(n->count[0]));
     if (status == BATTEN_OK)
         status =
             bat_input_array(reading->file->input, (size_t)n->count[0] * (size_t)n->count[1],

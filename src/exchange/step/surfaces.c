@@ -1,4 +1,5 @@
 /* The surfaces of faces: those of the file as they are, elementary ones over their edges. */
+#include "base/plural.h"
 #include "exchange/step/geometry.h"
 #include "exchange/step/topology.h"
 #include "numeric/vector.h"
@@ -60,8 +61,8 @@ static batten_status gather_points(bat_step_topology *t, const bat_step_instance
             status = add_samples(t, edge->curve);
     }
     if (status == BATTEN_OK && t->points.count > INT_MAX)
-        status = bat_step_fail(t->file, instance, BATTEN_TOO_LARGE, "the face has %zu points",
-                               t->points.count);
+        status = bat_step_fail(t->file, instance, BATTEN_TOO_LARGE, "the face has %zu point%s",
+                               t->points.count, bat_plural(t->points.count));
     return status;
 }
 

@@ -7,6 +7,7 @@
  *
  * The plain ones end with triangles, the complex ones with strips and fans.
  */
+#include "base/plural.h"
 #include "exchange/step/import.h"
 
 #include <limits.h>
@@ -155,7 +156,8 @@ static batten_status read_rows(const corners *c, int argument, form as)
         status = bat_step_item_list(c->m->file, c->record, &at, &count, &item);
         if (status == BATTEN_OK && (count < 3 || (as == TRIANGLES && count != 3)))
             status = bat_step_fail(c->m->file, c->face, BATTEN_BAD_FORMAT,
-                                   "row %d of triangles has %d corners", k + 1, count);
+                                   "row %d of triangles has %d corner%s", k + 1, count,
+                                   bat_plural(count));
         for (int i = 0; status == BATTEN_OK && i < count; i++) {
             status = corner(c, &item, &next);
             if (status == BATTEN_OK && i >= 2)

@@ -1,3 +1,4 @@
+#include "base/plural.h"
 #include "exchange/bytes.h"
 #include "exchange/facets.h"
 #include "exchange/formats.h"
@@ -146,13 +147,12 @@ static batten_status count_bytes(bat_input *input, size_t *count)
     const size_t behind = input->size - BEFORE - said * FACET;
     if (behind % FACET == 0) {
         batten_notes_add(input->notes, input->file, 0, "",
-                         "the header promises %zu triangles; %zu more follow and are left out",
-                         said, behind / FACET);
+                         "the header promises %zu triangle%s; %zu more, left out", said,
+                         bat_plural(said), behind / FACET);
         input->left_out += (int)(behind / FACET); /* files have at most 1 GiB */
     } else {
         batten_notes_add(input->notes, input->file, 0, "",
-                         "%zu bytes after the last of %zu triangles are not read", behind,
-                         said);
+                         "bytes after the last of %zu triangles: %zu; not read", said, behind);
     }
     return BATTEN_OK;
 }

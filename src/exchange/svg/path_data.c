@@ -1,4 +1,5 @@
 #include "exchange/svg/path_data.h"
+#include "base/plural.h"
 
 #include <batten/number.h>
 #include <string.h>
@@ -114,8 +115,9 @@ batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
             count++;
         at = bat_svg_past_separators(text, at);
         if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
-            return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d numbers",
-                            (int)(name.length < 20 ? name.length : 20), name.bytes, count);
+            return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d number%s",
+                            (int)(name.length < 20 ? name.length : 20), name.bytes, count,
+                            bat_plural(count));
         at++;
         whole = bat_svg_compose(step, whole); /* the last one acts first */
     }

@@ -1,4 +1,5 @@
 #include "exchange/svg/shapes.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -103,8 +104,7 @@ static batten_status read_polyline(bat_span text, bool closed, bat_svg_row *row,
         }
     }
     if (status == BATTEN_OK && count < 2)
-        status =
-            bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d point%s", count, count == 1 ? "" : "s");
+        status = bat_fail(BATTEN_TOO_FEW_POINTS, "it has %d point%s", count, bat_plural(count));
     if (status == BATTEN_OK && closed)
         status = bat_svg_line(row, start[0], start[1]);
     if (status == BATTEN_OK)

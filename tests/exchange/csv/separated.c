@@ -120,7 +120,7 @@ TEST(F6_a_decimal_comma_is_named_with_its_line_and_column)
 TEST(F6_ragged_rows_are_refused_with_their_line)
 {
     check_refused("x,y\n1,2\n3\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
-                  "t:3: 1 columns where the first row has 2");
+                  "t:3: 1 column where the first row has 2");
     check_refused("1 2\n3 4 5\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "t:2: 3 columns where the first row has 2");
     batten_model_unref(read_noting("x,y,,\n1,2,,\n3,4\n", BATTEN_FORMAT_POINTS, ""));

@@ -494,7 +494,7 @@ TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
         {"0 SPLINE|8 0|70 0|71 99|10 0|20 0|", "its degree is 99"},
         {"0 SPLINE|8 0|70 0|71 1|40 0|40 0|40 1|40 1|10 0|20 0|10 1|",
          "group 20 stands 1 times"},
-        {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 points"},
+        {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 point"},
         {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|", "it is a mesh"},
         {"0 INSERT|8 0|2 nothing|", "there is no block 'nothing'"},
         {"0 LINE|8 0|67 1|10 0|20 0|11 1|21 1|", "it is on paper"},

@@ -16,7 +16,7 @@ static const char net[] =
 TEST(the_control_net_of_a_ship_is_meshes_by_layer)
 {
     batten_model *model =
-        read_noting(net, BATTEN_FORMAT_AUTO, "with 1 creases and 1 curves, is not made");
+        read_noting(net, BATTEN_FORMAT_AUTO, "with 1 crease and 1 curve, is not made");
     CHECK_INT(batten_model_count(model), 2);
     const batten_object *side = batten_model_object(model, 0);
     const batten_mesh_parts *mesh = batten_mesh_view(side->mesh);

@@ -264,7 +264,7 @@ TEST(words_after_an_object_that_belong_to_none_are_noted)
     CHECK_OK(batten_notes_create(10, &notes));
     CHECK_STATUS(read_text(text, BATTEN_FORMAT_G2, notes, &model), BATTEN_PARTLY_READ);
     if (!batten_notes_dropped(notes))
-        CHECK(has_note(notes, "2 words after its end belong to no object"));
+        CHECK(has_note(notes, "words after its end that belong to no object: 2"));
     batten_notes_free(notes);
     batten_model_unref(model);
 }

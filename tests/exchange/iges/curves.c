@@ -249,7 +249,7 @@ TEST(Q5_copious_data_for_drawings_or_of_an_unknown_kind_are_left_out)
                  {"106,4,2,0.,1.,2.,3.,4.;", 2, "its points are of kind 4, not 1, 2 or 3"},
                  {"106,2,3,1.,2.,3.,4.,5.,6.;", 2, "9 parameters, need 12"},
                  {"106,2,0;", 2, "it has 0 points"},
-                 {"106,2,1,1.,2.,3.;", 12, "a row of 1 points is no curve"}};
+                 {"106,2,1,1.,2.,3.;", 12, "a row of 1 point is no curve"}};
     for (int i = 0; i < COUNT(cases); i++) {
         iges_text file = iges_begin();
         iges_add(&file, 106, cases[i].form, 0, 0, "00000000", cases[i].text);

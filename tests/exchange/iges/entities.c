@@ -348,9 +348,9 @@ TEST(references_say_what_is_a_part_and_flags_that_disagree_are_noted)
     iges_add(&file, 110, 0, 0, 0, "00000500", IGES_LINE);
     iges_add(&file, 110, 0, 0, 0, "00000000", "110,0.,0.,0.,1.,0.,0.;");
     iges_add(&file, 102, 0, 0, 0, "00000000", "102,1,5;");
-    batten_model *model =
-        read_noting(iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
-                    "1 entities call themselves parts of others, but nothing refers to them");
+    batten_model *model = read_noting(
+        iges_end(&file, IGES_GLOBAL), BATTEN_FORMAT_AUTO,
+        "entities that call themselves parts of others, but to which nothing refers: 1");
     CHECK_INT(batten_model_count(model), 2);
     CHECK_BITS(batten_curve_points(batten_model_object(model, 0)->curve)[0], 1.0);
     CHECK_BITS(batten_curve_points(batten_model_object(model, 1)->curve)[0], 0.0);

@@ -113,7 +113,7 @@ TEST(loops_in_the_wrong_order_or_direction_are_put_right_with_a_note)
                  k ? outer : hole);
         iges_add(&file, 144, 0, 0, 0, root, text);
         batten_model *model = read_body(&file, k ? "an inner loop comes before the outer one"
-                                                 : "1 loops of faces run the wrong way");
+                                                 : "1 loop of faces runs the wrong way");
         check_area(model, 12);
         batten_model_unref(model);
     }
@@ -127,7 +127,7 @@ TEST(a_trimmed_unbounded_plane_reaches_over_its_loops)
     const int outer = add_boundary(&file, surface, -10, 30, false, true, true);
     snprintf(text, sizeof text, "144,%d,1,0,%d;", surface, outer);
     iges_add(&file, 144, 0, 0, 0, root, text);
-    batten_model *model = read_body(&file, "1 loops of faces run the wrong way");
+    batten_model *model = read_body(&file, "1 loop of faces runs the wrong way");
     check_area(model, 1600);
     batten_model_unref(model);
     iges_text bounded = iges_begin();

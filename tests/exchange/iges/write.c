@@ -340,7 +340,7 @@ TEST(edges_that_miss_their_vertices_are_moved_to_them)
     CHECK_OK(batten_notes_create(10, &notes));
     CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
     if (batten_notes_dropped(notes) == 0)
-        CHECK(has_note(notes, "3 ends of edges miss their vertices, by 0.05 at most"));
+        CHECK(has_note(notes, "ends of edges that miss their vertices, by 0.05 at most: 3"));
     CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
     CHECK_INT(batten_model_count(back), DRILLED_FACES);
     const batten_body_parts *top = batten_body_view(batten_model_object(back, 5)->body);

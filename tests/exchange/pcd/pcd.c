@@ -93,9 +93,8 @@ TEST(damaged_lzf_is_refused)
 
 TEST(N1_points_that_are_nowhere_are_told)
 {
-    batten_model *model =
-        read_noting(XYZ "POINTS 2\nDATA ascii\nnan nan nan\n4 5 6\n", BATTEN_FORMAT_PCD,
-                    "1 points are nowhere (NaN); not kept");
+    batten_model *model = read_noting(XYZ "POINTS 2\nDATA ascii\nnan nan nan\n4 5 6\n",
+                                      BATTEN_FORMAT_PCD, "1 point is nowhere (NaN); not kept");
     CHECK_INT(batten_model_object(model, 0)->point_count, 1);
     batten_model_unref(model);
     const char *text = XYZ "POINTS 2\nDATA ascii\n1 2\n4 5 6\n";

@@ -176,8 +176,7 @@ TEST(S1_counts_that_do_not_match_the_bytes_are_told)
     CHECK_INT(mesh_at(model, 0)->triangle_count, 2);
     batten_model_unref(model);
     data[80] = 1;
-    model = read_partly(data, size, BATTEN_FORMAT_STL,
-                        "promises 1 triangles; 1 more follow and are left out");
+    model = read_partly(data, size, BATTEN_FORMAT_STL, "promises 1 triangle; 1 more, left out");
     CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
     batten_model_unref(model);
     CHECK_OK(read_bytes(data, size - 3, BATTEN_FORMAT_STL, NULL, &model));
