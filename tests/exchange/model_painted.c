@@ -141,7 +141,7 @@ TEST(instances_in_too_many_colours_are_counted)
     CHECK_OK(batten_notes_create(10, &notes));
     CHECK_OK(batten_model_create(0.001, &model));
     for (int i = 0; i < 260; i++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "i%d", i);
         place(model, name, (const double[]){i / 300.0, 0, 0}, part, i);
     }
