@@ -95,6 +95,18 @@ static bool step_of(bat_span name, int count, const double v[6], bat_svg_map *ma
     return count == 1;
 }
 
+/* In styles numbers have the units that are those of numbers alone. */
+static size_t past_plain_unit(bat_span text, size_t at)
+{
+    static const char *const units[] = {"px", "deg"};
+    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
+        const size_t length = strlen(units[k]);
+        if (text.length - at >= length && memcmp(text.bytes + at, units[k], length) == 0)
+            return at + length;
+    }
+    return at;
+}
+
 batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
                                 bat_svg_map *map)
 {
@@ -111,8 +123,10 @@ batten_status bat_svg_transform(const bat_input *input, int line, bat_span text,
         while (at < text.length && bat_is_white(text.bytes[at]))
             at++;
         at += at < text.length;
-        while (count < 6 && bat_svg_real(input, line, text, &at, &v[count]))
+        while (count < 6 && bat_svg_real(input, line, text, &at, &v[count])) {
+            at = past_plain_unit(text, at);
             count++;
+        }
         at = bat_svg_past_separators(text, at);
         if (at >= text.length || text.bytes[at] != ')' || !step_of(name, count, v, &step))
             return bat_fail(BATTEN_BAD_FORMAT, "the transform has '%.*s' with %d number%s",

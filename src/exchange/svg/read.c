@@ -30,7 +30,8 @@ typedef struct {
     /* of the element at work */
     level look;
     char name[NAME], layer[NAME];
-    int parts; /* that became curves */
+    int parts;     /* that became curves */
+    char left[32]; /* what was left out first */
 } reading;
 
 batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
@@ -76,19 +77,55 @@ static double length_of(const bat_xml *xml, const char *name)
     return length;
 }
 
-/* A sheet of another shape than its numbers may say how they fit; the standard way is ours. */
-static void note_fit(const bat_xml *xml, double along, double up)
+/* How the numbers of the drawing fit on a sheet of another shape. */
+typedef struct {
+    double x, y; /* the share of the room that is left to the left, and above */
+    bool stretched, covers;
+} fit;
+
+/* The next word, past blanks. */
+static bat_span word_of(bat_span text, size_t *at)
 {
+    while (*at < text.length && bat_is_white(text.bytes[*at]))
+        ++*at;
+    const size_t begin = *at;
+    while (*at < text.length && !bat_is_white(text.bytes[*at]))
+        ++*at;
+    return (bat_span){text.bytes + begin, *at - begin};
+}
+
+/* "none", or "xMidYMax", and "meet" or "slice"; in the middle and whole when nothing is said.
+ */
+static fit fit_of(const bat_xml *xml)
+{
+    static const char *const places[] = {"Min", "Mid", "Max"};
+    const fit usual = {0.5, 0.5, false, false};
+    fit of = usual;
     bat_span text;
-    char shown[BAT_SHOWN_SIZE];
-    if (fabs(along - up) <= 1e-9 * along ||
-        !bat_xml_attribute(xml, "preserveAspectRatio", &text) || says(text, "xMidYMid") ||
-        says(text, "xMidYMid meet"))
-        return;
+    size_t at = 0;
+    char shown[BAT_SHOWN_SIZE], name[16];
+    if (!bat_xml_attribute(xml, "preserveAspectRatio", &text))
+        return usual;
+    bat_span word = word_of(text, &at);
+    of.stretched = says(word, "none");
+    bool is_known = of.stretched;
+    for (int k = 0; k < 9 && !is_known; k++) {
+        snprintf(name, sizeof name, "x%sY%s", places[k % 3], places[k / 3]);
+        is_known = says(word, name);
+        of.x = (k % 3) / 2.0;
+        const int row = k / 3;
+        of.y = row / 2.0;
+    }
+    word = word_of(text, &at);
+    of.covers = says(word, "slice");
+    is_known = is_known && (of.covers || word.length == 0 || says(word, "meet"));
+    if (is_known && word_of(text, &at).length == 0)
+        return of;
     batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
-                     "'%.40s' is not followed: the drawing stands in the middle, as large as "
-                     "fits",
+                     "preserveAspectRatio '%.40s' is not understood: the drawing stands in the "
+                     "middle, as large as fits",
                      bat_shown(text.bytes, text.length, shown));
+    return usual;
 }
 
 /* From the numbers of the drawing to millimetres with y upwards, from the lower left corner. */
@@ -117,18 +154,16 @@ static bat_svg_map sheet_of(const bat_xml *xml)
     }
     if (!(width > 0))
         width = height > 0 ? height * box[2] / box[3] : box[2] * BAT_SVG_PIXEL;
-    /* As wide and as high as fits, in the middle, as the standard has it. */
-    double scale = width / box[2];
-    if (height > 0) {
-        note_fit(xml, scale, height / box[3]);
-        scale = bat_min(scale, height / box[3]);
-    }
-    const double right = (width - scale * box[2]) / 2;
-    const double up = height > 0 ? (height - scale * box[3]) / 2 : 0;
-    return (bat_svg_map){.a = scale,
-                         .d = -scale,
-                         .e = right - scale * box[0],
-                         .f = up + scale * (box[1] + box[3])};
+    double along = width / box[2], up = height > 0 ? height / box[3] : along;
+    const fit of = fit_of(xml);
+    if (!of.stretched)
+        along = up = of.covers ? bat_max(along, up) : bat_min(along, up);
+    if (!(height > 0))
+        height = up * box[3];
+    const double left = of.x * (width - along * box[2]);
+    const double above = of.y * (height - up * box[3]);
+    return (bat_svg_map){
+        .a = along, .d = -up, .e = left - along * box[0], .f = height - above + up * box[1]};
 }
 
 /* ---- looks ---- */
@@ -172,7 +207,7 @@ static batten_status read_look(const reading *r, level *look)
         look->has_colour = true;
         memcpy(look->colour, colour, sizeof colour);
     }
-    if (!bat_xml_attribute(&r->xml, "transform", &text))
+    if (!property(&r->xml, "transform", &text) || says(text, "none"))
         return BATTEN_OK;
     batten_status status = bat_svg_transform(r->input, r->xml.line, text, &map);
     if (status == BATTEN_OK)
@@ -228,7 +263,8 @@ static void kind_of(const bat_xml *xml, char name[32])
 
 static batten_status leave_out(reading *r, const char *kind, const char *why)
 {
-    r->input->left_out++;
+    if (r->input->left_out++ == 0)
+        snprintf(r->left, sizeof r->left, "%s", kind);
     if (why)
         batten_notes_add(r->input->notes, r->input->file, r->xml.line, kind, "%s; %s", why,
                          r->parts ? "what stands before it is kept" : "left out");
@@ -265,10 +301,7 @@ static batten_status enter(reading *r)
 {
     level look;
     char name[NAME];
-    batten_status status = bat_input_limit(r->input, r->xml.line, (size_t)r->depth + 1,
-                                           (size_t)r->input->limits.nesting, "nested groups");
-    if (status == BATTEN_OK)
-        status = read_look(r, &look);
+    batten_status status = read_look(r, &look);
     if (bat_input_ends(status))
         return status;
     if (status != BATTEN_OK)
@@ -296,6 +329,14 @@ static batten_status skip(reading *r)
     return BATTEN_OK;
 }
 
+static batten_status skip_deep(reading *r)
+{
+    char why[80];
+    snprintf(why, sizeof why, "it is nested deeper than %d groups", r->input->limits.nesting);
+    const batten_status status = leave_out(r, "g", why);
+    return status == BATTEN_OK ? skip(r) : status;
+}
+
 static bool has_sheet(const bat_xml *xml)
 {
     bat_span text;
@@ -320,8 +361,10 @@ static batten_status read_element(reading *r)
             leave_out(r, "svg", "a drawing within the drawing, on a sheet of its own");
         return status == BATTEN_OK ? skip(r) : status;
     }
-    if (is_one_of(&r->xml, groups))
+    if (is_one_of(&r->xml, groups) && r->depth < r->input->limits.nesting)
         return r->xml.kind == BAT_XML_BEGIN ? enter(r) : BATTEN_OK;
+    if (is_one_of(&r->xml, groups))
+        return skip_deep(r);
     if (is_one_of(&r->xml, silent))
         return skip(r);
     kind_of(&r->xml, kind);
@@ -390,7 +433,8 @@ batten_status bat_read_svg(bat_input *input, batten_model **out)
         status = read_all(&r);
     if (status == BATTEN_OK && batten_model_count(r.model) == 0 && input->left_out > 0)
         status = bat_input_fail(input, BATTEN_UNSUPPORTED, 0,
-                                "none of its %d shapes could be read", input->left_out);
+                                "none of its %d shapes could be read; the first is a '%s'",
+                                input->left_out, r.left);
     if (status == BATTEN_OK) {
         bat_census_note(input, &r.census);
         *out = batten_model_ref(r.model);

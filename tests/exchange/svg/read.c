@@ -265,20 +265,46 @@ TEST(lengths_of_shapes_have_units)
     batten_model_unref(model);
 }
 
-TEST(a_sheet_that_fits_in_another_way_is_noted)
+/* A unit square on a sheet of 9 x 7 mm: its lower left corner, where y is 1 downwards, and its
+ * size along and up. */
+TEST(a_drawing_fits_on_its_sheet_as_it_says)
 {
-    static const char *const fits[] = {"none", "xMinYMin slice", "xMidYMid", "xMidYMid meet"};
+    static const struct {
+        const char *said;
+        double x, y, along, up;
+        const char *note;
+    } fits[] = {{"none", 0, 0, 9, 7, ""},
+                {"xMidYMid", 1, 0, 7, 7, ""},
+                {"xMinYMin meet", 0, 0, 7, 7, ""},
+                {" xMaxYMid  meet ", 2, 0, 7, 7, ""},
+                {"xMidYMid slice", 0, -1, 9, 9, ""},
+                {"xMinYMin slice", 0, -2, 9, 9, ""},
+                {"xMaxYMax slice", 0, 0, 9, 9, ""},
+                {"middle", 1, 0, 7, 7, "is not understood"},
+                {"xMidYMid meet slice", 1, 0, 7, 7, "is not understood"}};
     for (int i = 0; i < COUNT(fits); i++) {
         char text[300];
         snprintf(text, sizeof text,
                  "<svg width=\"9mm\" height=\"7mm\" viewBox=\"0 0 1 1\" "
-                 "preserveAspectRatio=\"%s\"><path d=\"M0 0L1 1\"/></svg>",
-                 fits[i]);
-        batten_model *model =
-            read_noting(text, BATTEN_FORMAT_SVG, i < 2 ? "is not followed" : "");
-        check_point(model, 0, 0, 1, 7);
+                 "preserveAspectRatio=\"%s\"><path d=\"M0 1L1 0\"/></svg>",
+                 fits[i].said);
+        batten_model *model = read_noting(text, BATTEN_FORMAT_SVG, fits[i].note);
+        check_point(model, 0, 0, fits[i].x, fits[i].y);
+        check_point(model, 0, 1, fits[i].x + fits[i].along, fits[i].y + fits[i].up);
         batten_model_unref(model);
     }
+}
+
+TEST(a_style_may_transform)
+{
+    batten_model *model =
+        read_shapes("<path style=\"stroke:red; transform: translate(2px, 3px) rotate(90deg)\" "
+                    "transform=\"scale(9)\" d=\"M0 0L4 0\"/>"
+                    "<path style=\"transform:none\" d=\"M1 1L4 0\"/>");
+    check_point(model, 0, 0, 2, 50 - 3);
+    check_point(model, 0, 1, 2, 50 - 7);
+    check_point(model, 1, 0, 1, 49);
+    batten_model_unref(model);
 }
 
 TEST(shapes_without_length_are_remarked_on)
@@ -325,11 +351,26 @@ TEST(references_by_number_are_what_they_mean)
 TEST(S4_groups_within_groups_have_a_limit)
 {
     enum { DEEP = 100000 };
-    char *text = test_array(3 * DEEP + 100, 1);
-    size_t at = (size_t)snprintf(text, 100, "<svg>");
+    char *text = test_array(8 * DEEP + 100, 1);
+    size_t at = (size_t)snprintf(text, 100, "<svg><path id=\"shown\" d=\"M0 0L1 1\"/>");
     for (int i = 0; i < DEEP; i++)
         at += (size_t)snprintf(text + at, 4, "<g>");
-    check_refused(text, BATTEN_FORMAT_AUTO, BATTEN_TOO_LARGE, "nested groups; the limit is 64");
+    at += (size_t)snprintf(text + at, 40, "<path d=\"M0 0L1 1\"/>");
+    for (int i = 0; i < DEEP; i++)
+        at += (size_t)snprintf(text + at, 5, "</g>");
+    snprintf(text + at, 10, "</svg>");
+    batten_model *model =
+        read_so(text, BATTEN_FORMAT_SVG, BATTEN_PARTLY_READ, "nested deeper than 64 groups");
+    CHECK_INT(batten_model_count(model), 1);
+    CHECK_TEXT(batten_model_object(model, 0)->name, "shown");
+    batten_model_unref(model);
+}
+
+TEST(a_drawing_without_a_shape_that_is_read_says_of_what_it_is)
+{
+    check_refused(sheet("<use href=\"#a\"/><text>b</text>"), BATTEN_FORMAT_SVG,
+                  BATTEN_UNSUPPORTED,
+                  "none of its 2 shapes could be read; the first is a 'use'");
 }
 
 TEST(F2_a_drawing_cut_anywhere_is_never_whole)
