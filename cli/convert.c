@@ -13,6 +13,8 @@ static const option options[] = {
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
     {"tolerance", 0, OPTION_VALUE, "T",
      "for what the format cannot say exactly, in the result's unit"},
+    {"title", 0, OPTION_VALUE, "NAME",
+     "STEP and IGES: of the product (that of the input, else the name of its file)"},
     FROM_FORMAT_OPTION,
     {"format", 0, OPTION_VALUE, "FORMAT", "what OUT is to be, where its ending does not tell"},
     {"schema", 0, OPTION_VALUE, "NAME", "STEP: ap214, ap203 or ap242 (ap214)"},
@@ -276,6 +278,36 @@ static bool write_options(const arguments *given, batten_write_options *write)
     return true;
 }
 
+/* The name of a file without its folders, its ending and the object in it. */
+static batten_status stem_of(const char *argument, batten_text *name)
+{
+    const char *slash = strrchr(argument, '/'), *begin = slash ? slash + 1 : argument;
+    const char *hash = strchr(begin, '#');
+    size_t length = hash ? (size_t)(hash - begin) : strlen(begin);
+    for (size_t i = length; i-- > 1;)
+        if (begin[i] == '.') {
+            length = i;
+            break;
+        }
+    if (strcmp(argument, "-") != 0)
+        batten_text_bytes(name, begin, length);
+    return name->failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+}
+
+/* What is asked for, what the model is called, or its file. */
+static batten_status give_name(const arguments *given, batten_model *model)
+{
+    batten_text name = BATTEN_TEXT;
+    const char *title = arguments_get(given, "title");
+    batten_status status = BATTEN_OK;
+    if (!title && !batten_model_name(model)[0])
+        status = stem_of(given->files[0], &name);
+    if (status == BATTEN_OK && (title || name.length))
+        status = batten_model_set_name(model, title ? title : name.bytes);
+    batten_text_free(&name);
+    return status;
+}
+
 static int convert(const arguments *given, batten_format format, const double units[2],
                    const batten_write_options *write, outcome *o)
 {
@@ -287,6 +319,8 @@ static int convert(const arguments *given, batten_format format, const double un
     if (exit != EXIT_FAILED) {
         unit_words(batten_model_unit_metres(model), o->from_unit);
         batten_status status = change_unit(units[0], units[1], notes, &model);
+        if (status == BATTEN_OK)
+            status = give_name(given, model);
         if (status == BATTEN_OK)
             status = write_model(model, given, write, notes, o);
         if (status == BATTEN_OK) {

@@ -172,6 +172,8 @@ static batten_status only_object(const char *name, const batten_model *model,
         return BATTEN_OK;
     batten_status status = batten_model_create(batten_model_unit_metres(model), chosen);
     if (status == BATTEN_OK)
+        status = batten_model_set_name(*chosen, name);
+    if (status == BATTEN_OK)
         status = batten_model_add(*chosen, batten_model_object(model, index));
     return status;
 }

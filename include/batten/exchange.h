@@ -93,7 +93,7 @@ typedef enum batten_step_schema {
 typedef struct batten_write_options {
     size_t size;
     batten_format format; /**< by the name's ending */
-    const char *name;     /**< of the product; "batten" */
+    const char *name;     /**< of the product; that of the model, "batten" when it has none */
     double tolerance; /**< for shapes that the format cannot say exactly, and as the file's own
                            accuracy; model units; 0: 1e-6 of a metre */
     const char *date; /**< "2026-11-21T10:25:00", as the file is to say it; NULL for the same

@@ -63,6 +63,12 @@ typedef struct batten_object {
 BATTEN_API batten_status batten_model_create(double unit_metres, batten_model **out);
 BATTEN_API batten_model *batten_model_ref(const batten_model *model);
 BATTEN_API void batten_model_unref(batten_model *model);
+/** What the model is called, as the product of a file or the definition of an instance; "" for
+ * none. Copies of a model in another form have the name too. The name lives as long as the
+ * model has it. */
+BATTEN_API const char *batten_model_name(const batten_model *model);
+/** @param name  is copied; NULL and "" for none */
+BATTEN_API batten_status batten_model_set_name(batten_model *model, const char *name);
 BATTEN_API double batten_model_unit_metres(const batten_model *model);
 BATTEN_API int batten_model_count(const batten_model *model);
 BATTEN_API const batten_object *batten_model_object(const batten_model *model, int index);

@@ -127,15 +127,17 @@ void bat_definitions_rising(const bat_definitions *d, int *order)
                 order[at++] = i;
 }
 
-static void find_names(const bat_definitions *d, const char **names)
+void bat_definitions_names(const bat_definitions *d, const char **names)
 {
+    for (int i = 0; i < d->count; i++)
+        names[i] = batten_model_name(d->models[i]);
     for (int i = 0; i < d->count; i++)
         for (int k = 0; k < batten_model_count(d->models[i]); k++) {
             const batten_object *object = batten_model_object(d->models[i], k);
             if (!object->definition)
                 continue;
             const char **name = &names[bat_definitions_index(d, object->definition)];
-            *name = *name ? *name : object->name;
+            *name = **name ? *name : object->name;
         }
 }
 
@@ -147,10 +149,10 @@ batten_status bat_definitions_each(const bat_definitions *d, bat_definition_take
     batten_status status = order && names ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
         bat_definitions_rising(d, order);
-        find_names(d, names);
+        bat_definitions_names(d, names);
     }
     for (int i = 0; status == BATTEN_OK && i < d->count; i++)
-        status = take(context, order[i], names[order[i]] ? names[order[i]] : "");
+        status = take(context, order[i], names[order[i]]);
     bat_release(order);
     bat_release(names);
     return status;

@@ -24,8 +24,10 @@ batten_status bat_definitions_meshes(const bat_definitions *definitions, int *me
 /* The indices in an order in which each comes after those that it places: by rising depth.
  * order: [count]. */
 void bat_definitions_rising(const bat_definitions *definitions, int *order);
-/* Hand them over in that order, each with the name under which it is placed first, "" for the
- * model itself. */
+/* What each is called, else the name under which it is placed first, "" for none.
+ * names: [count]. */
+void bat_definitions_names(const bat_definitions *definitions, const char **names);
+/* Hand them over in that order, each with its name. */
 typedef batten_status bat_definition_take(void *context, int index, const char *name);
 batten_status bat_definitions_each(const bat_definitions *definitions,
                                    bat_definition_take *take, void *context);

@@ -7,6 +7,7 @@
 
 struct batten_model {
     bat_references references;
+    char *name; /* NULL for none */
     double unit_metres;
     int depth; /* of instances within instances */
     int count, capacity;
@@ -78,10 +79,16 @@ void batten_model_unref(batten_model *model)
     for (int i = 0; i < model->count; i++)
         object_free(&model->objects[i]);
     bat_release(model->objects);
+    bat_release(model->name);
     bat_release(model);
 }
 
 /* ---- properties ---- */
+
+const char *batten_model_name(const batten_model *model)
+{
+    return model->name ? model->name : "";
+}
 
 double batten_model_unit_metres(const batten_model *model)
 {
@@ -193,6 +200,19 @@ static void *copy(const void *items, size_t count, size_t size)
 static void *copy_text(const char *text)
 {
     return text ? copy(text, strlen(text) + 1, 1) : bat_array(1, 1);
+}
+
+batten_status batten_model_set_name(batten_model *model, const char *name)
+{
+    char *copied = NULL;
+    if (name && *name) {
+        copied = copy_text(name);
+        if (!copied)
+            return BATTEN_OUT_OF_MEMORY;
+    }
+    bat_release(model->name);
+    model->name = copied;
+    return BATTEN_OK;
 }
 
 batten_status batten_model_add(batten_model *model, const batten_object *object)

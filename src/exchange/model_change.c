@@ -27,6 +27,8 @@ static batten_status change_definition(changing *c, int index)
 {
     const batten_model *model = c->definitions.models[index];
     batten_status status = batten_model_create(c->unit_metres, &c->made[index]);
+    if (status == BATTEN_OK)
+        status = batten_model_set_name(c->made[index], batten_model_name(model));
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
         status = change_object(c, model, i, c->made[index]);
     return status;

@@ -100,6 +100,8 @@ batten_status batten_model_flat(const batten_model *model, batten_model **out)
     f.levels[0] = (level){.model = model, .place = batten_affine_identity()};
     batten_status status = batten_model_create(batten_model_unit_metres(model), &f.made);
     if (status == BATTEN_OK)
+        status = batten_model_set_name(f.made, batten_model_name(model));
+    if (status == BATTEN_OK)
         status = add_all(&f);
     batten_text_free(&f.path);
     bat_release(f.levels);

@@ -156,6 +156,8 @@ static batten_status make_variant(const painting *p, variant *v)
 {
     const batten_model *model = p->definitions.models[v->definition];
     batten_status status = batten_model_create(batten_model_unit_metres(model), &v->made);
+    if (status == BATTEN_OK)
+        status = batten_model_set_name(v->made, batten_model_name(model));
     for (int k = 0; status == BATTEN_OK && k < batten_model_count(model); k++)
         status = add_object(p, v, batten_model_object(model, k));
     return status;

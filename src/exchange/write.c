@@ -12,7 +12,7 @@ batten_write_options batten_write_defaults(void)
 {
     return (batten_write_options){.size = sizeof(batten_write_options),
                                   .format = BATTEN_FORMAT_AUTO,
-                                  .name = "batten",
+                                  .name = "",
                                   .tolerance = 0,
                                   .date = NULL,
                                   .mesh = batten_mesh_defaults()};
@@ -288,7 +288,7 @@ batten_status batten_write_memory(const batten_model *model,
     batten_write_options chosen = options ? *options : batten_write_defaults();
     batten_text text = BATTEN_TEXT;
     if (!chosen.name || !chosen.name[0])
-        chosen.name = "batten";
+        chosen.name = batten_model_name(model)[0] ? batten_model_name(model) : "batten";
     if (!(chosen.tolerance >= 0 && isfinite(chosen.tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", chosen.tolerance);
     batten_status status = write_as(model, &chosen, notes, &text);

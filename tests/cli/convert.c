@@ -44,6 +44,23 @@ TEST(convert_takes_the_schema_of_STEP)
     CHECK_INT(RUN("batten", "convert", tank, other, "--no-pcurves").exit, 0);
 }
 
+TEST(convert_keeps_the_name_of_the_product_or_takes_one)
+{
+    const char *ply = test_scratch("wedge.v1.ply"), *step = test_scratch("named.step"),
+               *again = test_scratch("again.step"), *iges = test_scratch("again.igs");
+    test_write(ply,
+               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+               "property float z\nend_header\n1 2 3\n");
+    CHECK_INT(RUN("batten", "convert", ply, step, "--from-unit", "mm").exit, 0);
+    CHECK_CONTAINS(test_content(step), "=PRODUCT('wedge.v1','wedge.v1',");
+    CHECK_INT(RUN("batten", "convert", step, again).exit, 0);
+    CHECK_TEXT(test_content(again), test_content(step));
+    CHECK_INT(RUN("batten", "convert", step, iges, "--title", "Ship 7").exit, 0);
+    CHECK_CONTAINS(test_content(iges), ",6HShip 7,");
+    CHECK_INT(RUN("batten", "convert", iges, again).exit, 0);
+    CHECK_CONTAINS(test_content(again), "=PRODUCT('Ship 7','Ship 7',");
+}
+
 TEST(convert_is_told_formats_that_names_do_not_tell)
 {
     const char *tank = write_tank(), *nameless = test_scratch("nameless");

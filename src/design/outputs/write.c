@@ -5,7 +5,7 @@ static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
     {"format", BATTEN_VALUE_WORD, false, false, "auto", BAT_FORMAT_WORDS,
      "by the ending of the file by default"},
-    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product"},
+    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product in STEP and IGES"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "the accuracy that the file states; the tolerance of the design by default"},
     {"schema", BATTEN_VALUE_WORD, false, false, "ap214", "ap214 ap203 ap242",

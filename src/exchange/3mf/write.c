@@ -283,8 +283,11 @@ static batten_status put_definition(writing *w, int definition)
     if (status != BATTEN_OK || definition == 0 || !any)
         return status;
     w->whole[definition] = w->next++;
-    batten_text_add(&w->xml, "<object id=\"%d\" type=\"%s\">\n<components>\n",
-                    w->whole[definition], w->is_surface[definition] ? "surface" : "model");
+    batten_text_add(&w->xml, "<object id=\"%d\" type=\"%s\"", w->whole[definition],
+                    w->is_surface[definition] ? "surface" : "model");
+    if (batten_model_name(model)[0])
+        put_name(w, batten_model_name(model));
+    put(w, ">\n<components>\n");
     put_references(w, definition, "component");
     put(w, "</components>\n</object>\n");
     return BATTEN_OK;

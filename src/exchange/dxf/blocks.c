@@ -59,6 +59,8 @@ static batten_status make_variant(bat_dxf_reading *r, bat_dxf_block *block,
     block->variants.size = sizeof made;
     batten_status status =
         batten_model_create(batten_model_unit_metres(block->model), &made.model);
+    if (status == BATTEN_OK)
+        status = batten_model_set_name(made.model, block->is.name);
     for (int i = 0; status == BATTEN_OK && i < count; i++)
         status = add_coloured(r, block, i, colour, made.model);
     if (status == BATTEN_OK)

@@ -234,6 +234,8 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
     bat_dxf_pairs_begin(&f.pairs, r->input, b->is.at, b->line);
     batten_status status = batten_model_create(r->unit_metres, &f.model);
     if (status == BATTEN_OK)
+        status = batten_model_set_name(f.model, b->is.name);
+    if (status == BATTEN_OK)
         status = fill(&f, "ENDBLK");
     if (status == BATTEN_OK)
         b->model = batten_model_ref(f.model);

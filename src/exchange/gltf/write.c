@@ -465,8 +465,13 @@ static void put_json(writing *w, batten_text *text)
 {
     batten_text_add(text, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Batten\"},"
                           "\"scene\":0,\"scenes\":[{");
+    const char *name = batten_model_name(w->definitions.models[0]);
+    if (*name) {
+        batten_text_add(text, "\"name\":");
+        batten_text_json(text, name);
+    }
     if (w->root_count) {
-        batten_text_add(text, "\"nodes\":[");
+        batten_text_add(text, *name ? ",\"nodes\":[" : "\"nodes\":[");
         put_range(text, 0, w->root_count);
         batten_text_add(text, "]");
     }

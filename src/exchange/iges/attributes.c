@@ -17,6 +17,23 @@ static batten_status copy_text(bat_input *input, bat_span text, char **out)
     return BATTEN_OK;
 }
 
+batten_status bat_iges_call(bat_input *input, const bat_iges_parameters *parameters,
+                            size_t index, batten_model *model)
+{
+    char *name = NULL;
+    bool is_string = false;
+    bat_span text = bat_iges_text(parameters, index, &is_string);
+    while (text.length > 0 && text.bytes[text.length - 1] == ' ')
+        text.length--;
+    if (!is_string || text.length == 0)
+        return BATTEN_OK;
+    batten_status status = copy_text(input, text, &name);
+    if (status == BATTEN_OK)
+        status = batten_model_set_name(model, name);
+    bat_release(name);
+    return status;
+}
+
 /* The name of a property 406 form 15, copied; *name stays NULL when `id` is something else. */
 static batten_status read_name_property(const bat_iges_item *owner, int id, char **name)
 {

@@ -2,6 +2,7 @@
 #ifndef BAT_IGES_ATTRIBUTES_H
 #define BAT_IGES_ATTRIBUTES_H
 #include "exchange/iges/reading.h"
+#include <batten/model.h>
 
 /* The name of an item from its properties, its label, or its number: yours to release. */
 batten_status bat_iges_name(bat_iges_item *item, char **name);
@@ -11,6 +12,10 @@ batten_status bat_iges_given_name(bat_iges_item *item, char **name);
  * counted as wrong. */
 batten_status bat_iges_colour(bat_iges_reading *reading, const bat_iges_entry *entry, bool *has,
                               double rgb[3]);
+
+/* Call the model by the string at `index`, if there is one. */
+batten_status bat_iges_call(bat_input *input, const bat_iges_parameters *parameters,
+                            size_t index, batten_model *model);
 
 void bat_iges_start_groups(bat_iges_reading *reading);
 /* Find out which entries belong to which groups. */

@@ -1,4 +1,5 @@
 #include "exchange/iges/instances.h"
+#include "exchange/iges/attributes.h"
 #include "exchange/iges/objects.h"
 #include "exchange/iges/references.h"
 
@@ -12,6 +13,8 @@ batten_status bat_iges_read_definition(bat_iges_item *item)
     batten_status status = bat_iges_read_count(item, 3, 4, 1, &count);
     if (status == BATTEN_OK)
         status = batten_model_create(reading->unit_metres, &item->definition);
+    if (status == BATTEN_OK)
+        status = bat_iges_call(reading->input, item->parameters, 2, item->definition);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         const bat_iges_entry *member = NULL;
         int id = 0;

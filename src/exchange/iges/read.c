@@ -250,6 +250,8 @@ static batten_status read_all(bat_iges_reading *reading)
         batten_notes_add(input->notes, input->file, 0, "", "the start section is missing");
     input->is_cut = !reading->file.has_end;
     status = batten_model_create(reading->unit_metres, &reading->model);
+    if (status == BATTEN_OK)
+        status = bat_iges_call(input, &reading->file.global, SENDER, reading->model);
     return status == BATTEN_OK ? read_entities(reading) : status;
 }
 

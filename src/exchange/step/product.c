@@ -164,6 +164,8 @@ static batten_status make(bat_step_import *import, uint32_t index, const uint32_
     bat_step_target target = {.import = import, .product = product};
     batten_status status = batten_model_create(import->units.unit_metres, &of->model);
     if (status == BATTEN_OK)
+        status = batten_model_set_name(of->model, product);
+    if (status == BATTEN_OK)
         status = gather(import, index, next, parts);
     target.model = of->model;
     const part *all = parts->items;

@@ -254,19 +254,17 @@ static void put_occurrence(bat_step_writing *w, const batten_object *object, int
 /* ---- models ---- */
 
 /* The product of a model whose instances have theirs. */
-static batten_status write_product(void *context, int index, const char *placed_as)
+static batten_status write_product(void *context, int index, const char *called)
 {
     bat_step_writing *w = context;
     static const double origin[] = {0, 0, 0}, z[] = {0, 0, 1}, x[] = {1, 0, 0};
     const batten_model *model = w->parts.models[index];
-    const char *name = index == 0 ? w->options->name : placed_as;
+    const char *name = w->names[index];
     bat_step_node *node = &w->nodes[index];
     contents c = {0};
     batten_text id = BATTEN_TEXT;
-    batten_text_add(&id, "%s", w->options->name);
-    if (index > 0)
-        batten_text_add(&id, ".%d", ++w->part_count);
-    batten_status status = id.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
+    (void)called;
+    batten_status status = bat_step_add_product_id(w, index, &id);
     if (status == BATTEN_OK)
         status = bat_step_put_product(w, id.bytes, name, &node->definition);
     batten_text_free(&id);
@@ -319,8 +317,9 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
     put_header(&w->step, w->options);
     bat_step_put_contexts(w, batten_model_unit_metres(model));
     w->nodes = bat_array((size_t)w->parts.count, sizeof *w->nodes);
-    batten_status status =
-        w->nodes ? bat_definitions_each(&w->parts, write_product, w) : BATTEN_OUT_OF_MEMORY;
+    batten_status status = w->nodes ? bat_step_name_products(w) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_definitions_each(&w->parts, write_product, w);
     if (status == BATTEN_OK)
         status = bat_step_put_marks(w);
     if (status == BATTEN_OK) {
@@ -335,6 +334,8 @@ static void end(bat_step_writing *w)
 {
     bat_definitions_end(&w->parts);
     bat_release(w->nodes);
+    bat_release(w->names);
+    bat_release(w->numbers);
     bat_release(w->products.ids);
     bat_release(w->formations.ids);
     bat_release(w->definitions.ids);

@@ -44,7 +44,9 @@ typedef struct {
     bool has_noted_bare;
     bat_definitions parts; /* the models that become products */
     bat_step_node *nodes;  /* [parts] */
-    int part_count, occurrences;
+    const char **names;    /* [parts] of the products; borrowed */
+    int *numbers;          /* [parts] behind the name in the id; 0 for none */
+    int occurrences;
 } bat_step_writing;
 
 /* ---- write_product.c ---- */
@@ -56,6 +58,13 @@ batten_status bat_step_put_product(bat_step_writing *w, const char *id, const ch
                                    int *definition);
 /* What AP203 wants to know of all products: who, when, approved by whom, how secret. */
 void bat_step_put_management(bat_step_writing *w);
+
+/* ---- write_names.c ---- */
+
+/* The names of all products, and numbers for those of one name. */
+batten_status bat_step_name_products(bat_step_writing *w);
+/* No two products have one id. */
+batten_status bat_step_add_product_id(const bat_step_writing *w, int index, batten_text *id);
 
 /* ---- write_accuracy.c ---- */
 

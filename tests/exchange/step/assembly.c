@@ -47,7 +47,7 @@ TEST(a_definition_is_one_product_however_often_it_is_placed)
     CHECK_INT(step_count(text, "ITEM_DEFINED_TRANSFORMATION"), 5);
     CHECK_INT(step_count(text, "SHAPE_DEFINITION_REPRESENTATION"), 3);
     CHECK_CONTAINS(text, "=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','second','',#");
-    CHECK_CONTAINS(text, "=PRODUCT('hull.2','a','',(#");
+    CHECK_CONTAINS(text, "=PRODUCT('a','a','',(#");
     CHECK_CONTAINS(text, "=PRODUCT('hull','hull','',(#");
     batten_model_unref(all);
     batten_model_unref(pair);
