@@ -23,14 +23,9 @@ static void must(batten_status status)
 typedef struct {
     const char *name;
     double a, b;
-    double waves; /* of the borders: their height */
 } kind;
 
-static const kind kinds[] = {{"plane", 0, 0, 0.1},
-                             {"trough", 0.5, 0, 0.1},
-                             {"bowl", 0.5, 0.4, 0.1},
-                             {"round-trough", 0.5, 0, 0},
-                             {"round-bowl", 0.5, 0.4, 0}};
+static const kind kinds[] = {{"plane", 0, 0}, {"trough", 0.5, 0}, {"bowl", 0.5, 0.4}};
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 static batten_surface *make_surface(const kind *face)
@@ -63,11 +58,9 @@ static void multiply(const double *p, const double *q, double *product)
 }
 
 /* A place on the border, and the speed there. */
-static void border(const kind *face, double radius, double angle, double place[2],
-                   double speed[2])
+static void border(double radius, double angle, double place[2], double speed[2])
 {
-    const double r = radius + face->waves * sin(11 * angle);
-    const double dr = 11 * face->waves * cos(11 * angle);
+    const double r = radius + 0.1 * sin(11 * angle), dr = 1.1 * cos(11 * angle);
     place[0] = r * cos(angle);
     place[1] = r * sin(angle);
     speed[0] = dr * cos(angle) - place[1];
@@ -84,7 +77,7 @@ static void make_border(const kind *face, double radius, batten_curve **flat,
     for (int i = 0; i < PIECES; i++) {
         double ends[2][2], speeds[2][2], cubic[2][4], product[3][7];
         for (int k = 0; k < 2; k++)
-            border(face, radius, (i + k) % PIECES * step, ends[k], speeds[k]);
+            border(radius, (i + k) % PIECES * step, ends[k], speeds[k]);
         for (int d = 0; d < 2; d++) {
             cubic[d][0] = ends[0][d];
             cubic[d][1] = ends[0][d] + speeds[0][d] * step / 3;
