@@ -76,7 +76,7 @@ static const bat_format_row formats[] = {
               BAT_HOLDS(INSTANCE),
      .can_place = bat_iges_can_place,
      .paints = true,
-     .hides = true,
+     .says = BAT_SAYS_ALL,
      .write = bat_write_iges},
 
     {.format = BATTEN_FORMAT_STEP,
@@ -89,7 +89,7 @@ static const bat_format_row formats[] = {
               BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .can_place = bat_step_can_place,
      .paints = true,
-     .hides = true,
+     .says = BAT_SAYS_ALL,
      .write = bat_write_step},
 
     {.format = BATTEN_FORMAT_DXF,
@@ -99,7 +99,8 @@ static const bat_format_row formats[] = {
      .recognise = bat_dxf_recognise,
      .read = bat_read_dxf,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE),
-     .hides = true,
+     .says = BAT_SAYS_LAYERS | BAT_SAYS_COLOURS | BAT_SAYS_HIDDEN,
+     .names_layers = true,
      .write = bat_write_dxf},
 
     {.format = BATTEN_FORMAT_SVG,
@@ -109,7 +110,7 @@ static const bat_format_row formats[] = {
      .recognise = bat_svg_recognise,
      .read = bat_read_svg,
      .holds = BAT_HOLDS(CURVE),
-     .hides = true,
+     .says = BAT_SAYS_NAMES | BAT_SAYS_LAYERS | BAT_SAYS_COLOURS | BAT_SAYS_HIDDEN,
      .write = bat_write_svg},
 
     {.format = BATTEN_FORMAT_GCODE,
@@ -125,6 +126,7 @@ static const bat_format_row formats[] = {
      .recognise = bat_g2_recognise,
      .read = bat_read_g2,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(BODY),
+     .says = BAT_SAYS_COLOURS,
      .write = bat_write_g2},
 
     {.format = BATTEN_FORMAT_OBJ,
@@ -135,6 +137,8 @@ static const bat_format_row formats[] = {
      .read = bat_read_obj,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(MESH),
      .keeps = BAT_KEEPS_COLOURS,
+     .says = BAT_SAYS_NAMES | BAT_SAYS_COLOURS | BAT_SAYS_GROUPS,
+     .paler = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
      .write = bat_write_obj},
 
     {.format = BATTEN_FORMAT_STL,
@@ -156,6 +160,7 @@ static const bat_format_row formats[] = {
      .read = bat_read_ply,
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(MESH),
      .keeps = BAT_KEEPS_COLOURS | BAT_KEEPS_TRIANGLE_COLOURS | BAT_KEEPS_VALUES,
+     .says = BAT_SAYS_COLOURS,
      .write = bat_write_ply},
 
     {.format = BATTEN_FORMAT_GLTF,
@@ -164,6 +169,7 @@ static const bat_format_row formats[] = {
      .endings = {".glb"},
      .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .keeps = BAT_KEEPS_COLOURS | BAT_KEEPS_TRIANGLE_COLOURS,
+     .says = BAT_SAYS_NAMES | BAT_SAYS_COLOURS,
      .write = bat_write_gltf},
 
     {.format = BATTEN_FORMAT_3MF,
@@ -172,6 +178,7 @@ static const bat_format_row formats[] = {
      .endings = {".3mf"},
      .holds = BAT_HOLDS(MESH) | BAT_HOLDS(INSTANCE),
      .keeps = BAT_KEEPS_TRIANGLE_COLOURS,
+     .says = BAT_SAYS_NAMES | BAT_SAYS_COLOURS,
      .write = bat_write_3mf},
 
     {.format = BATTEN_FORMAT_PCD,

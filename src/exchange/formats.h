@@ -21,7 +21,9 @@ typedef struct {
     bool (*can_place)(const batten_affine *place);
     unsigned keeps; /* of a mesh: bits BAT_KEEPS_... */
     bool paints;    /* an instance can have a colour of its own */
-    bool hides;     /* it can say that an object is not to be shown */
+    unsigned says;  /* of an object that it holds: bits BAT_SAYS_... */
+    unsigned paler; /* kinds that it has no colours for, though for others; bits as in holds */
+    bool names_layers; /* an object without a layer lies on one of its name */
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 } bat_format_row;
@@ -35,6 +37,15 @@ enum {
     BAT_KEEPS_COLOURS = 1, /* of vertices */
     BAT_KEEPS_TRIANGLE_COLOURS = 2,
     BAT_KEEPS_VALUES = 4 /* further ones of each vertex */
+};
+
+enum {
+    BAT_SAYS_NAMES = 1,
+    BAT_SAYS_LAYERS = 2,
+    BAT_SAYS_COLOURS = 4,
+    BAT_SAYS_GROUPS = 8,
+    BAT_SAYS_HIDDEN = 16, /* that it is not to be shown */
+    BAT_SAYS_ALL = 31
 };
 
 #define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)

@@ -2,6 +2,7 @@
 #include "exchange/csv/separated.h"
 #include "exchange/formats.h"
 #include "exchange/kept_mesh.h"
+#include "exchange/losses.h"
 #include "exchange/model_change.h"
 #include "exchange/model_meshed.h"
 #include "exchange/model_painted.h"
@@ -144,7 +145,7 @@ static batten_status add_held(void *context, const batten_model *from, int index
                          s->row->title);
         return BATTEN_OK;
     }
-    if (object->is_hidden && !s->row->hides) {
+    if (object->is_hidden && !(s->row->says & BAT_SAYS_HIDDEN)) {
         shown.is_hidden = false;
         s->hidden++;
     }
@@ -267,6 +268,16 @@ batten_status batten_write_prepare(const batten_model *model,
     return status;
 }
 
+/* Only the text of STL has names. */
+static batten_status note_losses(const bat_format_row *row, const batten_write_options *options,
+                                 const batten_model *prepared, batten_notes *notes)
+{
+    bat_format_row chosen = *row;
+    if (row->format == BATTEN_FORMAT_STL && options->as_text)
+        chosen.says |= BAT_SAYS_NAMES;
+    return bat_note_losses(prepared, &chosen, notes);
+}
+
 static batten_status write_as(const batten_model *model, const batten_write_options *options,
                               batten_notes *notes, batten_text *text)
 {
@@ -275,6 +286,8 @@ static batten_status write_as(const batten_model *model, const batten_write_opti
     batten_status status = find_writer(options, &row);
     if (status == BATTEN_OK)
         status = batten_write_prepare(model, options, notes, &prepared);
+    if (status == BATTEN_OK)
+        status = note_losses(row, options, prepared, notes);
     if (status == BATTEN_OK)
         status = row->write(prepared, options, notes, text);
     batten_model_unref(prepared);

@@ -244,3 +244,62 @@ TEST(what_a_format_does_not_keep_of_a_mesh_is_noted)
     }
     batten_model_unref(model);
 }
+
+/* Curves with all that a file can say of them; those called by readers lose no name. */
+static batten_model *looking_model(void)
+{
+    static const char *const names[] = {"Station 155.000 m", "curve D1", "LINE 12", "keel"};
+    const double a[3] = {0, 0, 0}, b[3] = {1, 2, 0};
+    batten_model *model = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(3, a, b, &line));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < COUNT(names); i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = names[i],
+                                                          .layer = "lines",
+                                                          .group = i ? "" : "frames",
+                                                          .has_colour = i > 1,
+                                                          .is_hidden = i == 3,
+                                                          .kind = BATTEN_OBJECT_CURVE,
+                                                          .curve = line}));
+    batten_curve_unref(line);
+    return model;
+}
+
+TEST(what_a_format_cannot_say_of_objects_is_counted_in_one_message_each)
+{
+    static const struct {
+        batten_format format;
+        const char *said[5]; /* names, layers, colours, groups, hidden */
+    } rows[] = {
+        {BATTEN_FORMAT_IGES, {NULL, NULL, NULL, NULL, NULL}},
+        {BATTEN_FORMAT_STEP, {NULL, NULL, NULL, NULL, NULL}},
+        {BATTEN_FORMAT_DXF,
+         {"names left out: 2 ('Station 155.000 m' first); DXF files hold none", NULL, NULL,
+          "groups left out: 1 ('Station 155.000 m' first); DXF files hold none", NULL}},
+        {BATTEN_FORMAT_SVG, {NULL, NULL, NULL, "groups left out: 1 ", NULL}},
+        {BATTEN_FORMAT_G2,
+         {"names left out: 2 ", "layers left out: 4 ", NULL, "groups left out: 1 ",
+          "hidden objects: 1; G2"}},
+        {BATTEN_FORMAT_OBJ,
+         {NULL, "layers left out: 4 ", "colours left out: 2 ('LINE 12' first)", NULL,
+          "hidden objects: 1; OBJ"}}};
+    static const char *const kinds[] = {"names left out", "layers left out", "colours left out",
+                                        "groups left out", "hidden objects"};
+    batten_model *model = looking_model();
+    for (int i = 0; i < COUNT(rows); i++) {
+        batten_write_options options = batten_write_defaults();
+        batten_notes *notes = NULL;
+        char *data = NULL;
+        size_t size = 0;
+        options.format = rows[i].format;
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+        for (int k = 0; k < 5 && !batten_notes_dropped(notes); k++)
+            CHECK(rows[i].said[k] ? has_note(notes, rows[i].said[k])
+                                  : !has_note(notes, kinds[k]));
+        batten_release(data);
+        batten_notes_free(notes);
+    }
+    batten_model_unref(model);
+}

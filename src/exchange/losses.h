@@ -1,0 +1,11 @@
+/* What a file cannot say of the objects that it holds: counted, a message for each kind. */
+#ifndef BAT_LOSSES_H
+#define BAT_LOSSES_H
+#include "exchange/formats.h"
+
+/* The model is as it will be written. Names are a remark: the shapes are as they were. What is
+ * hidden, and shown by that, is said where it is changed. */
+batten_status bat_note_losses(const batten_model *model, const bat_format_row *row,
+                              batten_notes *notes);
+
+#endif
