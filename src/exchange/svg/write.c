@@ -1,4 +1,5 @@
 #include "exchange/path.h"
+#include "exchange/svg/elliptical.h"
 #include "exchange/svg/svg.h"
 #include "numeric/vector.h"
 
@@ -11,7 +12,7 @@ typedef struct {
     double scale, left, top, bottom, tolerance;
     double rounding; /* of coordinates: halving makes nothing nearer than that */
     int shapes;
-    double off;   /* of the object: how far the pieces are that halving does not mend */
+    double off;   /* of the object: how far cubics are from it, where they are not it */
     bool upright; /* all curves stand upright on the sheet, which is said once */
 } writing;
 
@@ -84,6 +85,18 @@ static bat_vertex on_sheet(const bat_path *path, int i)
                         f->z.z < 0 ? -v.bulge : v.bulge};
 }
 
+static void put_arc(writing *w, const bat_svg_elliptical *arc, double x, double y)
+{
+    batten_text_add(w->text, "A");
+    batten_text_number(w->text, w->scale * arc->rx);
+    batten_text_add(w->text, " ");
+    batten_text_number(w->text, w->scale * arc->ry);
+    batten_text_add(w->text, " ");
+    batten_text_number(w->text, arc->angle ? -arc->angle * 180 / BAT_PI : 0);
+    batten_text_add(w->text, " 0 %d", arc->is_clockwise);
+    put_point(w, ' ', x, y);
+}
+
 static void put_path(writing *w, const bat_path *path)
 {
     bat_vertex from = on_sheet(path, 0);
@@ -96,12 +109,7 @@ static void put_path(writing *w, const bat_path *path)
         } else {
             double cx, cy, radius;
             bat_path_centre(&from, to.x, to.y, &cx, &cy, &radius);
-            batten_text_add(w->text, "A");
-            batten_text_number(w->text, w->scale * radius);
-            batten_text_add(w->text, " ");
-            batten_text_number(w->text, w->scale * radius);
-            batten_text_add(w->text, " 0 0 %d", from.bulge < 0);
-            put_point(w, ' ', to.x, to.y);
+            put_arc(w, &(bat_svg_elliptical){radius, radius, 0, from.bulge < 0}, to.x, to.y);
         }
         from = to;
     }
@@ -109,7 +117,7 @@ static void put_path(writing *w, const bat_path *path)
         batten_text_add(w->text, "Z");
 }
 
-/* ---- other curves: cubics within the tolerance ---- */
+/* ---- other curves: elliptical arcs, or cubics within the tolerance ---- */
 
 /* The cubic with the curve's points and tangents at a and b, on the sheet. */
 static batten_status cubic(const batten_curve *curve, double a, double b, double points[4][2])
@@ -147,7 +155,9 @@ static batten_status distance(const batten_curve *curve, double a, double b,
     return BATTEN_OK;
 }
 
-static batten_status put_span(writing *w, const batten_curve *curve, double a, double b)
+/* Of an exact span a cubic differs by rounding alone. */
+static batten_status put_span(writing *w, const batten_curve *curve, double a, double b,
+                              bool is_exact)
 {
     double ends[DEPTH + 2] = {b};
     batten_status status = BATTEN_OK;
@@ -161,7 +171,7 @@ static batten_status put_span(writing *w, const batten_curve *curve, double a, d
             ends[waiting++] = a + (b - a) / 2;
             continue;
         }
-        if (off > w->tolerance)
+        if (!is_exact && off > bat_min(w->tolerance, w->rounding))
             w->off = bat_max(w->off, off);
         for (int k = 1; k < 4; k++)
             put_point(w, k == 1 ? 'C' : ' ', points[k][0], points[k][1]);
@@ -171,23 +181,65 @@ static batten_status put_span(writing *w, const batten_curve *curve, double a, d
     return status;
 }
 
+/* A Bezier piece of degree 3 at most is a cubic when its weights are the same. */
+static bool is_cubic(const double *weights, int degree)
+{
+    for (int i = 1; weights && i <= degree; i++)
+        if (weights[i] != weights[0])
+            return false;
+    return degree <= 3;
+}
+
+/* Span i, of which `pieces` has the Bezier points. */
+static batten_status put_piece(writing *w, const batten_curve *curve,
+                               const batten_curve *pieces, int i, const double *breaks)
+{
+    const int d = batten_curve_dimension(curve), p = batten_curve_degree(curve);
+    const double *points = batten_curve_points(pieces) + (size_t)(i * p) * (size_t)d;
+    const double *weights = batten_curve_weights(pieces);
+    bat_svg_elliptical arc;
+    if (weights)
+        weights += i * p;
+    const bool is_exact = is_cubic(weights, p);
+    if (!is_exact && weights &&
+        bat_svg_is_elliptical(d, p, points, weights, w->rounding, &arc)) {
+        put_arc(w, &arc, points[p * d], points[p * d + 1]);
+        return BATTEN_OK;
+    }
+    return put_span(w, curve, breaks[i], breaks[i + 1], is_exact);
+}
+
 static batten_status put_curve(writing *w, const batten_curve *curve)
 {
     const int count = batten_curve_spans(curve, NULL);
     double *breaks = bat_array((size_t)count, sizeof *breaks), start[3];
+    batten_curve *pieces = NULL;
     if (!breaks)
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(curve, breaks);
     batten_status status = batten_curve_evaluate(curve, breaks[0], 0, start);
     if (status == BATTEN_OK)
+        status = batten_curve_to_bezier(curve, &pieces);
+    if (status == BATTEN_OK)
         put_point(w, 'M', start[0], start[1]);
     for (int i = 0; i + 1 < count && status == BATTEN_OK; i++)
-        status = put_span(w, curve, breaks[i], breaks[i + 1]);
+        status = put_piece(w, curve, pieces, i, breaks);
+    batten_curve_unref(pieces);
     bat_release(breaks);
     return status;
 }
 
 /* ---- the whole ---- */
+
+static void note_off(const writing *w, const batten_object *object, batten_notes *notes)
+{
+    if (w->off > w->tolerance)
+        batten_notes_add(notes, "", 0, object->name,
+                         "approximated within %g, not within the tolerance %g", w->off,
+                         w->tolerance);
+    else if (w->off > 0)
+        batten_notes_add(notes, "", 0, object->name, "approximated within %g", w->off);
+}
 
 static batten_status put_object(writing *w, const batten_object *object, batten_notes *notes)
 {
@@ -218,10 +270,7 @@ static batten_status put_object(writing *w, const batten_object *object, batten_
     else
         status = put_curve(w, object->curve);
     end_shape(w);
-    if (w->off > 0)
-        batten_notes_add(notes, "", 0, object->name,
-                         "written within %g, not within the tolerance %g", w->off,
-                         w->tolerance);
+    note_off(w, object, notes);
     bat_path_release(&path);
     return status;
 }

@@ -44,6 +44,16 @@ TEST(svg_of_a_nurbs_curve_of_lines_and_arcs_has_arcs)
     batten_model_unref(model);
 }
 
+/* Of 30 by 20, of degree 4: no arc to the format. */
+static batten_curve *raised_ellipse(double to)
+{
+    batten_curve *ellipse = NULL, *raised = NULL;
+    CHECK_OK(batten_curve_ellipse(30, 20, 0, to, &ellipse));
+    CHECK_OK(batten_curve_elevate(ellipse, 2, &raised));
+    batten_curve_unref(ellipse);
+    return raised;
+}
+
 TEST(svg_of_a_curve_is_within_the_tolerance)
 {
     batten_model *model = NULL;
@@ -52,7 +62,7 @@ TEST(svg_of_a_curve_is_within_the_tolerance)
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(batten_model_create(0.001, &model));
-    CHECK_OK(batten_curve_ellipse(30, 20, 0, 2 * acos(-1), &curve));
+    curve = raised_ellipse(2 * acos(-1));
     const batten_object object = {
         .name = "ellipse", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));
@@ -89,7 +99,7 @@ TEST(svg_notes_what_is_beyond_the_tolerance)
     size_t size = 0;
     CHECK_OK(batten_notes_create(4, &notes));
     CHECK_OK(batten_model_create(0.001, &model));
-    CHECK_OK(batten_curve_ellipse(30, 20, 0, 1, &curve));
+    curve = raised_ellipse(1);
     const batten_object object = {
         .name = "arc", .layer = "", .kind = BATTEN_OBJECT_CURVE, .curve = curve};
     CHECK_OK(batten_model_add(model, &object));
@@ -136,6 +146,82 @@ TEST(svg_says_once_that_all_curves_stand_upright)
             CHECK(has_note(notes, "all curves lie in planes x = constant") == !mixed);
             CHECK(has_note(notes, "it is drawn as seen along z") == mixed);
         }
+        batten_release(data);
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
+}
+
+/* Around an ellipse of 30 by 20 that is turned by 0.5 and moved, seen along z: of degree 2, as
+ * readers have it of degree 3, and as a circle that is tilted. */
+TEST(svg_of_elliptical_arcs_is_exact_and_no_approximation)
+{
+    for (int kind = 0; kind < 6; kind++) {
+        const bool is_tilted = kind / 2 == 2;
+        const double to = kind % 2 ? 2 * acos(-1) : 2, tilt = is_tilted ? acos(20.0 / 30) : 0;
+        batten_curve *flat = NULL, *raised = NULL, *curve = NULL;
+        CHECK_OK(batten_curve_ellipse(30, is_tilted ? 30 : 20, 0, to, &flat));
+        CHECK_OK(batten_curve_elevate(flat, kind / 2 == 1, &raised));
+        batten_affine map =
+            batten_affine_rotation((batten_vec3){0}, (batten_vec3){1, 0, 0}, tilt);
+        map = batten_affine_compose(
+            map, batten_affine_rotation((batten_vec3){0}, (batten_vec3){0, 0, 1}, 0.5));
+        map = batten_affine_compose(map, batten_affine_scaling(kind % 2 ? 1 : -1, 1, 1));
+        map = batten_affine_compose(map, batten_affine_translation(100, -40, 0));
+        CHECK_OK(batten_curve_transform(raised, &map, &curve));
+        batten_model *model = model_of_curve(curve, "ellipse"), *back = NULL;
+        batten_notes *notes = NULL;
+        batten_write_options options = batten_write_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.format = BATTEN_FORMAT_SVG;
+        CHECK_OK(batten_notes_create(9, &notes));
+        CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+        CHECK(!has_note(notes, "approximated"));
+        const char *path = strstr(data, " d=\"M");
+        CHECK(strcspn(path, "A") < strlen(path) && strcspn(path, "CL") == strlen(path));
+        CHECK_OK(batten_read_memory(data, size, NULL, NULL, NULL, &back));
+        const batten_curve *found = batten_model_object(back, 0)->curve;
+        const batten_box box = batten_curve_box(batten_model_object(model, 0)->curve);
+        const batten_interval domain = batten_curve_domain(found);
+        for (int k = 0; k <= 100; k++) {
+            double at[3];
+            CHECK_OK(batten_curve_evaluate(found, domain.a + (domain.b - domain.a) * k / 100, 0,
+                                           at));
+            /* The sheet begins 5 mm left of the box and below it. */
+            const double x = (at[0] + box.low.x - 5 - 100) * (kind % 2 ? 1 : -1);
+            const double y = at[1] + box.low.y - 5 + 40;
+            const double u = cos(0.5) * x + sin(0.5) * y, v = cos(0.5) * y - sin(0.5) * x;
+            CHECK_NEAR(hypot(u / 30, v / 20), 1, 1e-13);
+        }
+        batten_release(data);
+        batten_notes_free(notes);
+        batten_model_unref(back);
+        batten_model_unref(model);
+        batten_curve_unref(raised);
+        batten_curve_unref(flat);
+    }
+}
+
+TEST(svg_says_how_far_cubics_are_from_what_they_are_not)
+{
+    for (int is_cubic = 0; is_cubic < 2; is_cubic++) {
+        static const double points[] = {0, 0, 3, 5, 7, 5, 9, -1},
+                            knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+        batten_curve *curve = is_cubic ? NULL : raised_ellipse(1);
+        if (is_cubic)
+            CHECK_OK(batten_curve_create(2, 3, 4, points, NULL, knots, &curve));
+        batten_model *model = model_of_curve(curve, "bow");
+        batten_notes *notes = NULL;
+        batten_write_options options = batten_write_defaults();
+        char *data = NULL;
+        size_t size = 0;
+        options.format = BATTEN_FORMAT_SVG;
+        options.tolerance = 0.01;
+        CHECK_OK(batten_notes_create(9, &notes));
+        CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+        if (batten_notes_dropped(notes) == 0)
+            CHECK(has_note(notes, "approximated within 0.00") == !is_cubic);
         batten_release(data);
         batten_notes_free(notes);
         batten_model_unref(model);
