@@ -1,5 +1,5 @@
 # An independent reader of DXF audits what Batten wrote and measures it. Arguments: a DXF file, and the total length of
-# its curves in drawing units. Each other DXF file of this folder is compared with the table of points of its splines.
+# its curves in drawing units. Each other DXF file of this folder is compared with the table of points of its curves.
 import glob, math, os, sys
 import ezdxf
 from ezdxf import recover
@@ -29,19 +29,28 @@ def length(document):
             else:
                 _, start, end, radius = bulge_to_arc(Vec2(x, y), Vec2(u, v), bulge)
                 total += radius * ((end - start) % (2 * math.pi))
+    for line in document.modelspace().query("LINE"):
+        total += line.dxf.start.distance(line.dxf.end)
+    for arc in document.modelspace().query("ARC CIRCLE"):
+        whole = arc.dxftype() == "CIRCLE"
+        total += arc.dxf.radius * math.radians(360 if whole else (arc.dxf.end_angle - arc.dxf.start_angle) % 360)
     return total
 
 
 def largest_distance(document, table):
-    """Of the points of its splines from those of the table, in millimetres; and the largest coordinate there."""
+    """Of the points of its splines and lines from those of the table, in millimetres; and the largest coordinate there."""
     unit = MILLIMETRES[document.header["$INSUNITS"]]
-    splines = [entity.construction_tool() for entity in document.modelspace().query("SPLINE")]
+    curves = list(document.modelspace().query("SPLINE LINE"))
     worst = size = 0.0
     for row in open(table):
         index, u, _, *place = row.split(",")
-        spline, place = splines[int(index)], list(map(float, place))
-        a, b = spline.knots()[0], spline.knots()[-1]
-        point = spline.point(a + (b - a) * float(u))
+        curve, place = curves[int(index)], list(map(float, place))
+        if curve.dxftype() == "LINE":
+            point = curve.dxf.start.lerp(curve.dxf.end, float(u))
+        else:
+            spline = curve.construction_tool()
+            a, b = spline.knots()[0], spline.knots()[-1]
+            point = spline.point(a + (b - a) * float(u))
         worst = max(worst, *(abs(unit * p - q) for p, q in zip(point, place)))
         size = max(size, *map(abs, place))
     return worst, size

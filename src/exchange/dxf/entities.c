@@ -1,7 +1,7 @@
 #include "exchange/dxf/entities.h"
 #include "base/plural.h"
-#include "body/elementary.h"
 #include "exchange/dxf/dxf.h"
+#include "exchange/dxf/round.h"
 #include "exchange/path.h"
 #include "numeric/vector.h"
 
@@ -22,12 +22,24 @@ batten_status bat_dxf_plane(const bat_dxf_pairs *pairs, batten_frame *frame)
     return BATTEN_OK;
 }
 
-/* A point in the axes of a plane, in the world. */
-static batten_vec3 in_world(const batten_frame *frame, batten_vec3 p)
+static batten_status read_vector(const bat_dxf_pairs *pairs, int code, double out[3])
 {
-    const batten_vec3 y = bat_vec3_cross(frame->z, frame->x);
-    return bat_vec3_along(bat_vec3_along(bat_vec3_along(frame->origin, p.x, frame->x), p.y, y),
-                          p.z, frame->z);
+    batten_vec3 p = zero;
+    const batten_status status = bat_dxf_get_point(pairs, code, zero, &p);
+    out[0] = p.x;
+    out[1] = p.y;
+    out[2] = p.z;
+    return status;
+}
+
+static batten_status read_normal(const bat_dxf_pairs *pairs, double out[3])
+{
+    batten_frame frame = batten_frame_world();
+    const batten_status status = bat_dxf_plane(pairs, &frame);
+    out[0] = frame.z.x;
+    out[1] = frame.z.y;
+    out[2] = frame.z.z;
+    return status;
 }
 
 static batten_status read_line(const bat_dxf_pairs *pairs, batten_curve **out)
@@ -44,59 +56,31 @@ static batten_status read_line(const bat_dxf_pairs *pairs, batten_curve **out)
 /* Angles in degrees; an arc goes counter-clockwise from the first to the second. */
 static batten_status read_arc(const bat_dxf_pairs *pairs, bool is_full, batten_curve **out)
 {
-    bat_conic circle = {.kind = BAT_ELLIPSE};
-    batten_vec3 centre;
-    double angle[2] = {0, 360};
-    batten_status status = bat_dxf_plane(pairs, &circle.frame);
+    bat_dxf_round circle = {.kind = is_full ? BAT_DXF_CIRCLE : BAT_DXF_ARC, .angles = {0, 360}};
+    batten_status status = read_normal(pairs, circle.normal);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_point(pairs, 10, zero, &centre);
+        status = read_vector(pairs, 10, circle.centre);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_real(pairs, 40, 0, &circle.a);
+        status = bat_dxf_get_real(pairs, 40, 0, &circle.size);
     for (int k = 0; status == BATTEN_OK && k < 2 && !is_full; k++)
-        status = bat_dxf_get_real(pairs, 50 + k, angle[k], &angle[k]);
-    if (status != BATTEN_OK)
-        return status;
-    if (!(circle.a > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "its radius is %g", circle.a);
-    circle.b = circle.a;
-    circle.frame.origin = in_world(&circle.frame, centre);
-    double sweep = fmod(angle[1] - angle[0], 360);
-    if (sweep <= 0)
-        sweep += 360;
-    const double start = fmod(angle[0], 360) * BAT_PI / 180;
-    return bat_conic_between(&circle, start, start + sweep * BAT_PI / 180, out);
+        status = bat_dxf_get_real(pairs, 50 + k, circle.angles[k], &circle.angles[k]);
+    return status == BATTEN_OK ? bat_dxf_round_curve(&circle, out) : status;
 }
 
 /* The centre and the long half axis are in the world. */
 static batten_status read_ellipse(const bat_dxf_pairs *pairs, batten_curve **out)
 {
-    bat_conic ellipse = {.kind = BAT_ELLIPSE};
-    batten_vec3 axis;
-    double ratio = 1, from = 0, to = 2 * BAT_PI;
-    batten_status status = bat_dxf_plane(pairs, &ellipse.frame);
+    bat_dxf_round ellipse = {.kind = BAT_DXF_ELLIPSE, .angles = {0, 2 * BAT_PI}};
+    batten_status status = read_normal(pairs, ellipse.normal);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_point(pairs, 10, zero, &ellipse.frame.origin);
+        status = read_vector(pairs, 10, ellipse.centre);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_point(pairs, 11, zero, &axis);
+        status = read_vector(pairs, 11, ellipse.axis);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_real(pairs, 40, 1, &ratio);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(pairs, 41, 0, &from);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(pairs, 42, 2 * BAT_PI, &to);
-    if (status != BATTEN_OK)
-        return status;
-    const batten_vec3 flat =
-        bat_vec3_along(axis, -bat_vec3_dot(axis, ellipse.frame.z), ellipse.frame.z);
-    ellipse.a = bat_vec3_norm(flat);
-    ellipse.b = ratio * ellipse.a;
-    if (!(ellipse.a > 0 && ellipse.b > 0))
-        return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", ellipse.a, ellipse.b);
-    ellipse.frame.x = bat_vec3_scale(flat, 1 / ellipse.a);
-    double sweep = fmod(to - from, 2 * BAT_PI);
-    if (sweep <= 1e-12)
-        sweep += 2 * BAT_PI;
-    return bat_conic_between(&ellipse, from, from + sweep, out);
+        status = bat_dxf_get_real(pairs, 40, 1, &ellipse.size);
+    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+        status = bat_dxf_get_real(pairs, 41 + k, ellipse.angles[k], &ellipse.angles[k]);
+    return status == BATTEN_OK ? bat_dxf_round_curve(&ellipse, out) : status;
 }
 
 /* ---- splines ---- */

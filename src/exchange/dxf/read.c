@@ -18,6 +18,9 @@ typedef struct {
     bat_dxf_pairs pairs;
     batten_model *model;
     bat_dxf_polyline polyline;
+    batten_object polyline_look; /* as its first entity says: those of its parts may be bare */
+    bat_dxf_part polyline_part;
+    char polyline_layer[BAT_DXF_NAME];
     bat_list faces; /* of double[9]: triangles of 3DFACEs that follow one another */
     batten_object face_look;
     bat_dxf_block *block;         /* that is being built, or NULL */
@@ -343,12 +346,27 @@ static batten_status end_polyline(filling *f)
     batten_curve *curve = NULL;
     f->polyline.is_open = false;
     batten_status status = bat_dxf_polyline_curve(&f->pairs, &f->polyline, &curve);
-    if (status == BATTEN_OK)
-        status = add_curve(f, "POLYLINE", curve);
+    if (status == BATTEN_OK) {
+        char name[64];
+        batten_object object = f->polyline_look;
+        snprintf(name, sizeof name, "POLYLINE %d", ++f->r->number);
+        object.curve = curve;
+        object.name = name;
+        status = add_object(f, &object, &f->polyline_part);
+    }
     batten_curve_unref(curve);
     if (status == BATTEN_OK)
         return bat_census_read(f->r->input, &f->r->census, "POLYLINE");
     return bat_input_ends(status) ? status : leave_out(f, "POLYLINE", f->polyline.line);
+}
+
+static batten_status begin_polyline(filling *f)
+{
+    const batten_status status = bat_dxf_polyline_begin(&f->pairs, &f->polyline);
+    f->polyline_look = (batten_object){.kind = BATTEN_OBJECT_CURVE};
+    read_look(f, f->polyline_layer, &f->polyline_look);
+    f->polyline_part = f->part;
+    return status;
 }
 
 /* An entity that is no part of a polyline. */
@@ -400,7 +418,7 @@ static batten_status add_entity(filling *f)
         return status;
     bat_dxf_kind(&f->pairs, kind);
     if (bat_dxf_is(&f->pairs, "POLYLINE"))
-        status = bat_dxf_polyline_begin(&f->pairs, &f->polyline);
+        status = begin_polyline(f);
     else
         status = add_single(f, &is_known);
     if (bat_input_ends(status))

@@ -1,5 +1,6 @@
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"
+#include "exchange/dxf/round.h"
 #include "exchange/path.h"
 #include "exchange/prepare.h"
 #include "numeric/vector.h"
@@ -77,21 +78,65 @@ static batten_status find_layers(writing *w)
 
 /* ---- entities ---- */
 
-static void begin_entity(writing *w, int index, const char *kind, const char *subclass)
+/* What every entity has first; a part of a polyline belongs to it. */
+static void begin_part(writing *w, int index, int owner, const char *kind)
 {
     const batten_object *object = batten_model_object(w->model, index);
     const bat_dxf_layer_row *layer = &w->layers[w->layer_of[index]];
     const bat_dxf_colour_code colour = colour_of(object);
     bat_dxf_text(&w->dxf, 0, kind);
-    bat_dxf_handle(&w->dxf, w->model_space);
+    bat_dxf_handle(&w->dxf, owner);
     bat_dxf_text(&w->dxf, 100, "AcDbEntity");
     bat_dxf_text(&w->dxf, 8, layer->name);
     if (object->is_hidden)
         bat_dxf_integer(&w->dxf, 60, 1);
     if (colour.index != layer->colour.index || colour.full != layer->colour.full)
         bat_dxf_put_colour(&w->dxf, colour);
+}
+
+static void begin_entity(writing *w, int index, const char *kind, const char *subclass)
+{
+    begin_part(w, index, w->model_space, kind);
     bat_dxf_text(&w->dxf, 100, subclass);
     w->entities++;
+}
+
+/* Nothing stands for the normal that planes have by themselves. */
+static void put_normal(writing *w, const double normal[3])
+{
+    if (!(normal[0] == 0 && normal[1] == 0 && normal[2] == 1))
+        bat_dxf_point(&w->dxf, 210, normal);
+}
+
+static void put_line(writing *w, int index, const double a[3], const double b[3])
+{
+    begin_entity(w, index, "LINE", "AcDbLine");
+    bat_dxf_point(&w->dxf, 10, a);
+    bat_dxf_point(&w->dxf, 11, b);
+}
+
+static void put_circle(writing *w, int index, const bat_dxf_round *circle)
+{
+    begin_entity(w, index, circle->kind == BAT_DXF_ARC ? "ARC" : "CIRCLE", "AcDbCircle");
+    bat_dxf_point(&w->dxf, 10, circle->centre);
+    bat_dxf_real(&w->dxf, 40, circle->size);
+    put_normal(w, circle->normal);
+    if (circle->kind != BAT_DXF_ARC)
+        return;
+    bat_dxf_text(&w->dxf, 100, "AcDbArc");
+    bat_dxf_real(&w->dxf, 50, circle->angles[0]);
+    bat_dxf_real(&w->dxf, 51, circle->angles[1]);
+}
+
+static void put_ellipse(writing *w, int index, const bat_dxf_round *ellipse)
+{
+    begin_entity(w, index, "ELLIPSE", "AcDbEllipse");
+    bat_dxf_point(&w->dxf, 10, ellipse->centre);
+    bat_dxf_point(&w->dxf, 11, ellipse->axis);
+    put_normal(w, ellipse->normal);
+    bat_dxf_real(&w->dxf, 40, ellipse->size);
+    bat_dxf_real(&w->dxf, 41, ellipse->angles[0]);
+    bat_dxf_real(&w->dxf, 42, ellipse->angles[1]);
 }
 
 static void put_path(writing *w, int index, const bat_path *path)
@@ -112,9 +157,33 @@ static void put_path(writing *w, int index, const bat_path *path)
         if (v->bulge != 0)
             bat_dxf_real(&w->dxf, 42, v->bulge);
     }
-    const double normal[3] = {axes.z.x, axes.z.y, axes.z.z};
-    if (!(normal[0] == 0 && normal[1] == 0 && normal[2] == 1))
-        bat_dxf_point(&w->dxf, 210, normal);
+    put_normal(w, (const double[]){axes.z.x, axes.z.y, axes.z.z});
+}
+
+/* A polyline in space; neighbours that are one point are one vertex, and a last vertex that is
+ * the first closes it. */
+static void put_space(writing *w, int index, const batten_curve *curve)
+{
+    const double *P = batten_curve_points(curve);
+    int n = batten_curve_point_count(curve);
+    const bool closed = n > 3 && bat_distance(3, P, P + 3 * (n - 1)) == 0;
+    static const double none[3] = {0, 0, 0};
+    begin_entity(w, index, "POLYLINE", "AcDb3dPolyline");
+    const int polyline = w->dxf.handle;
+    bat_dxf_integer(&w->dxf, 66, 1);
+    bat_dxf_point(&w->dxf, 10, none);
+    bat_dxf_integer(&w->dxf, 70, closed ? 9 : 8);
+    n -= closed ? 1 : 0;
+    for (int i = 0; i < n; i++) {
+        if (i > 0 && bat_distance(3, P + 3 * i, P + 3 * (i - 1)) == 0)
+            continue;
+        begin_part(w, index, polyline, "VERTEX");
+        bat_dxf_text(&w->dxf, 100, "AcDbVertex");
+        bat_dxf_text(&w->dxf, 100, "AcDb3dPolylineVertex");
+        bat_dxf_point(&w->dxf, 10, P + 3 * i);
+        bat_dxf_integer(&w->dxf, 70, 32);
+    }
+    begin_part(w, index, polyline, "SEQEND");
 }
 
 /* Group 70: 1 closed, 4 rational. */
@@ -137,22 +206,57 @@ static void put_spline(writing *w, int index, const batten_curve *curve)
         bat_dxf_point(&w->dxf, 10, batten_curve_points(curve) + 3 * i);
 }
 
+/* The simplest entity that is the curve. `as_path`: the same when it is lines and arcs. */
+static batten_status put_space_curve(writing *w, int index, const batten_curve *space,
+                                     const bat_path *path, const batten_curve *as_path)
+{
+    bat_dxf_round round;
+    const double *P = batten_curve_points(space);
+    const int degree = batten_curve_degree(space), n = batten_curve_point_count(space);
+    batten_status status = bat_dxf_round_of(space, &round);
+    if (status == BATTEN_OK && round.kind == BAT_DXF_NOT_ROUND && as_path)
+        status = bat_dxf_round_of(as_path, &round);
+    if (status != BATTEN_OK)
+        return status;
+    if (degree == 1 && n == 2)
+        put_line(w, index, P, P + 3);
+    else if (path && as_path && path->count == 2 && !path->closed &&
+             path->vertices[0].bulge == 0)
+        put_line(w, index, batten_curve_points(as_path), batten_curve_points(as_path) + 3);
+    else if (round.kind == BAT_DXF_ELLIPSE)
+        put_ellipse(w, index, &round);
+    else if (round.kind != BAT_DXF_NOT_ROUND)
+        put_circle(w, index, &round);
+    else if (path)
+        put_path(w, index, path);
+    else if (degree == 1)
+        put_space(w, index, space);
+    else
+        put_spline(w, index, space);
+    return BATTEN_OK;
+}
+
 static batten_status put_curve(writing *w, int index, const batten_object *object)
 {
     bool is_path = false;
     bat_path path = {0};
-    batten_curve *space = NULL;
+    batten_curve *space = NULL, *as_path = NULL;
     const batten_box box = batten_curve_box(object->curve);
     if (box.high.x == box.low.x && box.high.y == box.low.y && box.high.z == box.low.z) {
         batten_notes_add(w->notes, "", 0, object->name, "left out: this curve has no length");
         return BATTEN_OK;
     }
     batten_status status = bat_path_of(object, &is_path, &path);
-    if (status == BATTEN_OK && is_path && path.count >= 2)
-        put_path(w, index, &path);
-    else if (status == BATTEN_OK && (status = bat_prepare_curve(object, &space)) == BATTEN_OK)
-        put_spline(w, index, space);
+    is_path = is_path && path.count >= 2;
+    if (status == BATTEN_OK)
+        status = bat_prepare_curve(object, &space);
+    if (status == BATTEN_OK && is_path &&
+        bat_path_curve(&path, &as_path) == BATTEN_OUT_OF_MEMORY)
+        status = BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = put_space_curve(w, index, space, is_path ? &path : NULL, as_path);
     bat_path_release(&path);
+    batten_curve_unref(as_path);
     batten_curve_unref(space);
     return status;
 }
@@ -175,8 +279,12 @@ static batten_status put_object(writing *w, int index)
 static batten_status count_handles(const batten_model *model, int *handles)
 {
     double sum = 64;
-    for (int i = 0; i < batten_model_count(model); i++)
-        sum += 2 + batten_model_object(model, i)->point_count;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        sum += 2 + object->point_count;
+        if (object->kind == BATTEN_OBJECT_CURVE && batten_curve_degree(object->curve) == 1)
+            sum += batten_curve_point_count(object->curve);
+    }
     if (sum > 1e9)
         return bat_fail(BATTEN_TOO_LARGE, "a DXF file of %.0f entities", sum);
     *handles = (int)sum;

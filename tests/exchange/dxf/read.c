@@ -595,6 +595,17 @@ TEST(what_is_written_as_dxf_reads_back)
     batten_curve_unref(arc);
 }
 
+/* Its parts may be bare. */
+TEST(polylines_of_dxf_lie_on_the_layer_of_their_first_entity)
+{
+    batten_model *model = read_entities("0 POLYLINE|8 deck|62 1|66 1|70 8|0 VERTEX|10 0|20 0|"
+                                        "0 VERTEX|10 1|20 1|30 1|0 SEQEND|");
+    CHECK_INT(batten_model_count(model), 1);
+    CHECK_TEXT(batten_model_object(model, 0)->layer, "deck");
+    CHECK(batten_model_object(model, 0)->has_colour);
+    batten_model_unref(model);
+}
+
 TEST(N4_codes_beyond_an_integer_are_refused)
 {
     static const char *const codes[] = {"1e154", "-1e99", "1e10", "1.5", "1072", "-6", "nan"};
