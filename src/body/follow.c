@@ -28,6 +28,14 @@ static batten_status point_on(const path *p, double t, double q[3])
     return batten_curve_evaluate(p->curve, t, 0, q);
 }
 
+/* Moved by whole periods to where it is nearest to the guess. */
+static void nearest_branch(const bat_chart *chart, const double guess[2], double uv[2])
+{
+    for (int k = 0; k < 2; k++)
+        if (chart->closed[k])
+            uv[k] += chart->period[k] * nearbyint((guess[k] - uv[k]) / chart->period[k]);
+}
+
 /* The foot at t from a place near it; on the branch of the covering plane that is nearest. */
 static batten_status foot_at(path *p, double t, const double guess[2], double uv[2])
 {
@@ -41,9 +49,8 @@ static batten_status foot_at(path *p, double t, const double guess[2], double uv
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "the edge is %g off the surface at its parameter %.15g, more than %g",
                         distance, t, p->chart->tolerance);
-    for (int k = 0; guess && k < 2; k++)
-        if (p->chart->closed[k])
-            uv[k] += p->chart->period[k] * nearbyint((guess[k] - uv[k]) / p->chart->period[k]);
+    if (guess)
+        nearest_branch(p->chart, guess, uv);
     return BATTEN_OK;
 }
 
@@ -62,13 +69,46 @@ static batten_status set_velocity(const path *p, node *n)
     return status;
 }
 
+/*
+ * The foot at t, near a pole. From the pole itself it goes downhill along the meridian of the
+ * guess only, and not at all when that is a quarter around or more from the foot: then the pole
+ * is left along others.
+ */
+static batten_status foot_near_pole(path *p, int pole, double t, const double guess[2],
+                                    double uv[2])
+{
+    enum { MERIDIANS = 8 };
+    const bat_chart *chart = p->chart;
+    const int fixed = pole % 2 ? 0 : 1, along = 1 - fixed;
+    double q[3], least = HUGE_VAL;
+    const double at_pole =
+        pole == 1 || pole == 2 ? chart->domain[fixed].b : chart->domain[fixed].a;
+    batten_status status = foot_at(p, t, guess, uv);
+    if (status != BATTEN_OK || uv[fixed] != at_pole)
+        return status;
+    status = point_on(p, t, q);
+    for (int i = 0; status == BATTEN_OK && i < MERIDIANS; i++) {
+        double from[2], distance = 0;
+        from[fixed] = at_pole;
+        from[along] = chart->domain[along].a + chart->period[along] * (i + 0.5) / MERIDIANS;
+        status = bat_chart_foot(chart, q, from, &distance);
+        if (status == BATTEN_OK && distance < least) {
+            least = distance;
+            memcpy(uv, from, sizeof from);
+        }
+    }
+    if (status == BATTEN_OK && guess)
+        nearest_branch(chart, guess, uv);
+    return status;
+}
+
 /* At a pole one coordinate has no extent; it is continued from two places nearby at t + h and
  * t + 2 h. */
 static batten_status set_pole(path *p, int pole, double h, const double guess[2], node *n)
 {
     double near[2], far[2];
     const int fixed = pole % 2 ? 0 : 1;
-    batten_status status = foot_at(p, n->t + 2 * h, guess, far);
+    batten_status status = foot_near_pole(p, pole, n->t + 2 * h, guess, far);
     if (status == BATTEN_OK)
         status = foot_at(p, n->t + h, far, near);
     if (status != BATTEN_OK)

@@ -139,13 +139,17 @@ static batten_status is_all_seams(const bat_trace *trace, const bat_trace_face *
 
 /* Is the loop the border of the whole of a surface without an end, cut open along seams? Which
  * way it runs says nothing then: where all its edges begin and end in one vertex, files may
- * give them in an order that is another way around. */
+ * give them in an order that is another way around. Where the two sides of a seam are edges of
+ * their own, it shows in the area: a hole so large would leave nothing. */
 static batten_status is_cut_open(const bat_trace *trace, const bat_trace_face *face, int loop,
                                  double area, bool *is)
 {
     const bat_chart *chart = &face->chart;
-    *is = false;
-    if (!(chart->complete && fabs(area) > chart->period[0] * chart->period[1] / 2))
+    const double all = chart->period[0] * chart->period[1];
+    const double little =
+        2 * (chart->near[0] * chart->period[1] + chart->near[1] * chart->period[0]);
+    *is = chart->complete && fabs(fabs(area) - all) <= little;
+    if (*is || !(chart->complete && fabs(area) > all / 2))
         return BATTEN_OK;
     return is_all_seams(trace, face, loop, is);
 }
