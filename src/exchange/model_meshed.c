@@ -5,6 +5,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* What became of a shape; copies of a definition share theirs. */
@@ -15,9 +16,10 @@ typedef struct {
 } meshed_shape;
 
 typedef struct {
-    unsigned kinds;              /* that become meshes */
-    batten_mesh_options options; /* most: what the objects before have left of it */
-    int most;
+    unsigned kinds; /* that become meshes */
+    batten_mesh_options options;
+    int left;            /* of options.most, by the objects before */
+    char too_large[512]; /* what is said of the first that alone is; "" */
     const batten_job *job;
     batten_notes *notes;
     bat_addresses addresses; /* the number in `done` of a surface, triangles or a body */
@@ -65,11 +67,6 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
 {
     batten_mesh_report report = {.failed = 0};
     batten_status status;
-    if (m->options.most == 0 && m->most > 0)
-        return bat_fail(BATTEN_TOO_LARGE,
-                        "the shapes before '%.60s' have the %d triangles that are "
-                        "allowed for all",
-                        object->name, m->most);
     if (object->kind == BATTEN_OBJECT_SURFACE)
         status = batten_mesh_of_surface(object->surface, &m->options, m->job, &report, out);
     else if (object->kind == BATTEN_OBJECT_TRIANGLES)
@@ -78,8 +75,6 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
         status = batten_mesh_of_body(object->body, &m->options, m->job, m->notes, &report, out);
     if (status == BATTEN_OK)
         say_chord(object, &report, *out, m->notes);
-    if (status == BATTEN_OK)
-        m->options.most -= bat_min_int(m->options.most, batten_mesh_view(*out)->triangle_count);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
                          report.failed);
@@ -174,7 +169,32 @@ static batten_status take_colours(const batten_object *object, batten_object *me
 static bool is_final(batten_status status)
 {
     return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
-           status == BATTEN_INCOMPLETE || status == BATTEN_TOO_LARGE;
+           status == BATTEN_INCOMPLETE;
+}
+
+/* Note that the shape is left out. One that needs more triangles than are allowed for all may
+ * be damaged, and the others are not. */
+static void leave_out(meshing *m, const batten_object *object, batten_status status)
+{
+    batten_notes_add(m->notes, "", 0, object->name, "left out, as this %s cannot be meshed: %s",
+                     batten_object_kind_name(object->kind), batten_message());
+    if (status == BATTEN_TOO_LARGE && !*m->too_large)
+        snprintf(m->too_large, sizeof m->too_large, "%.*s", (int)sizeof m->too_large - 1,
+                 batten_message());
+}
+
+/* Each alone may have what is allowed for all. */
+static batten_status count_triangles(meshing *m, const batten_object *object,
+                                     const batten_mesh *mesh)
+{
+    const int count = batten_mesh_view(mesh)->triangle_count;
+    if (count > m->left)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "the shapes up to '%.60s' have more than the %d triangles that are "
+                        "allowed for all",
+                        object->name, m->options.most);
+    m->left -= count;
+    return BATTEN_OK;
 }
 
 /* The mesh of the object's shape, which may be that of the same object in a copy of the
@@ -193,10 +213,10 @@ static batten_status find_mesh(meshing *m, const batten_model *of, const batten_
     }
     meshed_shape shape = {.of = of, .name = object->name};
     batten_status status = mesh_shape(object, m, &shape.mesh);
-    if (status != BATTEN_OK && !is_final(status)) {
-        batten_notes_add(m->notes, "", 0, object->name,
-                         "left out, as this %s cannot be meshed: %s",
-                         batten_object_kind_name(object->kind), batten_message());
+    if (status == BATTEN_OK) {
+        status = count_triangles(m, object, shape.mesh);
+    } else if (!is_final(status)) {
+        leave_out(m, object, status);
         status = BATTEN_OK;
     }
     if (status == BATTEN_OK && !before)
@@ -238,11 +258,19 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
 {
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
     meshing m = {
-        .kinds = kinds, .options = chosen, .most = chosen.most, .job = job, .notes = notes};
-    const batten_status status =
+        .kinds = kinds, .options = chosen, .left = chosen.most, .job = job, .notes = notes};
+    batten_status status =
         bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
-    for (size_t i = 0; i < m.count; i++)
+    bool any = false;
+    for (size_t i = 0; i < m.count; i++) {
+        any = any || m.done[i].mesh;
         batten_mesh_unref(m.done[i].mesh);
+    }
+    if (status == BATTEN_OK && !any && *m.too_large) {
+        batten_model_unref(*out);
+        *out = NULL;
+        status = bat_fail(BATTEN_TOO_LARGE, "%s", m.too_large);
+    }
     bat_release(m.done);
     bat_addresses_end(&m.addresses);
     return status;

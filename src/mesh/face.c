@@ -166,17 +166,27 @@ static batten_status limit_normal(const bat_face_mesh *f, const bat_side_triangl
     return status == BATTEN_SINGULAR_HERE ? BATTEN_OK : status;
 }
 
-batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+/* A limit costs as much as some hundred points: each vertex is asked once, and where a surface
+ * has no normal all over, as a damaged one, no more after so many. */
+enum { MOST_LIMITS = 4096 };
+
+batten_status bat_face_normal(bat_face_mesh *f, const bat_side_triangle *t, int k,
                               double normal[3], bool *found)
 {
-    const bat_face_vertex *v = &f->vertices[t->corner[k]];
+    bat_face_vertex *v = &f->vertices[t->corner[k]];
+    batten_status status = BATTEN_OK;
     if (v->on_crease)
         return one_sided(f, t, k, normal, found);
-    if (!v->regular || v->pole)
+    if (v->pole)
         return limit_normal(f, t, k, normal, found);
+    if (!v->regular && !v->has_limit && f->limits < MOST_LIMITS) {
+        status = limit_normal(f, t, k, v->normal, &v->found_limit);
+        v->has_limit = true;
+        f->limits++;
+    }
     memcpy(normal, v->normal, 3 * sizeof *normal);
-    *found = true;
-    return BATTEN_OK;
+    *found = v->regular || v->found_limit;
+    return status;
 }
 
 /* ---- the face ---- */
@@ -298,6 +308,8 @@ static batten_status fill(bat_face_mesh *f, const bat_rim *rim, bat_lattice *lat
     if (status != BATTEN_OK)
         return status;
     status = take_rim(f, rim);
+    f->enough = bat_min(bat_lattice_enough(f->sides.count + lattice->predicted),
+                        2.0 * f->m->most + 20000);
     if (status == BATTEN_OK)
         status = insert_seeds(f, rim, lattice);
     if (status == BATTEN_OK)

@@ -7,11 +7,12 @@ typedef struct {
     double uv[2];
     double point[3];
     double normal[3];
-    double off;     /* of a border: how far its edge is from the surface there */
-    bool regular;   /* there is a normal */
-    int vertex;     /* of the mesh; -1: none yet */
-    int pole;       /* as of bat_rim_corner */
-    bool on_crease; /* the normal depends on the triangle */
+    double off;                  /* of a border: how far its edge is from the surface there */
+    bool regular;                /* there is a normal */
+    bool has_limit, found_limit; /* the limit was asked for; it is the normal */
+    int vertex;                  /* of the mesh; -1: none yet */
+    int pole;                    /* as of bat_rim_corner */
+    bool on_crease;              /* the normal depends on the triangle */
 } bat_face_vertex;
 
 typedef struct {
@@ -22,7 +23,8 @@ typedef struct {
     bat_sides sides;
     int count, room; /* of vertices: those of the triangles in the plane */
     bat_face_vertex *vertices;
-    double enough; /* triangles, after which they are not divided any more; 0: not known yet */
+    int limits;    /* of normals asked for so far */
+    double enough; /* triangles, after which they are not divided any more */
     bool has_enough;
     uint64_t told;   /* of the steps of `sides`, those that the job knows of */
     bat_pairs tight; /* sides that keep points away from where they are needed */
@@ -51,7 +53,7 @@ bool bat_face_vanishes(const bat_face_mesh *f, const bat_side_triangle *t);
 /* The place of corner k in the plane; of one on a pole, opposite the middle of the others. */
 void bat_face_place(const bat_face_mesh *f, const bat_side_triangle *t, int k, double at[2]);
 /* The unit normal, Su x Sv, at corner k as the triangle sees it; false where there is none. */
-batten_status bat_face_normal(const bat_face_mesh *f, const bat_side_triangle *t, int k,
+batten_status bat_face_normal(bat_face_mesh *f, const bat_side_triangle *t, int k,
                               double normal[3], bool *found);
 
 /* Put points into edges from border to border that are edges of other triangles already. `own`:

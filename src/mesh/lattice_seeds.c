@@ -109,6 +109,7 @@ static batten_status divide(bat_lattice *l, bat_meshing *m, const cell *root)
     cell stack[DEEPEST + 4];
     int count = 0;
     batten_status status = BATTEN_OK;
+    const double enough = bat_lattice_enough(l->predicted);
     stack[count++] = *root;
     while (status == BATTEN_OK && count) {
         const cell c = stack[--count];
@@ -117,7 +118,7 @@ static batten_status divide(bat_lattice *l, bat_meshing *m, const cell *root)
         status = bat_work_step(&m->work, 1, 0, "triangles of a face");
         if (status == BATTEN_OK)
             status = judge(l, m, &c, excess, &halve);
-        if (status == BATTEN_OK && halve && c.level < DEEPEST)
+        if (status == BATTEN_OK && halve && c.level < DEEPEST && l->seed_count < enough)
             status = halve_cell(l, m, &c, excess[0] >= excess[1], stack, &count);
     }
     return status;

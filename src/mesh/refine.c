@@ -243,9 +243,8 @@ static batten_status run(bat_face_mesh *f, batch *b, int count)
     return status;
 }
 
-/* Faces seldom need more than some tens of what was foreseen. Where a surface turns about, or
- * an edge lies beside it by more than the chord, triangles look away however often they are
- * divided: then it is enough, and a note says so. */
+/* Where a surface turns about, or an edge lies beside it by more than the chord, triangles look
+ * away however often they are divided: then it is enough, and a note says so. */
 static bool is_enough(bat_face_mesh *f)
 {
     if (f->sides.count <= f->enough)
@@ -262,13 +261,6 @@ static bool is_enough(bat_face_mesh *f)
     return true;
 }
 
-static void set_enough(bat_face_mesh *f)
-{
-    const double foreseen = f->sides.count + f->lattice->predicted;
-    if (f->enough == 0)
-        f->enough = bat_min(20000 + 64 * foreseen, 2.0 * f->m->most + 20000);
-}
-
 batten_status bat_face_refine(bat_face_mesh *f)
 {
     batch *b = bat_array(1, sizeof *b);
@@ -276,7 +268,6 @@ batten_status bat_face_refine(bat_face_mesh *f)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = BATTEN_OK;
     bool found = true;
-    set_enough(f);
     for (int round = 0; status == BATTEN_OK && found && round < MOST_ROUNDS; round++) {
         int count = 0;
         found = false;

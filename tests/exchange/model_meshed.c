@@ -194,10 +194,40 @@ TEST(S5_what_is_allowed_is_for_all_objects_together)
                                     .body = box});
     options.most = 24;
     CHECK_STATUS(batten_model_meshed(model, &options, NULL, NULL, &meshed), BATTEN_TOO_LARGE);
-    CHECK_MESSAGE("the shapes before 'last' have the 24 triangles");
+    CHECK_MESSAGE("the shapes up to 'last' have more than the 24 triangles");
     options.most = 36;
     CHECK_OK(batten_model_meshed(model, &options, NULL, NULL, &meshed));
     batten_model_unref(meshed);
     batten_model_unref(model);
+    batten_body_unref(box);
+}
+
+TEST(S5_a_shape_that_needs_too_many_triangles_is_left_out_alone)
+{
+    const batten_frame world = batten_frame_world();
+    batten_mesh_options options = batten_mesh_defaults();
+    batten_model *model = NULL, *meshed = NULL;
+    batten_notes *notes = NULL;
+    batten_surface *sphere = NULL;
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3});
+    CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_model_create(0.001, &model));
+    add(model,
+        &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_SURFACE, .surface = sphere});
+    options.chord = 1e-9;
+    CHECK_STATUS(batten_model_meshed(model, &options, NULL, NULL, &meshed), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("10000000 are allowed");
+    add(model, &(batten_object){.name = "box", .kind = BATTEN_OBJECT_BODY, .body = box});
+    CHECK_OK(batten_model_meshed(model, &options, NULL, notes, &meshed));
+    CHECK_INT(batten_model_count(meshed), 1);
+    CHECK_INT(batten_mesh_view(batten_model_object(meshed, 0)->mesh)->triangle_count, 12);
+    CHECK_TEXT(batten_notes_at(notes, 0)->entity, "ball");
+    CHECK_CONTAINS(batten_notes_at(notes, 0)->text,
+                   "left out, as this surface cannot be meshed");
+    batten_notes_free(notes);
+    batten_model_unref(meshed);
+    batten_model_unref(model);
+    batten_surface_unref(sphere);
     batten_body_unref(box);
 }

@@ -240,6 +240,35 @@ TEST(long_edges_are_divided)
     batten_mesh_unref(mesh);
 }
 
+/* A plane patch of which one coordinate is damaged: a needle around which the normal turns in
+ * no length at all. */
+TEST(S5_one_damaged_coordinate_does_not_divide_for_ever)
+{
+    static const int places[] = {2, 14, 8, 1};
+    static const double values[] = {1e300, -1e300, 1e150, -1e200};
+    for (int n = 0; n < COUNT(places); n++) {
+        double points[16][3];
+        batten_surface *needle = NULL;
+        batten_mesh *mesh = NULL;
+        const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+        const batten_axis axis = {.degree = 3, .point_count = 4, .knots = knots};
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++) {
+                const double z = 5 / 3.0 + 0.0625 * i;
+                double *point = points[4 * i + j];
+                point[0] = 2;
+                point[1] = i / 3.0 * (0.1875 + 0.8125 / 3 * j);
+                point[2] = z + j / 3.0 * (0.5 - z);
+            }
+        points[places[n]][0] = values[n];
+        CHECK_OK(batten_surface_create(3, &axis, &axis, points[0], NULL, &needle));
+        CHECK_OK(batten_mesh_of_surface(needle, NULL, NULL, NULL, &mesh));
+        CHECK(batten_mesh_view(mesh)->triangle_count < 200000);
+        batten_mesh_unref(mesh);
+        batten_surface_unref(needle);
+    }
+}
+
 /* Two planes that meet in a roof: degree 1 across the ridge. */
 TEST(a_ridge_is_kept_with_a_normal_for_each_side)
 {
