@@ -13,9 +13,18 @@ typedef struct {
     bat_indexed mesh;
     bat_list values;        /* of double: those of one item */
     bat_list columns;       /* of column: those of a vertex */
+    bat_list waiting;       /* of place: faces that stand before the vertices */
     size_t face_colours[3]; /* the properties of a face that are its colour; SIZE_MAX: none */
+    size_t reached; /* how far the file was gone through; faces that wait are gone back to */
     bool has_vertices, is_lost;
 } reading;
+
+/* Where the items of an element begin. */
+typedef struct {
+    const bat_ply_element *element;
+    size_t at;
+    int line;
+} place;
 
 /* Where the numbers of a property go: rows[i * width + offset], scaled. */
 typedef struct {
@@ -28,6 +37,13 @@ static const bat_ply_property *properties_of(const reading *r, const bat_ply_ele
 {
     const bat_ply_property *all = r->header.properties.items;
     return all ? all + element->first : NULL;
+}
+
+static batten_status step(reading *r)
+{
+    if (r->items.at > r->reached)
+        r->reached = r->items.at;
+    return bat_input_step(r->input, r->reached);
 }
 
 static int role_of(const bat_ply_property *property)
@@ -177,7 +193,7 @@ static batten_status read_vertices(reading *r, const bat_ply_element *element)
             r->mesh.count = i + 1;
         }
         if (status == BATTEN_OK && i % 10000 == 9999)
-            status = bat_input_step(r->input, r->items.at);
+            status = step(r);
     }
     r->is_lost = r->is_lost || r->mesh.count < element->count;
     if (status == BATTEN_OK && r->is_lost)
@@ -265,7 +281,7 @@ static batten_status read_items(reading *r, const bat_ply_element *element, size
         if (status == BATTEN_OK && corners != SIZE_MAX)
             status = take_face(r, properties, i, result);
         if (status == BATTEN_OK && i % 10000 == 9999)
-            status = bat_input_step(r->input, r->items.at);
+            status = step(r);
     }
     return status;
 }
@@ -277,6 +293,18 @@ static batten_status leave_out(reading *r, const bat_ply_element *element)
                      bat_min_int((int)element->name.length, 40), element->name.bytes);
     r->input->left_out++;
     return BATTEN_OK;
+}
+
+static batten_status read_faces(reading *r, const bat_ply_element *element, size_t corners)
+{
+    find_face_colours(r, element, corners);
+    return read_items(r, element, corners);
+}
+
+static batten_status let_wait(reading *r, const bat_ply_element *element)
+{
+    const place here = {element, r->items.at, r->items.line};
+    return bat_list_add(r->input, &r->waiting, &here);
 }
 
 static batten_status read_element(reading *r, const bat_ply_element *element)
@@ -291,12 +319,33 @@ static batten_status read_element(reading *r, const bat_ply_element *element)
         return status;
     if (bat_word_is(element->name, "vertex") && !r->has_vertices)
         return read_vertices(r, element);
-    if (bat_word_is(element->name, "face") && corners != SIZE_MAX && r->has_vertices) {
-        find_face_colours(r, element, corners);
-        return read_items(r, element, corners);
+    if (!bat_word_is(element->name, "face") || corners == SIZE_MAX)
+        leave_out(r, element);
+    else if (r->has_vertices)
+        return read_faces(r, element, corners);
+    else
+        status = let_wait(r, element);
+    return status == BATTEN_OK ? read_items(r, element, SIZE_MAX) : status;
+}
+
+/* The faces that stand before the vertices, now that these are read. */
+static batten_status read_waiting(reading *r)
+{
+    const place *places = r->waiting.items;
+    const bat_ply_items end = r->items;
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < r->waiting.count; k++) {
+        const bat_ply_element *element = places[k].element;
+        r->items.at = places[k].at;
+        r->items.line = places[k].line;
+        if (r->has_vertices)
+            status = read_faces(
+                r, element, list_of_corners(properties_of(r, element), element->properties));
+        else
+            status = leave_out(r, element);
     }
-    leave_out(r, element);
-    return read_items(r, element, SIZE_MAX);
+    r->items = end;
+    return status;
 }
 
 static batten_status read_body(reading *r, batten_model *model)
@@ -305,6 +354,8 @@ static batten_status read_body(reading *r, batten_model *model)
     batten_status status = BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && !r->is_lost && k < r->header.elements.count; k++)
         status = read_element(r, &elements[k]);
+    if (status == BATTEN_OK)
+        status = read_waiting(r);
     r->input->is_cut = r->is_lost;
     if (status == BATTEN_OK && !r->is_lost)
         bat_input_behind(r->input, r->items.at);
@@ -333,7 +384,8 @@ batten_status bat_read_ply(bat_input *input, batten_model **out)
     reading r = {.input = input,
                  .mesh = bat_indexed_begin(input),
                  .values = {.size = sizeof(double)},
-                 .columns = {.size = sizeof(column)}};
+                 .columns = {.size = sizeof(column)},
+                 .waiting = {.size = sizeof(place)}};
     batten_model *model = NULL;
     batten_status status = bat_input_past_mark(input);
     if (status == BATTEN_OK)
@@ -354,5 +406,6 @@ batten_status bat_read_ply(bat_input *input, batten_model **out)
     bat_indexed_end(&r.mesh);
     bat_release(r.values.items);
     bat_release(r.columns.items);
+    bat_release(r.waiting.items);
     return status;
 }

@@ -439,3 +439,59 @@ TEST(colours_of_faces_that_are_none_are_left_out_with_a_note)
     CHECK(mesh_at(model, 0)->triangle_colours == NULL);
     batten_model_unref(model);
 }
+
+/* Two elements of faces, one before the vertices, in text and in bytes: nothing is left out. */
+TEST(faces_may_stand_before_the_vertices)
+{
+    static const char header[] =
+        "ply\nformat %s 1.0\nelement extra %d\nproperty uchar a\nelement face 2\n"
+        "property list uchar uchar vertex_indices\nproperty uchar red\nproperty uchar green\n"
+        "property uchar blue\nelement vertex 4\nproperty char x\nproperty char y\n"
+        "property char z\nelement face 1\nproperty list uchar uchar vertex_index\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n%s";
+    static const unsigned char bytes[] = {3, 0,   1, 2, 255, 0, 0, 3, 0, 2, 3,
+                                          0, 255, 0, 0, 0,   0, 1, 0, 0, 1, 1,
+                                          0, 0,   1, 1, 3,   0, 1, 3, 0, 0, 255};
+    for (int as_text = 0; as_text < 2; as_text++) {
+        char data[1024];
+        batten_model *model = NULL;
+        snprintf(data, sizeof data, header, as_text ? "ascii" : "binary_little_endian", 0,
+                 as_text ? "3 0 1 2 255 0 0\n3 0 2 3 0 255 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n"
+                           "3 0 1 3 0 0 255\n"
+                         : "");
+        size_t size = strlen(data);
+        if (!as_text) {
+            memcpy(data + size, bytes, sizeof bytes);
+            size += sizeof bytes;
+        }
+        CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &model));
+        const batten_mesh_parts *p = mesh_at(model, 0);
+        CHECK_INT(p->vertex_count, 4);
+        CHECK_INT(p->triangle_count, 3);
+        CHECK(p->triangle_colours != NULL);
+        double sums[3] = {0};
+        for (int i = 0; p->triangle_colours && i < 9; i++)
+            sums[i % 3] += p->triangle_colours[i];
+        CHECK(sums[0] == 1 && sums[1] == 1 && sums[2] == 1);
+        CHECK_BITS(p->points[11], 1.0);
+        batten_model_unref(model);
+    }
+}
+
+TEST(faces_before_vertices_that_are_not_there_are_left_out)
+{
+    static const char header[] = "ply\nformat ascii 1.0\nelement face 2\n"
+                                 "property list uchar int vertex_indices\nelement vertex 3\n"
+                                 "property float x\nproperty float y\nproperty float z\n"
+                                 "end_header\n3 0 1 2\n3 0 1 7\n";
+    char text[512];
+    snprintf(text, sizeof text, "%s0 0 0\n1 0 0\n0 1 0\n", header);
+    batten_model *model = read_partly(text, strlen(text), BATTEN_FORMAT_PLY,
+                                      "face 2 is left out: its corner 3 is vertex 8");
+    CHECK_INT(mesh_at(model, 0)->triangle_count, 1);
+    batten_model_unref(model);
+    model = NULL;
+    CHECK_STATUS(read_text(header, BATTEN_FORMAT_PLY, NULL, &model), BATTEN_BAD_FORMAT);
+    CHECK(!model);
+    CHECK_MESSAGE("no vertex could be read");
+}
