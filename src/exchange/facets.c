@@ -213,6 +213,14 @@ void bat_remark_unit(const batten_model *model, const char *title, batten_notes 
                             unit);
 }
 
+void bat_remark_polygons(const bat_input *input, size_t polygons)
+{
+    if (polygons)
+        batten_notes_remark(input->notes, input->file, 0, "",
+                            "faces of more than three corners: %zu; read as triangles",
+                            polygons);
+}
+
 int bat_count_flat(const batten_mesh *mesh)
 {
     const batten_mesh_parts *p = batten_mesh_view(mesh);

@@ -22,6 +22,9 @@ enum { BAT_POLYGON_MOST = 100 };
  */
 void bat_polygon_triangles(int count, const double *points, int *triangles, bool *is_odd);
 
+/* Say how many polygons of a file were cut so, if any were. */
+void bat_remark_polygons(const bat_input *input, size_t polygons);
+
 /*
  * Number what differs at corners: corners at one vertex with equal normals are one, when they
  * follow each other there. index[corner] from 0 on; source[number] is a corner of each. Without

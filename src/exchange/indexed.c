@@ -121,6 +121,7 @@ static batten_status cut_polygon(bat_indexed *mesh, int line)
     int(*cut)[3] = mesh->cut.items;
     bat_polygon_triangles((int)n, mesh->places.items, cut[0], &is_odd);
     mesh->odd += is_odd;
+    mesh->cut_up++;
     for (size_t k = 0; status == BATTEN_OK && k + 2 < n; k++)
         status = add_triangle(mesh, line, corners[cut[k][0]], corners[cut[k][1]],
                               corners[cut[k][2]]);
@@ -344,6 +345,7 @@ batten_status bat_indexed_add(bat_indexed *mesh, const char *name, batten_model 
     check_colours(mesh);
     check_normals(mesh);
     check_attributes(mesh);
+    bat_remark_polygons(mesh->input, mesh->cut_up);
     if (mesh->odd)
         batten_notes_add(mesh->input->notes, mesh->input->file, 0, name,
                          "%d of %zu faces cross themselves, or have a bay and more than %d "

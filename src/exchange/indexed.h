@@ -13,8 +13,8 @@ typedef struct {
     bat_list triangles;        /* of int[3] */
     bat_list triangle_colours; /* of double[3]; none, or one for each triangle */
     bat_list places, cut;      /* of the polygon */
-    size_t polygons;
-    int odd; /* polygons that cross themselves or the like */
+    size_t polygons, cut_up;   /* all; those of more than three corners */
+    int odd;                   /* polygons that cross themselves or the like */
 } bat_indexed;
 
 /* Of no vertex yet: `points`, and what else there is, come by bat_input_array. */

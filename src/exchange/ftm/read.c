@@ -1,5 +1,6 @@
 #include "base/plural.h"
 #include "exchange/census.h"
+#include "exchange/facets.h"
 #include "exchange/formats.h"
 #include "exchange/ftm/ftm.h"
 #include "exchange/scan.h"
@@ -22,6 +23,7 @@ typedef struct {
     bat_list lines; /* of uint32_t: where each begins in the file */
     size_t points;  /* the line with the number of points */
     int point_count, layer_count, curve_count, crease_count;
+    size_t cut_up;       /* faces of more than three corners */
     size_t layers;       /* the first line of the first layer; meaningless without layers */
     size_t at;           /* the next line */
     double *coordinates; /* [point_count][3] */
@@ -231,6 +233,7 @@ static batten_status read_face(reading *r)
             next_whole(r, "the layer of a face", 0, bat_max_int(r->layer_count, 1) - 1, &layer);
     if (status == BATTEN_OK)
         status = next_whole(r, "a mark of a face", INT_MIN, INT_MAX, &mark);
+    r->cut_up += status == BATTEN_OK && count > 3;
     for (int k = 1; status == BATTEN_OK && k + 1 < count; k++) {
         const int triangle[3] = {corners[0], corners[k], corners[k + 1]};
         status = bat_list_add(r->input, &r->corners, triangle);
@@ -386,6 +389,7 @@ static batten_status add_layers(reading *r)
 static void note_rest(const reading *r)
 {
     const bat_input *input = r->input;
+    bat_remark_polygons(input, r->cut_up);
     batten_notes_add(
         input->notes, input->file, 0, "",
         "the control net is read; the subdivision surface that it stands for, with "

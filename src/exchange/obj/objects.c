@@ -17,6 +17,7 @@ typedef struct {
     bat_list triangles, normals; /* of int[3]; of double[9] */
     bat_list places, cut;        /* of a polygon; of numbers */
     int odd;
+    size_t cut_up; /* faces of more than three corners, in all parts */
     bool has_normals, lacks_normals;
     char *name, *group;
 } making;
@@ -158,6 +159,7 @@ static batten_status add_face(making *m, const bat_obj_element *element)
     if (status == BATTEN_OK)
         bat_polygon_triangles((int)element->count, m->places.items, cut, &is_odd);
     m->odd += is_odd;
+    m->cut_up += element->count > 3;
     for (size_t k = 0; status == BATTEN_OK && k + 2 < element->count; k++)
         status = add_triangle(m, corners, cut + 3 * k);
     return status;
@@ -429,8 +431,10 @@ batten_status bat_obj_finish(bat_obj *obj, batten_model *model)
     if (status == BATTEN_OK && obj->elements.count == 0 &&
         obj->input->left_out == obj->bad_vertices)
         status = make_cloud(&m);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK) {
+        bat_remark_polygons(obj->input, m.cut_up);
         remark_unused(obj);
+    }
     bat_release(m.local);
     bat_release(m.stamp);
     bat_release(m.used.items);

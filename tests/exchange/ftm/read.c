@@ -31,6 +31,13 @@ TEST(the_control_net_of_a_ship_is_meshes_by_layer)
     batten_model_unref(model);
 }
 
+TEST(faces_of_four_corners_of_a_ship_are_counted)
+{
+    batten_model *model =
+        read_noting(net, BATTEN_FORMAT_AUTO, "faces of more than three corners: 1");
+    batten_model_unref(model);
+}
+
 TEST(F2_a_ship_cut_anywhere_is_refused)
 {
     for (size_t length = 10; length < strlen(net) - 3; length++) {
