@@ -2,8 +2,10 @@
 #include "exchange/model_meshed.h"
 #include "exchange/addresses.h"
 #include "exchange/model_change.h"
+#include "exchange/object_notes.h"
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,6 +19,7 @@ typedef struct {
 
 typedef struct {
     unsigned kinds; /* that become meshes */
+    double unit_metres;
     batten_mesh_options options;
     int left;            /* of options.most, by the objects before */
     char too_large[512]; /* what is said of the first that alone is; "" */
@@ -62,6 +65,20 @@ static void say_chord(const batten_object *object, const batten_mesh_report *rep
                          report->asked, report->beyond, count, report->chord);
 }
 
+/* What is said of faces is said of the object. */
+static batten_status mesh_body(const batten_object *object, meshing *m,
+                               batten_mesh_report *report, batten_mesh **out)
+{
+    batten_notes *said = NULL;
+    batten_status status = batten_notes_create(INT_MAX, &said);
+    if (status == BATTEN_OK)
+        status = batten_mesh_of_body(object->body, &m->options, m->job, said, report, out);
+    if (said)
+        bat_object_notes(said, object->name, m->unit_metres, m->notes);
+    batten_notes_free(said);
+    return status;
+}
+
 /* The shape of one object as a mesh. */
 static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
 {
@@ -72,7 +89,7 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
     else if (object->kind == BATTEN_OBJECT_TRIANGLES)
         status = batten_mesh_of_triangles(object->triangles, &m->options, m->job, &report, out);
     else
-        status = batten_mesh_of_body(object->body, &m->options, m->job, m->notes, &report, out);
+        status = mesh_body(object, m, &report, out);
     if (status == BATTEN_OK)
         say_chord(object, &report, *out, m->notes);
     if (status == BATTEN_OK && report.failed > 0)
@@ -257,8 +274,12 @@ batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
                                batten_notes *notes, batten_model **out)
 {
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
-    meshing m = {
-        .kinds = kinds, .options = chosen, .left = chosen.most, .job = job, .notes = notes};
+    meshing m = {.kinds = kinds,
+                 .unit_metres = batten_model_unit_metres(model),
+                 .options = chosen,
+                 .left = chosen.most,
+                 .job = job,
+                 .notes = notes};
     batten_status status =
         bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
     bool any = false;

@@ -1,6 +1,9 @@
 #include "exchange/prepare.h"
 #include "base/plural.h"
+#include "exchange/object_notes.h"
 #include "spline/surface.h"
+
+#include <limits.h>
 
 batten_status bat_prepare_curve(const batten_object *object, batten_curve **out)
 {
@@ -55,17 +58,33 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
     return status;
 }
 
-static batten_status trace(const batten_object *object, batten_notes *notes, batten_body **out)
+/* What is said of faces is said of the object. */
+static batten_status trace_faces(const batten_object *object, double unit_metres,
+                                 batten_notes *notes, batten_trace_report *report,
+                                 batten_body **out)
+{
+    batten_notes *said = NULL;
+    batten_status status = batten_notes_create(INT_MAX, &said);
+    if (status == BATTEN_OK)
+        status = batten_body_trace(object->body, batten_body_view(object->body)->tolerance,
+                                   NULL, said, report, out);
+    if (said)
+        bat_object_notes(said, object->name, unit_metres, notes);
+    batten_notes_free(said);
+    return status;
+}
+
+static batten_status trace(const batten_object *object, double unit_metres, batten_notes *notes,
+                           batten_body **out)
 {
     const batten_body_parts *parts = batten_body_view(object->body);
     batten_body *traced = NULL;
-    batten_trace_report report;
+    batten_trace_report report = {.failed = 0};
     if (parts->is_traced) {
         *out = batten_body_ref(object->body);
         return BATTEN_OK;
     }
-    const batten_status status =
-        batten_body_trace(object->body, parts->tolerance, NULL, notes, &report, &traced);
+    const batten_status status = trace_faces(object, unit_metres, notes, &report, &traced);
     if (status == BATTEN_OUT_OF_MEMORY)
         return status;
     if (status == BATTEN_OK && report.failed == 0) {
@@ -80,11 +99,11 @@ static batten_status trace(const batten_object *object, batten_notes *notes, bat
 }
 
 batten_status bat_prepare_body(const batten_object *object, double tolerance,
-                               batten_notes *notes, batten_body **out)
+                               double unit_metres, batten_notes *notes, batten_body **out)
 {
     batten_surface *surface = NULL;
     if (object->kind == BATTEN_OBJECT_BODY)
-        return trace(object, notes, out);
+        return trace(object, unit_metres, notes, out);
     batten_status status = bat_prepare_surface(object, tolerance, notes, &surface);
     if (status == BATTEN_OK)
         status = batten_body_of_surface(object->name, surface, tolerance, out);

@@ -12,7 +12,7 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
  * the outer loop comes first. A body of which faces cannot be traced stays as it is, with a
  * note. */
 batten_status bat_prepare_body(const batten_object *object, double tolerance,
-                               batten_notes *notes, batten_body **out);
+                               double unit_metres, batten_notes *notes, batten_body **out);
 /* How many control points the objects have: what the length of their file hangs on. */
 size_t bat_count_points(const batten_model *model);
 

@@ -234,7 +234,8 @@ static batten_status write_body(bat_iges_writing *w, const batten_object *object
     batten_object traced = *object;
     batten_body *body = NULL;
     const char *group = object->group;
-    batten_status status = bat_prepare_body(object, w->tolerance, w->notes, &body);
+    batten_status status =
+        bat_prepare_body(object, w->tolerance, w->unit_metres, w->notes, &body);
     if (status != BATTEN_OK)
         return status;
     traced.body = body;
@@ -392,8 +393,10 @@ static batten_status write_whole(const batten_model *model, const batten_write_o
                                  batten_notes *notes, batten_text *text)
 {
     const double unit = batten_model_unit_metres(model);
-    bat_iges_writing w = {
-        .notes = notes, .tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
+    bat_iges_writing w = {.notes = notes,
+                          .unit_metres = unit,
+                          .tolerance =
+                              options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
     bat_iges_section_begin(&w.data, 'P', text);
     bat_text_reserve(text, 100 * bat_count_points(model)); /* mostly enough */
     batten_status status = bat_definitions_find(model, &w.definitions);

@@ -32,6 +32,7 @@ enum { BAT_IGES_COLOURS = 48 }; /* that are remembered */
 
 typedef struct {
     batten_notes *notes;
+    double unit_metres;
     double tolerance;
     bat_iges_section data;
     batten_text directory;

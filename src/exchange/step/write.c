@@ -37,7 +37,8 @@ static batten_status write_body(bat_step_writing *w, const batten_object *object
 {
     batten_body *body = NULL;
     int id = 0;
-    batten_status status = bat_prepare_body(object, w->step.tolerance, w->step.notes, &body);
+    batten_status status =
+        bat_prepare_body(object, w->step.tolerance, w->unit_metres, w->step.notes, &body);
     if (status != BATTEN_OK)
         return status;
     const batten_body_parts *parts = batten_body_view(body);
@@ -366,6 +367,7 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
                                    .notes = notes,
                                    .has_parameter_curves = !options->no_parameter_curves},
                           .options = options,
+                          .unit_metres = batten_model_unit_metres(scaled),
                           .is_bare = options->schema == BATTEN_STEP_AP203};
     status = bat_definitions_find(scaled, &w.parts);
     if (status == BATTEN_OK) {

@@ -33,6 +33,7 @@ typedef struct {
 typedef struct {
     bat_step step;
     const batten_write_options *options;
+    double unit_metres;
     bool is_bare; /* AP203: no colours, layers, groups, nor anything hidden */
     int application, product_context, definition_context;
     int context; /* units and accuracy */
