@@ -93,12 +93,12 @@ static batten_status recognise_rows(bat_separated *table, batten_format *format)
         return status;
     if (is_number_row(table, &count))
         return recognise_numbers(table, count, format);
-    if (bat_is_points_header(table)) {
-        *format = BATTEN_FORMAT_POINTS;
+    if (bat_is_offsets_header(table)) {
+        *format = BATTEN_FORMAT_OFFSETS;
         return BATTEN_OK;
     }
-    if (bat_offsets_dialect_of(table) != BAT_OFFSETS_NONE) {
-        *format = BATTEN_FORMAT_OFFSETS;
+    if (bat_is_points_header(table)) {
+        *format = BATTEN_FORMAT_POINTS;
         return BATTEN_OK;
     }
     table->separator = 0;

@@ -1,6 +1,7 @@
 #include "exchange/csv/csv.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /*
@@ -13,6 +14,8 @@ typedef struct {
     char *name;      /* "" when the file has none */
     bat_list points; /* of double[3] */
     int first_row;   /* line of the first point */
+    size_t left_out; /* rows that are no points */
+    char first_bad[700];
 } reading;
 
 /* Two fields of which the first is a number are a point, or mean to be one. */
@@ -35,6 +38,39 @@ static batten_status read_name(reading *r)
     return status;
 }
 
+static batten_status read_row(reading *r)
+{
+    double point[3] = {0, 0, 0};
+    batten_status status = bat_row_check(&r->table, 2);
+    for (int k = 0; status == BATTEN_OK && k < 2; k++)
+        status = bat_field_number(&r->table, k, &point[k]);
+    if (status == BATTEN_OK)
+        status = bat_input_limit(r->table.input, r->table.line, r->points.count + 1,
+                                 r->table.input->limits.points, "points");
+    return status == BATTEN_OK ? bat_list_add(r->table.input, &r->points, point) : status;
+}
+
+/* A row that is no point, by the message at hand; the first one may yet be why the whole is
+ * none. */
+static batten_status leave_out(reading *r)
+{
+    bat_input *input = r->table.input;
+    if (r->left_out == 0)
+        snprintf(r->first_bad, sizeof r->first_bad, "%s", batten_message());
+    r->left_out++;
+    input->left_out++;
+    batten_notes_add(input->notes, input->file, r->table.line, "",
+                     "this row is no point; it is left out");
+    return BATTEN_OK;
+}
+
+/* More rows that are no points than points: no aerofoil with remarks, but another text. */
+static batten_status refuse_prose(const reading *r)
+{
+    return r->left_out > r->points.count ? bat_fail(BATTEN_BAD_FORMAT, "%s", r->first_bad)
+                                         : BATTEN_OK;
+}
+
 static batten_status read_rows(reading *r)
 {
     bool more = false;
@@ -47,19 +83,13 @@ static batten_status read_rows(reading *r)
     }
     r->first_row = r->table.line;
     while (status == BATTEN_OK && more) {
-        double point[3] = {0, 0, 0};
-        status = bat_row_check(&r->table, 2);
-        for (int k = 0; status == BATTEN_OK && k < 2; k++)
-            status = bat_field_number(&r->table, k, &point[k]);
-        if (status == BATTEN_OK)
-            status = bat_input_limit(r->table.input, r->table.line, r->points.count + 1,
-                                     r->table.input->limits.points, "points");
-        if (status == BATTEN_OK)
-            status = bat_list_add(r->table.input, &r->points, point);
+        status = read_row(r);
+        if (status != BATTEN_OK && !bat_input_ends(status))
+            status = leave_out(r);
         if (status == BATTEN_OK)
             status = bat_separated_next(&r->table, &more);
     }
-    return status;
+    return status == BATTEN_OK ? refuse_prose(r) : status;
 }
 
 /* ---- order ---- */

@@ -6,23 +6,24 @@
 static const struct {
     const char *name;
     bat_column_kind kind;
+    bool is_of_hull;
 } names[] = {
-    {"x", BAT_COLUMN_X},
-    {"y", BAT_COLUMN_Y},
-    {"half-breadth", BAT_COLUMN_Y},
-    {"half-breadths", BAT_COLUMN_Y},
-    {"halfbreadth", BAT_COLUMN_Y},
-    {"half-width", BAT_COLUMN_Y},
-    {"z", BAT_COLUMN_Z},
-    {"height", BAT_COLUMN_Z},
-    {"heights", BAT_COLUMN_Z},
-    {"waterline", BAT_COLUMN_Z},
-    {"waterlines", BAT_COLUMN_Z},
-    {"station", BAT_COLUMN_STATION},
-    {"stations", BAT_COLUMN_STATION},
-    {"line", BAT_COLUMN_LINE},
-    {"name", BAT_COLUMN_LINE},
-    {"section", BAT_COLUMN_SECTION},
+    {"x", BAT_COLUMN_X, false},
+    {"y", BAT_COLUMN_Y, false},
+    {"half-breadth", BAT_COLUMN_Y, true},
+    {"half-breadths", BAT_COLUMN_Y, true},
+    {"halfbreadth", BAT_COLUMN_Y, true},
+    {"half-width", BAT_COLUMN_Y, true},
+    {"z", BAT_COLUMN_Z, false},
+    {"height", BAT_COLUMN_Z, false},
+    {"heights", BAT_COLUMN_Z, false},
+    {"waterline", BAT_COLUMN_Z, true},
+    {"waterlines", BAT_COLUMN_Z, true},
+    {"station", BAT_COLUMN_STATION, true},
+    {"stations", BAT_COLUMN_STATION, true},
+    {"line", BAT_COLUMN_LINE, true},
+    {"name", BAT_COLUMN_LINE, false},
+    {"section", BAT_COLUMN_SECTION, true},
 };
 
 #define LONGEST 48
@@ -65,10 +66,12 @@ bat_column bat_column_of(const char *text)
 {
     char name[LONGEST];
     normalise(text, name);
-    bat_column column = {BAT_COLUMN_OTHER, false, cut_unit(name)};
+    bat_column column = {.kind = BAT_COLUMN_OTHER, .unit_metres = cut_unit(name)};
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
-        if (strcmp(name, names[k].name) == 0)
+        if (strcmp(name, names[k].name) == 0) {
             column.kind = names[k].kind;
+            column.is_of_hull = names[k].is_of_hull;
+        }
     column.is_letter = column.kind != BAT_COLUMN_OTHER && name[1] == '\0';
     return column;
 }

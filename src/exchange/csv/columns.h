@@ -17,6 +17,7 @@ typedef enum {
 typedef struct {
     bat_column_kind kind;
     bool is_letter;     /* plain x, y or z: also of a table of points */
+    bool is_of_hull;    /* no surveyor would call a column so */
     double unit_metres; /* 0 when not said */
 } bat_column;
 

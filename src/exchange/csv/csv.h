@@ -20,7 +20,10 @@ typedef enum {
 bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table);
 /* "station\\height": does the text say what the rows and columns of a matrix are? */
 bool bat_is_matrix_corner(const char *text);
-/* Are the names of the first row those of a table of points: x, y, z alone? */
+/* Is it a table of offsets for sure? Where columns are named by letters alone, one must be of
+ * hulls: station, half-breadth, waterline, line or section. */
+bool bat_is_offsets_header(const bat_separated *table);
+/* Does the first row name columns x and y of points, perhaps z, and others that are none? */
 bool bat_is_points_header(const bat_separated *table);
 
 batten_status bat_offsets_long(bat_separated *table, bat_gathering *gathering);

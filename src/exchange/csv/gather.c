@@ -399,6 +399,24 @@ static batten_status take_points(table *t)
     return bat_input_array(input, t->count, sizeof *t->offset_points, &t->offset_points);
 }
 
+/* A half-breadth is a distance from the centre plane. */
+static void note_negative(const bat_gathering *gathering)
+{
+    const bat_gathered *points = gathering->points.items;
+    int count = 0, row = 0;
+    for (size_t i = 0; i < gathering->points.count; i++) {
+        if (points[i].is_absent || !(points[i].y < 0))
+            continue;
+        row = count == 0 ? points[i].row : row;
+        count++;
+    }
+    if (count > 0)
+        batten_notes_add(gathering->input->notes, gathering->input->file, row, "",
+                         "%d half-breadth%s below 0, here the first; %s kept as %s", count,
+                         count == 1 ? " is" : "s are", count == 1 ? "it is" : "they are",
+                         count == 1 ? "it is" : "they are");
+}
+
 batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
 {
     table t = {.from = gathering};
@@ -413,6 +431,8 @@ batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
     if (status == BATTEN_OK)
         status = batten_offsets_create(gathering->unit_metres, (int)t.line_count,
                                        t.offset_lines, t.station_count, t.stations, &offsets);
+    if (status == BATTEN_OK)
+        note_negative(gathering);
     if (status == BATTEN_OK)
         status = make_model(gathering->unit_metres, offsets, out);
     batten_offsets_unref(offsets);

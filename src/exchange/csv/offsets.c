@@ -20,6 +20,15 @@ bat_offsets_dialect bat_offsets_dialect_of(const bat_separated *table)
     return BAT_OFFSETS_NONE;
 }
 
+bool bat_is_offsets_header(const bat_separated *table)
+{
+    const bat_offsets_dialect dialect = bat_offsets_dialect_of(table);
+    bool is_of_hull = false;
+    for (int k = 0; k < table->count; k++)
+        is_of_hull |= bat_column_of(table->fields[k].text).is_of_hull;
+    return dialect == BAT_OFFSETS_LONG ? is_of_hull : dialect != BAT_OFFSETS_NONE;
+}
+
 static batten_status read_table(bat_separated *table, bat_gathering *gathering)
 {
     bool more = false;

@@ -2,6 +2,7 @@
 #include "exchange/csv/csv.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* Where the coordinates stand, and what has been read. */
 typedef struct {
@@ -27,38 +28,61 @@ bool bat_is_points_header(const bat_separated *table)
     bool found[3] = {false, false, false};
     for (int k = 0; k < count; k++) {
         const int axis = axis_of(bat_column_of(table->fields[k].text));
-        if (axis < 0 || found[axis])
+        if (axis >= 0 && found[axis])
             return false;
-        found[axis] = true;
+        if (axis >= 0)
+            found[axis] = true;
     }
     return found[0] && found[1];
 }
 
-static batten_status read_header(reading *r)
+/* The columns that are no coordinates: names of the first few, "" without a header. */
+static void note_others(const reading *r, int others, const char *names)
 {
-    bat_column columns[3];
     const bat_separated *table = &r->table;
-    if (!bat_is_points_header(table))
-        return bat_input_fail(table->input, BATTEN_BAD_FORMAT, table->line,
-                              "'%.40s' is neither a number nor the name of a column x, y or z",
-                              table->fields[0].text);
-    r->columns = bat_row_length(table);
-    for (int k = 0; k < r->columns; k++) {
-        columns[k] = bat_column_of(table->fields[k].text);
-        r->at[axis_of(columns[k])] = k;
-    }
-    return bat_columns_unit(table, columns, r->columns, &r->unit_metres);
+    if (others > 0)
+        batten_notes_add(table->input->notes, table->input->file, table->line, "",
+                         "%d column%s left out%s%s: points have x, y and z", others,
+                         others == 1 ? " is" : "s are", names[0] ? ", " : "", names);
 }
 
+static batten_status read_header(reading *r)
+{
+    const bat_separated *table = &r->table;
+    bat_column columns[3];
+    bat_separated letters = *table; /* the columns that are read, for their units */
+    bat_field fields[3];
+    char names[120] = "";
+    int used = 0;
+    r->columns = bat_row_length(table);
+    for (int k = 0; k < r->columns; k++) {
+        const bat_column column = bat_column_of(table->fields[k].text);
+        const int axis = axis_of(column);
+        if (axis >= 0) {
+            columns[used] = column;
+            fields[used++] = table->fields[k];
+            r->at[axis] = k;
+        } else if (strlen(names) < 60) {
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s'%.40s'",
+                     names[0] ? ", " : "", table->fields[k].text);
+        }
+    }
+    letters.fields = fields;
+    note_others(r, r->columns - used, names);
+    return bat_columns_unit(&letters, columns, used, &r->unit_metres);
+}
+
+/* Without a header the first three columns are x, y and z. */
 static batten_status read_shape(reading *r)
 {
     const bat_separated *table = &r->table;
     r->columns = bat_row_length(table);
-    if (r->columns < 2 || r->columns > 3)
+    if (r->columns < 2)
         return bat_input_fail(table->input, BATTEN_BAD_FORMAT, table->line,
                               "a point has 2 or 3 coordinates, not %d", r->columns);
-    for (int k = 0; k < r->columns; k++)
+    for (int k = 0; k < r->columns && k < 3; k++)
         r->at[k] = k;
+    note_others(r, r->columns - 3, "");
     return BATTEN_OK;
 }
 

@@ -43,6 +43,14 @@ TEST(each_dialect_gives_the_same_table)
     }
 }
 
+TEST(half_breadths_below_zero_are_kept_and_counted)
+{
+    batten_model *model = read_noting("x,z,half_breadth\n0,0,1\n0,1,-2\n3,0,-1\n3,1,4\n",
+                                      BATTEN_FORMAT_AUTO, "2 half-breadths are below 0");
+    CHECK_TEXT(points_of(table_of(model), 0), "1,0,0 -2,1,1");
+    batten_model_unref(model);
+}
+
 TEST(what_is_no_table_of_offsets_is_refused)
 {
     check_refused("1,2,3\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");

@@ -38,13 +38,50 @@ TEST(blank_lines_separate_rows_of_points)
     batten_model_unref(model);
 }
 
-TEST(other_columns_are_refused)
+/* Also what could be half-breadths, were there a word of hulls. */
+TEST(columns_that_are_no_coordinates_are_left_out_and_counted)
 {
-    check_refused("x,y,w\n1,2,3\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
-                  "column 1: 'x' is not a number");
+    const struct {
+        const char *text, *words;
+        double point[3];
+    } cases[] = {
+        {"contour,z_mm,x_mm,y_mm\n0,3,1,2\n1,6,4,5\n",
+         "1 column is left out, 'contour'",
+         {1, 2, 3}},
+        {"x,y,z,intensity\n1,2,3,70\n4,5,6,80\n",
+         "1 column is left out, 'intensity'",
+         {1, 2, 3}},
+        {"x y z r g b\n1 2 3 255 0 0\n4 5 6 0 0 255\n",
+         "3 columns are left out, 'r', 'g', 'b'",
+         {1, 2, 3}},
+        {"1 2 3 255 0 0\n4 5 6 0 0 255\n",
+         "3 columns are left out: points have x, y and z",
+         {1, 2, 3}},
+        {"x,y,w\n1,2,3\n4,5,6\n", "'w'", {1, 2, 0}},
+        {"id,x,y,height\n9,1,2,3\n8,4,5,6\n",
+         "2 columns are left out, 'id', 'height'",
+         {1, 2, 0}},
+    };
+    const batten_format formats[] = {BATTEN_FORMAT_AUTO, BATTEN_FORMAT_POINTS};
+    for (int i = 0; i < 2 * COUNT(cases); i++) {
+        batten_model *model =
+            read_noting(cases[i / 2].text, formats[i % 2], cases[i / 2].words);
+        const batten_object *object = batten_model_object(model, 0);
+        CHECK_INT(object->kind, BATTEN_OBJECT_POINTS);
+        CHECK_INT(object->point_count, 2);
+        for (int k = 0; k < 3; k++)
+            CHECK_BITS(object->points[k], cases[i / 2].point[k]);
+        batten_model_unref(model);
+    }
+}
+
+TEST(what_is_no_point_is_refused)
+{
     check_refused("a b\n1 2\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "'a' is not a number");
-    check_refused("1 2 3 4\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
-                  "a point has 2 or 3 coordinates, not 4");
+    check_refused("1\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "a point has 2 or 3 coordinates, not 1");
+    check_refused("x,y,w,x\n1,2,3,4\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
+                  "'x' is not a number");
     check_refused("x,y\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT, "there is no point");
     check_refused("1,2\n,3\n", BATTEN_FORMAT_POINTS, BATTEN_BAD_FORMAT,
                   "t:2: column 1: '' is not");
