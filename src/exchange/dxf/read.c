@@ -2,15 +2,15 @@
 #include "exchange/dxf/colours.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/entities.h"
+#include "exchange/dxf/insert.h"
 #include "exchange/dxf/survey.h"
 #include "exchange/formats.h"
-#include "numeric/vector.h"
 
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { DEEPEST = 32, MOST_INSTANCES = 1000000 };
+enum { DEEPEST = 32, MOST_INSTANCES = 1000000, MOST_IN_ARRAYS = 100000 };
 
 /* What a model that is being filled needs: the model of the file, or that of a block. */
 typedef struct {
@@ -76,6 +76,8 @@ static void read_look(filling *f, char layer_name[BAT_DXF_NAME], batten_object *
     f->part.is_on_zero = f->block && strcmp(layer_name, "0") == 0;
     const bat_dxf_layer_entry *on =
         f->part.is_on_zero ? NULL : bat_dxf_find_layer(f->r, layer_name);
+    if (on) /* which may be written with other capitals */
+        memcpy(layer_name, on->is.name, sizeof on->is.name);
     (void)bat_dxf_get_integer(&f->pairs, 62, 256, &colour);
     (void)bat_dxf_get_integer(&f->pairs, 420, -1, &full);
     (void)bat_dxf_get_integer(&f->pairs, 60, 0, &hidden);
@@ -250,45 +252,35 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
     return status;
 }
 
-/* Where an INSERT puts what is at the base of its block: scaled, turned about z, moved, all in
- * the axes of its plane. */
-static batten_status read_place(const filling *f, const bat_dxf_block *b, batten_affine *place)
+/* What an array adds is bounded on its own: few bytes of the file say much. */
+static batten_status count_places(bat_dxf_reading *r, const bat_dxf_places *places)
 {
-    batten_frame frame;
-    batten_vec3 at, scale;
-    double angle = 0;
-    batten_status status = bat_dxf_plane(&f->pairs, &frame);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_point(&f->pairs, 10, (batten_vec3){0, 0, 0}, &at);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(&f->pairs, 41, 1, &scale.x);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(&f->pairs, 42, 1, &scale.y);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(&f->pairs, 43, 1, &scale.z);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_real(&f->pairs, 50, 0, &angle);
-    if (status == BATTEN_OK && scale.x * scale.y * scale.z == 0)
-        status = bat_fail(BATTEN_BAD_FORMAT, "it is scaled by 0");
-    if (status != BATTEN_OK)
-        return status;
-    const batten_vec3 y = bat_vec3_cross(frame.z, frame.x);
-    const batten_affine axes = {
-        {{frame.x.x, y.x, frame.z.x}, {frame.x.y, y.y, frame.z.y}, {frame.x.z, y.z, frame.z.z}},
-        {0, 0, 0}};
-    batten_affine map = batten_affine_translation(-b->base.x, -b->base.y, -b->base.z);
-    map = batten_affine_compose(map, batten_affine_scaling(scale.x, scale.y, scale.z));
-    map = batten_affine_compose(map, batten_affine_rotation((batten_vec3){0, 0, 0},
-                                                            (batten_vec3){0, 0, 1},
-                                                            angle * BAT_PI / 180));
-    map = batten_affine_compose(map, batten_affine_translation(at.x, at.y, at.z));
-    *place = batten_affine_compose(map, axes);
+    const int64_t count = (int64_t)places->columns * places->rows;
+    if (count > 1 && count > MOST_IN_ARRAYS - r->in_arrays)
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "it is an array of %d x %d, and all arrays may have %d places",
+                        places->columns, places->rows, MOST_IN_ARRAYS);
+    r->in_arrays += count > 1 ? (int)count : 0;
+    if (count == 1 && ++r->instances > MOST_INSTANCES)
+        return bat_fail(BATTEN_TOO_LARGE, "more than %d instances", MOST_INSTANCES);
     return BATTEN_OK;
+}
+
+static batten_status add_instances(filling *f, const bat_dxf_places *places,
+                                   batten_object *object)
+{
+    batten_status status = BATTEN_OK;
+    for (int row = 0; status == BATTEN_OK && row < places->rows; row++)
+        for (int column = 0; status == BATTEN_OK && column < places->columns; column++) {
+            object->place = bat_dxf_place_at(places, column, row);
+            status = add_object(f, object, &f->part);
+        }
+    return status;
 }
 
 /* On layer 0 of a block it is not known yet what the layer will be. */
 static batten_status place(filling *f, bat_dxf_block *b, const char *layer_name,
-                           batten_object *object)
+                           const bat_dxf_places *places, batten_object *object)
 {
     const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
     const double *own = object->has_colour ? object->colour : NULL;
@@ -303,7 +295,7 @@ static batten_status place(filling *f, bat_dxf_block *b, const char *layer_name,
         status = bat_dxf_place_block(f->r, b, colour, own, &model);
     object->definition = model;
     if (status == BATTEN_OK)
-        status = add_object(f, object, &f->part);
+        status = add_instances(f, places, object);
     batten_model_unref(model);
     return status;
 }
@@ -311,22 +303,15 @@ static batten_status place(filling *f, bat_dxf_block *b, const char *layer_name,
 static batten_status add_insert(filling *f)
 {
     char layer_name[BAT_DXF_NAME], name[BAT_DXF_NAME];
-    int columns = 1, rows = 1;
+    bat_dxf_places places;
     bat_dxf_get_text(&f->pairs, 2, sizeof name, name);
     bat_dxf_block *b = bat_dxf_find_block(f->r, name);
-    batten_object object = {.kind = BATTEN_OBJECT_INSTANCE, .name = name};
     if (!b)
         return bat_fail(BATTEN_NOT_FOUND, "there is no block '%.60s'", name);
-    batten_status status = read_place(f, b, &object.place);
+    batten_object object = {.kind = BATTEN_OBJECT_INSTANCE, .name = b->is.name};
+    batten_status status = bat_dxf_read_places(&f->pairs, b, &places);
     if (status == BATTEN_OK)
-        status = bat_dxf_get_integer(&f->pairs, 70, 1, &columns);
-    if (status == BATTEN_OK)
-        status = bat_dxf_get_integer(&f->pairs, 71, 1, &rows);
-    if (status == BATTEN_OK && (columns > 1 || rows > 1))
-        status = bat_fail(BATTEN_UNSUPPORTED, "it is an array of %d x %d, which is not read",
-                          columns, rows);
-    if (status == BATTEN_OK && ++f->r->instances > MOST_INSTANCES)
-        status = bat_fail(BATTEN_TOO_LARGE, "more than %d instances", MOST_INSTANCES);
+        status = count_places(f->r, &places);
     if (status == BATTEN_OK)
         status = build_block(f->r, b, f->depth + 1);
     if (status == BATTEN_OK && b->has_lost && batten_model_count(b->model) == 0)
@@ -336,7 +321,7 @@ static batten_status add_insert(filling *f)
         return status;
     read_look(f, layer_name, &object);
     f->part.block = b;
-    return place(f, b, layer_name, &object);
+    return place(f, b, layer_name, &places, &object);
 }
 
 /* ---- one entity after another ---- */

@@ -73,10 +73,31 @@ static batten_status survey_entity(bat_dxf_reading *r, const bat_dxf_pairs *pair
     return BATTEN_OK;
 }
 
+static int lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : (unsigned char)c;
+}
+
+static int compare_like(const char *a, const char *b)
+{
+    while (*a && lower(*a) == lower(*b)) {
+        a++;
+        b++;
+    }
+    return lower(*a) - lower(*b);
+}
+
+/* Names that differ in capitals alone stand together. */
+static int compare_names(const char *a, const char *b)
+{
+    const int order = compare_like(a, b);
+    return order ? order : strcmp(a, b);
+}
+
 static int compare(const void *a, const void *b)
 {
     const bat_dxf_named *one = a, *other = b;
-    const int order = strcmp(one->name, other->name);
+    const int order = compare_names(one->name, other->name);
     return order ? order : (one->at > other->at) - (one->at < other->at);
 }
 
@@ -103,14 +124,16 @@ batten_status bat_dxf_survey(bat_dxf_reading *r)
     return status;
 }
 
+typedef int comparison(const char *a, const char *b);
+
 /* The first of a sorted list that has the name. */
-static void *find(const bat_list *list, const char *name)
+static void *first_of(const bat_list *list, const char *name, comparison *order)
 {
     unsigned char *items = list->items;
     size_t low = 0, high = list->count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (strcmp(((bat_dxf_named *)(void *)(items + middle * list->size))->name, name) < 0)
+        if (order(((bat_dxf_named *)(void *)(items + middle * list->size))->name, name) < 0)
             low = middle + 1;
         else
             high = middle;
@@ -118,7 +141,13 @@ static void *find(const bat_list *list, const char *name)
     if (low == list->count)
         return NULL;
     bat_dxf_named *found = (void *)(items + low * list->size);
-    return strcmp(found->name, name) == 0 ? found : NULL;
+    return order(found->name, name) == 0 ? found : NULL;
+}
+
+static void *find(const bat_list *list, const char *name)
+{
+    void *found = first_of(list, name, compare_names);
+    return found ? found : first_of(list, name, compare_like);
 }
 
 const bat_dxf_layer_entry *bat_dxf_find_layer(const bat_dxf_reading *r, const char *name)

@@ -36,13 +36,15 @@ typedef struct {
     double unit_metres;
     size_t entities_at; /* 0: there is no such section */
     int entities_line;
-    int thick;                     /* entities with a thickness */
-    int number, instances, copied; /* copied: objects, for the colours of INSERTs */
+    int thick;          /* entities with a thickness */
+    int number, copied; /* copied: objects, for the colours of INSERTs */
+    int instances, in_arrays;
 } bat_dxf_reading;
 
 /* Go through the file once. */
 batten_status bat_dxf_survey(bat_dxf_reading *reading);
-/* By name; NULL when there is none. */
+/* By name, NULL when there is none: the one with just these letters, else one that differs in
+ * capitals, which say nothing in names (only those of ASCII are known as such). */
 const bat_dxf_layer_entry *bat_dxf_find_layer(const bat_dxf_reading *reading, const char *name);
 bat_dxf_block *bat_dxf_find_block(const bat_dxf_reading *reading, const char *name);
 

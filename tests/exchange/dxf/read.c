@@ -615,3 +615,93 @@ TEST(N4_codes_beyond_an_integer_are_refused)
         check_refused(text, BATTEN_FORMAT_DXF, BATTEN_BAD_FORMAT, "t:5: ");
     }
 }
+
+/* A name with just these letters goes before one with other capitals. */
+TEST(names_of_blocks_and_layers_are_the_same_in_capitals_or_not)
+{
+    enum { GREEN = 0x00ff00, BLUE = 0x0000ff };
+    batten_model *model =
+        read_blocks("0 BLOCK|8 0|2 Bolt|10 0|20 0|0 POINT|8 0|10 1|20 0|"
+                    "0 ENDBLK|8 0|0 BLOCK|8 0|2 bolt|10 0|20 0|"
+                    "0 POINT|8 0|10 2|20 0|0 ENDBLK|8 0|"
+                    "0 BLOCK|8 0|2 C_\xc3\xa9|10 0|20 0|0 POINT|8 0|10 3|20 0|"
+                    "0 ENDBLK|8 0|",
+                    "0 INSERT|8 GREEN|2 bolt|10 0|20 0|"
+                    "0 INSERT|8 Green|2 BOLT|10 0|20 0|"
+                    "0 INSERT|8 other|2 c_\xc3\xa9|10 0|20 0|"
+                    "0 LINE|8 BLUE|10 0|20 0|11 1|21 1|");
+    batten_model *flat = NULL;
+    CHECK_INT(batten_model_count(model), 4);
+    check_look(model, 0, "green", GREEN);
+    check_look(model, 1, "green", GREEN);
+    check_look(model, 3, "blue", BLUE);
+    CHECK_TEXT(batten_model_object(model, 1)->name, "Bolt");
+    CHECK_OK(batten_model_flat(model, &flat));
+    CHECK_NEAR(batten_model_object(flat, 0)->points[0], 2, 0);
+    CHECK_NEAR(batten_model_object(flat, 1)->points[0], 1, 0);
+    CHECK_NEAR(batten_model_object(flat, 2)->points[0], 3, 0);
+    batten_model_unref(flat);
+    batten_model_unref(model);
+}
+
+/* The ways from place to place are turned with the block, and not scaled. */
+TEST(arrays_of_blocks_are_as_many_instances)
+{
+    enum { RED = 0xff0000, GREEN = 0x00ff00 };
+    batten_model *model = read_blocks("0 BLOCK|8 0|2 b|10 5|20 0|0 POINT|8 0|10 6|20 0|"
+                                      "0 POINT|8 0|62 0|10 5|20 0|0 ENDBLK|8 0|",
+                                      "0 INSERT|8 green|62 1|2 b|10 100|20 10|41 2|42 2|43 2|"
+                                      "50 90|70 3|71 2|44 7|45 20|210 0|220 0|230 -1|"
+                                      "0 INSERT|8 0|2 b|10 0|20 0|70 0|71 -3|");
+    batten_model *flat = NULL;
+    CHECK_INT(batten_model_count(model), 7);
+    check_look(model, 10, "green", GREEN);
+    check_look(model, 11, "green", RED);
+    CHECK(batten_model_object(model, 0)->definition ==
+          batten_model_object(model, 5)->definition);
+    CHECK_OK(batten_model_flat(model, &flat));
+    for (int i = 0; i < 6; i++) { /* x of the plane is -x of the world */
+        const double *p = batten_model_object(flat, 2 * i)->points;
+        const double x = 100 - i / 3 * 20, y = 10 + i % 3 * 7;
+        CHECK_NEAR(p[0], -x, 1e-13);
+        CHECK_NEAR(p[1], y + 2, 1e-13);
+        CHECK_NEAR(p[2], 0, 1e-13);
+    }
+    batten_model_unref(flat);
+    batten_model_unref(model);
+}
+
+TEST(P1_arrays_that_are_too_large_or_in_one_place_are_told)
+{
+    static const struct {
+        const char *array, *words;
+        int count;
+    } cases[] = {
+        {"70 1000000|71 1000000|44 1|45 1|", "it is an array of 1000000 x 1000000", 1},
+        {"70 2147483647|71 2147483647|44 1|45 1|", "all arrays may have 100000 places", 1},
+        {"70 3|71 30000|44 1|45 1|", "it is an array of 3 x 30000", 20001},
+        {"70 5|71 2|45 1|", "its 5 columns lie 0 apart", 3},
+        {"70 5|71 2|44 1|", "its 2 rows lie 0 apart", 6},
+        {"70 5|44 1e999|", "which is too large for a number", 1},
+    };
+    for (int i = 0; i < COUNT(cases); i++) {
+        char text[512];
+        batten_model *model = NULL;
+        batten_notes *notes = NULL;
+        snprintf(text, sizeof text, "%s0 INSERT|8 0|2 b|10 0|20 0|%s0 POINT|8 0|10 1|20 0|",
+                 i == 2 ? "0 INSERT|8 0|2 b|10 0|20 0|70 2|71 10000|44 1|45 1|" : "",
+                 cases[i].array);
+        CHECK_OK(batten_notes_create(10, &notes));
+        CHECK_STATUS(
+            read_text(file_of("",
+                              "0 BLOCK|8 0|2 b|10 0|20 0|0 POINT|8 0|10 6|20 0|0 ENDBLK|8 0|",
+                              text),
+                      BATTEN_FORMAT_DXF, notes, &model),
+            i == 3 || i == 4 ? BATTEN_OK : BATTEN_PARTLY_READ);
+        CHECK_INT(batten_model_count(model), cases[i].count);
+        if (!batten_notes_dropped(notes))
+            CHECK(has_note(notes, cases[i].words));
+        batten_notes_free(notes);
+        batten_model_unref(model);
+    }
+}
