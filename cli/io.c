@@ -1,5 +1,6 @@
 #define _XOPEN_SOURCE 700
 #include "command.h"
+#include "select.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -133,71 +134,6 @@ static batten_status read_model(const char *file, batten_format format, batten_n
         status = batten_read_memory(data, size, &options, job_get(), notes, model);
     batten_release(data);
     return status;
-}
-
-/* There is no object of that name: say which are called nearly so. */
-static batten_status no_object(const char *name, const batten_model *model)
-{
-    enum { TOLD = 5 };
-    const char *near[TOLD];
-    int count = 0;
-    const int all = batten_model_count(model);
-    const char **names = batten_array((size_t)all + 1, sizeof *names);
-    batten_text list = BATTEN_TEXT;
-    for (int i = 0; names && i < all; i++)
-        names[i] = batten_model_object(model, i)->name;
-    if (names)
-        count = nearest_names(name, all, names, TOLD, near);
-    for (int i = 0; i < count; i++)
-        batten_text_add(&list, "%s'%.60s'", i ? ", " : "", near[i]);
-    batten_release(names);
-    const batten_status status = batten_fail(
-        BATTEN_NOT_FOUND, "there is no object '%.60s' in the file; %s%s%s", name,
-        count < all  ? "the nearest names are "
-        : count > 1  ? "there are "
-        : count == 1 ? "there is "
-                     : "it has none",
-        list.bytes ? list.bytes : "", count < all ? " ('batten info' lists all)" : "");
-    batten_text_free(&list);
-    return status;
-}
-
-/* A model of the object of that name alone; NULL when there is none. */
-static batten_status only_object(const char *name, const batten_model *model,
-                                 batten_model **chosen)
-{
-    const int index = batten_model_find(model, name);
-    *chosen = NULL;
-    if (index < 0)
-        return BATTEN_OK;
-    batten_status status = batten_model_create(batten_model_unit_metres(model), chosen);
-    if (status == BATTEN_OK)
-        status = batten_model_set_name(*chosen, name);
-    if (status == BATTEN_OK)
-        status = batten_model_add(*chosen, batten_model_object(model, index));
-    return status;
-}
-
-/* Keep only the object of that name, else of that path: what instances place is an object too,
- * where it stands. */
-static batten_status select_object(const char *name, batten_model **model)
-{
-    batten_model *chosen = NULL, *flat = NULL;
-    batten_status status = only_object(name, *model, &chosen);
-    if (status == BATTEN_OK && !chosen)
-        status = batten_model_flat(*model, &flat);
-    if (status == BATTEN_OK && flat)
-        status = only_object(name, flat, &chosen);
-    if (status == BATTEN_OK && !chosen)
-        status = no_object(name, flat);
-    batten_model_unref(flat);
-    if (status != BATTEN_OK) {
-        batten_model_unref(chosen);
-        return status;
-    }
-    batten_model_unref(*model);
-    *model = chosen;
-    return BATTEN_OK;
 }
 
 int input_read(const char *argument, batten_format format, batten_notes *notes,

@@ -82,7 +82,7 @@ static const char *write_assembly(void)
 
 TEST(names_that_info_shows_name_objects)
 {
-    static const char *const names[] = {"crane/arm #2/bolt", "crane"};
+    static const char *const names[] = {"crane/arm #2/bolt", "crane", "crane/arm #2"};
     const char *path = write_assembly();
     CHECK_CONTAINS(RUN("batten", "info", path).out, "\ncrane/arm #2/bolt: points");
     for (int i = 0; i < COUNT(names); i++) {
@@ -98,6 +98,48 @@ TEST(names_that_info_shows_name_objects)
         run = RUN("batten", "info", word);
         CHECK_INT(run.exit, 1);
         CHECK_CONTAINS(run.errors, "' in the file; there is 'crane/arm #2/bolt'");
+    }
+}
+
+TEST(an_instance_within_an_instance_comes_without_those_beside_it)
+{
+    static const double points[] = {1, 2, 3};
+    static const char *const names[] = {"left", "left/of", "right"};
+    const char *path = test_scratch("pairs.step");
+    batten_model *bolt = NULL, *pair = NULL, *all = NULL;
+    CHECK_OK(batten_model_create(0.001, &bolt));
+    CHECK_OK(batten_model_create(0.001, &pair));
+    CHECK_OK(batten_model_create(0.001, &all));
+    CHECK_OK(batten_model_add(bolt, &(batten_object){.name = "tip",
+                                                     .kind = BATTEN_OBJECT_POINTS,
+                                                     .point_count = 1,
+                                                     .points = points}));
+    for (int i = 0; i < 3; i++) {
+        CHECK_OK(batten_model_add(
+            pair, &(batten_object){.name = names[i],
+                                   .kind = BATTEN_OBJECT_INSTANCE,
+                                   .definition = bolt,
+                                   .place = batten_affine_translation(10 * i, 0, 0)}));
+    }
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(
+            all, &(batten_object){.name = i ? "b" : "a/b",
+                                  .kind = BATTEN_OBJECT_INSTANCE,
+                                  .definition = pair,
+                                  .place = batten_affine_translation(0, 100 * i, 0)}));
+    CHECK_OK(batten_write_file(all, path, NULL, NULL));
+    batten_model_unref(all);
+    batten_model_unref(pair);
+    batten_model_unref(bolt);
+    static const char *const rows[][2] = {{"b/right", "x_mm y_mm z_mm\n21 102 3\n"},
+                                          {"b/left/of", "x_mm y_mm z_mm\n11 102 3\n"},
+                                          {"a/b/left", "x_mm y_mm z_mm\n1 2 3\n"},
+                                          {"a/b/left/of/tip", "x_mm y_mm z_mm\n11 2 3\n"}};
+    for (int i = 0; i < COUNT(rows); i++) {
+        char word[4096];
+        snprintf(word, sizeof word, "%s#%s", path, rows[i][0]);
+        CHECK_INT(RUN("batten", "convert", word, test_scratch("one.xyz")).exit, 0);
+        CHECK_TEXT(test_content(test_scratch("one.xyz")), rows[i][1]);
     }
 }
 
