@@ -46,6 +46,7 @@ void bat_dxf_layer(const char *name, char out[BAT_DXF_NAME]);
 typedef struct {
     char name[BAT_DXF_NAME];
     bat_dxf_colour_code colour;
+    bool is_off;
 } bat_dxf_layer_row;
 
 void bat_dxf_put_colour(bat_dxf *dxf, bat_dxf_colour_code colour);

@@ -28,16 +28,22 @@ static bat_dxf_colour_code colour_of(const batten_object *object)
                               : (bat_dxf_colour_code){BAT_DXF_PLAIN, -1};
 }
 
-/* By name, so that equal ones stand together, and the first object of a layer first. */
 typedef struct {
     bat_dxf_layer_row row;
     int object;
+    bool is_hidden;
 } wanted_layer;
 
+/* By name and colour, so that equal ones stand together, and the first object first. */
 static int compare_layers(const void *a, const void *b)
 {
     const wanted_layer *one = a, *other = b;
-    const int order = strcmp(one->row.name, other->row.name);
+    const bat_dxf_colour_code *c = &one->row.colour, *d = &other->row.colour;
+    int order = strcmp(one->row.name, other->row.name);
+    if (order == 0)
+        order = (c->index > d->index) - (c->index < d->index);
+    if (order == 0)
+        order = (c->full > d->full) - (c->full < d->full);
     return order ? order : (one->object > other->object) - (one->object < other->object);
 }
 
@@ -47,6 +53,27 @@ static void want_layer(const batten_object *object, int index, wanted_layer *wan
     bat_dxf_layer(object->layer[0] ? object->layer : object->name, wanted->row.name);
     wanted->row.colour = colour_of(object);
     wanted->object = index;
+    wanted->is_hidden = object->is_hidden;
+}
+
+/* The layer of all these objects: off when it shows none of them, in the colour of most. */
+static bat_dxf_layer_row layer_row(int count, const wanted_layer *wanted)
+{
+    bat_dxf_layer_row row = wanted[0].row;
+    int most = 0, first = 0;
+    row.is_off = true;
+    for (int i = 0, begin = 0; i < count; i++) {
+        const bat_dxf_colour_code *a = &wanted[begin].row.colour, *b = &wanted[i].row.colour;
+        begin = a->index == b->index && a->full == b->full ? begin : i;
+        const int here = i - begin + 1, by = wanted[begin].object;
+        if (here > most || (here == most && by < first)) {
+            most = here;
+            first = by;
+            row.colour = *b;
+        }
+        row.is_off &= wanted[i].is_hidden;
+    }
+    return row;
 }
 
 static batten_status find_layers(writing *w)
@@ -65,12 +92,19 @@ static batten_status find_layers(writing *w)
         w->named += !batten_model_object(w->model, i)->layer[0];
     }
     qsort(wanted, (size_t)n, sizeof *wanted, compare_layers);
-    w->layers[w->layer_count++] = (bat_dxf_layer_row){"0", {BAT_DXF_PLAIN, -1}};
-    for (int i = 0; i < n; i++) {
-        const bool is_zero = strcmp(wanted[i].row.name, "0") == 0;
-        if (!is_zero && strcmp(wanted[i].row.name, w->layers[w->layer_count - 1].name) != 0)
-            w->layers[w->layer_count++] = wanted[i].row;
-        w->layer_of[wanted[i].object] = is_zero ? 0 : w->layer_count - 1;
+    w->layers[w->layer_count++] =
+        (bat_dxf_layer_row){.name = "0", .colour = {BAT_DXF_PLAIN, -1}};
+    for (int i = 0, end = 0; i < n; i = end) {
+        while (end < n && strcmp(wanted[end].row.name, wanted[i].row.name) == 0)
+            end++;
+        const bat_dxf_layer_row row = layer_row(end - i, &wanted[i]);
+        const bool is_zero = strcmp(row.name, "0") == 0;
+        if (is_zero)
+            w->layers[0].is_off = row.is_off;
+        else
+            w->layers[w->layer_count++] = row;
+        for (int k = i; k < end; k++)
+            w->layer_of[wanted[k].object] = is_zero ? 0 : w->layer_count - 1;
     }
     bat_release(wanted);
     return BATTEN_OK;
@@ -88,7 +122,7 @@ static void begin_part(writing *w, int index, int owner, const char *kind)
     bat_dxf_handle(&w->dxf, owner);
     bat_dxf_text(&w->dxf, 100, "AcDbEntity");
     bat_dxf_text(&w->dxf, 8, layer->name);
-    if (object->is_hidden)
+    if (object->is_hidden && !layer->is_off)
         bat_dxf_integer(&w->dxf, 60, 1);
     if (colour.index != layer->colour.index || colour.full != layer->colour.full)
         bat_dxf_put_colour(&w->dxf, colour);

@@ -93,7 +93,9 @@ static void put_layers(bat_dxf *dxf, int count, const bat_dxf_layer_row *layers)
     const int table = begin_table(dxf, "LAYER", count);
     for (int i = 0; i < count; i++) {
         begin_row(dxf, table, "LAYER", "AcDbLayerTableRecord", layers[i].name);
-        bat_dxf_put_colour(dxf, layers[i].colour);
+        bat_dxf_colour_code colour = layers[i].colour;
+        colour.index = layers[i].is_off ? -colour.index : colour.index;
+        bat_dxf_put_colour(dxf, colour);
         bat_dxf_text(dxf, 6, "Continuous");
     }
     end_table(dxf);

@@ -308,3 +308,57 @@ TEST(only_colours_of_24_bits_need_release_2004)
     CHECK(strstr(text, "AC1018") && strstr(text, "\n420\n16750848\n"));
     batten_model_unref(model);
 }
+
+/* The layer of a colour, written so: its row in the table of layers. */
+static bool has_layer(const char *text, const char *name, int colour)
+{
+    char row[80];
+    snprintf(row, sizeof row, "\n  2\n%s\n 70\n0\n 62\n%d\n", name, colour);
+    return strstr(text, row) != NULL;
+}
+
+TEST(layers_of_dxf_have_the_colour_of_most_and_are_off_when_all_is_hidden)
+{
+    const struct {
+        const char *layer;
+        int colour;
+        bool is_hidden;
+    } lines[] = {{"holes", 2, false}, {"holes", 5, false}, {"holes", 5, false},
+                 {"off", 3, true},    {"off", 3, true},    {"half", 4, true},
+                 {"half", 4, false},  {"0", 1, true}};
+    batten_model *model = NULL;
+    batten_curve *line = NULL;
+    CHECK_OK(batten_curve_line(2, (double[]){0, 0}, (double[]){1, 0}, &line));
+    CHECK_OK(batten_model_create(0.001, &model));
+    for (int i = 0; i < COUNT(lines); i++) {
+        batten_object object = {.name = "line",
+                                .layer = lines[i].layer,
+                                .is_hidden = lines[i].is_hidden,
+                                .has_colour = true,
+                                .kind = BATTEN_OBJECT_CURVE,
+                                .curve = line};
+        CHECK(bat_dxf_colour(lines[i].colour, object.colour));
+        CHECK_OK(batten_model_add(model, &object));
+    }
+    const char *text = written(model, BATTEN_FORMAT_DXF);
+    CHECK(has_layer(text, "holes", 5));
+    CHECK(has_layer(text, "off", -3));
+    CHECK(has_layer(text, "half", 4));
+    CHECK(has_layer(text, "0", -7));
+    /* Switching the layer on shows what is on it; only one object is hidden by itself. */
+    const char *hidden = strstr(text, "\n 60\n1\n");
+    CHECK(hidden && !strstr(hidden + 1, "\n 60\n1\n"));
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_DXF;
+    batten_model *back = there_and_back(model, &options, NULL);
+    for (int i = 0; i < COUNT(lines); i++) {
+        const batten_object *object = batten_model_object(back, i);
+        double colour[3];
+        CHECK(bat_dxf_colour(lines[i].colour, colour));
+        CHECK(object->is_hidden == lines[i].is_hidden);
+        CHECK(memcmp(object->colour, colour, sizeof colour) == 0);
+    }
+    batten_model_unref(back);
+    batten_model_unref(model);
+    batten_curve_unref(line);
+}
