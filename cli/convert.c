@@ -19,6 +19,7 @@ static const option options[] = {
     {"format", 0, OPTION_VALUE, "FORMAT", "what OUT is to be, where its ending does not tell"},
     {"schema", 0, OPTION_VALUE, "NAME", "STEP: ap214, ap203 or ap242 (ap214)"},
     {"no-pcurves", 0, OPTION_FLAG, NULL, "STEP: faces without curves in (u, v)"},
+    {"solids", 0, OPTION_FLAG, NULL, "IGES: solids and shells, not faces one by one"},
     {"chord", 0, OPTION_VALUE, "D",
      "where shapes become meshes: how far triangles may be from them, in the result's unit "
      "(1/1000 of their size)"},
@@ -273,6 +274,7 @@ static bool write_options(const arguments *given, batten_write_options *write)
     if (arguments_has(given, "angle"))
         write->mesh.angle = degrees * (acos(-1.0) / 180);
     write->no_parameter_curves = arguments_has(given, "no-pcurves");
+    write->solids = arguments_has(given, "solids");
     write->as_text = arguments_has(given, "text");
     write->eighths = arguments_has(given, "eighths");
     return true;

@@ -100,7 +100,9 @@ typedef struct batten_write_options {
                            neutral date always, so that equal models give equal bytes */
     batten_step_schema schema;
     bool no_parameter_curves; /**< STEP: faces without curves in (u, v) */
-    bool as_text;             /**< STL and PLY: the readable form */
+    bool solids;  /**< IGES: bodies as solids and shells that share their edges (186,
+                       514), which fewer programs read than trimmed faces (144) */
+    bool as_text; /**< STL and PLY: the readable form */
     batten_mesh_options mesh; /**< for the formats of meshes: how shapes become triangles */
     bool eighths;             /**< tables of offsets in feet, inches and eighths, "1-7-4" */
     bool commas;              /**< points: commas between the coordinates, not blanks */

@@ -266,6 +266,11 @@ static void put_block(void)
     put_table("block-faces", model, true);
     put_file("block-faces", "igs", model, NULL);
     expect("block-faces", 0, 8, block_area(), 0);
+    batten_write_options whole = batten_write_defaults();
+    whole.solids = true;
+    put_table("block-whole", model, false);
+    put_file("block-whole", "igs", model, &whole);
+    expect("block-whole", 1, 8, block_area(), block_volume());
     batten_model_unref(model);
 }
 

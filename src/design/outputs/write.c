@@ -5,11 +5,14 @@ static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
     {"format", BATTEN_VALUE_WORD, false, false, "auto", BAT_FORMAT_WORDS,
      "by the ending of the file by default"},
-    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL, "the name of the product in STEP and IGES"},
+    {"title", BATTEN_VALUE_TEXT, false, false, NULL, NULL,
+     "the name of the product in STEP and IGES"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "the accuracy that the file states; the tolerance of the design by default"},
     {"schema", BATTEN_VALUE_WORD, false, false, "ap214", "ap214 ap203 ap242",
      "STEP: ap203 has no colours, meshes need ap242"},
+    {"solids", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "IGES: bodies as solids and shells, which fewer programs read, not as faces one by one"},
     {"parameter-curves", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
      "STEP: faces with their edges in (u, v)"},
     {"chord", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
@@ -30,6 +33,7 @@ static void read_options(const bat_run *run, batten_write_options *options)
     options->tolerance =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
     options->schema = (batten_step_schema)bat_word(run, "schema");
+    options->solids = bat_yes(run, "solids");
     options->no_parameter_curves = !bat_yes(run, "parameter-curves");
     options->mesh.chord = bat_has(run, "chord") ? bat_number(run, "chord") : 0;
     options->mesh.angle = bat_number(run, "angle");

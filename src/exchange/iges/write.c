@@ -14,8 +14,7 @@ static double percent(double part)
     return nearbyint(part * 1e8) / 1e6;
 }
 
-/* The colour field: minus the id of an entity 314, which is written unless it just was. */
-static int put_colour(bat_iges_writing *w, const double colour[3])
+int bat_iges_put_colour(bat_iges_writing *w, const double colour[3])
 {
     const double rgb[3] = {percent(colour[0]), percent(colour[1]), percent(colour[2])};
     for (int k = 0; k < w->colour_count && k < BAT_IGES_COLOURS; k++)
@@ -31,8 +30,7 @@ static int put_colour(bat_iges_writing *w, const double colour[3])
     return -id;
 }
 
-/* The id of a property with the name; 0 for an empty one. */
-static int put_name(bat_iges_writing *w, const char *name)
+int bat_iges_put_name(bat_iges_writing *w, const char *name)
 {
     if (!name[0])
         return 0;
@@ -98,8 +96,7 @@ static int level_of(bat_iges_writing *w, const char *layer)
 
 /* ---- objects ---- */
 
-/* Sequence numbers have 7 columns; this keeps every record below them. */
-static batten_status check_room(const bat_iges_writing *w)
+batten_status bat_iges_check_room(const bat_iges_writing *w)
 {
     if (w->data.count <= 9000000 && w->directory_count <= 9000000)
         return BATTEN_OK;
@@ -109,7 +106,8 @@ static batten_status check_room(const bat_iges_writing *w)
 static bat_iges_look look_of(bat_iges_writing *w, const batten_object *object)
 {
     return (bat_iges_look){.level = level_of(w, object->layer),
-                           .colour = object->has_colour ? put_colour(w, object->colour) : 0,
+                           .colour =
+                               object->has_colour ? bat_iges_put_colour(w, object->colour) : 0,
                            .is_hidden = object->is_hidden,
                            .is_part = w->is_inside};
 }
@@ -130,7 +128,7 @@ static batten_status write_curve(bat_iges_writing *w, const batten_object *objec
     if (status != BATTEN_OK)
         return status;
     const bat_iges_look look = look_of(w, object);
-    const int id = bat_iges_put_curve(w, curve, put_name(w, object->name), look);
+    const int id = bat_iges_put_curve(w, curve, bat_iges_put_name(w, object->name), look);
     batten_curve_unref(curve);
     return keep(w, object->group, id);
 }
@@ -142,7 +140,7 @@ static batten_status write_surface(bat_iges_writing *w, const batten_object *obj
     if (status != BATTEN_OK)
         return status;
     const bat_iges_look look = look_of(w, object);
-    const int id = bat_iges_put_surface(w, surface, put_name(w, object->name), look);
+    const int id = bat_iges_put_surface(w, surface, bat_iges_put_name(w, object->name), look);
     batten_surface_unref(surface);
     return keep(w, object->group, id);
 }
@@ -151,7 +149,7 @@ static batten_status write_points(bat_iges_writing *w, const batten_object *obje
 {
     const bat_iges_look look = look_of(w, object);
     const int id = bat_iges_put_points(w, object->points, object->point_count,
-                                       put_name(w, object->name), look);
+                                       bat_iges_put_name(w, object->name), look);
     return keep(w, object->group, id);
 }
 
@@ -187,7 +185,7 @@ static batten_status put_face_name(bat_iges_writing *w, const batten_object *obj
         batten_text_add(&text, "%s", own);
     else
         batten_text_add(&text, "%s.%d", object->name, f + 1);
-    *name = text.failed ? 0 : put_name(w, text.bytes);
+    *name = text.failed ? 0 : bat_iges_put_name(w, text.bytes);
     const batten_status status = text.failed ? BATTEN_OUT_OF_MEMORY : BATTEN_OK;
     batten_text_free(&text);
     return status;
@@ -206,7 +204,7 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
             memcpy(coloured.colour, face->colour, sizeof face->colour);
         }
         const bat_iges_look look = look_of(w, &coloured);
-        status = check_room(w);
+        status = bat_iges_check_room(w);
         if (status == BATTEN_OK)
             status = put_face_name(w, object, parts->face_count, f, &name);
         if (status == BATTEN_OK)
@@ -217,10 +215,35 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
     return status;
 }
 
+/* Does it become several entities, also where solids are written? */
+static bool is_many(const batten_body_parts *parts)
+{
+    return !parts->is_solid && parts->shell_count > 1;
+}
+
+typedef struct {
+    bat_iges_writing *w;
+    const char *group;
+} keeping;
+
+static batten_status keep_shell(void *context, int id)
+{
+    const keeping *k = context;
+    return keep(k->w, k->group, id);
+}
+
+static batten_status write_solid(bat_iges_writing *w, const batten_object *object,
+                                 const batten_body_parts *parts, const char *group)
+{
+    const bat_iges_look look = look_of(w, object);
+    keeping context = {w, group};
+    return bat_iges_put_body(w, parts, object->name, &look, keep_shell, &context);
+}
+
 static void note_losses(bat_iges_writing *w, const batten_object *object)
 {
     const batten_body_parts *parts = batten_body_view(object->body);
-    if (parts->face_count > 1)
+    if (parts->face_count > 1 && !w->has_solids)
         batten_notes_add(w->notes, "", 0, object->name,
                          "its %d faces are written as trimmed surfaces, which do not share "
                          "their edges%s",
@@ -240,10 +263,12 @@ static batten_status write_body(bat_iges_writing *w, const batten_object *object
         return status;
     traced.body = body;
     const batten_body_parts *parts = batten_body_view(body);
-    if (parts->face_count > 1 && !w->is_inside)
+    const bool are_many = w->has_solids ? is_many(parts) : parts->face_count > 1;
+    if (are_many && !w->is_inside)
         status = path_of_body(w, object, &group);
     if (status == BATTEN_OK)
-        status = write_faces(w, &traced, parts, group);
+        status = w->has_solids ? write_solid(w, &traced, parts, group)
+                               : write_faces(w, &traced, parts, group);
     if (status == BATTEN_OK)
         note_losses(w, &traced);
     batten_body_unref(body);
@@ -255,14 +280,14 @@ static batten_status write_instance(bat_iges_writing *w, const batten_object *ob
     const int subfigure =
         w->subfigures[bat_definitions_index(&w->definitions, object->definition)];
     const bat_iges_look look = look_of(w, object);
-    const int id =
-        bat_iges_put_instance(w, subfigure, &object->place, put_name(w, object->name), look);
+    const int id = bat_iges_put_instance(w, subfigure, &object->place,
+                                         bat_iges_put_name(w, object->name), look);
     return keep(w, object->group, id);
 }
 
 static batten_status write_object(bat_iges_writing *w, const batten_object *object)
 {
-    batten_status status = check_room(w);
+    batten_status status = bat_iges_check_room(w);
     if (status != BATTEN_OK)
         return status;
     if (w->is_inside && object->group[0])
@@ -294,7 +319,7 @@ typedef struct {
 static batten_status enter_group(void *context, int depth, const char *name)
 {
     open_groups *open = context;
-    open->names[depth] = put_name(open->w, name);
+    open->names[depth] = bat_iges_put_name(open->w, name);
     open->items[depth].count = 0;
     return BATTEN_OK;
 }
@@ -319,7 +344,7 @@ static batten_status leave_group(void *context, int depth)
         bat_iges_put_integer(&w->data, items->members[i].item, ',');
     bat_iges_put_properties(w, open->names[depth]);
     bat_iges_end_entity(w, &(bat_iges_look){.type = 402, .form = 7, .use = 3});
-    const batten_status status = check_room(w);
+    const batten_status status = bat_iges_check_room(w);
     return status == BATTEN_OK && depth > 0 ? bat_members_add(&open->items[depth - 1], "", id)
                                             : status;
 }
@@ -395,6 +420,7 @@ static batten_status write_whole(const batten_model *model, const batten_write_o
     const double unit = batten_model_unit_metres(model);
     bat_iges_writing w = {.notes = notes,
                           .unit_metres = unit,
+                          .has_solids = options->solids,
                           .tolerance =
                               options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
     bat_iges_section_begin(&w.data, 'P', text);
@@ -418,7 +444,7 @@ batten_status bat_write_iges(const batten_model *model, const batten_write_optio
     batten_model *scaled = NULL, *whole = NULL;
     batten_status status = choose_unit(model, notes, &scaled);
     if (status == BATTEN_OK)
-        status = bat_iges_make_parts(scaled, notes, &whole);
+        status = bat_iges_make_parts(scaled, options->solids, notes, &whole);
     if (status == BATTEN_OK)
         status = write_whole(whole, options, notes, text);
     batten_model_unref(scaled);

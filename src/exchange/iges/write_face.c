@@ -52,10 +52,8 @@ static double distance(const double a[3], const double b[3])
     return sqrt(x * x + y * y + z * z);
 }
 
-/* The curve of an edge, clamped, with ends that miss their vertices moved to them, so that
- * loops, which have no vertices in IGES, close. */
-static batten_status meet_vertices(const bat_iges_writing *w, const batten_body_parts *p,
-                                   const batten_body_edge *edge, batten_curve **out)
+batten_status bat_iges_meet_vertices(const bat_iges_writing *w, const batten_body_parts *p,
+                                     const batten_body_edge *edge, batten_curve **out)
 {
     batten_curve *curve = NULL, *made = NULL;
     batten_status status = batten_curve_clamp(edge->curve, &curve);
@@ -86,7 +84,7 @@ static batten_status put_edge(bat_iges_writing *w, const batten_body_parts *p,
                               const batten_body_use *use, int *id)
 {
     batten_curve *curve = NULL;
-    batten_status status = meet_vertices(w, p, &p->edges[use->edge], &curve);
+    batten_status status = bat_iges_meet_vertices(w, p, &p->edges[use->edge], &curve);
     if (status == BATTEN_OK)
         status = put_member(w, curve, use->reversed, false, &part, id);
     batten_curve_unref(curve);

@@ -99,6 +99,7 @@ int bat_iges_put_instance(bat_iges_writing *w, int subfigure, const batten_affin
 typedef struct {
     const batten_model *whole;
     batten_notes *notes;
+    bool has_solids;
 } parting;
 
 /* The body as what is placed once, as it lies. */
@@ -133,15 +134,15 @@ static batten_status add_part(void *context, const batten_model *from, int index
                          "left out, as this instance places nothing");
         return BATTEN_OK;
     }
-    return object->kind == BATTEN_OBJECT_BODY && is_among_others &&
+    return object->kind == BATTEN_OBJECT_BODY && is_among_others && !p->has_solids &&
                    batten_body_view(object->body)->face_count > 1
                ? add_as_part(made, object)
                : batten_model_add(made, object);
 }
 
-batten_status bat_iges_make_parts(const batten_model *model, batten_notes *notes,
-                                  batten_model **out)
+batten_status bat_iges_make_parts(const batten_model *model, bool has_solids,
+                                  batten_notes *notes, batten_model **out)
 {
-    parting p = {model, notes};
+    parting p = {model, notes, has_solids};
     return bat_model_change(model, batten_model_unit_metres(model), 1, add_part, &p, out);
 }

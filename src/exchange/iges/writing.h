@@ -34,6 +34,7 @@ typedef struct {
     batten_notes *notes;
     double unit_metres;
     double tolerance;
+    bool has_solids; /* bodies are written whole, not face by face */
     bat_iges_section data;
     batten_text directory;
     int directory_count;
@@ -69,6 +70,15 @@ void bat_iges_end_entity(bat_iges_writing *w, const bat_iges_look *look);
 /* The last parameters of an entity: no associativity, and its name, if any. */
 void bat_iges_put_properties(bat_iges_writing *w, int name);
 
+/* ---- what entities have (write.c) ---- */
+
+/* The colour field: minus the id of an entity 314, which is written unless it just was. */
+int bat_iges_put_colour(bat_iges_writing *w, const double colour[3]);
+/* The id of a property with the name; 0 for an empty one. */
+int bat_iges_put_name(bat_iges_writing *w, const char *name);
+/* Sequence numbers have 7 columns; this keeps every record below them. */
+batten_status bat_iges_check_room(const bat_iges_writing *w);
+
 /* ---- the file (write_global.c) ---- */
 
 /* The parameters are in the text already: what comes before them is put there, and the end. */
@@ -87,10 +97,11 @@ int bat_iges_put_points(bat_iges_writing *w, const double *points, int count, in
 
 /* ---- what is placed (write_instances.c) ---- */
 
-/* The model without what would not be written, and with bodies of several faces, where they lie
- * among others in what is placed, as subfigures of their own. */
-batten_status bat_iges_make_parts(const batten_model *model, batten_notes *notes,
-                                  batten_model **out);
+/* The model without what would not be written, and, unless bodies are written whole, with those
+ * of several faces, where they lie among others in what is placed, as subfigures of their own.
+ */
+batten_status bat_iges_make_parts(const batten_model *model, bool has_solids,
+                                  batten_notes *notes, batten_model **out);
 /* The id of a subfigure of the items, which lie `depth` deep: 0 when none of them is placed. */
 int bat_iges_put_subfigure(bat_iges_writing *w, const char *name, int depth,
                            const bat_members *items);
@@ -103,8 +114,21 @@ int bat_iges_put_instance(bat_iges_writing *w, int subfigure, const batten_affin
 /* A face as a trimmed surface, or, when nothing bounds it, as a surface. */
 batten_status bat_iges_put_face(bat_iges_writing *w, const batten_body_parts *parts, int face,
                                 int name, const bat_iges_look *look, int *id);
+/* The curve of an edge, clamped, with ends that miss their vertices moved to them, so that
+ * loops, which have no vertices in 142, close. */
+batten_status bat_iges_meet_vertices(const bat_iges_writing *w, const batten_body_parts *parts,
+                                     const batten_body_edge *edge, batten_curve **out);
 /* Say how many ends of edges were moved to their vertices, and how far. */
 void bat_iges_note_ends(const bat_iges_writing *w, const batten_body_parts *parts,
                         const char *name);
+
+/* ---- bodies whole (write_solid.c) ---- */
+
+/* What is to be done with the id of a solid or shell. */
+typedef batten_status bat_iges_keep(void *context, int id);
+/* A solid, or each shell of a body that is none, with their edges shared. */
+batten_status bat_iges_put_body(bat_iges_writing *w, const batten_body_parts *parts,
+                                const char *name, const bat_iges_look *look,
+                                bat_iges_keep *keep, void *context);
 
 #endif
