@@ -90,6 +90,8 @@ static const bat_format_row formats[] = {
      .can_place = bat_step_can_place,
      .paints = true,
      .says = BAT_SAYS_ALL,
+     .lesser = BAT_HOLDS(INSTANCE),
+     .lacks = BAT_SAYS_ALL & ~BAT_SAYS_NAMES,
      .write = bat_write_step},
 
     {.format = BATTEN_FORMAT_DXF,
@@ -138,7 +140,8 @@ static const bat_format_row formats[] = {
      .holds = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE) | BAT_HOLDS(MESH),
      .keeps = BAT_KEEPS_COLOURS,
      .says = BAT_SAYS_NAMES | BAT_SAYS_COLOURS | BAT_SAYS_GROUPS,
-     .paler = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .lesser = BAT_HOLDS(POINTS) | BAT_HOLDS(CURVE) | BAT_HOLDS(SURFACE),
+     .lacks = BAT_SAYS_COLOURS,
      .write = bat_write_obj},
 
     {.format = BATTEN_FORMAT_STL,

@@ -19,11 +19,11 @@ typedef struct {
     unsigned holds; /* bits 1 << BATTEN_OBJECT_... */
     /* Can it say such a place of an instance? NULL: any. */
     bool (*can_place)(const batten_affine *place);
-    unsigned keeps; /* of a mesh: bits BAT_KEEPS_... */
-    bool paints;    /* an instance can have a colour of its own */
-    unsigned says;  /* of an object that it holds: bits BAT_SAYS_... */
-    unsigned paler; /* kinds that it has no colours for, though for others; bits as in holds */
-    bool names_layers; /* an object without a layer lies on one of its name */
+    unsigned keeps;         /* of a mesh: bits BAT_KEEPS_... */
+    bool paints;            /* an instance can have a colour of its own */
+    unsigned says;          /* of an object that it holds: bits BAT_SAYS_... */
+    unsigned lesser, lacks; /* kinds, as in holds, of which it does not say all: which bits */
+    bool names_layers;      /* an object without a layer lies on one of its name */
     batten_status (*write)(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 } bat_format_row;

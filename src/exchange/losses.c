@@ -29,11 +29,11 @@ static bool is_made_up(const char *name)
 }
 
 /* In the order of the bits BAT_SAYS_... */
-enum { NAME, LAYER, COLOUR, GROUP, KINDS };
+enum { NAME, LAYER, COLOUR, GROUP, HIDDEN, KINDS };
 
 typedef struct {
     int count[KINDS];
-    const char *first[KINDS]; /* an object that lost it */
+    const batten_object *first[KINDS]; /* that lost it */
 } losses;
 
 static bool has(int what, const batten_object *object, const bat_format_row *row)
@@ -45,30 +45,36 @@ static bool has(int what, const batten_object *object, const bat_format_row *row
         return object->layer[0];
     case COLOUR:
         return object->has_colour;
-    default:
+    case GROUP:
         return object->group[0];
+    default:
+        return object->is_hidden;
     }
 }
 
 static void count(losses *lost, const bat_format_row *row, const batten_object *object)
 {
-    unsigned says = row->says;
-    if (row->paler & 1u << object->kind)
-        says &= ~(unsigned)BAT_SAYS_COLOURS;
+    const unsigned says = row->says & ~(row->lesser & 1u << object->kind ? row->lacks : 0u);
     for (int k = 0; k < KINDS; k++)
         if (!(says & 1u << k) && has(k, object, row) && lost->count[k]++ == 0)
-            lost->first[k] = object->name;
+            lost->first[k] = object;
 }
 
 static void note(const losses *lost, const bat_format_row *row, batten_notes *notes)
 {
-    static const char *const names[KINDS] = {"names", "layers", "colours", "groups"};
-    for (int k = 0; k < KINDS; k++)
-        if (lost->count[k])
-            (k == NAME ? batten_notes_remark : batten_notes_add)(
-                notes, "", 0, "", "%s left out: %d ('%.60s' first); %s files hold none%s",
-                names[k], lost->count[k], lost->first[k], row->title,
-                row->names_layers && k == NAME ? " but those of layers" : "");
+    static const char *const names[KINDS] = {"names", "layers", "colours", "groups",
+                                             "that objects are hidden is"};
+    for (int k = 0; k < KINDS; k++) {
+        if (!lost->count[k])
+            continue;
+        const batten_object *first = lost->first[k];
+        const bool is_lesser = row->says & 1u << k;
+        (k == NAME ? batten_notes_remark : batten_notes_add)(
+            notes, "", 0, "", "%s left out: %d ('%.60s' first); %s files hold none%s%s%s",
+            names[k], lost->count[k], first->name, row->title, is_lesser ? " for this " : "",
+            is_lesser ? batten_object_kind_name(first->kind) : "",
+            row->names_layers && k == NAME ? " but those of layers" : "");
+    }
 }
 
 batten_status bat_note_losses(const batten_model *model, const bat_format_row *row,

@@ -4,7 +4,7 @@
 #include "exchange/formats.h"
 
 /* The model is as it will be written. Names are a remark: the shapes are as they were. What is
- * hidden, and shown by that, is said where it is changed. */
+ * hidden and becomes visible in all objects is said where that is done. */
 batten_status bat_note_losses(const batten_model *model, const bat_format_row *row,
                               batten_notes *notes);
 

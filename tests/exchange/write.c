@@ -303,3 +303,45 @@ TEST(what_a_format_cannot_say_of_objects_is_counted_in_one_message_each)
     }
     batten_model_unref(model);
 }
+
+TEST(what_STEP_cannot_say_of_instances_is_counted)
+{
+    static const char *const said[] = {
+        "layers left out: 2 ('a' first); STEP files hold none for this instance",
+        "colours left out: 1 ('b' first); ", "groups left out: 2 ('a' first); ",
+        "that objects are hidden is left out: 1 ('a' first); "};
+    const double point[3] = {1, 2, 3};
+    batten_model *part = NULL, *model = NULL;
+    batten_notes *notes = NULL;
+    batten_write_options options = batten_write_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(batten_model_create(0.001, &part));
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_model_add(part, &(batten_object){.name = "tip",
+                                                     .layer = "kept",
+                                                     .kind = BATTEN_OBJECT_POINTS,
+                                                     .point_count = 1,
+                                                     .points = point}));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "b" : "a",
+                                                          .layer = "parts",
+                                                          .group = "set",
+                                                          .is_hidden = i == 0,
+                                                          .has_colour = i == 1,
+                                                          .kind = BATTEN_OBJECT_INSTANCE,
+                                                          .definition = part,
+                                                          .place = batten_affine_identity()}));
+    options.format = BATTEN_FORMAT_STEP;
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    if (!batten_notes_dropped(notes)) {
+        CHECK_INT(batten_notes_count(notes), COUNT(said));
+        for (int k = 0; k < COUNT(said); k++)
+            CHECK(has_note(notes, said[k]));
+    }
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_model_unref(part);
+    batten_model_unref(model);
+}

@@ -218,9 +218,6 @@ static batten_status put_place(bat_step_writing *w, const batten_object *object,
 {
     const double(*m)[3] = object->place.m;
     const double z[] = {m[0][2], m[1][2], m[2][2]}, x[] = {m[0][0], m[1][0], m[2][0]};
-    if (object->has_colour || object->is_hidden || object->layer[0] || object->group[0])
-        batten_notes_add(w->step.notes, "", 0, object->name,
-                         "colour, layer, group and visibility of an instance are left out");
     return bat_step_bag_add(&c->places, bat_step_placement(&w->step, object->place.t, z, x));
 }
 
