@@ -284,9 +284,8 @@ batten_status bat_dxf_polyline_begin(const bat_dxf_pairs *pairs, bat_dxf_polylin
     polyline->line = pairs->line;
     polyline->closed = flags & 1;
     polyline->is_plane = !(flags & 8);
-    polyline->is_mesh = flags & (16 | 64);
     polyline->frame.origin = bat_vec3_scale(polyline->frame.z, elevation.z);
-    return BATTEN_OK;
+    return bat_dxf_polymesh_begin(pairs, flags, polyline);
 }
 
 /* Vertices that only frame a spline, flag 16, are no part of the curve. */
@@ -296,6 +295,8 @@ batten_status bat_dxf_polyline_vertex(const bat_dxf_pairs *pairs, bat_dxf_polyli
     batten_vec3 p;
     double vertex[4] = {0, 0, 0, 0};
     batten_status status = bat_dxf_get_integer(pairs, 70, 0, &flags);
+    if (status == BATTEN_OK && polyline->is_polyface && (flags & (64 | 128)) == 128)
+        return bat_dxf_polymesh_face(pairs, polyline);
     if (status == BATTEN_OK)
         status = bat_dxf_get_point(pairs, 10, zero, &p);
     if (status == BATTEN_OK && polyline->is_plane)
@@ -333,8 +334,6 @@ static batten_status make_space(const bat_dxf_polyline *polyline, batten_curve *
 batten_status bat_dxf_polyline_curve(const bat_dxf_pairs *pairs,
                                      const bat_dxf_polyline *polyline, batten_curve **out)
 {
-    if (polyline->is_mesh)
-        return bat_fail(BATTEN_UNSUPPORTED, "it is a mesh, which is not read");
     if (polyline->vertices.count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "it has %zu point%s", polyline->vertices.count,
                         bat_plural(polyline->vertices.count));

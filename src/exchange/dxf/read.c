@@ -247,6 +247,7 @@ static batten_status build_block(bat_dxf_reading *r, bat_dxf_block *b, int depth
     b->is_at_work = false;
     batten_model_unref(f.model);
     bat_release(f.polyline.vertices.items);
+    bat_release(f.polyline.faces.items);
     bat_release(f.faces.items);
     bat_dxf_pairs_end(&f.pairs);
     return status;
@@ -329,17 +330,24 @@ static batten_status add_insert(filling *f)
 static batten_status end_polyline(filling *f)
 {
     batten_curve *curve = NULL;
+    batten_mesh *mesh = NULL;
+    batten_object object = f->polyline_look;
+    char name[64];
+    snprintf(name, sizeof name, "POLYLINE %d", f->r->number + 1);
     f->polyline.is_open = false;
-    batten_status status = bat_dxf_polyline_curve(&f->pairs, &f->polyline, &curve);
+    batten_status status = f->polyline.is_mesh
+                               ? bat_dxf_polymesh(f->r->input, &f->polyline, name, &mesh)
+                               : bat_dxf_polyline_curve(&f->pairs, &f->polyline, &curve);
     if (status == BATTEN_OK) {
-        char name[64];
-        batten_object object = f->polyline_look;
-        snprintf(name, sizeof name, "POLYLINE %d", ++f->r->number);
+        f->r->number++;
+        object.kind = mesh ? BATTEN_OBJECT_MESH : BATTEN_OBJECT_CURVE;
         object.curve = curve;
+        object.mesh = mesh;
         object.name = name;
         status = add_object(f, &object, &f->polyline_part);
     }
     batten_curve_unref(curve);
+    batten_mesh_unref(mesh);
     if (status == BATTEN_OK)
         return bat_census_read(f->r->input, &f->r->census, "POLYLINE");
     return bat_input_ends(status) ? status : leave_out(f, "POLYLINE", f->polyline.line);
@@ -348,7 +356,7 @@ static batten_status end_polyline(filling *f)
 static batten_status begin_polyline(filling *f)
 {
     const batten_status status = bat_dxf_polyline_begin(&f->pairs, &f->polyline);
-    f->polyline_look = (batten_object){.kind = BATTEN_OBJECT_CURVE};
+    f->polyline_look = (batten_object){0};
     read_look(f, f->polyline_layer, &f->polyline_look);
     f->polyline_part = f->part;
     return status;
@@ -450,6 +458,7 @@ static batten_status read_entities(bat_dxf_reading *r, batten_model **out)
         *out = batten_model_ref(f.model);
     batten_model_unref(f.model);
     bat_release(f.polyline.vertices.items);
+    bat_release(f.polyline.faces.items);
     bat_release(f.faces.items);
     bat_dxf_pairs_end(&f.pairs);
     return status;

@@ -495,7 +495,13 @@ TEST(P2_a_bad_entity_is_left_out_and_the_next_is_read)
         {"0 SPLINE|8 0|70 0|71 1|40 0|40 0|40 1|40 1|10 0|20 0|10 1|",
          "group 20 stands 1 times"},
         {"0 LWPOLYLINE|8 0|90 1|10 0|20 0|", "a path of 1 point"},
-        {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|", "it is a mesh"},
+        {"0 POLYLINE|8 0|70 64|0 VERTEX|10 0|20 0|0 SEQEND|8 0|",
+         "it is a mesh, and of its 0 faces none is good"},
+        {"0 POLYLINE|8 0|70 64|0 VERTEX|70 192|10 0|20 0|0 VERTEX|70 128|71 1|72 1|73 2|"
+         "0 SEQEND|8 0|",
+         "it is a mesh, and of its 1 faces none is good"},
+        {"0 POLYLINE|8 0|70 16|71 2|72 1000000|0 VERTEX|70 64|10 0|20 0|0 SEQEND|8 0|",
+         "it has 1 points where its grid of 2 x 1000000"},
         {"0 INSERT|8 0|2 nothing|", "there is no block 'nothing'"},
         {"0 LINE|8 0|67 1|10 0|20 0|11 1|21 1|", "it is on paper"},
         {"0 TEXT|8 0|1 hello|", "0 read, 1 left out"},
@@ -704,4 +710,74 @@ TEST(P1_arrays_that_are_too_large_or_in_one_place_are_told)
         batten_notes_free(notes);
         batten_model_unref(model);
     }
+}
+
+/* A tetrahedron without its last side, whose faces have hidden sides and one a corner twice; a
+ * vertex that is no corner; the look is that of the POLYLINE. */
+TEST(polylines_that_are_meshes_of_faces_are_read)
+{
+    batten_model *model =
+        read_entities("0 POLYLINE|8 deck|62 1|66 1|70 64|71 4|72 3|"
+                      "0 VERTEX|70 192|10 0|20 0|30 0|0 VERTEX|70 192|10 1|20 0|30 0|"
+                      "0 VERTEX|70 192|10 0|20 1|30 0|0 VERTEX|70 192|10 0|20 0|30 1|"
+                      "0 VERTEX|70 128|10 0|20 0|30 0|71 1|72 -3|73 2|74 2|"
+                      "0 VERTEX|70 128|10 0|20 0|30 0|71 -1|72 2|73 4|"
+                      "0 VERTEX|70 128|10 0|20 0|30 0|71 1|72 4|73 3|74 0|0 SEQEND|8 0|");
+    const batten_object *object = batten_model_object(model, 0);
+    CHECK(batten_model_count(model) == 1 && object->kind == BATTEN_OBJECT_MESH);
+    const batten_mesh_parts *p = batten_mesh_view(object->mesh);
+    CHECK_TEXT(object->layer, "deck");
+    CHECK(object->has_colour && object->colour[0] == 1 && object->colour[1] == 0);
+    CHECK_INT(p->vertex_count, 4);
+    CHECK_INT(p->triangle_count, 3);
+    CHECK(p->corners[0] == 0 && p->corners[1] == 2 && p->corners[2] == 1);
+    batten_model_unref(model);
+}
+
+/* A ring of 4 by 3 points, closed one way, and its smooth form among which control points lie.
+ */
+TEST(polylines_that_are_grids_are_read)
+{
+    for (int kind = 0; kind < 4; kind++) {
+        char text[4096];
+        const bool is_smooth = kind / 2, across = kind % 2;
+        snprintf(text, sizeof text, "0 POLYLINE|8 0|66 1|70 %d|71 %d|72 %d|73 4|74 3|75 %d|",
+                 16 + (across ? 32 : 1) + (is_smooth ? 4 : 0), is_smooth ? 9 : 4,
+                 is_smooth ? 9 : 3, is_smooth ? 5 : 0);
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 3; j++)
+                snprintf(text + strlen(text), sizeof text - strlen(text),
+                         "0 VERTEX|70 %d|10 %d|20 %d|30 %d|%s", is_smooth ? 72 : 64, i, j,
+                         i * i + j * j, is_smooth ? "0 VERTEX|70 80|10 5|20 5|30 5|" : "");
+        strcat(text, "0 SEQEND|8 0|");
+        batten_model *model = read_entities(text);
+        CHECK(batten_model_object(model, 0)->kind == BATTEN_OBJECT_MESH);
+        const batten_mesh_parts *p = batten_mesh_view(batten_model_object(model, 0)->mesh);
+        CHECK_INT(p->vertex_count, 12);
+        CHECK_INT(p->triangle_count, across ? 2 * 3 * 3 : 2 * 4 * 2);
+        CHECK_BITS(p->points[3 * 7], 2.0);
+        batten_model_unref(model);
+    }
+}
+
+TEST(faces_of_polylines_without_their_corners_are_left_out_with_their_line)
+{
+    batten_model *model = NULL;
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_STATUS(read_text(file_of("", "",
+                                   "0 POLYLINE|8 0|70 64|0 VERTEX|70 192|10 0|20 0|"
+                                   "0 VERTEX|70 192|10 1|20 0|0 VERTEX|70 192|10 1|20 1|"
+                                   "0 VERTEX|70 128|71 1|72 2|73 3|"
+                                   "0 VERTEX|70 128|71 1|72 2|73 7|0 SEQEND|8 0|"),
+                           BATTEN_FORMAT_DXF, notes, &model),
+                 BATTEN_PARTLY_READ);
+    CHECK_INT(batten_mesh_view(batten_model_object(model, 0)->mesh)->triangle_count, 1);
+    bool said = batten_notes_dropped(notes) > 0;
+    for (int i = 0; i < batten_notes_count(notes); i++)
+        said |= strstr(batten_notes_at(notes, i)->text, "its corner 3 is vertex 7") &&
+                batten_notes_at(notes, i)->line == 78;
+    CHECK(said);
+    batten_notes_free(notes);
+    batten_model_unref(model);
 }
