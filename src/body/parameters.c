@@ -159,13 +159,13 @@ bool bat_parameters_plane(const bat_chart *chart)
     return plane_of(chart, p, a, b);
 }
 
-batten_status bat_parameters_in_plane(const bat_chart *chart, const batten_curve *curve,
-                                      batten_curve **out, double *miss)
+/* With a clamped curve in a plane P + u a + v b. */
+static batten_status put_in_plane(const bat_chart *chart, const batten_curve *curve,
+                                  const double p[3], const double *derivatives,
+                                  batten_curve **out, double *miss)
 {
-    double p[3], derivatives[9], *a = derivatives + 3, *b = derivatives + 6;
+    const double *a = derivatives + 3, *b = derivatives + 6;
     batten_curve *made = NULL;
-    if (!plane_of(chart, p, a, b) || !batten_curve_is_clamped(curve))
-        return BATTEN_NOT_FOUND;
     const int n = batten_curve_point_count(curve);
     const double *points = batten_curve_points(curve);
     batten_status status = bat_curve_make(2, batten_curve_degree(curve), n,
@@ -197,6 +197,24 @@ batten_status bat_parameters_in_plane(const bat_chart *chart, const batten_curve
     if (status == BATTEN_OK)
         *out = finished;
     return status;
+}
+
+batten_status bat_parameters_in_plane(const bat_chart *chart, const batten_curve *curve,
+                                      batten_curve **out, double *miss)
+{
+    double p[3], derivatives[9];
+    batten_curve *clamped = NULL;
+    if (!plane_of(chart, p, derivatives + 3, derivatives + 6))
+        return BATTEN_NOT_FOUND;
+    batten_status status = BATTEN_OK;
+    if (batten_curve_is_clamped(curve))
+        clamped = batten_curve_ref(curve);
+    else
+        status = batten_curve_clamp(curve, &clamped);
+    if (status == BATTEN_OK)
+        status = put_in_plane(chart, clamped, p, derivatives, out, miss);
+    batten_curve_unref(clamped);
+    return status == BATTEN_BAD_KNOTS ? BATTEN_NOT_FOUND : status;
 }
 
 /* The feet of both ends; at a pole the other coordinate is that of the middle of the curve. */

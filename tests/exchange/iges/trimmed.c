@@ -139,6 +139,32 @@ TEST(a_trimmed_unbounded_plane_reaches_over_its_loops)
     batten_model_unref(model);
 }
 
+/* Uniform closed cubics, whose control points lie farther out than they: areas by Green's
+ * theorem. */
+TEST(a_plane_within_one_closed_spline_has_its_area)
+{
+    static const struct {
+        double points[10], area;
+    } cases[] = {{{1.1, 0, 0.5, 1.5, -3.6, 2.6, -2.8, -2.1, 0.5, -1.5}, 11.302291666666667},
+                 {{1.6, 0, 1.2, 3.6, -3.3, 2.4, -0.9, -0.6, 0.4, -1.1}, 10.382638888888889}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        iges_text file = iges_begin();
+        char text[300] = "126,7,3,1,1,1,1,0.,1.,2.,3.,4.,5.,6.,7.,8.,9.,10.,11.,1.,1.,1.,1.,1.,"
+                         "1.,1.,1.,";
+        for (int i = 0; i < 8; i++)
+            sprintf(text + strlen(text), "%g,%g,0.,", cases[k].points[2 * i % 10],
+                    cases[k].points[2 * i % 10 + 1]);
+        strcat(text, "3.,8.,0.,0.,1.;");
+        iges_add(&file, 126, 0, 0, 0, part, text);
+        iges_add(&file, 108, 0, 0, 0, part, "108,0.,0.,1.,0.,0,0.,0.,0.,0.;");
+        iges_add(&file, 142, 0, 0, 0, part, "142,0,3,0,1,2;");
+        iges_add(&file, 144, 0, 0, 0, root, "144,3,1,0,5;");
+        batten_model *model = read_body(&file, "");
+        check_area(model, cases[k].area);
+        batten_model_unref(model);
+    }
+}
+
 /* Two half circles around it, the one on from the other and both begun there. */
 TEST(a_trimmed_cone_with_one_loop_around_it_reaches_to_its_apex)
 {
