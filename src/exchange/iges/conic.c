@@ -121,9 +121,7 @@ batten_status bat_iges_read_conic(bat_iges_item *item)
                                            BAT_PARABOLA};
     double v[11];
     canonical form = {.kind = BAT_ELLIPSE};
-    batten_status status = bat_iges_need(item, 12);
-    if (status == BATTEN_OK)
-        status = bat_iges_reals(item->parameters, 1, 11, v);
+    batten_status status = bat_iges_reals_or_0(item, 1, 11, v);
     if (status != BATTEN_OK)
         return status;
     const equation q = {v[0], v[1], v[2], v[3], v[4], v[5], v[6], {v[7], v[8]}, {v[9], v[10]}};

@@ -123,9 +123,7 @@ batten_status bat_iges_read_nurbs_curve(bat_iges_item *item)
 batten_status bat_iges_read_line(bat_iges_item *item)
 {
     double points[6];
-    batten_status status = bat_iges_need(item, 7);
-    if (status == BATTEN_OK)
-        status = bat_iges_reals(item->parameters, 1, 6, points);
+    batten_status status = bat_iges_reals_or_0(item, 1, 6, points);
     if (status == BATTEN_OK)
         status = batten_curve_line(3, points, points + 3, &item->curve);
     item->own = 7;
@@ -136,9 +134,7 @@ batten_status bat_iges_read_line(bat_iges_item *item)
 batten_status bat_iges_read_arc(bat_iges_item *item)
 {
     double v[7];
-    batten_status status = bat_iges_need(item, 8);
-    if (status == BATTEN_OK)
-        status = bat_iges_reals(item->parameters, 1, 7, v);
+    batten_status status = bat_iges_reals_or_0(item, 1, 7, v);
     if (status != BATTEN_OK)
         return status;
     item->own = 8;
@@ -176,7 +172,9 @@ batten_status bat_iges_read_point(bat_iges_item *item)
 {
     item->own = 5; /* a symbol to show it by comes last */
     item->point_count = 1;
-    return bat_iges_real_array(item, 1, 3, &item->points);
+    const batten_status status =
+        bat_input_array(item->reading->input, 3, sizeof *item->points, &item->points);
+    return status == BATTEN_OK ? bat_iges_reals_or_0(item, 1, 3, item->points) : status;
 }
 
 /* Points in a row as a curve of degree 1, with the numbers of the points as knots. */

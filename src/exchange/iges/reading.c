@@ -178,6 +178,19 @@ batten_status bat_iges_need(const bat_iges_item *item, size_t count)
                     count);
 }
 
+batten_status bat_iges_reals_or_0(const bat_iges_item *item, size_t first, size_t count,
+                                  double *values)
+{
+    const size_t have = bat_iges_count_of(item->parameters);
+    if (have <= first)
+        return bat_iges_need(item, first + count);
+    if (have < first + count)
+        bat_iges_remark(item->reading, item->entry,
+                        "%zu parameter%s; those up to %zu are left out and taken as 0", have,
+                        bat_plural(have), first + count);
+    return bat_iges_reals(item->parameters, first, count, values);
+}
+
 batten_status bat_iges_real_array(bat_iges_item *item, size_t first, size_t count, double **out)
 {
     double *values = NULL;

@@ -141,6 +141,10 @@ bool bat_iges_is_fault_of_data(batten_status status);
 batten_status bat_iges_real_array(bat_iges_item *item, size_t first, size_t count,
                                   double **out);
 batten_status bat_iges_need(const bat_iges_item *item, size_t count);
+/* So many reals that no count announces; those that are left out at the end are 0, as the
+ * format has it, with a remark; one at least must be there. */
+batten_status bat_iges_reals_or_0(const bat_iges_item *item, size_t first, size_t count,
+                                  double *values);
 /* A count of things of `width` parameters each, that must be there from `first` on. */
 batten_status bat_iges_read_count(const bat_iges_item *item, size_t index, size_t first,
                                   size_t width, int *count);

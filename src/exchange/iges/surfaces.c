@@ -257,9 +257,7 @@ batten_status bat_iges_read_tabulated(bat_iges_item *item)
     const batten_curve *directrix = NULL;
     batten_status status = bat_iges_integer(item->parameters, 1, &id);
     if (status == BATTEN_OK)
-        status = bat_iges_need(item, 5);
-    if (status == BATTEN_OK)
-        status = bat_iges_reals(item->parameters, 2, 3, to);
+        status = bat_iges_reals_or_0(item, 2, 3, to);
     if (status == BATTEN_OK)
         status = bat_iges_curve(item->reading, id, &directrix);
     if (status == BATTEN_OK)

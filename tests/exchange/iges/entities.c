@@ -1,6 +1,8 @@
 #include "exchange/iges/reading.h"
 #include "exchange/iges/text.h"
 
+#include <batten/inspect.h>
+
 static void check_left_out(int type, const char *parameters, const char *words)
 {
     iges_text file = iges_begin();
@@ -39,7 +41,36 @@ TEST(Q6_counts_that_contradict_the_parameters_are_refused_with_both)
     check_left_out(126, "126,2,26,0,0,1,0,0.;", "its degree is 26, not in 1..25");
     check_left_out(128, "128,1,0,1,0,0,0,1,0,0,0.;", "its degree is 0");
     check_left_out(128, "128,2,1,1,1,0,0,1,0,0,0.;", "11 parameters, need 43");
-    check_left_out(110, "110,1.,2.,3.,4.,5.;", "6 parameters, need 7");
+}
+
+/* Reads one entity that leaves numbers out at its end. */
+static batten_model *read_short(int type, const char *parameters, const char *words)
+{
+    char what[80];
+    snprintf(what, sizeof what, "%s are left out and taken as 0", words);
+    return read_noting(iges_one(type, parameters), BATTEN_FORMAT_AUTO, what);
+}
+
+TEST(numbers_left_out_at_the_end_are_0_with_a_remark)
+{
+    batten_model *model = read_short(110, "110,,,,3.,4.;", "6 parameters; those up to 7");
+    const batten_curve *line = batten_model_object(model, 0)->curve;
+    CHECK_BITS(batten_curve_points(line)[2], 0.0);
+    CHECK_BITS(batten_curve_points(line)[4], 4.0);
+    CHECK_BITS(batten_curve_points(line)[5], 0.0);
+    batten_model_unref(model);
+
+    /* The upper half of a circle, that ends on the x axis. */
+    model = read_short(100, "100,,,,2.,0.,-2.;", "7 parameters; those up to 8");
+    double length = 0;
+    CHECK_OK(batten_curve_length(batten_model_object(model, 0)->curve, 1e-9, &length, NULL));
+    CHECK_NEAR(length, 2 * BAT_PI, 1e-8);
+    batten_model_unref(model);
+
+    model = read_short(104, "104,1.,0.,1.,0.,0.,-1.,0.,0.,1.,-1.;",
+                       "11 parameters; those up to 12");
+    batten_model_unref(model);
+    check_left_out(110, "110;", "1 parameter, need 7");
 }
 
 TEST(S2_a_count_that_the_file_cannot_hold_is_refused_without_memory)
