@@ -191,8 +191,12 @@ static bool bounds_hold(const batten_design *design)
     return true;
 }
 
-static bool was_partly_read(const batten_design *design)
+/* Was a file read in part, or does an output say less than there is? */
+static bool is_partial(const batten_design *design)
 {
+    for (int i = 0; i < batten_design_output_count(design); i++)
+        if (!batten_design_output_is_whole(design, i))
+            return true;
     for (int i = 0; i < batten_design_result_count(design); i++)
         if (batten_design_result_at(design, i)->status == BATTEN_PARTLY_READ)
             return true;
@@ -253,7 +257,7 @@ static int build(batten_design *design, const arguments *given, batten_notes *no
 
     const bool failed = is_failure(status), in_notes = all && !ends_all(status);
     int exit = failed || !bounds_hold(design) ? EXIT_FAILED : EXIT_DONE;
-    if (exit == EXIT_DONE && was_partly_read(design))
+    if (exit == EXIT_DONE && is_partial(design))
         exit = EXIT_PARTLY;
     if (!arguments_has(given, "json"))
         failed && !in_notes ? failed_show(notes) : notes_show(notes);

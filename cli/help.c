@@ -52,7 +52,7 @@ static void add_commands(batten_text *text)
         "tables "
         "and points;\n"
         "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
-        "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read.\n");
+        "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read or measured.\n");
 }
 
 static void add_command(batten_text *text, const command *c)

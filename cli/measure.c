@@ -24,7 +24,11 @@ const command command_measure = {
     .usage = "IN [--from-format FORMAT] [--within TOL] [--json]",
     .summary =
         "lengths, areas, moments and special places of curves; areas and volumes of shapes",
-    .manual = "IN is a file of curves, surfaces, bodies or meshes, as batten info takes it.",
+    .manual =
+        "IN is a file of curves, surfaces, bodies or meshes, as batten info takes it. Exit "
+        "status 3 when only\n"
+        "a part of it could be read, or faces could not be measured: the area is short by "
+        "these.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

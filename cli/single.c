@@ -119,6 +119,8 @@ static int apply(const single *s, const arguments *given, const batten_model *mo
         exit = report(s, given, design, notes);
     if (exit == EXIT_DONE && !batten_design_output_holds(design, 0))
         exit = EXIT_FAILED;
+    if (exit == EXIT_DONE && !batten_design_output_is_whole(design, 0))
+        exit = EXIT_PARTLY;
     if (!arguments_has(given, "json"))
         status == BATTEN_OK ? notes_show(notes) : failed_show(notes);
     if (status != BATTEN_OK)

@@ -180,6 +180,7 @@ typedef struct batten_body_measures {
     batten_box box;   /**< the tight one: it holds the body, to the body's tolerance */
     double box_error; /**< so far its sides may be from the body; large where faces could not be
                            traced: then it is batten_body_box */
+    int unmeasured;   /**< faces that could not be traced and are not in the area */
 } batten_body_measures;
 /**
  * By Green's theorem: Gauss along the loops in (u, v), and across to them.

@@ -193,6 +193,8 @@ BATTEN_API const char *batten_design_output_name(const batten_design *design, in
 BATTEN_API const char *batten_design_output_operation(const batten_design *design, int index);
 /** False when the output was made and its report says that a bound is not met. */
 BATTEN_API bool batten_design_output_holds(const batten_design *design, int index);
+/** False when the output was made, and says less than there is: faces are not measured. */
+BATTEN_API bool batten_design_output_is_whole(const batten_design *design, int index);
 /** Make one output: the bytes of its file; what it needs is evaluated first, but for what
  * failed since the last edit: that is said, and batten_design_evaluate tries it again. Nothing
  * is written: save the bytes with batten_save_file, and release them with batten_release. */

@@ -227,6 +227,7 @@ batten_status batten_body_measure(const batten_body *body, double precision,
     batten_status status = bat_trace_all(body, COARSEST * t.rules.size, job, &traced);
     if (status != BATTEN_OK)
         return status;
+    made.unmeasured = traced.failed;
     status = add_lengths(t.given, precision, &made.edge_length);
     if (status == BATTEN_OK)
         status = integrate(&t, precision, job, &made);

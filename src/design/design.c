@@ -7,6 +7,11 @@
 #include <string.h>
 #include <time.h>
 
+/* Of an output when it was last made. */
+typedef struct {
+    bool unmet, partly; /* a bound; of what is there */
+} outcome;
+
 /* A text, what it says, and the results so far. An edit makes another of these. */
 typedef struct {
     char *text;
@@ -15,7 +20,7 @@ typedef struct {
     bat_result *results; /* [feature_count] */
     int *evaluated;      /* [feature_count] in the order of evaluation */
     int evaluated_count;
-    bool *unmet; /* [output_count] its bound was not met when it was last made */
+    outcome *outcomes; /* [output_count] */
 } state;
 
 struct batten_design {
@@ -47,7 +52,7 @@ static void release_state(state *s)
         release_result(&s->results[i]);
     bat_release(s->results);
     bat_release(s->evaluated);
-    bat_release(s->unmet);
+    bat_release(s->outcomes);
     bat_document_free(&s->document);
     bat_release(s->text);
     *s = (state){0};
@@ -69,8 +74,8 @@ static batten_status make_state(const batten_design *design, char *text, size_t 
         const size_t count = (size_t)made.document.feature_count;
         made.results = bat_array(count, sizeof *made.results);
         made.evaluated = bat_array(count, sizeof *made.evaluated);
-        made.unmet = bat_array((size_t)made.document.output_count, sizeof *made.unmet);
-        if (!made.results || !made.evaluated || !made.unmet)
+        made.outcomes = bat_array((size_t)made.document.output_count, sizeof *made.outcomes);
+        if (!made.results || !made.evaluated || !made.outcomes)
             status = BATTEN_OUT_OF_MEMORY;
     }
     if (status == BATTEN_OK)
@@ -542,7 +547,13 @@ const char *batten_design_output_operation(const batten_design *design, int inde
 bool batten_design_output_holds(const batten_design *design, int index)
 {
     assert(index >= 0 && index < design->now.document.output_count);
-    return !design->now.unmet[index];
+    return !design->now.outcomes[index].unmet;
+}
+
+bool batten_design_output_is_whole(const batten_design *design, int index)
+{
+    assert(index >= 0 && index < design->now.document.output_count);
+    return !design->now.outcomes[index].partly;
 }
 
 typedef struct {
@@ -595,7 +606,7 @@ batten_status batten_design_output(batten_design *design, int index, const batte
         bat_release(run.data);
         return fail_at(&s->document, entry, status, notes);
     }
-    s->unmet[index] = run.unmet;
+    s->outcomes[index] = (outcome){run.unmet, run.partly};
     *data = run.data;
     *size = run.size;
     return BATTEN_OK;

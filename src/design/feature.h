@@ -54,7 +54,8 @@ struct bat_run {
     batten_model *model; /* of a feature: empty at first */
     char *data;          /* of an output */
     size_t size;
-    bool unmet; /* of an output: a bound that it checks is not met */
+    bool unmet;  /* of an output: a bound that it checks is not met */
+    bool partly; /* of an output: it says less than there is */
 };
 
 /* ---- arguments; the parameter must exist ---- */

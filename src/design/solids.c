@@ -103,7 +103,7 @@ static void add_extent(const batten_object *object, const extent *e, bool json,
     add_box(out, &e->box, e->box_error, json);
 }
 
-static batten_status measure_body(const bat_run *run, const batten_object *object, bool json,
+static batten_status measure_body(bat_run *run, const batten_object *object, bool json,
                                   batten_text *out)
 {
     const batten_body_parts *parts = batten_body_view(object->body);
@@ -115,6 +115,7 @@ static batten_status measure_body(const bat_run *run, const batten_object *objec
     }
     if (status != BATTEN_OK)
         return status;
+    run->partly = run->partly || m.unmeasured > 0;
     const extent e = {.kind = "body",
                       .is_closed = m.is_closed,
                       .area = m.area,
@@ -131,6 +132,8 @@ static batten_status measure_body(const bat_run *run, const batten_object *objec
     add_extent(object, &e, json, out);
     if (json) {
         json_number(out, "edge_length", m.edge_length);
+        if (m.unmeasured > 0)
+            json_number(out, "unmeasured_faces", m.unmeasured);
         json_counts(out, 4, rows);
         batten_text_add(out, "}");
         return BATTEN_OK;
@@ -171,7 +174,7 @@ static batten_status measure_mesh(const batten_object *object, bool json, batten
     return BATTEN_OK;
 }
 
-batten_status bat_measure_solid(const bat_run *run, const batten_object *object, bool json,
+batten_status bat_measure_solid(bat_run *run, const batten_object *object, bool json,
                                 batten_text *out)
 {
     return object->kind == BATTEN_OBJECT_BODY ? measure_body(run, object, json, out)

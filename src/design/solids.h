@@ -4,8 +4,9 @@
 #include "design/feature.h"
 #include <batten/text.h>
 
-/* Areas, volumes, centroids and boxes of a body or mesh, as text or JSON. */
-batten_status bat_measure_solid(const bat_run *run, const batten_object *object, bool json,
+/* Areas, volumes, centroids and boxes of a body or mesh, as text or JSON; `partly` of the run is
+ * set when faces cannot be measured. */
+batten_status bat_measure_solid(bat_run *run, const batten_object *object, bool json,
                                 batten_text *out);
 
 /* What is wrong with a body or a mesh. */

@@ -160,3 +160,28 @@ TEST(the_format_can_be_told_wherever_a_file_is_read)
     CHECK_INT(run.exit, 2);
     CHECK_CONTAINS(run.errors, "did you mean 'ply'?");
 }
+
+/* A square on a plane, trimmed by two of the three sides of a triangle, or by all. */
+TEST(measure_exits_with_3_when_faces_are_not_measured)
+{
+    static const char open_loop[] = "210 1 0 0\n200\n3 0\n2 2\n0 0 4 4\n2 2\n0 0 4 4\n"
+                                    "0 0 1\n4 0 1\n0 4 1\n4 4 1\n1\n2 1e-6\n"
+                                    "1 100 0\n2 0\n2 2\n0 0 1 1\n1 1\n3 1\n"
+                                    "1 100 0\n2 0\n2 2\n0 0 1 1\n3 1\n2 3\n";
+    const char *whole = test_scratch("whole.g2"), *part = test_scratch("part.g2");
+    test_write(whole, face);
+    test_write(part, open_loop);
+    test_process run = RUN("batten", "measure", whole);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "area 2");
+    run = RUN("batten", "measure", part);
+    CHECK_INT(run.exit, 3);
+    CHECK_CONTAINS(run.errors, "1 of 1 faces have no closed loops in their parameters");
+    run = RUN("batten", "measure", part, "--json");
+    CHECK_INT(run.exit, 3);
+    CHECK_CONTAINS(run.out, "\"unmeasured_faces\": 1");
+    const char *design = test_scratch("part.yaml");
+    test_write(design, "batten: 1\nfeatures:\n  face: {read: part.g2}\noutputs:\n"
+                       "  part.txt: {measure: face}\n");
+    CHECK_INT(RUN("batten", "build", design).exit, 3);
+}

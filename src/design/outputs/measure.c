@@ -397,7 +397,7 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
     return status;
 }
 
-static batten_status add_object(const bat_run *run, const batten_object *object, bool json,
+static batten_status add_object(bat_run *run, const batten_object *object, bool json,
                                 batten_text *out)
 {
     const bool is_solid =
@@ -456,7 +456,9 @@ const bat_feature bat_feature_measure = {
          "faces\n"
          "within their loops, the length of all edges and, when they close, the volume, with "
          "bounds of\n"
-         "the errors; of meshes those of the triangles. Lengths are in units of "
+         "the errors; faces without closed loops are left out, with a note, and the command "
+         "exits with 3.\n"
+         "Of meshes those of the triangles. Lengths are in units of "
          "the design. As JSON, with all digits, when the file ends in .json.",
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
