@@ -3,12 +3,13 @@
 #include <batten/body.h>
 #include <batten/job.h>
 
-static void write_as(const batten_model *model, batten_format format)
+static void write_as(const batten_model *model, batten_format format, bool solids)
 {
     batten_write_options options = batten_write_defaults();
     char *data = NULL;
     size_t size = 0;
     options.format = format;
+    options.solids = solids;
     if (batten_write_memory(model, &options, NULL, &data, &size) == BATTEN_OK)
         batten_release(data);
 }
@@ -52,8 +53,9 @@ void fuzz_survive(const uint8_t *data, size_t size, batten_format format)
         batten_read_memory((const char *)data, size, &options, NULL, NULL, &model);
     if (status != BATTEN_OK && status != BATTEN_PARTLY_READ)
         return;
-    write_as(model, BATTEN_FORMAT_STEP);
-    write_as(model, BATTEN_FORMAT_IGES);
+    write_as(model, BATTEN_FORMAT_STEP, false);
+    write_as(model, BATTEN_FORMAT_IGES, false);
+    write_as(model, BATTEN_FORMAT_IGES, true);
     mesh(model, &job);
     check(model, &job);
     batten_model_unref(model);
