@@ -26,7 +26,8 @@ static const option options[] = {
     {"angle", 0, OPTION_VALUE, "A",
      "where shapes become meshes: degrees between the normals at the ends of an edge (20)"},
     {"text", 0, OPTION_FLAG, NULL, "STL and PLY: the form that can be read"},
-    {"eighths", 0, OPTION_FLAG, NULL, "tables of offsets in feet, inches and eighths"},
+    {"eighths", 0, OPTION_FLAG, NULL,
+     "tables of offsets in feet, inches and eighths; plain numbers there are inches"},
     {"json", 0, OPTION_FLAG, NULL, "print the report as JSON"},
     {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no report, no remarks"},
 };
@@ -190,6 +191,18 @@ static void note_idle_options(const batten_model *model, const arguments *given,
     batten_text_free(&why);
 }
 
+/* Points do not become curves by themselves where a drawing could hold curves. */
+static void note_points(const batten_model *model, const outcome *o, batten_notes *notes)
+{
+    const tally all = tally_of(model);
+    const bool is_drawing = o->format == BATTEN_FORMAT_DXF || o->format == BATTEN_FORMAT_STEP ||
+                            o->format == BATTEN_FORMAT_IGES;
+    if (is_drawing && tally_sum(all) > 0 && tally_sum(all) == all.count[BATTEN_OBJECT_POINTS])
+        batten_notes_remark(notes, "", 0, "",
+                            "points are written as points; 'batten fit' makes curves and "
+                            "surfaces of them");
+}
+
 static void copy_notes(const batten_notes *from, batten_notes *to)
 {
     for (int i = 0; i < batten_notes_count(from); i++) {
@@ -215,6 +228,8 @@ static batten_status write_model(const batten_model *model, const arguments *giv
     status = write_prepared(model, &chosen, said, o);
     if (status == BATTEN_OK)
         note_idle_options(model, given, o, said);
+    if (status == BATTEN_OK)
+        note_points(model, o, said);
     copy_notes(said, notes);
     batten_notes_free(said);
     return status;
@@ -310,6 +325,25 @@ static batten_status give_name(const arguments *given, batten_model *model)
     return status;
 }
 
+/* Feet, inches and eighths are read back in inches: so names made of numbers are in inches too.
+ */
+static batten_status to_inches(const batten_write_options *write, const outcome *o,
+                               batten_model **model)
+{
+    batten_write_options chosen = *write;
+    batten_write_choose(o->output, *model, &chosen);
+    const bool is_loft = chosen.eighths && chosen.format == BATTEN_FORMAT_OFFSETS;
+    return is_loft && batten_model_unit_metres(*model) > 0 ? to_unit(0.0254, model) : BATTEN_OK;
+}
+
+/* What makes shapes of a table that the format does not hold. */
+static void point_to_fit(const batten_model *model, batten_status status)
+{
+    if (status != BATTEN_OUT_OF_MEMORY && tally_of(model).count[BATTEN_OBJECT_OFFSETS])
+        complain("'batten fit' and designs ('batten help build') make curves and surfaces of a "
+                 "table of offsets; .csv keeps the table, .xyz its points");
+}
+
 static int convert(const arguments *given, batten_format format, const double units[2],
                    const batten_write_options *write, outcome *o)
 {
@@ -324,6 +358,8 @@ static int convert(const arguments *given, batten_format format, const double un
         if (status == BATTEN_OK)
             status = give_name(given, model);
         if (status == BATTEN_OK)
+            status = to_inches(write, o, &model);
+        if (status == BATTEN_OK)
             status = write_model(model, given, write, notes, o);
         if (status == BATTEN_OK) {
             const int reported = report(given, o, notes);
@@ -331,6 +367,7 @@ static int convert(const arguments *given, batten_format format, const double un
         } else {
             failed_show(notes);
             exit = output_failed("convert", status);
+            point_to_fit(model, status);
         }
     }
     batten_model_unref(model);
@@ -377,7 +414,10 @@ const command command_convert = {
         "or .svg\n"
         "(true scale, as seen along z) or .nc (G-code); for points and tables in .csv or .xyz, "
         "an\n"
-        "aerofoil in .dat. 'batten help formats' says what each keeps. What was read and "
+        "aerofoil in .dat. Points stay points in .step, .igs and .dxf: 'batten fit' makes "
+        "curves "
+        "of them.\n"
+        "'batten help formats' says what each keeps. What was read and "
         "written is\n"
         "counted; what had to be approximated or left out is reported. OUT cannot be IN "
         "itself. Exit\n"

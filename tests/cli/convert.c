@@ -238,3 +238,30 @@ TEST(units_are_named_or_given_in_metres)
     const char *path = test_scratch("unit.dxf"), *other = test_scratch("unit.igs");
     CHECK_INT(RUN("batten", "convert", path, other, "--unit", "yd").exit, 0);
 }
+
+TEST(convert_of_a_table_to_eighths_is_in_inches)
+{
+    const char *table = test_scratch("table.csv"), *eighths = test_scratch("eighths.csv");
+    test_write(table, "station,z,half_breadth\n24,1.5,2.25\n48,1.5,3\n");
+    test_process run = RUN("batten", "convert", table, eighths, "--from-unit", "in", "--unit",
+                           "ft", "--eighths");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "; unit in\n");
+    CHECK_CONTAINS(test_content(eighths),
+                   "axis,name,\"24\",\"48\"\nlength,station,2-0-0,4-0-0\n");
+    CHECK_CONTAINS(test_content(eighths), "heights,\"z=1.5\",0-1-4,0-1-4\n");
+}
+
+TEST(convert_points_to_what_makes_shapes_of_tables_and_points)
+{
+    const char *table = test_scratch("hull.csv"), *points = test_scratch("row.xyz");
+    const char *step = test_scratch("hull.step"), *dxf = test_scratch("row.dxf");
+    test_write(table, "station,z,half_breadth\n24,1.5,2.25\n48,1.5,3\n");
+    test_write(points, "0 0\n1 1\n2 0\n");
+    test_process run = RUN("batten", "convert", table, step);
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "'batten fit'");
+    run = RUN("batten", "convert", points, dxf);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.errors, "'batten fit' makes curves");
+}

@@ -60,6 +60,11 @@ batten_status bat_read_offsets(bat_input *input, batten_model **out)
     batten_status status = read_table(&table, &gathering);
     if (status == BATTEN_OK)
         status = bat_gather_finish(&gathering, out);
+    if (status == BATTEN_OK && table.comments)
+        batten_notes_remark(input->notes, input->file, 0, "",
+                            "%d line%s comment%s, which no table keeps", table.comments,
+                            table.comments == 1 ? " is a" : "s are",
+                            table.comments == 1 ? "" : "s");
     bat_gather_end(&gathering);
     bat_separated_end(&table);
     return status;

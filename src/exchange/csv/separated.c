@@ -59,11 +59,13 @@ static bool next_row(bat_separated *table)
     while (bat_next_line(table->input, &table->at, &table->raw)) {
         table->line += table->line < INT_MAX;
         const bool blank = skip_blanks(table->raw, 0) == table->raw.length;
-        if (!blank && !is_comment(table->raw)) {
+        const bool comment = !blank && is_comment(table->raw);
+        if (!blank && !comment) {
             table->after_gap = gap;
             return true;
         }
         gap |= blank;
+        table->comments += comment && table->comments < INT_MAX;
     }
     return false;
 }

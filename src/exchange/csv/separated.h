@@ -20,6 +20,7 @@ typedef struct {
     size_t at;      /* where the next line begins */
     int line;       /* of the current row, from 1 */
     bool after_gap; /* did a blank line stand before the current row? */
+    int comments;   /* so far */
     bat_span raw;   /* the current row as it stands */
     int count;
     const bat_field *fields; /* [count], valid until the next row */

@@ -1,5 +1,6 @@
 /* Tables of offsets as boat builders write them: in feet, inches and eighths of an inch. */
 #include "exchange/csv/csv.h"
+#include "exchange/near_decimal.h"
 
 #include <batten/units.h>
 
@@ -44,19 +45,36 @@ static batten_status find_points(writing *w)
 }
 
 /* "1-7-4" is 1 foot, 7 inches and 4 eighths. */
+static void put_eighths(writing *w, double inches, double eighths)
+{
+    const double feet = floor(eighths / 96), rest = eighths - 96 * feet;
+    batten_text_add(w->text, "%s%.0f-%d-%d", inches < 0 && eighths > 0 ? "-" : "", feet,
+                    (int)rest / 8, (int)rest % 8);
+}
+
 static void put_feet(writing *w, double value)
 {
     const double inches = value * w->factor, eighths = floor(8 * fabs(inches) + 0.5);
     w->error = bat_max(w->error, fabs(eighths / 8 - fabs(inches)));
-    const double feet = floor(eighths / 96), rest = eighths - 96 * feet;
-    const int inch = (int)rest / 8;
-    batten_text_add(w->text, "%s%.0f-%d-%d", inches < 0 && eighths > 0 ? "-" : "", feet, inch,
-                    (int)rest % 8);
+    put_eighths(w, inches, eighths);
 }
 
-/* Where the stations are is said in inches, to the last digit. */
+/* Are all stations at whole eighths, but for the last places of their numbers? */
+static bool are_whole(const writing *w)
+{
+    for (int s = 0; s < w->stations; s++) {
+        const double x = bat_near_decimal(batten_offsets_station(w->offsets, s)->x * w->factor);
+        if (8 * x != floor(8 * x))
+            return false;
+    }
+    return true;
+}
+
+/* Where the stations are is said in feet, inches and eighths when that is exact for all, else
+ * in inches, to the last digit. */
 static void put_stations(writing *w)
 {
+    const bool whole = are_whole(w);
     batten_text_add(w->text, "axis,name");
     for (int s = 0; s < w->stations; s++) {
         batten_text_bytes(w->text, ",", 1);
@@ -64,8 +82,12 @@ static void put_stations(writing *w)
     }
     batten_text_add(w->text, "\nlength,station");
     for (int s = 0; s < w->stations; s++) {
+        const double x = bat_near_decimal(batten_offsets_station(w->offsets, s)->x * w->factor);
         batten_text_bytes(w->text, ",", 1);
-        batten_text_number(w->text, batten_offsets_station(w->offsets, s)->x * w->factor);
+        if (whole)
+            put_eighths(w, x, 8 * fabs(x));
+        else
+            batten_text_number(w->text, x);
     }
     batten_text_bytes(w->text, "\n", 1);
 }
@@ -116,7 +138,7 @@ batten_status bat_write_loft(const batten_object *object, double unit_metres,
                  .offsets = offsets,
                  .stations = batten_offsets_station_count(offsets),
                  .lines = batten_offsets_line_count(offsets),
-                 .factor = unit / 0.0254};
+                 .factor = bat_near_decimal(unit / 0.0254)};
     w.at = bat_array3((size_t)w.lines, (size_t)w.stations, sizeof *w.at);
     if (!w.at)
         return BATTEN_OUT_OF_MEMORY;

@@ -43,6 +43,19 @@ TEST(each_dialect_gives_the_same_table)
     }
 }
 
+TEST(comments_of_a_table_are_counted)
+{
+    batten_notes *notes = NULL;
+    batten_model *model = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(read_text("# LOA 24\nx,z,half_breadth\n0,0,1\n# here\n0,1,2\n", BATTEN_FORMAT_AUTO,
+                       notes, &model));
+    if (!batten_notes_dropped(notes))
+        CHECK(has_note(notes, "2 lines are comments"));
+    batten_model_unref(model);
+    batten_notes_free(notes);
+}
+
 TEST(half_breadths_below_zero_are_kept_and_counted)
 {
     batten_model *model = read_noting("x,z,half_breadth\n0,0,1\n0,1,-2\n3,0,-1\n3,1,4\n",

@@ -1,3 +1,4 @@
+#include "exchange/paths.h"
 #include "exchange/reading.h"
 
 /* Read, write, read again, write again: the same table, the same bytes. */
@@ -151,5 +152,28 @@ TEST(tables_are_written_as_the_points_of_their_stations)
     }
     batten_release(data);
     batten_notes_free(notes);
+    batten_model_unref(model);
+}
+
+TEST(tables_in_another_unit_have_no_debris_and_no_old_names)
+{
+    batten_model *model = NULL, *other = NULL;
+    const struct {
+        double metres;
+        const char *text;
+    } units[] = {
+        {0.001, "x_mm,z_mm,half_breadth_mm\n609.6,40.64,53.34\n1219.2,40.64,83.82\n"},
+        {0.01, "x_cm,z_cm,half_breadth_cm\n60.96,4.064,5.334\n121.92,4.064,8.382\n"},
+        {1, "x_m,z_m,half_breadth_m\n0.6096,0.04064,0.05334\n1.2192,0.04064,0.08382\n"}};
+    CHECK_OK(read_text("x_in,z_in,half_breadth_in\n24,1.6,2.1\n48,1.6,3.3\n",
+                       BATTEN_FORMAT_AUTO, NULL, &model));
+    for (int i = 0; i < COUNT(units); i++) {
+        CHECK_OK(batten_model_to_unit(model, units[i].metres, &other));
+        CHECK_TEXT(written(other, BATTEN_FORMAT_OFFSETS), units[i].text);
+        const batten_offsets *table = batten_model_object(other, 0)->offsets;
+        CHECK(strcmp(batten_offsets_station(table, 0)->name, "24") != 0);
+        CHECK(strcmp(batten_offsets_line(table, 0)->name, "z=1.6") != 0);
+        batten_model_unref(other);
+    }
     batten_model_unref(model);
 }

@@ -107,3 +107,19 @@ TEST(a_published_table_in_eighths_is_written_as_it_stands)
     batten_model_unref(back);
     batten_model_unref(model);
 }
+
+TEST(whole_lengths_come_out_whole_after_a_change_of_the_unit)
+{
+    batten_model *model = NULL, *feet = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    CHECK_OK(read_text("station_in,z_in,half_breadth_in\n24,1.5,2.25\n48.125,1.5,3\n",
+                       BATTEN_FORMAT_AUTO, NULL, &model));
+    CHECK_OK(batten_model_to_unit(model, 0.3048, &feet));
+    CHECK_OK(write_eighths(feet, NULL, &data, &size));
+    CHECK_CONTAINS(data, "length,station,2-0-0,4-0-1\n");
+    CHECK_CONTAINS(data, "0-1-4,0-1-4\n");
+    batten_release(data);
+    batten_model_unref(feet);
+    batten_model_unref(model);
+}
