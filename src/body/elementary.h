@@ -61,6 +61,7 @@ typedef struct {
     const batten_curve *curve;     /* EXTRUSION, REVOLUTION */
     const batten_surface *surface; /* OFFSET_SURFACE */
     int most;                      /* points of what comes near an OFFSET_SURFACE */
+    bool is_inner;                 /* the lemon of a TORUS, where the points do not tell */
     bool goes_on; /* nothing bounds the face on one side of its loops, which go around the
                      surface once in all (see bat_around): a cone then ends at its apex */
 } bat_elementary;

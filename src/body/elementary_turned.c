@@ -123,7 +123,8 @@ batten_status bat_stand_sphere(const bat_stand *stand, batten_surface **out)
 }
 
 /* Do the points of a torus whose tube reaches over the axis lie on its inner part, the lemon?
- * Measured by the sums of their distances from both circles of a half plane. */
+ * Measured by the sums of their distances from both circles of a half plane; these are alike
+ * where there are no points, or they are the poles. */
 static bool is_lemon(const bat_stand *stand)
 {
     double apple = 0, lemon = 0;
@@ -135,7 +136,8 @@ static bool is_lemon(const bat_stand *stand)
         apple += fabs(hypot(r - stand->of->a, z) - stand->of->b);
         lemon += fabs(hypot(r + stand->of->a, z) - stand->of->b);
     }
-    return lemon < apple;
+    const double near = bat_max(stand->tolerance, 1e-9 * stand->of->b) * stand->count;
+    return fabs(lemon - apple) <= near ? stand->of->is_inner : lemon < apple;
 }
 
 /* The arc of the tube on one side of the axis, from pole to pole, turned. */

@@ -48,6 +48,18 @@ static batten_status read_measures(const bat_step_reading *reading,
     return BATTEN_OK;
 }
 
+/* The last argument of a DEGENERATE_TOROIDAL_SURFACE is .F. for its inner part. */
+static batten_status read_part(const bat_step_reading *reading, const bat_step_record *record,
+                               const form *f, bat_elementary *elementary)
+{
+    bool is_outer = true;
+    batten_status status = BATTEN_OK;
+    if (f->arguments == 5)
+        status = bat_step_get_logical(reading->file, record, 4, &is_outer);
+    elementary->is_inner = !is_outer;
+    return status;
+}
+
 batten_status bat_step_primitive_in(const bat_step_reading *reading,
                                     const bat_step_instance *instance,
                                     bat_elementary *elementary, bool *is_primitive)
@@ -69,6 +81,8 @@ batten_status bat_step_primitive_in(const bat_step_reading *reading,
         status = bat_step_frame_in(reading, placement, &read.frame);
     if (status == BATTEN_OK)
         status = read_measures(reading, instance, record, f, &read);
+    if (status == BATTEN_OK)
+        status = read_part(reading, record, f, &read);
     if (status == BATTEN_OK)
         *elementary = read;
     return status;

@@ -166,21 +166,27 @@ TEST(a_face_bounded_by_a_vertex_alone_is_the_whole_of_its_surface)
     static const struct {
         const char *surface;
         double volume;
-    } cases[] = {{"SPHERICAL_SURFACE('',#1,3.)", 36}, {"TOROIDAL_SURFACE('',#1,3.,1.)", 0}};
+        bool inward;
+    } cases[] = {
+        {"SPHERICAL_SURFACE('',#1,3.)", 113.09733552923255, false},
+        {"TOROIDAL_SURFACE('',#1,3.,1.)", 59.217626406535985, false},
+        /* 2 pi (3 sqrt(3) - 4 pi / 3) and 2 pi (3 sqrt(3) + 8 pi / 3) */
+        {"DEGENERATE_TOROIDAL_SURFACE('',#1,1.,2.,.F.)", 6.329443486644302, true},
+        {"DEGENERATE_TOROIDAL_SURFACE('',#1,1.,2.,.T.)", 85.28627869535916, false},
+    };
     for (int k = 0; k < COUNT(cases); k++) {
         box_text text;
         box_placement(box_begin(&text), 1, ZERO, Z, X);
         box_add(&text, "#10=VERTEX_POINT('',#2);\n#11=VERTEX_LOOP('',#10);\n"
                        "#12=FACE_BOUND('',#11,.T.);\n"
-                       "#13=ADVANCED_FACE('',(#12),#20,.T.);\n"
                        "#14=CLOSED_SHELL('',(#13));\n"
                        "#1000=MANIFOLD_SOLID_BREP('ball',#14);\n");
-        box_add(&text, "#20=%s;\n", cases[k].surface);
+        box_add(&text, "#13=ADVANCED_FACE('',(#12),#20,.%c.);\n#20=%s;\n",
+                cases[k].inward ? 'F' : 'T', cases[k].surface);
         batten_model *model = read_item(&text);
         const batten_body *body = batten_model_object(model, 0)->body;
         CHECK_INT(batten_body_view(body)->loop_count, 0);
-        const double pi = acos(-1);
-        CHECK_NEAR(box_measure(body).volume, k ? 6 * pi * pi : 36 * pi, 1e-5);
+        CHECK_NEAR(box_measure(body).volume, cases[k].volume, 1e-5);
         batten_model_unref(model);
     }
 }

@@ -1,6 +1,8 @@
 #include "exchange/step/parsing.h"
 #include "exchange/step/shapes.h"
 
+#include <batten/measure.h>
+
 static const bat_step_scale millimetres = {1, 1, 1e-6};
 
 #define COMMON                                                                            \
@@ -299,6 +301,24 @@ TEST(step_parts_of_splines_and_whole_turns_are_read)
     }
     CHECK(batten_surface_is_closed(ball, BATTEN_U, 1e-12));
     batten_surface_unref(ball);
+}
+
+/* Its outer part or its inner one; areas by Pappus. */
+TEST(a_degenerate_torus_alone_is_the_part_that_it_selects)
+{
+    for (int outer = 0; outer < 2; outer++) {
+        batten_surface *part =
+            surface_of(outer ? "#100=DEGENERATE_TOROIDAL_SURFACE('',#4,1.,2.,.T.);"
+                             : "#100=DEGENERATE_TOROIDAL_SURFACE('',#4,1.,2.,.F.);",
+                       &millimetres);
+        double area = 0, error = 0;
+        const double turn = acos(outer ? -0.5 : 0.5);
+        CHECK_OK(batten_surface_area(part, 1e-10, NULL, &area, &error));
+        CHECK_NEAR(area, 8 * BAT_PI * ((outer ? 1 : -1) * turn + 2 * sin(turn)), 1e-8);
+        batten_surface_unref(part);
+    }
+    check_refusal("#100=DEGENERATE_TOROIDAL_SURFACE('',#4,1.,2.,1);", BATTEN_BAD_FORMAT,
+                  ".T. or .F.");
 }
 
 TEST(step_bounded_surfaces_stand_alone_and_unbounded_do_not)
