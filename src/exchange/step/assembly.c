@@ -29,24 +29,85 @@ static bool is_swapped(const bat_step_import *import, const bat_step_instance *o
            all[definitions[1]].product == part;
 }
 
+/* ---- in which representation items stand ---- */
+
+enum { NOWHERE = 0 };
+static const uint32_t MANY = UINT32_MAX;
+
+/* Of each instance the definition among whose items it stands, counted from 1. */
+static batten_status find_homes(bat_step_import *import)
+{
+    const bat_step_representation *all = import->representations.items;
+    batten_status status = bat_input_array(import->input, import->file.instances.count + 1,
+                                           sizeof *import->homes, &import->homes);
+    for (size_t k = 0; status == BATTEN_OK && k < import->representations.count; k++) {
+        int count = 0;
+        size_t at = 0;
+        if (bat_step_items_of(import, &all[k], &count, &at) != BATTEN_OK)
+            continue; /* noted when it is read */
+        for (int i = 0; i < count; i++) {
+            const bat_step_instance *item = NULL;
+            if (bat_step_item_reference(&import->file, all[k].record, &at, &item) != BATTEN_OK)
+                break;
+            uint32_t *home = &import->homes[bat_step_index(&import->file, item)];
+            *home = *home == NOWHERE || *home == all[k].first + 1 ? all[k].first + 1 : MANY;
+        }
+    }
+    return status;
+}
+
+/* 1 when the item stands in the one, -1 when it stands in the other, 0 when that cannot be
+ * told. */
+static int stands_in(const bat_step_import *import, const bat_step_instance *item,
+                     const bat_step_representation *one, const bat_step_representation *other)
+{
+    const uint32_t home = import->homes[bat_step_index(&import->file, item)];
+    return home == one->first + 1 ? 1 : home == other->first + 1 ? -1 : 0;
+}
+
+/* The placements of a transformation, that of the first representation first: some write them
+ * the other way about than the representations. */
+static batten_status find_items(const bat_step_import *import,
+                                const bat_step_instance *transform,
+                                const bat_step_record *record,
+                                bat_step_representation *const pair[2],
+                                const bat_step_instance *items[2])
+{
+    const bat_step_file *file = &import->file;
+    batten_status status = bat_step_get_reference(file, record, 2, &items[0]);
+    if (status == BATTEN_OK)
+        status = bat_step_get_reference(file, record, 3, &items[1]);
+    if (status != BATTEN_OK || stands_in(import, items[0], pair[0], pair[1]) +
+                                       stands_in(import, items[1], pair[1], pair[0]) >=
+                                   0)
+        return status;
+    const bat_step_instance *first = items[0];
+    items[0] = items[1];
+    items[1] = first;
+    bat_step_warn(file, transform,
+                  "its items stand in the representations the other way about than these are "
+                  "related; each is taken where it stands");
+    return BATTEN_OK;
+}
+
+/* ---- relationships ---- */
+
 static batten_status read_transform(bat_step_import *import, const bat_step_instance *transform,
                                     bat_step_representation *const pair[2], bool swapped,
                                     batten_affine *place)
 {
     const bat_step_file *file = &import->file;
     const bat_step_record *record = bat_step_as(file, transform, "ITEM_DEFINED_TRANSFORMATION");
+    const bat_step_instance *items[2] = {NULL, NULL};
     batten_affine at[2];
-    batten_status status = BATTEN_OK;
     if (!record)
         return bat_step_fail(file, transform, BATTEN_UNSUPPORTED,
                              "it is no ITEM_DEFINED_TRANSFORMATION");
+    batten_status status = find_items(import, transform, record, pair, items);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
-        const bat_step_instance *item = NULL;
         bat_step_scale scale;
         bat_step_scale_of(import, pair[k], &scale);
-        status = bat_step_get_reference(file, record, 2 + k, &item);
-        if (status == BATTEN_OK)
-            status = bat_step_read_place(file, item, &scale, &at[k]);
+        status = bat_step_read_place(file, items[k], &scale, &at[k]);
     }
     if (status == BATTEN_OK)
         *place = swapped ? bat_step_move(&at[1], &at[0]) : bat_step_move(&at[0], &at[1]);
@@ -130,7 +191,7 @@ static batten_status read_occurrences(bat_step_import *import)
     const uint32_t *occurrences = import->outline.occurrences.items,
                    *placed = import->outline.placed.items;
     bat_step_placing placing;
-    batten_status status = BATTEN_OK;
+    batten_status status = import->outline.placed.count ? find_homes(import) : BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && k < import->outline.occurrences.count; k++)
         status = read_occurrence(import, &instances[occurrences[k]]);
     /* Relationships that place without being named as an occurrence. */

@@ -31,6 +31,7 @@ typedef struct {
     bat_step_topology topology;
     bat_step_outline outline;
     bool *taken;              /* items that are read already, by their instance */
+    uint32_t *homes;          /* see assembly.c */
     bat_list representations; /* see product.c */
     bat_list placings;
     int annotations; /* items of drawings, which are not read */

@@ -223,6 +223,7 @@ batten_status bat_read_step(bat_input *input, batten_model **out)
     bat_step_groups_end(&import.groups);
     bat_census_end(&import.census);
     bat_release(import.taken);
+    bat_release(import.homes);
     bat_step_end(&import.file);
     return status;
 }

@@ -16,7 +16,8 @@ static void put_product(box_text *text, int id, const char *name, int representa
 
 /* The representation `part` placed in `whole`, from placement `from` to `to`. */
 static void put_occurrence(box_text *text, int id, const char *name, int part, int whole,
-                           int from, int to, int part_product, int whole_product, bool swapped)
+                           int from, int to, int part_product, int whole_product, bool swapped,
+                           bool crossed)
 {
     box_add(text, "#%d=NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d','%s','',#%d,#%d,$);\n", id, id, name,
             whole_product + 1, part_product + 1);
@@ -29,12 +30,12 @@ static void put_occurrence(box_text *text, int id, const char *name, int part, i
             "SHAPE_REPRESENTATION_RELATIONSHIP());\n",
             id + 3, swapped ? whole : part, swapped ? part : whole, id + 4);
     box_add(text, "#%d=ITEM_DEFINED_TRANSFORMATION('','',#%d,#%d);\n", id + 4,
-            swapped ? to : from, swapped ? from : to);
+            swapped != crossed ? to : from, swapped != crossed ? from : to);
 }
 
 /* A box of one inch, its corner at the origin of the bolt; two bolts in an arm, the second
  * turned by 90 degrees about z; two arms in the ship, the second turned about x. */
-static const char *ship(bool swapped)
+static const char *ship(bool swapped, bool crossed)
 {
     static const double bolt_at[] = {10, 0, 0}, arm_at[] = {0, 100, 0};
     box_text text;
@@ -58,10 +59,10 @@ static const char *ship(bool swapped)
     put_product(&text, 1100, "ship", 800);
     put_product(&text, 1110, "arm", 801);
     put_product(&text, 1120, "bolt", 802);
-    put_occurrence(&text, 1200, "left", 801, 800, 700, 700, 1110, 1100, swapped);
-    put_occurrence(&text, 1210, "right", 801, 800, 700, 720, 1110, 1100, swapped);
-    put_occurrence(&text, 1220, "first", 802, 801, 700, 700, 1120, 1110, swapped);
-    put_occurrence(&text, 1230, "", 802, 801, 700, 710, 1120, 1110, swapped);
+    put_occurrence(&text, 1200, "left", 801, 800, 700, 700, 1110, 1100, swapped, crossed);
+    put_occurrence(&text, 1210, "right", 801, 800, 700, 720, 1110, 1100, swapped, crossed);
+    put_occurrence(&text, 1220, "first", 802, 801, 700, 700, 1120, 1110, swapped, crossed);
+    put_occurrence(&text, 1230, "", 802, 801, 700, 710, 1120, 1110, swapped, crossed);
     return box_end(&text);
 }
 
@@ -81,10 +82,12 @@ static void check_box(const batten_model *flat, const char *name, const double l
 
 TEST(assemblies_two_deep_are_placed_and_their_parts_made_once)
 {
-    for (int swapped = 0; swapped < 2; swapped++) {
-        const char *file = ship(swapped);
-        batten_model *model = NULL, *flat = NULL;
-        CHECK_OK(read_text(file, BATTEN_FORMAT_STEP, NULL, &model));
+    /* The first two bits: the assembly before the part, the placements the other way about. */
+    for (int order = 0; order < 4; order++) {
+        const char *file = ship(order & 1, order & 2);
+        const char *words =
+            order & 2 ? "its items stand in the representations the other way about" : "";
+        batten_model *model = read_noting(file, BATTEN_FORMAT_STEP, words), *flat = NULL;
         CHECK_BITS(batten_model_unit_metres(model), 0.001);
         CHECK_INT(batten_model_depth(model), 2);
         CHECK_INT(batten_model_count(model), 2);
