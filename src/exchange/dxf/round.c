@@ -185,7 +185,7 @@ static double to_places(double x, int n)
 
 /* The powers of ten to which numbers are rounded; `angle` also for what has no unit. */
 typedef struct {
-    int centre, size, angle;
+    int centre, size, axis, angle;
 } places;
 
 static batten_vec3 vector_to_places(batten_vec3 v, int n)
@@ -265,7 +265,7 @@ static void settle_ellipse(const found *f, const places *n, bat_dxf_round *out)
     const batten_vec3 axis = bat_vec3_scale(f->x, other ? -f->a : f->a);
     out->kind = BAT_DXF_ELLIPSE;
     put_vector(vector_to_places(f->centre, n->centre), out->centre);
-    put_vector(vector_to_places(axis, n->centre), out->axis);
+    put_vector(vector_to_places(axis, n->axis), out->axis);
     out->size = to_places(f->b / f->a, n->angle);
     out->angles[0] = f->is_full ? 0 : angle_to_places(from, 2 * BAT_PI, n->angle);
     out->angles[1] =
@@ -281,10 +281,21 @@ static places places_of(const looking *l, const found *f)
     const double half = f->sweep / (2 * ceil(f->sweep / (BAT_PI / 2) - 1e-6));
     const double unlike = f->a == f->b ? 1 : 1 - f->b / f->a;
     const double coordinate = bat_max(1e-14 * f->a, 4 * DBL_EPSILON * l->far);
-    const double centre =
-        4 * DBL_EPSILON * (l->far + f->a) / (2 * sin(half) * sin(half) * unlike);
-    return (places){(int)ceil(log10(bat_max(centre, coordinate))), (int)ceil(log10(coordinate)),
-                    (int)ceil(log10(coordinate / (f->a * unlike) + 3e-14))};
+    const double centre = 4 * DBL_EPSILON * (l->far + f->a) / (2 * sin(half) * sin(half));
+    return (places){.centre = (int)ceil(log10(bat_max(centre, coordinate))),
+                    .size = (int)ceil(log10(coordinate)),
+                    .axis = (int)ceil(log10(coordinate / unlike)),
+                    .angle = (int)ceil(log10(coordinate / (f->a * unlike) + 3e-14))};
+}
+
+/* Nearly a circle its axes would have to be rough: it stays what it is. */
+static bool are_fine(const looking *l, const found *f, const places *n)
+{
+    const double limit = 2e-12 * f->a + 64 * DBL_EPSILON * l->far;
+    if (abs(n->centre) > 22 || abs(n->size) > 22 || abs(n->axis) > 22 || n->angle < -20 ||
+        n->angle > -6)
+        return false;
+    return pow(10, n->axis) <= limit && pow(10, n->angle) * f->a <= limit;
 }
 
 /* A full turn looks upward. */
@@ -293,7 +304,7 @@ static batten_status settle(const looking *l, found *f, bat_dxf_round *out)
     const places n = places_of(l, f);
     const batten_vec3 z = settled_normal(f->z);
     bool does = false;
-    if (abs(n.centre) > 22 || abs(n.size) > 22 || n.angle < -20 || n.angle > -6)
+    if (!are_fine(l, f, &n))
         return BATTEN_OK;
     put_vector(f->is_full && z.z < 0 ? bat_vec3_scale(z, -1) : z, out->normal);
     if (f->a == f->b)

@@ -53,9 +53,10 @@ TEST(rows_that_are_no_points_of_an_aerofoil_are_left_out_and_named)
                  BATTEN_PARTLY_READ);
     CHECK_INT(batten_model_object(model, 0)->point_count, 5);
     if (!batten_notes_dropped(notes)) {
-        CHECK_INT(batten_notes_count(notes), 2);
+        /* Readings that failed for want of memory noted the same. */
+        const int last = batten_notes_count(notes) - 1;
         CHECK_INT(batten_notes_at(notes, 0)->line, 2);
-        CHECK_INT(batten_notes_at(notes, 1)->line, 8);
+        CHECK_INT(batten_notes_at(notes, last)->line, 8);
         CHECK(has_note(notes, "left out"));
     }
     batten_model_unref(model);

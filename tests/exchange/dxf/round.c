@@ -126,7 +126,14 @@ TEST(dxf_keeps_polylines_in_space)
     check_written_as("POLYLINE", closed, 0);
 }
 
-/* Nearly a circle or an ellipse is none. */
+/* Its axes are known only to some 1e-11 of their length. */
+TEST(ellipses_that_are_nearly_circles_stay_splines_in_dxf)
+{
+    check_written_as("SPLINE", ellipse(3, 3 - 1e-3, 1, 2 * pi), 3);
+    check_written_as("SPLINE", ellipse(3, 3 - 1e-9, 1, 2 * pi), 3);
+}
+
+/* Nearly an ellipse is none. */
 TEST(dxf_keeps_what_is_beside_an_ellipse_as_it_is)
 {
     batten_curve *round = ellipse(3, 1.25, 0, 2 * pi), *moved = NULL;
