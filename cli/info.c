@@ -177,14 +177,19 @@ static int print(const char *file, const batten_model *model, const facts *found
     return output_print(&text);
 }
 
-/* Of instances it is told what they place. */
+/* Of instances it is told what they place; where that is too much, what there is to place. */
 static int flatten(batten_model **model, batten_notes *notes, int exit)
 {
     batten_model *flat = NULL;
     int instances = 0;
     for (int i = 0; i < batten_model_count(*model); i++)
         instances += batten_model_object(*model, i)->kind == BATTEN_OBJECT_INSTANCE;
-    const batten_status status = batten_model_flat(*model, &flat);
+    batten_status status = batten_model_flat(*model, &flat);
+    if (status == BATTEN_TOO_LARGE) {
+        batten_notes_remark(notes, "", 0, "", "%s; each is told once, where it is defined",
+                            batten_message());
+        status = batten_model_once(*model, &flat);
+    }
     if (status != BATTEN_OK)
         return output_failed("info", status);
     if (instances > 0)

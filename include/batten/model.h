@@ -90,8 +90,13 @@ BATTEN_API batten_status batten_model_add_mapped(batten_model *model,
 /** The same model with instances replaced by what they place, named "instance/object"; the
  * model itself when it has none. Objects without a layer or a colour have that of the instance,
  * and are hidden when an instance around them is.
- * @return TOO_LARGE for more than a million objects */
+ * @return TOO_LARGE, before the work, for more objects (instances among them) than 100,000 and
+ * 40 times those of the model and its definitions, or than a million; for more points than 10
+ * million and 40 times theirs */
 BATTEN_API batten_status batten_model_flat(const batten_model *model, batten_model **out);
+/** The objects of the model and of each definition once, where they are defined, named
+ * "definition/object"; without the instances. Cost: linear. */
+BATTEN_API batten_status batten_model_once(const batten_model *model, batten_model **out);
 /** How deep instances lie within instances: 0 without any. */
 BATTEN_API int batten_model_depth(const batten_model *model);
 /** The box of all objects; false when there is none. */

@@ -1,11 +1,15 @@
 /* Instances replaced by what they place. */
 #include "base/base.h"
+#include "exchange/placed.h"
 
 #include <batten/model.h>
 #include <batten/text.h>
 #include <string.h>
 
-enum { MOST_OBJECTS = 1000000, DEEPEST = 32 };
+enum { DEEPEST = 32 };
+
+/* As much as 40 times what the model holds, as with files, and what is little all the same. */
+static const double times = 40, few_objects = 1e5, few_points = 1e7, most_objects = 1e6;
 
 /* A model on the way down, where it stands, and what its objects are named after. */
 typedef struct {
@@ -20,7 +24,6 @@ typedef struct {
 typedef struct {
     level *levels; /* [DEEPEST + 1] */
     int depth;     /* of the level at work */
-    int entered;   /* instances so far: those of nothing cost time too */
     batten_text path;
     batten_model *made;
 } flattening;
@@ -49,9 +52,6 @@ static batten_object dressed(const batten_object *object, const batten_object *l
 static batten_status add_object(flattening *f, const batten_object *object)
 {
     batten_object named = dressed(object, &f->levels[f->depth].look);
-    if (batten_model_count(f->made) == MOST_OBJECTS)
-        return bat_fail(BATTEN_TOO_LARGE, "the instances place more than %d objects",
-                        MOST_OBJECTS);
     if (f->path.failed)
         return BATTEN_OUT_OF_MEMORY;
     named.name = f->path.bytes ? f->path.bytes : "";
@@ -76,9 +76,6 @@ static batten_status add_all(flattening *f)
             continue;
         }
         assert(f->depth < DEEPEST);
-        if (f->entered++ == MOST_OBJECTS)
-            return bat_fail(BATTEN_TOO_LARGE, "there are more than %d instances in one another",
-                            MOST_OBJECTS);
         f->levels[++f->depth] =
             (level){.model = object->definition,
                     .place = batten_affine_compose(object->place, at->place),
@@ -88,17 +85,42 @@ static batten_status add_all(flattening *f)
     return status;
 }
 
+/* Before the work. */
+static batten_status check_size(const batten_model *model)
+{
+    bat_placed own, all;
+    const batten_status status = bat_count_placed(model, &own, &all);
+    if (status != BATTEN_OK)
+        return status;
+    const double objects = bat_min(few_objects + times * own.objects, most_objects);
+    const double points = few_points + times * own.points;
+    if (all.objects > objects)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "%.0f objects hold instances which place %.0f objects and instances; "
+                        "the limit is %.0f",
+                        own.objects, all.objects, objects);
+    if (all.points > points)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "%.0f points are in instances which place %.0f points; the limit is "
+                        "%.0f",
+                        own.points, all.points, points);
+    return BATTEN_OK;
+}
+
 batten_status batten_model_flat(const batten_model *model, batten_model **out)
 {
     if (batten_model_depth(model) == 0) {
         *out = batten_model_ref(model);
         return BATTEN_OK;
     }
+    batten_status status = check_size(model);
+    if (status != BATTEN_OK)
+        return status;
     flattening f = {.levels = bat_array(DEEPEST + 1, sizeof(level)), .path = BATTEN_TEXT};
     if (!f.levels)
         return BATTEN_OUT_OF_MEMORY;
     f.levels[0] = (level){.model = model, .place = batten_affine_identity()};
-    batten_status status = batten_model_create(batten_model_unit_metres(model), &f.made);
+    status = batten_model_create(batten_model_unit_metres(model), &f.made);
     if (status == BATTEN_OK)
         status = batten_model_set_name(f.made, batten_model_name(model));
     if (status == BATTEN_OK)

@@ -151,6 +151,58 @@ TEST(S4_instances_that_double_cost_what_they_say_and_not_what_they_place)
     batten_model_unref(doubling);
 }
 
+/* 6 deep, 12 wide: about 3 million places of one point, which 73 objects ask for. */
+TEST(S2_what_instances_place_is_counted_before_it_is_placed)
+{
+    batten_model *inner = NULL, *outer = NULL, *flat = NULL, *once = NULL;
+    CHECK_OK(batten_model_create(1, &inner));
+    add_point(inner, "p", 1);
+    for (int depth = 0; depth < 6; depth++) {
+        CHECK_OK(batten_model_create(1, &outer));
+        for (int i = 0; i < 12; i++)
+            add_instance(outer, "i", inner, batten_affine_translation(1, 0, 0));
+        batten_model_unref(inner);
+        inner = outer;
+        if (depth == 3) { /* 12^4 points, and 12^4 + ... + 12 instances */
+            CHECK_OK(batten_model_flat(inner, &flat));
+            CHECK_INT(batten_model_count(flat), 20736);
+            batten_model_unref(flat);
+        }
+        if (depth == 4) {
+            CHECK_STATUS(batten_model_flat(inner, &flat), BATTEN_TOO_LARGE);
+            CHECK_MESSAGE("61 objects hold instances which place 520284 objects and instances; "
+                          "the limit is 102440");
+        }
+    }
+    CHECK_STATUS(batten_model_flat(inner, &flat), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("73 objects hold instances which place 6243420 ");
+    CHECK_OK(batten_model_once(inner, &once));
+    CHECK_INT(batten_model_count(once), 1);
+    CHECK_TEXT(batten_model_object(once, 0)->name, "i/p");
+    batten_model_unref(once);
+    batten_model_unref(inner);
+}
+
+TEST(S2_points_that_instances_place_are_counted_before_they_are_placed)
+{
+    enum { POINTS = 100000 };
+    batten_model *inner = NULL, *outer = NULL, *flat = NULL;
+    double *points = test_array(3 * POINTS, sizeof *points);
+    CHECK_OK(batten_model_create(1, &inner));
+    CHECK_OK(batten_model_create(1, &outer));
+    CHECK_OK(batten_model_add(inner, &(batten_object){.name = "scan",
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .point_count = POINTS,
+                                                      .points = points}));
+    for (int i = 0; i < 141; i++)
+        add_instance(outer, "i", inner, batten_affine_identity());
+    CHECK_STATUS(batten_model_flat(outer, &flat), BATTEN_TOO_LARGE);
+    CHECK_MESSAGE("100000 points are in instances which place 14100000 points; the limit is "
+                  "14000000");
+    batten_model_unref(inner);
+    batten_model_unref(outer);
+}
+
 TEST(many_instances_of_one_are_many_objects)
 {
     batten_model *inner = NULL, *outer = NULL, *flat = NULL;
