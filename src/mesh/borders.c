@@ -85,8 +85,14 @@ void bat_meshing_give_up(bat_meshing *m, int face, const char *why)
     m->report.failed++;
 }
 
-static batten_status try_border(bat_meshing *m, int face, bat_pairs *splits, bool *simple)
+/* The only samples of an arc that leaves a seam and comes back to it may be its ends: a border
+ * of few samples on one line is asked for more at first. */
+enum { LINE_ROUNDS = 3, MOST_ON_LINE = 64 };
+
+static batten_status try_border(bat_meshing *m, int face, int round, bat_pairs *splits,
+                                bool *simple)
 {
+    bool is_line = false;
     bat_rim rim;
     bat_sides sides = {0};
     bat_lattice lattice = {0};
@@ -102,12 +108,18 @@ static batten_status try_border(bat_meshing *m, int face, bat_pairs *splits, boo
         status = bat_work_step(&m->work, (uint64_t)rim.count, 0.1, "borders of faces");
     bat_rim_box(&rim, box);
     for (int k = 0; k < 2 && status == BATTEN_OK; k++)
-        if (!(box[k].b > box[k].a))
-            status = bat_fail(BATTEN_COINCIDENT, "its border is a line in (u, v), at %c = %g",
-                              k ? 'v' : 'u', box[k].a);
-    if (status == BATTEN_OK)
+        if (!(box[k].b > box[k].a)) {
+            if (round < LINE_ROUNDS && rim.count <= MOST_ON_LINE)
+                status = bat_rim_refine_all(&rim, splits);
+            else
+                status =
+                    bat_fail(BATTEN_COINCIDENT, "its border is a line in (u, v), at %c = %g",
+                             k ? 'v' : 'u', box[k].a);
+            is_line = true;
+        }
+    if (status == BATTEN_OK && !is_line)
         status = bat_lattice_begin(&lattice, m, &m->sheets[face], box);
-    if (status == BATTEN_OK)
+    if (status == BATTEN_OK && !is_line)
         status = bat_rim_triangles(&rim, &lattice, &sides, splits, simple);
     bat_sides_end(&sides);
     bat_lattice_end(&lattice);
@@ -124,7 +136,7 @@ static batten_status try_borders(bat_meshing *m, bat_pairs *splits, int round, b
         bool simple = false;
         if (!ask[i] || m->failed[i])
             continue;
-        status = try_border(m, i, splits, &simple);
+        status = try_border(m, i, round, splits, &simple);
         if (status != BATTEN_OK && !bat_meshing_is_final(status)) {
             bat_meshing_give_up(m, i, batten_message());
             status = BATTEN_OK;

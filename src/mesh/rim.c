@@ -240,7 +240,7 @@ static batten_status refine_way(const bat_rim *rim, const in_the_way *way, bat_p
     return status;
 }
 
-static batten_status refine_all(const bat_rim *rim, bat_pairs *splits)
+batten_status bat_rim_refine_all(const bat_rim *rim, bat_pairs *splits)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < rim->count; i++)
@@ -325,7 +325,7 @@ batten_status bat_rim_triangles(bat_rim *rim, const bat_lattice *lattice, bat_si
         bat_sides_begin(sides, rim->count, (const double(*)[2])rim->at, rim->vertex_of);
     if (status == BATTEN_TOO_FEW_POINTS || status == BATTEN_COINCIDENT) {
         *is_simple = false;
-        return refine_all(rim, splits);
+        return bat_rim_refine_all(rim, splits);
     }
     if (status != BATTEN_OK)
         return status;

@@ -37,6 +37,8 @@ batten_status bat_rim_triangles(bat_rim *rim, const bat_lattice *lattice, bat_si
                                 bat_pairs *splits, bool *is_simple);
 /* Keep those seeds of the lattice that are inside, each place once (seeds_within.c). */
 batten_status bat_rim_choose_seeds(const bat_rim *rim, bat_lattice *lattice);
+/* `splits` gets all segments. */
+batten_status bat_rim_refine_all(const bat_rim *rim, bat_pairs *splits);
 /* `splits` gets the segments between these pairs of vertices (the lesser first) of the
  * triangles. */
 batten_status bat_rim_refine(const bat_rim *rim, const bat_pairs *between, bat_pairs *splits);

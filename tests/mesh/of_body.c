@@ -194,6 +194,39 @@ TEST(an_l_is_four_triangles)
     batten_body_unref(body);
 }
 
+/* A line and an arc that leaves it by less than the chord: their only samples are their ends.
+ */
+TEST(a_sliver_between_a_line_and_an_arc_is_meshed_at_every_chord)
+{
+    static const double chords[] = {1, 0.3, 0.1, 0.03, 0.01, 1e-3};
+    static const double ends[2][2] = {{1, 0}, {1, 4}}, knots[] = {0, 0, 0, 1, 1, 1};
+    static const double arc[3][2] = {{1, 0}, {1.1, 2}, {1, 4}};
+    for (int i = 0; i < COUNT(chords); i++) {
+        batten_curve *line = NULL, *bow = NULL;
+        batten_mesh_options options = batten_mesh_defaults();
+        batten_mesh_report report;
+        int vertices[2];
+        sheet s;
+        options.chord = chords[i];
+        sheet_begin(&s, 2, 4);
+        CHECK_OK(bat_builder_loop(&s.builder));
+        for (int k = 0; k < 2; k++)
+            CHECK_OK(bat_builder_vertex(&s.builder, (double[]){ends[k][0], ends[k][1], 0},
+                                        &vertices[k]));
+        CHECK_OK(batten_curve_line(2, ends[0], ends[1], &line));
+        CHECK_OK(batten_curve_create(2, 2, 3, arc[0], NULL, knots, &bow));
+        sheet_add(&s, bow, vertices[0], vertices[1], false);
+        sheet_add(&s, line, vertices[0], vertices[1], true);
+        batten_curve_unref(line);
+        batten_curve_unref(bow);
+        batten_body *body = sheet_end(&s);
+        const batten_mesh_facts f = mesh_of(body, &options, &report, NULL);
+        CHECK_INT(report.failed, 0);
+        CHECK_NEAR(f.area, 0.4 / 3, bat_min(0.04, 4 * chords[i]));
+        batten_body_unref(body);
+    }
+}
+
 TEST(a_plate_with_200_holes)
 {
     static const double corners[4][2] = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
