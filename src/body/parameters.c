@@ -217,6 +217,30 @@ batten_status bat_parameters_in_plane(const bat_chart *chart, const batten_curve
     return status == BATTEN_BAD_KNOTS ? BATTEN_NOT_FOUND : status;
 }
 
+static double border_of(const bat_chart *chart, int side)
+{
+    const batten_interval domain = chart->domain[side % 2 ? 0 : 1];
+    return side == 1 || side == 2 ? domain.b : domain.a;
+}
+
+/* The side of the pole q that the curve leaves by: both poles of a torus whose tube touches the
+ * axis are one point, and the place at t, near the end of the curve, tells. */
+static batten_status choose_pole(bat_chart *chart, const batten_curve *curve, double t,
+                                 const double q[3], int *pole)
+{
+    const int other = (*pole + 2) % 4, fixed = *pole % 2 ? 0 : 1;
+    double near[2], c[3], distance;
+    if (!chart->pole[other] || bat_distance(3, chart->pole_at[other], q) > chart->tolerance)
+        return BATTEN_OK;
+    batten_status status = batten_curve_evaluate(curve, t, 0, c);
+    if (status == BATTEN_OK)
+        status = bat_chart_find(chart, c, NULL, near, &distance);
+    if (status == BATTEN_OK && fabs(near[fixed] - border_of(chart, other)) <
+                                   fabs(near[fixed] - border_of(chart, *pole)))
+        *pole = other;
+    return status;
+}
+
 /* The feet of both ends; at a pole the other coordinate is that of the middle of the curve. */
 static batten_status find_ends(bat_chart *chart, const batten_curve *curve, const double *guess,
                                double ends[2][2])
@@ -233,16 +257,18 @@ static batten_status find_ends(bat_chart *chart, const batten_curve *curve, cons
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "the edge is %g off the surface at its %s, more than %g", distance,
                             k ? "end" : "start", chart->tolerance);
-        const int pole = status == BATTEN_OK ? bat_chart_pole(chart, q) : -1;
+        int pole = status == BATTEN_OK ? bat_chart_pole(chart, q) : -1;
         if (pole < 0)
             continue;
         double middle[2], c[3];
-        status = batten_curve_evaluate(curve, on.a + (on.b - on.a) / 2, 0, c);
+        const double eighth = (on.b - on.a) / 8;
+        status = choose_pole(chart, curve, k ? on.b - eighth : on.a + eighth, q, &pole);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate(curve, on.a + (on.b - on.a) / 2, 0, c);
         if (status == BATTEN_OK)
             status = bat_chart_find(chart, c, NULL, middle, &distance);
         const int fixed = pole % 2 ? 0 : 1;
-        ends[k][fixed] =
-            pole == 1 || pole == 2 ? chart->domain[fixed].b : chart->domain[fixed].a;
+        ends[k][fixed] = border_of(chart, pole);
         ends[k][1 - fixed] = middle[1 - fixed];
     }
     return status;

@@ -173,6 +173,8 @@ TEST(a_face_bounded_by_a_vertex_alone_is_the_whole_of_its_surface)
         /* 2 pi (3 sqrt(3) - 4 pi / 3) and 2 pi (3 sqrt(3) + 8 pi / 3) */
         {"DEGENERATE_TOROIDAL_SURFACE('',#1,1.,2.,.F.)", 6.329443486644302, true},
         {"DEGENERATE_TOROIDAL_SURFACE('',#1,1.,2.,.T.)", 85.28627869535916, false},
+        /* The tube touches the axis: both poles are one point. */
+        {"TOROIDAL_SURFACE('',#1,2.,2.)", 157.91367041742974, false},
     };
     for (int k = 0; k < COUNT(cases); k++) {
         box_text text;
@@ -187,6 +189,18 @@ TEST(a_face_bounded_by_a_vertex_alone_is_the_whole_of_its_surface)
         const batten_body *body = batten_model_object(model, 0)->body;
         CHECK_INT(batten_body_view(body)->loop_count, 0);
         CHECK_NEAR(box_measure(body).volume, cases[k].volume, 1e-5);
+        /* Written with its seam, and that found again on the surface. */
+        batten_write_options options = batten_write_defaults();
+        options.format = BATTEN_FORMAT_STEP;
+        options.no_parameter_curves = true;
+        char *data = NULL;
+        size_t size = 0;
+        CHECK_OK(batten_write_memory(model, &options, NULL, &data, &size));
+        batten_model_unref(model);
+        CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_STEP, NULL, &model));
+        CHECK_NEAR(box_measure(batten_model_object(model, 0)->body).volume, cases[k].volume,
+                   1e-5);
+        batten_release(data);
         batten_model_unref(model);
     }
 }
