@@ -188,18 +188,19 @@ typedef struct batten_body_measures {
  * Loops are cut at the knot lines of their surface. Everything is measured with two rules, and
  * what they differ in is halved until the precision is reached; by their shorter rule, so
  * `area_error` and `volume_error` are much above what the result is off. To them is added the
- * room between the edges and the curves of the faces. The volume is the mean of the integrals
- * of x Nx, y Ny and z Nz, which agree when the faces close; their spread is part of its error.
- * It is negative where the faces have their outside inside. Faces that cannot be traced within
- * the tolerance of the body are traced more coarsely, up to 1e-3 of its size. The box is that
- * of the edges, where a coordinate turns back, and of the places inside of faces that are
- * farther out, found within the precision times the size of the body.
+ * room between the edges and the curves of the faces, and what loops leave open that cross: the
+ * whole of the face, where that is more than a thousandth of it. The volume is the mean of the
+ * integrals of x Nx, y Ny and z Nz, which agree when the faces close; their spread is part of
+ * its error. It is negative where the faces have their outside inside. Faces that cannot be
+ * traced within the tolerance of the body are traced more coarsely, up to 1e-3 of its size. The
+ * box is that of the edges, where a coordinate turns back, and of the places inside of faces
+ * that are farther out, found within the precision times the size of the body.
  *
  * @param precision relative, > 0; one below the rounding of the numbers is met as far as they
  * can
  * @return BATTEN_OK; BAD_ARGUMENT (precision); TOLERANCE_NOT_MET when the precision is not
- * reached after about 4 million evaluations for a face, or faces could not be traced, which
- * then are not measured: the measures are set then; OVERFLOW
+ * reached after about 4 million evaluations for a face, loops of a face cross, or faces could
+ * not be traced, which then are not measured: the measures are set then; OVERFLOW
  * Cost: about 250 evaluations for each span of the loops and each knot line across.
  */
 BATTEN_API batten_status batten_body_measure(const batten_body *body, double precision,

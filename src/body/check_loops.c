@@ -8,9 +8,10 @@
 
 /* A use of the face as its loop runs. */
 typedef struct {
-    int loop, use, next; /* which loop of the face; which use of the body; what follows */
-    batten_curve *curve; /* (u, v), from where it begins */
-    double start[2];     /* where it begins */
+    int loop, use, next;   /* which loop of the face; which use of the body; what follows */
+    batten_curve *curve;   /* (u, v), from where it begins */
+    double start[2];       /* where it begins */
+    double before, length; /* in space: of its loop so far, and its own; only for doubts */
 } passage;
 
 typedef struct {
@@ -138,7 +139,8 @@ static bool is_joint(const passages *all, const bat_crossing *crossing, const do
            bat_distance(2, at, all->at[a].start) <= NEAR;
 }
 
-static batten_status find_crossings(bat_check *check, int face, passages *all)
+/* Those that are no joints; release `at`. */
+static batten_status find_crossings(const passages *all, bat_crossings *out)
 {
     const batten_curve **curves = bat_array((size_t)all->count + 1, sizeof *curves);
     bat_crossings found = {0};
@@ -147,15 +149,34 @@ static batten_status find_crossings(bat_check *check, int face, passages *all)
     for (int i = 0; i < all->count; i++)
         curves[i] = all->at[i].curve;
     batten_status status = bat_crossings_find(all->count, curves, false, &found);
+    int kept = 0;
+    for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
+        double at[2];
+        status = batten_curve_evaluate(curves[found.at[i].curve[0]], found.at[i].u[0], 0, at);
+        if (status == BATTEN_OK && !is_joint(all, &found.at[i], at))
+            found.at[kept++] = found.at[i];
+    }
+    found.count = kept;
+    bat_release(curves);
+    if (status == BATTEN_OK)
+        *out = found;
+    else
+        bat_release(found.at);
+    return status;
+}
+
+static batten_status report_crossings(bat_check *check, int face, passages *all)
+{
+    bat_crossings found = {0};
+    batten_status status = find_crossings(all, &found);
     for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
         const bat_crossing *one = &found.at[i];
         double at[2];
-        status = batten_curve_evaluate(curves[one->curve[0]], one->u[0], 0, at);
-        if (status == BATTEN_OK && !is_joint(all, one, at))
+        status = batten_curve_evaluate(all->at[one->curve[0]].curve, one->u[0], 0, at);
+        if (status == BATTEN_OK)
             report(check, face, all, one->curve[0], one->curve[1], at, "cross");
     }
     bat_release(found.at);
-    bat_release(curves);
     return status;
 }
 
@@ -223,9 +244,78 @@ batten_status bat_check_loops(bat_check *check, int face)
     passages all;
     batten_status status = gather(check->parts, face, &all);
     if (status == BATTEN_OK)
-        status = find_crossings(check, face, &all);
+        status = report_crossings(check, face, &all);
     if (status == BATTEN_OK)
         status = find_touches(check, face, &all);
+    release(&all);
+    return status;
+}
+
+/* ---- what crossings leave open ---- */
+
+/* How long the loops are up to each use, by chords of the edges. */
+static batten_status set_lengths(const batten_body_parts *p, passages *all)
+{
+    enum { STEPS = 8 };
+    double sum = 0;
+    for (int i = 0; i < all->count; i++) {
+        passage *one = &all->at[i];
+        const batten_curve *curve = p->edges[p->uses[one->use].edge].curve;
+        sum = i > 0 && all->at[i - 1].loop == one->loop ? sum : 0;
+        one->before = sum;
+        double last[3], here[3];
+        for (int k = 0; curve && k <= STEPS; k++, memcpy(last, here, sizeof last)) {
+            const batten_interval on = batten_curve_domain(curve);
+            const double t = k < STEPS ? on.a + (on.b - on.a) * k / STEPS : on.b;
+            const batten_status status = batten_curve_evaluate(curve, t, 0, here);
+            if (status != BATTEN_OK)
+                return status;
+            one->length += k > 0 ? bat_distance(3, last, here) : 0;
+        }
+        sum += one->length;
+    }
+    return BATTEN_OK;
+}
+
+static double length_of_loop(const passages *all, int of)
+{
+    int last = of;
+    while (last + 1 < all->count && all->at[last + 1].loop == all->at[of].loop)
+        last++;
+    return all->at[last].before + all->at[last].length;
+}
+
+/* A crossing divides its loop in two; of two loops it is the shorter that is in doubt. */
+static double doubtful_length(const passages *all, const bat_crossing *crossing)
+{
+    double place[2], total[2];
+    for (int k = 0; k < 2; k++) {
+        const passage *one = &all->at[crossing->curve[k]];
+        const batten_interval on = batten_curve_domain(one->curve);
+        place[k] = one->before + one->length * (crossing->u[k] - on.a) / (on.b - on.a);
+        total[k] = length_of_loop(all, crossing->curve[k]);
+    }
+    if (all->at[crossing->curve[0]].loop != all->at[crossing->curve[1]].loop)
+        return bat_min(total[0], total[1]);
+    const double part = fabs(place[1] - place[0]);
+    return bat_min(part, total[0] - part);
+}
+
+batten_status bat_loops_doubt(const batten_body_parts *parts, int face, double *area)
+{
+    passages all;
+    bat_crossings found = {0};
+    *area = 0;
+    batten_status status = gather(parts, face, &all);
+    if (status == BATTEN_OK)
+        status = find_crossings(&all, &found);
+    if (status == BATTEN_OK && found.count > 0)
+        status = set_lengths(parts, &all);
+    for (int i = 0; i < found.count && status == BATTEN_OK; i++) {
+        const double length = doubtful_length(&all, &found.at[i]);
+        *area += length * length / acos(-1);
+    }
+    bat_release(found.at);
     release(&all);
     return status;
 }

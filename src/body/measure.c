@@ -1,6 +1,7 @@
 /* Area, volume, centroid and edge length of bodies, by integrals along the loops of faces. */
 #include "base/work.h"
 #include "body/box.h"
+#include "body/check_parts.h"
 #include "body/extent.h"
 #include "body/face_integral.h"
 #include "body/trace_all.h"
@@ -24,7 +25,27 @@ typedef struct {
     double gross;       /* the sum of the sizes of the areas of faces */
     int unmet;
     int first_unmet;
+    int crossed; /* faces whose loops cross so much that their area says nothing */
+    int first_crossed;
 } total;
+
+/* Loops that cross bound no area: what they cut off may count twice, or against the rest. Where
+ * that is more than a hair of the face, all of it is in doubt. */
+static batten_status add_doubt(total *t, const batten_body_parts *parts, int f, int number,
+                               bat_face_sums *face)
+{
+    const double area = fabs(face->values[BAT_AREA]), hair = 1e-3;
+    double doubt = 0;
+    const batten_status status = bat_loops_doubt(parts, f, &doubt);
+    doubt /= t->rules.size * t->rules.size;
+    if (doubt > hair * area) {
+        doubt = bat_max(doubt, area);
+        if (t->crossed++ == 0)
+            t->first_crossed = number;
+    }
+    face->slack += doubt;
+    return status;
+}
 
 static void add_face(total *t, int number, const bat_face_sums *face)
 {
@@ -40,13 +61,15 @@ static batten_status add_faces(total *t, const batten_job *job)
     int done = 0;
     t->sums = (bat_face_sums){.is_met = true};
     t->gross = 0;
-    t->unmet = 0;
+    t->unmet = t->crossed = 0;
     for (int i = 0; i < t->traced->count; i++) {
         const bat_traced *part = &t->traced->at[i];
         const batten_body_parts *parts = batten_body_view(part->body);
         for (int f = 0; f < parts->face_count; f++) {
             bat_face_sums face;
             batten_status status = bat_face_integrate(parts, f, &t->rules, &face);
+            if (status == BATTEN_OK)
+                status = add_doubt(t, parts, f, bat_traced_number(part, f), &face);
             if (status == BATTEN_OK)
                 status =
                     bat_work_step(&work, 1, bat_min(1, (double)done++ / t->given->face_count),
@@ -176,6 +199,12 @@ static batten_status finish(const total *t, double precision, const batten_body_
                         "%d of %d faces have no closed loops in their parameters and are not "
                         "measured, face %d first",
                         t->traced->failed, t->given->face_count, first_failed(t->traced));
+    if (t->crossed > 0)
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "%d of %d faces have loops that cross, face %d first: the area is %g, "
+                        "within %g",
+                        t->crossed, t->given->face_count, t->first_crossed, out->area,
+                        out->area_error);
     if (t->unmet > 0)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "%d of %d faces do not reach the precision %g, face %d first: the area "
