@@ -300,3 +300,22 @@ batten_status bat_chart_find(bat_chart *chart, const double q[3], const double *
         status = bat_chart_foot(chart, q, uv, distance);
     return status;
 }
+
+batten_status bat_chart_miss(bat_chart *chart, const batten_curve *curve, int places,
+                             double *miss)
+{
+    const batten_interval on = batten_curve_domain(curve);
+    double uv[2] = {0, 0}, worst = 0;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < places; i++) {
+        const double share = (i + 0.5) / places, guess[2] = {uv[0], uv[1]};
+        double point[3], distance = 0;
+        status = batten_curve_evaluate(curve, on.a + share * (on.b - on.a), 0, point);
+        if (status == BATTEN_OK)
+            status = bat_chart_find(chart, point, i ? guess : NULL, uv, &distance);
+        worst = bat_max(worst, distance);
+    }
+    if (status == BATTEN_OK)
+        *miss = worst;
+    return status;
+}

@@ -42,6 +42,10 @@ batten_status bat_chart_foot(const bat_chart *chart, const double q[3], double u
  * leads within the tolerance. */
 batten_status bat_chart_find(bat_chart *chart, const double q[3], const double *guess,
                              double uv[2], double *distance);
+/* How far a curve is off it, at so many places: the foot is looked for once, then it follows
+ * the curve. */
+batten_status bat_chart_miss(bat_chart *chart, const batten_curve *curve, int places,
+                             double *miss);
 /* How the foot moves while the point moves by d; 0 along what has no extent there. */
 void bat_chart_velocity(const double *derivatives, const double d[3], double uv[2]);
 /* The side that is a pole within the tolerance of q; -1 for none. */

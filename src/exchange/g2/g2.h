@@ -15,6 +15,12 @@ batten_status bat_read_g2(bat_input *input, batten_model **out);
 batten_status bat_write_g2(const batten_model *model, const batten_write_options *options,
                            batten_notes *notes, batten_text *text);
 
+/* The tolerance for the loops of one face (loose.c): that of the body, or more where the edges
+ * of this face are farther off it, or off their vertices. */
+batten_status bat_g2_loop_tolerance(const batten_body_parts *parts,
+                                    const batten_body_face *face, const batten_surface *surface,
+                                    double *tolerance);
+
 /* The classes that are known. */
 enum {
     BAT_G2_CURVE = 100,

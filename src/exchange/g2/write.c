@@ -8,7 +8,9 @@ typedef struct {
     batten_text *text;
     batten_notes *notes;
     double tolerance;
-    int changed; /* coordinates of the object at work that cannot be kept bit for bit */
+    int loose;      /* faces of the object at work with a tolerance of their own ... */
+    double loosest; /* ... and the largest of these */
+    int changed;    /* coordinates of the object at work that cannot be kept bit for bit */
 } writing;
 
 static void put_number(writing *w, double value, const char *after)
@@ -158,11 +160,11 @@ static batten_status put_trim(writing *w, const batten_body_parts *parts,
 
 /* The loop in the direction that is counter-clockwise in (u, v). */
 static batten_status put_loop(writing *w, const batten_body_parts *parts,
-                              const batten_body_loop *loop, bool turned)
+                              const batten_body_loop *loop, double tolerance, bool turned)
 {
     batten_status status = BATTEN_OK;
     batten_text_add(w->text, "%d ", loop->count);
-    put_number(w, parts->tolerance, "\n");
+    put_number(w, tolerance, "\n");
     for (int k = 0; status == BATTEN_OK && k < loop->count; k++) {
         batten_body_use use = parts->uses[loop->first + (turned ? loop->count - 1 - k : k)];
         use.reversed ^= turned;
@@ -181,6 +183,10 @@ static batten_status put_face(writing *w, const batten_object *object,
     batten_status status = bat_prepare_surface(&shown, w->tolerance, w->notes, &surface);
     if (status != BATTEN_OK)
         return status;
+    double tolerance = 0;
+    status = bat_g2_loop_tolerance(parts, face, surface, &tolerance);
+    w->loose += tolerance > parts->tolerance;
+    w->loosest = bat_max(w->loosest, tolerance);
     begin(w, face->count ? BAT_G2_BOUNDED_SURFACE : BAT_G2_SURFACE, own || object->has_colour,
           colour);
     if (face->count)
@@ -189,7 +195,7 @@ static batten_status put_face(writing *w, const batten_object *object,
     if (face->count)
         batten_text_add(w->text, "%d\n", face->count);
     for (int k = 0; status == BATTEN_OK && k < face->count; k++)
-        status = put_loop(w, parts, &parts->loops[face->first + k], face->reversed);
+        status = put_loop(w, parts, &parts->loops[face->first + k], tolerance, face->reversed);
     batten_surface_unref(surface);
     return status;
 }
@@ -199,6 +205,8 @@ static batten_status put_body(writing *w, const batten_object *object)
     const batten_body_parts *parts = batten_body_view(object->body);
     bool turned = false;
     batten_status status = BATTEN_OK;
+    w->loose = 0;
+    w->loosest = 0;
     for (int i = 0; status == BATTEN_OK && i < parts->face_count; i++) {
         turned |= parts->faces[i].reversed;
         status = put_face(w, object, parts, &parts->faces[i]);
@@ -208,6 +216,12 @@ static batten_status put_body(writing *w, const batten_object *object)
                          "%d face%s %s written one by one: the format has no shells",
                          parts->face_count, bat_plural(parts->face_count),
                          bat_one_or_many(parts->face_count, "is", "are"));
+    if (status == BATTEN_OK && w->loose > 0)
+        batten_notes_add(w->notes, "", 0, object->name,
+                         "the edges of %d face%s are farther off %s than the tolerance %g: "
+                         "their loops have tolerances up to %g",
+                         w->loose, bat_plural(w->loose),
+                         bat_one_or_many(w->loose, "it", "them"), parts->tolerance, w->loosest);
     if (status == BATTEN_OK && turned)
         batten_notes_add(w->notes, "", 0, object->name,
                          "the sides of reversed faces are lost: the format has none");

@@ -79,24 +79,16 @@ static double miss_at(const bat_iges_ground *ground, const batten_curve *space,
 static double search_miss(bat_iges_ground *ground, const batten_curve *space)
 {
     enum { STEPS = 8 };
-    const batten_interval domain = batten_curve_domain(space);
-    double uv[2], worst = 0;
+    double worst = 0;
     if (!ground->chart) {
         ground->chart = bat_array(1, sizeof *ground->chart);
         if (!ground->chart ||
             bat_chart_begin(ground->surface, ground->tolerance, ground->chart) != BATTEN_OK)
             return 0;
     }
-    for (int i = 0; i < STEPS; i++) {
-        const double share = (i + 0.5) / STEPS;
-        double c[3], distance = 0;
-        if (!ground->chart->surface ||
-            batten_curve_evaluate(space, domain.a + share * (domain.b - domain.a), 0, c) !=
-                BATTEN_OK ||
-            bat_chart_find(ground->chart, c, i ? uv : NULL, uv, &distance) != BATTEN_OK)
-            return 0;
-        worst = bat_max(worst, distance);
-    }
+    if (!ground->chart->surface ||
+        bat_chart_miss(ground->chart, space, STEPS, &worst) != BATTEN_OK)
+        return 0;
     return worst;
 }
 

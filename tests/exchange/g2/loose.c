@@ -1,0 +1,83 @@
+/* Faces whose edges are farther off than the tolerance of their body. */
+#include "body/builder.h"
+#include "exchange/reading.h"
+
+#include <batten/standard.h>
+
+/* A square of side 2 in the plane z = 0; one of its edges rises by that much in its middle. */
+static batten_body *square_with_bulge(double height)
+{
+    static const double at[4][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    bat_builder b;
+    batten_surface *plane = NULL;
+    batten_body *body = NULL;
+    int index;
+    bat_builder_begin(&b, 1e-6);
+    for (int i = 0; i < 4; i++)
+        CHECK_OK(bat_builder_vertex(&b, at[i], &index));
+    for (int i = 0; i < 4; i++) {
+        const double *p = at[i], *q = at[(i + 1) % 4];
+        const double points[9] = {
+            p[0], p[1], 0, (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, i == 2 ? 2 * height : 0,
+            q[0], q[1], 0};
+        batten_curve *curve = NULL;
+        CHECK_OK(
+            batten_curve_create(3, 2, 3, points, NULL, (double[]){0, 0, 0, 1, 1, 1}, &curve));
+        CHECK_OK(bat_builder_edge(&b, curve, i, (i + 1) % 4, &index));
+        batten_curve_unref(curve);
+    }
+    CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){2, 0, 0},
+                                     (batten_vec3){0, 2, 0}, (batten_vec3){2, 2, 0}, &plane));
+    CHECK_OK(bat_builder_shell(&b, false));
+    CHECK_OK(bat_builder_face(&b, &(batten_body_face){.surface = plane}));
+    CHECK_OK(bat_builder_loop(&b));
+    for (int i = 0; i < 4; i++)
+        CHECK_OK(bat_builder_use(&b, i, false, NULL));
+    batten_surface_unref(plane);
+    CHECK_OK(bat_builder_finish(&b, false, &body));
+    return body;
+}
+
+/* Written and read again; *said: the writer told of it, where its note was not lost. */
+static batten_body *pass_through_g2(batten_body *body, bool *said)
+{
+    batten_model *model = NULL, *back = NULL;
+    batten_notes *notes = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    batten_write_options options = batten_write_defaults();
+    options.format = BATTEN_FORMAT_G2;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_model_add(
+        model, &(batten_object){.name = "square", .kind = BATTEN_OBJECT_BODY, .body = body}));
+    CHECK_OK(batten_write_memory(model, &options, notes, &data, &size));
+    if (!batten_notes_dropped(notes))
+        *said =
+            has_note(notes, "the edges of 1 face are farther off it than the tolerance 1e-06");
+    CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
+    batten_body *read = batten_body_ref(batten_model_object(back, 0)->body);
+    batten_release(data);
+    batten_notes_free(notes);
+    batten_model_unref(back);
+    batten_model_unref(model);
+    return read;
+}
+
+TEST(a_face_whose_edges_are_off_it_says_so_and_can_be_measured)
+{
+    static const double heights[] = {0, 0.02};
+    for (int i = 0; i < 2; i++) {
+        bool said = i == 1;
+        batten_body *body = square_with_bulge(heights[i]);
+        batten_body *read = pass_through_g2(body, &said);
+        batten_body_measures m = {.area = 0};
+        const double tolerance = batten_body_view(read)->tolerance;
+        CHECK(said == (i == 1));
+        CHECK(i == 1 ? tolerance >= 0.02 && tolerance < 0.04 : tolerance == 1e-6);
+        CHECK_OK(batten_body_measure(read, 1e-6, NULL, &m));
+        CHECK_NEAR(m.area, 4, 1e-6);
+        batten_body_unref(read);
+        batten_body_unref(body);
+    }
+}
