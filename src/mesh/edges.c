@@ -218,7 +218,7 @@ static batten_status end_piece(bat_meshing *m, int edge, const piece *p, bool is
 {
     bat_polyline *line = &m->edges[edge];
     const bool stands = distance(p->ends[0], p->ends[1]) <= roundoff(p);
-    int vertex = m->parts->edges[edge].vertices[1];
+    int vertex = m->same[m->parts->edges[edge].vertices[1]];
     batten_status status = BATTEN_OK;
     if (stands && !is_last)
         return BATTEN_OK;
@@ -263,7 +263,7 @@ static batten_status sample(bat_meshing *m, int edge, waiting *w)
         return BATTEN_OUT_OF_MEMORY;
     batten_curve_spans(e->curve, breaks);
     const int parts = least_parts(m, edge, count - 1);
-    batten_status status = add_sample(&m->edges[edge], breaks[0], e->vertices[0]);
+    batten_status status = add_sample(&m->edges[edge], breaks[0], m->same[e->vertices[0]]);
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++) {
         piece p = {.a = breaks[i], .b = breaks[i + 1]};
         for (int k = 0; status == BATTEN_OK && k < 2; k++) {

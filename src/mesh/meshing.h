@@ -56,6 +56,9 @@ typedef struct {
 
     int point_count, point_room;
     double (*points)[3];
+    int *
+        same; /* [vertex_count] the vertex that stands for each; itself but where loops touch */
+    bool *touched;       /* [vertex_count] it stands for others */
     bat_polyline *edges; /* [edge_count] */
     int *use_face;       /* [use_count] */
     int *edge_first;     /* [edge_count + 1] into edge_uses */
@@ -90,6 +93,9 @@ static inline int bat_meshing_name(const bat_meshing *m, int face)
 
 /* TOO_LARGE when more triangles are to be expected than allowed (predict.c). */
 batten_status bat_meshing_predict(bat_meshing *m);
+
+/* Vertices where loops of a face touch become one (touches.c). */
+batten_status bat_meshing_join(bat_meshing *m);
 
 /* Sample all edges (edges.c). */
 batten_status bat_meshing_edges(bat_meshing *m);

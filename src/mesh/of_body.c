@@ -88,12 +88,14 @@ static batten_status make_lists(bat_meshing *m)
     m->use_face = bat_array((size_t)p->use_count, sizeof *m->use_face);
     m->edge_first = bat_array((size_t)p->edge_count + 2, sizeof *m->edge_first);
     m->edge_uses = bat_array((size_t)p->use_count, sizeof *m->edge_uses);
+    m->same = bat_array((size_t)p->vertex_count, sizeof *m->same);
+    m->touched = bat_array((size_t)p->vertex_count, sizeof *m->touched);
     m->sheets = bat_array((size_t)p->face_count, sizeof *m->sheets);
     m->failed = bat_array((size_t)p->face_count, sizeof *m->failed);
     m->spread = bat_array((size_t)p->face_count, sizeof *m->spread);
     m->done = bat_array((size_t)p->face_count, sizeof *m->done);
     if (!m->edges || !m->use_face || !m->edge_first || !m->edge_uses || !m->sheets ||
-        !m->failed || !m->spread || !m->done)
+        !m->failed || !m->spread || !m->done || !m->same || !m->touched)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < p->face_count; i++) {
         const batten_body_face *face = &p->faces[i];
@@ -111,8 +113,10 @@ static batten_status make_lists(bat_meshing *m)
     for (int i = 0; i < p->use_count; i++)
         m->edge_uses[next[p->uses[i].edge]++] = i;
     batten_status status = BATTEN_OK;
-    for (int i = 0, index; status == BATTEN_OK && i < p->vertex_count; i++)
+    for (int i = 0, index; status == BATTEN_OK && i < p->vertex_count; i++) {
+        m->same[i] = i;
         status = bat_meshing_point(m, &p->vertices[3 * (size_t)i], &index);
+    }
     return status;
 }
 
@@ -127,6 +131,8 @@ static void release_all(bat_meshing *m)
     bat_release(m->use_face);
     bat_release(m->edge_first);
     bat_release(m->edge_uses);
+    bat_release(m->same);
+    bat_release(m->touched);
     bat_release(m->sheets);
     bat_release(m->failed);
     bat_release(m->spread);
@@ -180,6 +186,8 @@ static batten_status mesh_traced(const batten_body *body, bat_meshing *m, batten
     batten_status status = make_lists(m);
     if (status == BATTEN_OK)
         status = bat_meshing_predict(m);
+    if (status == BATTEN_OK)
+        status = bat_meshing_join(m);
     if (status == BATTEN_OK)
         status = bat_meshing_edges(m);
     if (status == BATTEN_OK)

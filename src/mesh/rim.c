@@ -114,7 +114,7 @@ static batten_status add_pole(bat_rim *rim, const bat_meshing *m, const batten_b
         status = batten_curve_evaluate(
             use->parameters, (k == 1) != use->reversed ? domain.b : domain.a, 0, ends[k]);
     const int d = fabs(ends[1][0] - ends[0][0]) >= fabs(ends[1][1] - ends[0][1]) ? 0 : 1;
-    bat_rim_corner corner = {.vertex = m->parts->edges[use->edge].vertices[0],
+    bat_rim_corner corner = {.vertex = m->same[m->parts->edges[use->edge].vertices[0]],
                              .edge = -1,
                              .segment = -1,
                              .pole = d + 1};
@@ -146,6 +146,29 @@ static void mark_ends_of_poles(bat_rim *rim)
     }
 }
 
+/* Corners of loops that touch at a vertex are at one place. */
+static void join_touching(bat_rim *rim, const bat_meshing *m, int face)
+{
+    enum { MOST = 500 };
+    int list[MOST], count = 0;
+    for (int i = 0; i < rim->count; i++) {
+        bat_rim_corner *c = &rim->corners[i];
+        if (c->vertex >= m->parts->vertex_count || !m->touched[c->vertex] || count == MOST)
+            continue;
+        for (int k = 0; k < count; k++) {
+            const bat_rim_corner *known = &rim->corners[list[k]];
+            bool close = known->vertex == c->vertex;
+            for (int d = 0; d < 2; d++) {
+                const batten_interval domain = m->sheets[face].domain[d];
+                close = close && fabs(known->uv[d] - c->uv[d]) <= 1e-6 * (domain.b - domain.a);
+            }
+            if (close)
+                memcpy(c->uv, known->uv, sizeof c->uv);
+        }
+        list[count++] = i;
+    }
+}
+
 batten_status bat_rim_begin(bat_rim *rim, const bat_meshing *m, int face,
                             const bat_lattice *lattice)
 {
@@ -165,6 +188,7 @@ batten_status bat_rim_begin(bat_rim *rim, const bat_meshing *m, int face,
     }
     if (status == BATTEN_OK) {
         mark_ends_of_poles(rim);
+        join_touching(rim, m, face);
         rim->at = bat_array((size_t)rim->count, sizeof *rim->at);
         rim->vertex_of = bat_array((size_t)rim->count, sizeof *rim->vertex_of);
         if (!rim->at || !rim->vertex_of)

@@ -227,6 +227,29 @@ TEST(a_sliver_between_a_line_and_an_arc_is_meshed_at_every_chord)
     }
 }
 
+/* Each loop has a vertex of its own there, as a file says it that cannot share them. */
+TEST(loops_that_touch_at_a_vertex_are_meshed)
+{
+    static const double square[4][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    static const double hole[3][2] = {{0, 0}, {1, 2}, {2, 1}};
+    for (int i = 0; i < 3; i++) { /* exactly, within the tolerance, beyond */
+        const double off = i == 0 ? 0 : i == 1 ? 1e-9 : 1e-7;
+        double moved[3][2];
+        for (int k = 0; k < 6; k++)
+            moved[k / 2][k % 2] = hole[k / 2][k % 2] - off;
+        sheet s;
+        batten_mesh_report report;
+        sheet_begin(&s, 4, 4);
+        sheet_polygon(&s, 4, square);
+        sheet_polygon(&s, 3, (const double(*)[2])moved);
+        batten_body *body = sheet_end(&s);
+        const batten_mesh_facts f = mesh_of(body, NULL, &report, NULL);
+        CHECK_INT(report.failed, i == 2);
+        CHECK_NEAR(f.area, i == 2 ? 0 : 14.5, 1e-7);
+        batten_body_unref(body);
+    }
+}
+
 TEST(a_plate_with_200_holes)
 {
     static const double corners[4][2] = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
