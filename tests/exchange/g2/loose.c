@@ -34,7 +34,8 @@ static batten_body *square_with_bulge(double height)
     for (int i = 0; i < 4; i++)
         CHECK_OK(bat_builder_use(&b, i, false, NULL));
     batten_surface_unref(plane);
-    CHECK_OK(bat_builder_finish(&b, false, &body));
+    CHECK_OK(batten_body_create(&b.parts, &body));
+    bat_builder_end(&b);
     return body;
 }
 
