@@ -42,6 +42,8 @@ BATTEN_API batten_affine batten_affine_mirror(batten_vec3 origin, batten_vec3 no
 /** First `first`, then `then`. */
 BATTEN_API batten_affine batten_affine_compose(batten_affine first, batten_affine then);
 BATTEN_API batten_vec3 batten_affine_apply(batten_affine map, batten_vec3 point);
+/** How volumes grow; below 0 for a map that mirrors, 0 for one that flattens. */
+BATTEN_API double batten_affine_determinant(batten_affine map);
 
 #ifdef __cplusplus
 }

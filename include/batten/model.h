@@ -80,7 +80,9 @@ BATTEN_API int batten_model_find(const batten_model *model, const char *name);
 BATTEN_API batten_status batten_model_add(batten_model *model, const batten_object *object);
 /**
  * Add the object as an affine map takes it. A plane curve that leaves its plane becomes one in
- * space; a chain that is not kept in shape goes, its curve stays.
+ * space; a chain that is not kept in shape goes, its curve stays. Under a map that mirrors the
+ * outside of bodies, meshes, surfaces and triangles stays outside: u of a surface then runs the
+ * other way.
  * @return as batten_model_add; BAD_ARGUMENT for a singular map; UNSUPPORTED for a table of
  * offsets
  */

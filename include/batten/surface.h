@@ -199,9 +199,18 @@ BATTEN_API batten_status batten_surface_to_bezier(const batten_surface *surface,
                                                   batten_surface **out);
 BATTEN_API batten_status batten_surface_with_point(const batten_surface *surface, int i, int j,
                                                    const double *point, batten_surface **out);
+/** The image, at the same parameters: under a map that mirrors, Su x Sv is on the other side.
+ */
 BATTEN_API batten_status batten_surface_transform(const batten_surface *surface,
                                                   const batten_affine *map,
                                                   batten_surface **out);
+/** The image as the skin of something, whose outside stays outside: under a map that mirrors
+ * space, u also runs the other way, from b to a, over the same domain [a, b] (over [-b, -a] if
+ * its knots could not be told apart there). Of any kind; surfaces of dimension 1 and 2 have no
+ * sides, and are taken as they are. */
+BATTEN_API batten_status batten_surface_transform_sides(const batten_surface *surface,
+                                                        const batten_affine *map,
+                                                        batten_surface **out);
 
 /* ---- other forms ---- */
 

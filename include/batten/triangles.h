@@ -108,7 +108,9 @@ BATTEN_API batten_status batten_triangles_edge(const batten_triangles *triangles
 
 /* ---- changes: exact but for rounding ---- */
 
-/** The domain stays as it is. */
+/** The domain stays as it is. Under a map that mirrors, triangles in space are turned, so that
+ * their outside stays outside: corners 1 and 2 change places, and so do the coordinates of the
+ * domain. */
 BATTEN_API batten_status batten_triangles_transform(const batten_triangles *triangles,
                                                     const batten_affine *map,
                                                     batten_triangles **out);

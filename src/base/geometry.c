@@ -90,3 +90,11 @@ batten_vec3 batten_affine_apply(batten_affine map, batten_vec3 p)
         q[i] = map.m[i][0] * p.x + map.m[i][1] * p.y + map.m[i][2] * p.z + map.t[i];
     return (batten_vec3){q[0], q[1], q[2]};
 }
+
+double batten_affine_determinant(const batten_affine map)
+{
+    const double(*m)[3] = map.m;
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}

@@ -4,14 +4,6 @@
 
 #include <string.h>
 
-static double determinant(const batten_affine *map)
-{
-    const double(*m)[3] = map->m;
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
 /* How much longer the map makes things at most, by its rows. */
 static double stretch(const batten_affine *map)
 {
@@ -81,10 +73,11 @@ batten_status batten_body_transform(const batten_body *body, const batten_affine
     const batten_body_parts *parts = batten_body_view(body);
     const double factor = stretch(map);
     bat_builder builder;
-    if (!(isfinite(factor) && determinant(map) != 0))
+    const double determinant = batten_affine_determinant(*map);
+    if (!(isfinite(factor) && determinant != 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the map is singular or not finite");
     bat_builder_begin(&builder, parts->tolerance * factor);
-    const bool turned = determinant(map) < 0;
+    const bool turned = determinant < 0;
     batten_status status = map_edges(parts, map, &builder);
     for (int i = 0; status == BATTEN_OK && i < parts->shell_count; i++) {
         const batten_body_shell *shell = &parts->shells[i];

@@ -75,7 +75,7 @@ static batten_status map_parts(const batten_object *object, const batten_affine 
     if (status == BATTEN_OK && object->chain)
         status = map_chain(map, object->chain, &m->chain);
     if (status == BATTEN_OK && object->surface)
-        status = batten_surface_transform(object->surface, map, &m->surface);
+        status = batten_surface_transform_sides(object->surface, map, &m->surface);
     if (status == BATTEN_OK && object->triangles)
         status = batten_triangles_transform(object->triangles, map, &m->triangles);
     if (status == BATTEN_OK && object->body)

@@ -31,7 +31,9 @@ typedef struct {
     batten_affine map;
     int count[2]; /* of the breaks */
     int smoothness[2];
-    double *spans[2]; /* one block */
+    double *spans[2];  /* one block */
+    bool turned;       /* u runs against that of the formula */
+    double *formula_u; /* [count[0]], in the same block: the formula's own breaks */
     double size;
     batten_box box;
 } formula_surface;
@@ -121,6 +123,26 @@ static batten_status place(const formula_surface *made, batten_direction directi
     return status;
 }
 
+/* From a place of the surface, when that is turned, to the formula's own: breaks to breaks. */
+static void turn_place(const formula_surface *made, double *u, batten_side *side)
+{
+    const double *spans = made->spans[BATTEN_U];
+    const int s = bat_breaks_span(made->count[BATTEN_U], spans, *u, *side);
+    const double *own = &made->formula_u[made->count[BATTEN_U] - 2 - s];
+    *u = *u == spans[s + 1] ? own[0]
+                            : bat_max(own[0], bat_min(own[1] - (*u - spans[s]), own[1]));
+    *side = *side == BATTEN_FROM_LEFT ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT;
+}
+
+/* Derivatives by -u, an odd number of times. */
+static void turn_derivatives(int dimension, int order, double *out)
+{
+    for (int k = 1; k <= order; k += 2)
+        for (int l = 0; k + l <= order; l++)
+            for (int i = 0; i < dimension; i++)
+                out[BATTEN_SURFACE_DERIVATIVE(k, l) * dimension + i] *= -1;
+}
+
 /* The image of a point, and of its derivatives, under the map. */
 static void apply_map(const formula_surface *made, int order, double *out)
 {
@@ -150,11 +172,15 @@ static batten_status formula_evaluate(const batten_surface *surface, double u, d
         status = place(made, BATTEN_V, &v, &side_v);
     if (status != BATTEN_OK)
         return status;
+    if (made->turned)
+        turn_place(made, &u, &side_u);
     double values[BATTEN_SURFACE_DERIVATIVES(HIGHEST_ORDER) * 3];
     const size_t size = (size_t)BATTEN_SURFACE_DERIVATIVES(order) * (size_t)surface->dimension;
     status = shared->formula.evaluate(shared->data, u, v, side_u, side_v, order, values);
     if (status != BATTEN_OK)
         return status;
+    if (made->turned)
+        turn_derivatives(surface->dimension, order, values);
     if (made->mapped)
         apply_map(made, order, values);
     if (!bat_all_finite(values, size))
@@ -303,6 +329,7 @@ static double stretch_of(const batten_affine *map)
 
 static batten_status formula_transform(const batten_surface *surface, const batten_affine *map,
                                        batten_surface **out);
+static batten_status formula_turn_over(const batten_surface *surface, batten_surface **out);
 
 static batten_status formula_to_nurbs(const batten_surface *surface, double tolerance,
                                       batten_surface **out, double *error)
@@ -311,13 +338,15 @@ static batten_status formula_to_nurbs(const batten_surface *surface, double tole
     const bat_formula *formula = &made->shared->formula;
     if (!formula->to_nurbs)
         return bat_surface_approximate(surface, tolerance, BAT_APPROXIMATE_MOST, out, error);
-    if (!made->mapped)
+    if (!made->mapped && !made->turned)
         return formula->to_nurbs(made->shared->data, tolerance, out, error);
-    batten_surface *own = NULL;
+    batten_surface *own = NULL, *turned = NULL;
     double own_error = 0;
     const double stretch = stretch_of(&made->map);
     batten_status status = formula->to_nurbs(
         made->shared->data, stretch > 0 ? tolerance / stretch : tolerance, &own, &own_error);
+    if (status == BATTEN_OK && made->turned)
+        status = bat_surface_replace(bat_nurbs_turn_over(own, &turned), &own, &turned);
     if (status == BATTEN_OK)
         status = batten_surface_transform(own, &made->map, out);
     if (status == BATTEN_OK && error)
@@ -343,6 +372,7 @@ static const bat_surface_kind formula_kind = {
     .isocurve = bat_formula_isocurve,
     .to_nurbs = formula_to_nurbs,
     .transform = formula_transform,
+    .turn_over = formula_turn_over,
 };
 
 /* ---- making ---- */
@@ -360,7 +390,7 @@ static batten_status check_breaks(const bat_formula_axis *axis, const char *name
 static formula_surface *allocate(const int count[2])
 {
     formula_surface *made = bat_array(1, sizeof *made);
-    double *spans = bat_array((size_t)count[0] + (size_t)count[1], sizeof *spans);
+    double *spans = bat_array(2 * (size_t)count[0] + (size_t)count[1], sizeof *spans);
     if (!made || !spans) {
         bat_release(made);
         bat_release(spans);
@@ -371,6 +401,7 @@ static formula_surface *allocate(const int count[2])
         made->count[k] = count[k];
         made->spans[k] = k ? spans + count[0] : spans;
     }
+    made->formula_u = spans + count[0] + count[1];
     return made;
 }
 
@@ -410,6 +441,7 @@ batten_status bat_formula_create(const bat_formula *formula, void *data, int dim
         memcpy(made->spans[k], axes[k]->spans, (size_t)axes[k]->count * sizeof(double));
         made->smoothness[k] = axes[k]->smoothness;
     }
+    memcpy(made->formula_u, u->spans, (size_t)u->count * sizeof(double));
     made->base.kind = &shared->kind;
     made->base.dimension = dimension;
     made->shared = shared;
@@ -426,23 +458,38 @@ batten_status bat_formula_create(const bat_formula *formula, void *data, int dim
     return status;
 }
 
+/* Another one of the same formula, which waits for its box. */
+static formula_surface *copy_of(const formula_surface *from)
+{
+    formula_surface *made = allocate(from->count);
+    if (!made)
+        return NULL;
+    for (int k = 0; k < 2; k++) {
+        memcpy(made->spans[k], from->spans[k], (size_t)from->count[k] * sizeof(double));
+        made->smoothness[k] = from->smoothness[k];
+    }
+    memcpy(made->formula_u, from->formula_u, (size_t)from->count[0] * sizeof(double));
+    made->base.kind = from->base.kind;
+    made->base.dimension = from->base.dimension;
+    made->shared = from->shared;
+    bat_references_add(&from->shared->references);
+    made->mapped = from->mapped;
+    made->map = from->map;
+    made->turned = from->turned;
+    made->size = from->size;
+    made->box = from->box;
+    return made;
+}
+
 static batten_status formula_transform(const batten_surface *surface, const batten_affine *map,
                                        batten_surface **out)
 {
     const formula_surface *from = formula_of(surface);
     if (bat_first_not_finite(&map->m[0][0], 9) < 9 || bat_first_not_finite(map->t, 3) < 3)
         return bat_fail(BATTEN_NOT_FINITE, "the affine map has an element that is no number");
-    formula_surface *made = allocate(from->count);
+    formula_surface *made = copy_of(from);
     if (!made)
         return BATTEN_OUT_OF_MEMORY;
-    for (int k = 0; k < 2; k++) {
-        memcpy(made->spans[k], from->spans[k], (size_t)from->count[k] * sizeof(double));
-        made->smoothness[k] = from->smoothness[k];
-    }
-    made->base.kind = from->base.kind;
-    made->base.dimension = from->base.dimension;
-    made->shared = from->shared;
-    bat_references_add(&from->shared->references);
     made->mapped = true;
     made->map = batten_affine_compose(from->map, *map);
     made->size = from->size * stretch_of(map) +
@@ -453,6 +500,32 @@ static batten_status formula_transform(const batten_surface *surface, const batt
     else
         formula_free(&made->base);
     return status;
+}
+
+/* Breaks from the other end, over the same domain, or over [-b, -a] where not all are told
+ * apart on it. */
+static void turn_breaks(int count, const double *from, double *to)
+{
+    const double a = from[0], b = from[count - 1];
+    bool apart = true;
+    for (int i = 0; i < count; i++) {
+        to[i] = i == count - 1 ? b : a + (b - from[count - 1 - i]);
+        apart = apart && (i == 0 || to[i] > to[i - 1]);
+    }
+    for (int i = 0; !apart && i < count; i++)
+        to[i] = -from[count - 1 - i];
+}
+
+static batten_status formula_turn_over(const batten_surface *surface, batten_surface **out)
+{
+    formula_surface *made = copy_of(formula_of(surface));
+    if (!made)
+        return BATTEN_OUT_OF_MEMORY;
+    turn_breaks(made->count[BATTEN_U], formula_of(surface)->spans[BATTEN_U],
+                made->spans[BATTEN_U]);
+    made->turned = !made->turned;
+    *out = &made->base;
+    return BATTEN_OK;
 }
 
 int bat_formula_smoothness(const batten_surface *surface, batten_direction direction)

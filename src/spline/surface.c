@@ -363,6 +363,7 @@ const bat_surface_kind bat_nurbs_kind = {
     .isocurve = bat_nurbs_isocurve,
     .to_nurbs = bat_nurbs_to_nurbs,
     .transform = bat_nurbs_transform,
+    .turn_over = bat_nurbs_turn_over,
 };
 
 /* ---- any surface ---- */
@@ -426,6 +427,23 @@ batten_status batten_surface_transform(const batten_surface *surface, const batt
 {
     assert(surface && map && out);
     return surface->kind->transform(surface, map, out);
+}
+
+batten_status batten_surface_transform_sides(const batten_surface *surface,
+                                             const batten_affine *map, batten_surface **out)
+{
+    assert(surface && map && out);
+    batten_surface *image = NULL;
+    batten_status status = surface->kind->transform(surface, map, &image);
+    if (status != BATTEN_OK)
+        return status;
+    if (surface->dimension < 3 || !(batten_affine_determinant(*map) < 0)) {
+        *out = image;
+        return BATTEN_OK;
+    }
+    status = image->kind->turn_over(image, out);
+    batten_surface_unref(image);
+    return status;
 }
 
 batten_status batten_surface_isocurve(const batten_surface *surface, batten_direction direction,

@@ -54,6 +54,8 @@ struct bat_surface_kind {
                               batten_surface **out, double *error);
     batten_status (*transform)(const batten_surface *surface, const batten_affine *map,
                                batten_surface **out);
+    /* u runs the other way, over the same domain if that can be. */
+    batten_status (*turn_over)(const batten_surface *surface, batten_surface **out);
 };
 
 /* ---- the NURBS kind ---- */
@@ -106,6 +108,7 @@ batten_status bat_nurbs_transform(const batten_surface *surface, const batten_af
                                   batten_surface **out);
 batten_status bat_nurbs_isocurve(const batten_surface *surface, batten_direction direction,
                                  double at, batten_curve **out);
+batten_status bat_nurbs_turn_over(const batten_surface *surface, batten_surface **out);
 /* The row of the net at `at` in `direction`, or of its derivative of this order <= 2 across:
  * [count of the other direction][width], homogeneous as the net. `at` is inside the domain. */
 void bat_nurbs_row(const bat_nurbs *nurbs, batten_direction direction, double at,

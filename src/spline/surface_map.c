@@ -35,6 +35,22 @@ batten_status batten_surface_reverse(const batten_surface *surface, batten_direc
     return bat_nurbs_finish(made, out);
 }
 
+batten_status bat_nurbs_turn_over(const batten_surface *surface, batten_surface **out)
+{
+    const batten_interval u = batten_surface_domain(surface, BATTEN_U);
+    batten_surface *reversed = NULL;
+    batten_status status = batten_surface_reverse(surface, BATTEN_U, &reversed);
+    if (status == BATTEN_OK)
+        status = batten_surface_set_domain(reversed, BATTEN_U, u.a, u.b, out);
+    if (status == BATTEN_BAD_KNOTS) {
+        /* Knots that are near one another by the size of 0 would not be so elsewhere. */
+        *out = reversed;
+        return BATTEN_OK;
+    }
+    batten_surface_unref(reversed);
+    return status;
+}
+
 batten_status batten_surface_swap(const batten_surface *surface, batten_surface **out)
 {
     assert(surface && out);

@@ -1,41 +1,10 @@
-/* The same triangles in another form: mapped, elevated, cut, selected. */
+/* The same triangles in another form: elevated, cut, selected. */
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve.h"
 #include "spline/triangles.h"
 
 #include <string.h>
-
-batten_status batten_triangles_transform(const batten_triangles *triangles,
-                                         const batten_affine *map, batten_triangles **out)
-{
-    assert(triangles && map && out);
-    if (bat_first_not_finite(&map->m[0][0], 9) < 9 || bat_first_not_finite(map->t, 3) < 3)
-        return bat_fail(BATTEN_NOT_FINITE, "the affine map has an element that is no number");
-    const bat_triangles_shape shape = bat_triangles_shape_of(triangles);
-    batten_triangles *made = NULL;
-    const batten_status status = bat_triangles_make(&shape, &made);
-    if (status != BATTEN_OK)
-        return status;
-    const size_t d = (size_t)triangles->dimension;
-    const size_t total = (size_t)triangles->count * triangles->net_count;
-    for (size_t i = 0; i < total; i++) {
-        const batten_vec3 moved =
-            batten_affine_apply(*map, bat_vec3_of((int)d, triangles->points + i * d));
-        const double xyz[3] = {moved.x, moved.y, moved.z};
-        memcpy(made->points + i * d, xyz, d * sizeof *xyz);
-    }
-    if (triangles->weights)
-        memcpy(made->weights, triangles->weights, total * sizeof *made->weights);
-    bat_triangles_copy_domain(triangles, made);
-    const size_t bad = bat_first_not_finite(made->points, total * d);
-    if (bad == total * d)
-        return bat_triangles_finish(made, out);
-    bat_triangles_free(made);
-    return bat_fail(BATTEN_OVERFLOW,
-                    "control point %zu of triangle %zu is mapped to where numbers end",
-                    bad / d % triangles->net_count, bad / d / triangles->net_count);
-}
 
 /* ---- degree ---- */
 

@@ -139,3 +139,27 @@ TEST(wrong_numbers_of_points_and_factors_are_refused)
         CHECK(status == BATTEN_BAD_ARGUMENT || status == BATTEN_BAD_FORMAT);
     }
 }
+
+/* A closed surface encloses a volume above 0; turned inside out it would be below. */
+TEST(a_mirrored_surface_is_not_inside_out)
+{
+    static const char *const shapes[] = {"{torus: 2 m, minor: 1 m}", "{sphere: 1 m}"};
+    for (int i = 0; i < COUNT(shapes); i++) {
+        char text[300];
+        batten_design *design = NULL;
+        double volumes[2];
+        snprintf(text, sizeof text,
+                 "  s: %s\n  m: {mirror: s, plane: x, at: 3 m}\n  facets: {mesh: m}\n",
+                 shapes[i]);
+        CHECK_OK(make(text, &design));
+        for (int k = 0; k < 2; k++) {
+            batten_mesh_facts facts;
+            CHECK_OK(batten_mesh_check(object(design, "facets", k)->mesh, &facts));
+            CHECK(facts.is_watertight);
+            volumes[k] = facts.volume;
+        }
+        CHECK(volumes[0] > 1);
+        CHECK_NEAR(volumes[1], volumes[0], 1e-3 * volumes[0]);
+        batten_design_free(design);
+    }
+}

@@ -187,3 +187,43 @@ TEST(breaks_that_do_not_rise_are_refused)
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("1 breaks in v");
 }
+
+/* At 1 - u, with the signs that this gives to derivatives; and the break at 0.4 is one at 0.6.
+ */
+TEST(a_mirrored_formula_keeps_its_outside_outside)
+{
+    batten_surface *surface = make_wave(), *image = NULL, *again = NULL, *nurbs = NULL;
+    const batten_affine mirror =
+        batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){0, 1, 0});
+    double spans[3], error = 0;
+    CHECK_OK(batten_surface_transform_sides(surface, &mirror, &image));
+    CHECK_INT(batten_surface_spans(image, BATTEN_U, spans), 3);
+    CHECK_NEAR(spans[1], 0.6, 1e-15);
+    for (int i = 0; i <= 20; i++) {
+        const double u = i / 20.0, v = 0.7;
+        double a[3 * 10], b[3 * 10];
+        batten_vec3 n, m;
+        CHECK_OK(batten_surface_evaluate(surface, u, v, 3, a));
+        CHECK_OK(batten_surface_evaluate(image, 1 - u, v, 3, b));
+        for (int k = 0; k <= 3; k++)
+            for (int l = 0; k + l <= 3; l++)
+                for (int c = 0; c < 3; c++)
+                    CHECK_NEAR(b[3 * BATTEN_SURFACE_DERIVATIVE(k, l) + c],
+                               (c == 1 ? -1 : 1) * (k % 2 ? -1 : 1) *
+                                   a[3 * BATTEN_SURFACE_DERIVATIVE(k, l) + c],
+                               1e-12);
+        CHECK_OK(batten_surface_normal(surface, u, v, &n, NULL));
+        CHECK_OK(batten_surface_normal(image, 1 - u, v, &m, NULL));
+        CHECK_NEAR(m.x, n.x, 1e-12);
+        CHECK_NEAR(m.y, -n.y, 1e-12);
+        CHECK_NEAR(m.z, n.z, 1e-12);
+    }
+    CHECK_OK(batten_surface_to_nurbs(image, 1e-6, &nurbs, &error));
+    CHECK(farthest(image, nurbs, 1, 2) <= 1e-6);
+    CHECK_OK(batten_surface_transform_sides(image, &mirror, &again));
+    CHECK(farthest(again, surface, 1, 2) <= 1e-14);
+    batten_surface_unref(nurbs);
+    batten_surface_unref(again);
+    batten_surface_unref(image);
+    batten_surface_unref(surface);
+}

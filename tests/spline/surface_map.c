@@ -167,3 +167,63 @@ TEST(N1_a_map_that_is_not_finite_or_overflows_is_refused)
     CHECK(made == NULL);
     batten_surface_unref(surface);
 }
+
+/* A mirror's image of a normal is the normal of the image. */
+TEST(a_mirrored_surface_keeps_its_outside_outside)
+{
+    test_random random = test_random_begin(__func__);
+    const batten_vec3 origin = {1, 2, 3}, normal = {1, -2, 0.5};
+    const batten_affine mirror = batten_affine_mirror(origin, normal);
+    batten_affine linear = mirror;
+    memset(linear.t, 0, sizeof linear.t);
+    for (int c = 0; c < test_cases(40); c++) {
+        surface_data data;
+        batten_surface *surface = NULL, *image = NULL;
+        make(&random, &data, &surface);
+        CHECK_OK(batten_surface_transform_sides(surface, &mirror, &image));
+        const batten_interval u = batten_surface_domain(surface, BATTEN_U),
+                              v = batten_surface_domain(surface, BATTEN_V);
+        CHECK_BITS(batten_surface_domain(image, BATTEN_U).a, u.a);
+        CHECK_BITS(batten_surface_domain(image, BATTEN_U).b, u.b);
+        CHECK(batten_surface_is_periodic(image, BATTEN_U) ==
+              batten_surface_is_periodic(surface, BATTEN_U));
+        const double y = v.a + 0.3 * (v.b - v.a);
+        double p[3] = {0}, q[3] = {0};
+        batten_vec3 n, m;
+        const bool turns = data.dimension == 3;
+        CHECK_OK(batten_surface_evaluate(surface, u.a + 0.375 * (u.b - u.a), y, 0, p));
+        CHECK_OK(batten_surface_evaluate(image, u.a + (turns ? 0.625 : 0.375) * (u.b - u.a), y,
+                                         0, q));
+        const batten_vec3 there = batten_affine_apply(mirror, (batten_vec3){p[0], p[1], p[2]});
+        const double wanted[3] = {there.x, there.y, there.z};
+        for (int k = 0; k < data.dimension; k++)
+            CHECK_NEAR(q[k], wanted[k], 1e-9);
+        if (turns &&
+            batten_surface_normal(surface, u.a + 0.375 * (u.b - u.a), y, &n, NULL) ==
+                BATTEN_OK &&
+            batten_surface_normal(image, u.a + 0.625 * (u.b - u.a), y, &m, NULL) == BATTEN_OK) {
+            n = batten_affine_apply(linear, n);
+            CHECK_NEAR(m.x, n.x, 1e-6);
+            CHECK_NEAR(m.y, n.y, 1e-6);
+            CHECK_NEAR(m.z, n.z, 1e-6);
+        }
+        batten_surface_unref(image);
+        batten_surface_unref(surface);
+    }
+}
+
+TEST(knots_that_only_0_tells_apart_are_kept_apart_in_mirrors)
+{
+    const double knots[] = {0, 0, 1e-200, 1, 1},
+                 points[3 * 6] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1, 0, 2, 1, 1, 2};
+    const batten_axis u = {1, 3, knots, false}, v = {1, 2, (const double[]){0, 0, 1, 1}, false};
+    const batten_affine mirror =
+        batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){0, 1, 0});
+    batten_surface *surface = NULL, *image = NULL;
+    CHECK_OK(batten_surface_create(3, &u, &v, points, NULL, &surface));
+    CHECK_OK(batten_surface_transform_sides(surface, &mirror, &image));
+    CHECK_BITS(batten_surface_domain(image, BATTEN_U).a, -1);
+    CHECK_BITS(batten_surface_knots(image, BATTEN_U)[2], -1e-200);
+    batten_surface_unref(image);
+    batten_surface_unref(surface);
+}

@@ -301,3 +301,57 @@ TEST(N2_huge_and_tiny_triangles_are_as_accurate)
     }
     batten_triangles_unref(triangles);
 }
+
+TEST(mirrored_triangles_keep_their_outside_outside)
+{
+    test_random random = test_random_begin(__func__);
+    const batten_affine mirror =
+        batten_affine_mirror((batten_vec3){1, 0, 2}, (batten_vec3){1, 2, -1});
+    batten_affine linear = mirror;
+    memset(linear.t, 0, sizeof linear.t);
+    for (int rational = 0; rational < 2; rational++) {
+        batten_triangles *triangles = NULL, *image = NULL;
+        CHECK_OK(random_triangles(&random, 3, 4, 2, rational, NULL, &triangles));
+        CHECK_OK(batten_triangles_transform(triangles, &mirror, &image));
+        for (int i = 0; i < 20; i++) {
+            double at[3], p[3], q[3];
+            batten_vec3 n, m;
+            random_place(&random, at);
+            const double there[3] = {at[0], at[2], at[1]};
+            CHECK_OK(batten_triangles_evaluate(triangles, i % 2, at, 0, p));
+            CHECK_OK(batten_triangles_evaluate(image, i % 2, there, 0, q));
+            const batten_vec3 wanted =
+                batten_affine_apply(mirror, (batten_vec3){p[0], p[1], p[2]});
+            CHECK_NEAR(q[0], wanted.x, 1e-13);
+            CHECK_NEAR(q[1], wanted.y, 1e-13);
+            CHECK_NEAR(q[2], wanted.z, 1e-13);
+            CHECK_OK(batten_triangles_normal(triangles, i % 2, at, &n, NULL));
+            CHECK_OK(batten_triangles_normal(image, i % 2, there, &m, NULL));
+            n = batten_affine_apply(linear, n);
+            CHECK_NEAR(m.x, n.x, 1e-9);
+            CHECK_NEAR(m.y, n.y, 1e-9);
+            CHECK_NEAR(m.z, n.z, 1e-9);
+        }
+        batten_triangles_unref(image);
+        batten_triangles_unref(triangles);
+    }
+}
+
+TEST(the_domain_of_mirrored_triangles_goes_round_as_before)
+{
+    const double points[9] = {0, 0, 1, 2, 0, 0, 0, 1, 0}, places[6] = {0, 0, 2, 0, 0, 1};
+    const int around[3] = {0, 1, 2};
+    const batten_triangulation domain = {3, places, around};
+    const batten_affine mirror =
+        batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){0, 1, 0});
+    batten_triangles *triangles = NULL, *image = NULL;
+    batten_triangulation found;
+    CHECK_OK(batten_triangles_create(3, 1, 1, points, NULL, &domain, &triangles));
+    CHECK_OK(batten_triangles_transform(triangles, &mirror, &image));
+    CHECK(batten_triangles_domain(image, &found));
+    CHECK_INT(found.corners[1], 2);
+    CHECK_NEAR(found.vertices[2], 0, 0); /* of vertex 1, (2, 0) */
+    CHECK_NEAR(found.vertices[3], 2, 0);
+    batten_triangles_unref(image);
+    batten_triangles_unref(triangles);
+}
