@@ -105,7 +105,9 @@ const command command_check = {
         "then made. Of bodies gaps, loose edges, faces turned against each other and shells "
         "turned "
         "inside\n"
-        "out are told; with --within the status is 1 when there are any beyond it.",
+        "out are told, of meshes edges at the rim, triangles turned against each other, edges "
+        "of more\n"
+        "than two; with --within the status is 1 when there are any, of bodies beyond it.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

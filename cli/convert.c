@@ -12,7 +12,8 @@ static const option options[] = {
      "the unit of the result: m, mm, in, ft ... (that of the input)"},
     {"from-unit", 0, OPTION_VALUE, "UNIT", "the unit of the input where the file does not say"},
     {"tolerance", 0, OPTION_VALUE, "T",
-     "for what the format cannot say exactly, in the result's unit"},
+     "for what the format cannot say exactly, as 0.1mm; a number alone is in the result's "
+     "unit"},
     {"title", 0, OPTION_VALUE, "NAME",
      "STEP and IGES: of the product (that of the input, else the name of its file)"},
     FROM_FORMAT_OPTION,
@@ -21,8 +22,8 @@ static const option options[] = {
     {"no-pcurves", 0, OPTION_FLAG, NULL, "STEP: faces without curves in (u, v)"},
     {"solids", 0, OPTION_FLAG, NULL, "IGES: solids and shells, not faces one by one"},
     {"chord", 0, OPTION_VALUE, "D",
-     "where shapes become meshes: how far triangles may be from them, in the result's unit "
-     "(1/1000 of their size)"},
+     "where shapes become meshes: how far triangles may be from them, as 0.1mm; a number alone "
+     "is in the result's unit (--tolerance, else 1/1000 of their size)"},
     {"angle", 0, OPTION_VALUE, "A",
      "where shapes become meshes: degrees between the normals at the ends of an edge (20)"},
     {"text", 0, OPTION_FLAG, NULL, "STL and PLY: the form that can be read"},
@@ -79,20 +80,33 @@ typedef struct {
     const char *output;
     batten_format format;
     char from_unit[UNIT_SIZE], unit[UNIT_SIZE]; /* "": not stated */
-    tally read, written, left_out;
+    tally read, written, left_out;              /* left_out: its bodies are not told apart */
+    tally read_all, written_all;                /* with what instances place */
+    bool is_read_placed, is_written_placed;     /* there are instances, and it is known */
     int approximated, meshed; /* shapes; one may be placed by several instances */
     int faces;                /* left out of meshes */
     bool is_partly;           /* something could not be meshed */
 } outcome;
 
+/* "4 instances (in all 18 solids)" */
+static void text_tally(batten_text *text, tally t, const tally *placed)
+{
+    tally_text(text, t);
+    if (!placed)
+        return;
+    batten_text_add(text, " (in all ");
+    tally_text(text, *placed);
+    batten_text_add(text, ")");
+}
+
 static void text_report(batten_text *text, const outcome *o)
 {
     batten_text_add(text, "read ");
-    tally_text(text, o->read);
+    text_tally(text, o->read, o->is_read_placed ? &o->read_all : NULL);
     batten_text_add(text,
                     "; unit %s\nwrote %s: ", o->from_unit[0] ? o->from_unit : "not stated",
                     o->output);
-    tally_text(text, o->written);
+    text_tally(text, o->written, o->is_written_placed ? &o->written_all : NULL);
     if (o->unit[0] && strcmp(o->unit, o->from_unit) != 0)
         batten_text_add(text, "; unit %s", o->unit);
     if (o->approximated)
@@ -114,14 +128,14 @@ static void json_report(batten_text *text, const outcome *o, const char *input,
     batten_text_json(text, input);
     batten_text_add(text, ", \"to\": ");
     batten_text_json(text, o->output);
-    batten_text_add(text, ", \"format\": \"%s\", \"objects\": %d, \"unit\": \"%s\",\n  ",
+    batten_text_add(text, ", \"format\": \"%s\", \"objects\": %lld, \"unit\": \"%s\",\n  ",
                     batten_format_name(o->format), tally_sum(o->read), o->unit);
     batten_text_add(text, "\"read\": ");
-    tally_json(text, o->read);
+    tally_json(text, o->read, o->is_read_placed ? &o->read_all : NULL);
     batten_text_add(text, ", \"written\": ");
-    tally_json(text, o->written);
+    tally_json(text, o->written, o->is_written_placed ? &o->written_all : NULL);
     batten_text_add(text, ", \"left_out\": ");
-    tally_json(text, o->left_out);
+    tally_json(text, o->left_out, NULL);
     batten_text_add(text, ", \"approximated\": %d, \"faces_left_out\": %d,\n  \"messages\": ",
                     o->approximated, o->faces);
     notes_json(text, notes);
@@ -157,7 +171,16 @@ static batten_status write_prepared(const batten_model *model,
     o->meshed = behind.meshed;
     o->faces = behind.faces;
     o->is_partly = behind.is_failed || behind.faces > 0;
-    o->written = tally_without(tally_of(prepared), tally_notes(said, second).left_out);
+    const tally lost = tally_notes(said, second).left_out;
+    const bool by_faces =
+        (o->format == BATTEN_FORMAT_IGES && !chosen->solids) || o->format == BATTEN_FORMAT_G2;
+    const tally_bodies bodies = by_faces ? TALLY_FACES : TALLY_BODIES;
+    o->written = tally_without(tally_of(prepared, bodies), lost);
+    /* What is lost within definitions is lost at every place. */
+    if (status == BATTEN_OK && tally_sum(lost) == 0) {
+        o->is_written_placed = o->written.count[BATTEN_OBJECT_INSTANCE] > 0;
+        status = tally_placed(prepared, bodies, &o->written_all);
+    }
     batten_model_unref(prepared);
     return status;
 }
@@ -170,7 +193,7 @@ static void note_idle_options(const batten_model *model, const arguments *given,
     batten_format_facts facts;
     if (o->meshed > 0 || (!chord && !angle) || !batten_format_about(o->format, &facts))
         return;
-    const tally all = tally_of(model);
+    const tally all = tally_of(model, TALLY_BODIES);
     const bool has_shapes = all.count[BATTEN_OBJECT_SURFACE] ||
                             all.count[BATTEN_OBJECT_TRIANGLES] ||
                             all.count[BATTEN_OBJECT_BODY] || all.count[BATTEN_OBJECT_INSTANCE];
@@ -194,7 +217,7 @@ static void note_idle_options(const batten_model *model, const arguments *given,
 /* Points do not become curves by themselves where a drawing could hold curves. */
 static void note_points(const batten_model *model, const outcome *o, batten_notes *notes)
 {
-    const tally all = tally_of(model);
+    const tally all = tally_of(model, TALLY_BODIES);
     const bool is_drawing = o->format == BATTEN_FORMAT_DXF || o->format == BATTEN_FORMAT_STEP ||
                             o->format == BATTEN_FORMAT_IGES;
     if (is_drawing && tally_sum(all) > 0 && tally_sum(all) == all.count[BATTEN_OBJECT_POINTS])
@@ -212,6 +235,20 @@ static void copy_notes(const batten_notes *from, batten_notes *to)
     }
 }
 
+/* Tolerance and chord in the unit of the result. What one asks of all shapes holds for meshes
+ * too. */
+static batten_status set_lengths(const batten_model *model, const arguments *given,
+                                 batten_write_options *write)
+{
+    const double metres = batten_model_unit_metres(model);
+    batten_status status = unit_length_in(given, "tolerance", metres, &write->tolerance);
+    if (status == BATTEN_OK)
+        status = unit_length_in(given, "chord", metres, &write->mesh.chord);
+    if (status == BATTEN_OK && !arguments_has(given, "chord"))
+        write->mesh.chord = write->tolerance;
+    return status;
+}
+
 static batten_status write_model(const batten_model *model, const arguments *given,
                                  const batten_write_options *write, batten_notes *notes,
                                  outcome *o)
@@ -220,9 +257,14 @@ static batten_status write_model(const batten_model *model, const arguments *giv
     batten_notes *said = NULL; /* all that is said, since it is counted */
     batten_write_choose(o->output, model, &chosen);
     o->format = chosen.format;
-    o->read = tally_of(model);
+    o->read = tally_of(model, TALLY_BODIES);
+    o->is_read_placed = o->read.count[BATTEN_OBJECT_INSTANCE] > 0;
     unit_words(batten_model_unit_metres(model), o->unit);
-    batten_status status = batten_notes_create(INT_MAX, &said);
+    batten_status status = set_lengths(model, given, &chosen);
+    if (status == BATTEN_OK)
+        status = tally_placed(model, TALLY_BODIES, &o->read_all);
+    if (status == BATTEN_OK)
+        status = batten_notes_create(INT_MAX, &said);
     if (status != BATTEN_OK)
         return status;
     status = write_prepared(model, &chosen, said, o);
@@ -261,22 +303,11 @@ static bool schema_option(const arguments *given, batten_step_schema *schema)
     return !word;
 }
 
-/* A length that was given must be above 0. */
-static bool is_above_zero(const arguments *given, const char *name, double value)
-{
-    if (!arguments_has(given, name) || value > 0)
-        return true;
-    complain("batten convert: --%s is %g; it must be above 0", name, value);
-    return false;
-}
-
 static bool write_options(const arguments *given, batten_write_options *write)
 {
     double degrees = 0;
-    if (!arguments_number("convert", given, "tolerance", &write->tolerance) ||
-        !arguments_number("convert", given, "chord", &write->mesh.chord) ||
-        !is_above_zero(given, "tolerance", write->tolerance) ||
-        !is_above_zero(given, "chord", write->mesh.chord) ||
+    if (!unit_length_check("convert", given, "tolerance") ||
+        !unit_length_check("convert", given, "chord") ||
         !arguments_number("convert", given, "angle", &degrees) ||
         !schema_option(given, &write->schema) ||
         !formats_option("convert", given, "format", &write->format))
@@ -339,7 +370,8 @@ static batten_status to_inches(const batten_write_options *write, const outcome 
 /* What makes shapes of a table that the format does not hold. */
 static void point_to_fit(const batten_model *model, batten_status status)
 {
-    if (status != BATTEN_OUT_OF_MEMORY && tally_of(model).count[BATTEN_OBJECT_OFFSETS])
+    if (status != BATTEN_OUT_OF_MEMORY &&
+        tally_of(model, TALLY_BODIES).count[BATTEN_OBJECT_OFFSETS])
         complain("'batten fit' and designs ('batten help build') make curves and surfaces of a "
                  "table of offsets; .csv keeps the table, .xyz its points");
 }

@@ -3,6 +3,7 @@
 #include "tally.h"
 #include "unit.h"
 
+#include <math.h>
 #include <string.h>
 
 static const option options[] = {
@@ -76,9 +77,12 @@ static void add_json(batten_text *text, const batten_object *object, const facts
         batten_text_add(text, ", \"%s\": %d", plural_of(f->counted[k]), f->counts[k]);
     if (f->has_faces)
         batten_text_add(text, ", \"coloured_faces\": %d", f->coloured_faces);
-    if (f->remark)
-        batten_text_add(text, ", \"watertight\": %s",
-                        strcmp(f->remark, "watertight") == 0 ? "true" : "false");
+    if (f->mesh_checked)
+        batten_text_add(text,
+                        ", \"watertight\": %s, \"rim_edges\": %d, \"wrong_edges\": %d, "
+                        "\"crowded_edges\": %d",
+                        f->mesh.is_watertight ? "true" : "false", f->mesh.rim_edges,
+                        f->mesh.wrong_edges, f->mesh.crowded_edges);
     add_text(text, "layer", object->layer);
     add_text(text, "group", object->group);
     batten_text_add(text, ", \"hidden\": %s", object->is_hidden ? "true" : "false");
@@ -93,6 +97,57 @@ static void add_json(batten_text *text, const batten_object *object, const facts
     batten_text_add(text, "], [");
     add_corner(text, f->box.high, f->dimension, ", ");
     batten_text_add(text, f->controls ? "]], \"box_of\": \"control points\"}" : "]]}");
+}
+
+/* Why a mesh is not watertight: ": 4 edges at the rim". */
+static void add_reasons(batten_text *text, const batten_mesh_facts *mesh)
+{
+    const struct {
+        int count;
+        const char *what;
+    } rows[] = {{mesh->rim_edges, "at the rim"},
+                {mesh->wrong_edges, "between triangles turned against each other"},
+                {mesh->crowded_edges, "of more than two triangles"}};
+    const char *before = ": ";
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++)
+        if (rows[k].count > 0) {
+            batten_text_add(text, "%s%d edge%s %s", before, rows[k].count,
+                            rows[k].count == 1 ? "" : "s", rows[k].what);
+            before = ", ";
+        }
+}
+
+/* "colour #ff8000", as sRGB. */
+static void add_colour(batten_text *text, const double colour[3])
+{
+    batten_text_add(text, "colour #");
+    for (int k = 0; k < 3; k++)
+        batten_text_add(text, "%02x", (unsigned)lround(255 * fmin(fmax(colour[k], 0), 1)));
+}
+
+/* Layer, group, colour and whether it is hidden, when there is any of them. */
+static void add_looks(batten_text *text, const batten_object *object)
+{
+    const char *const first = "    ", *const next = "  ";
+    const char *before = first;
+    if (object->layer[0]) {
+        batten_text_add(text, "%slayer %s", before, object->layer);
+        before = next;
+    }
+    if (object->group[0]) {
+        batten_text_add(text, "%sgroup %s", before, object->group);
+        before = next;
+    }
+    if (object->has_colour) {
+        batten_text_add(text, "%s", before);
+        add_colour(text, object->colour);
+        before = next;
+    }
+    if (object->is_hidden) {
+        batten_text_add(text, "%shidden", before);
+        before = next;
+    }
+    batten_text_add(text, "%s", before == next ? "\n" : "");
 }
 
 static void add_line(batten_text *text, const batten_object *object, const facts *f)
@@ -122,6 +177,8 @@ static void add_line(batten_text *text, const batten_object *object, const facts
         batten_text_add(text, ", %d", f->points[0]);
     if (f->remark)
         batten_text_add(text, ", %s", f->remark);
+    if (f->mesh_checked && !f->mesh.is_watertight)
+        add_reasons(text, &f->mesh);
     for (int d = 0; d < f->directions; d++) {
         batten_text_add(text, d ? " x [" : ", domain [");
         batten_text_number(text, f->domain[d].a);
@@ -134,10 +191,7 @@ static void add_line(batten_text *text, const batten_object *object, const facts
     batten_text_add(text, "  to  ");
     add_corner(text, f->box.high, f->dimension, " ");
     batten_text_add(text, "\n");
-    if (object->layer[0] || object->group[0] || object->is_hidden)
-        batten_text_add(text, "    %s%s%s%s%s\n", object->layer[0] ? "layer " : "",
-                        object->layer, object->group[0] ? "  group " : "", object->group,
-                        object->is_hidden ? "  hidden" : "");
+    add_looks(text, object);
 }
 
 static int print(const char *file, const batten_model *model, const facts *found,
@@ -155,7 +209,7 @@ static int print(const char *file, const batten_model *model, const facts *found
                         batten_model_count(model) == 1 ? "" : "s");
         if (batten_model_count(model) > 1) {
             batten_text_add(&text, " (");
-            tally_text(&text, tally_of(model));
+            tally_text(&text, tally_of(model, TALLY_BODIES));
             batten_text_add(&text, ")");
         }
         batten_text_add(&text, ", unit %s\n", unit[0] ? unit : "not stated");

@@ -28,10 +28,14 @@ static void add_result(batten_text *text, const single *s, const arguments *give
         input_name_add(text, given->files[0]);
 }
 
+/* `unit`: NULL when neither the file nor the user states one. */
 static batten_status compose(const single *s, const arguments *given, const char *unit,
                              batten_text *text)
 {
-    batten_text_add(text, "batten: 1\nunits: %s\nfeatures:\n", unit);
+    batten_text_add(text, "batten: 1\n");
+    if (unit)
+        batten_text_add(text, "units: %s\n", unit);
+    batten_text_add(text, "features:\n");
     input_add(text, given->files[0]);
     if (s->operation) {
         batten_text_add(text, "  result: {%s: ", s->operation);
@@ -61,14 +65,17 @@ static batten_status open_design(const single *s, const arguments *given,
                                  batten_design **design)
 {
     const char *unit = arguments_get(given, "unit");
-    if (!unit)
-        unit = batten_unit_name(batten_model_unit_metres(model));
+    const double metres = batten_model_unit_metres(model);
+    if (!unit && metres > 0) {
+        unit = batten_unit_name(metres);
+        unit = unit ? unit : "m";
+    }
     batten_text text = BATTEN_TEXT;
     batten_design_options options = batten_design_defaults();
     options.allow_outside = true;
     options.provided_file = given->files[0];
     options.provided = model;
-    batten_status status = compose(s, given, unit ? unit : "m", &text);
+    batten_status status = compose(s, given, unit, &text);
     if (status == BATTEN_OK)
         status = batten_design_parse(text.bytes, text.length, &options, notes, design);
     batten_text_free(&text);

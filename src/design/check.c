@@ -502,7 +502,10 @@ static batten_status check_solid(bat_check *check, bat_checked *checked)
     if (bat_solid_holds(object, &checked->faults))
         return BATTEN_OK;
     check->ok = false;
-    bat_note(check->run, "'%.60s' has faults beyond %g", object->name, check->within);
+    if (object->kind == BATTEN_OBJECT_MESH)
+        bat_note(check->run, "'%.60s' is a mesh that is not closed", object->name);
+    else
+        bat_note(check->run, "'%.60s' has faults beyond %g", object->name, check->within);
     return BATTEN_OK;
 }
 

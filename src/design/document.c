@@ -117,6 +117,7 @@ static void read_units(bat_document *d)
     int node;
     d->unit_metres = 1;
     const char *word = head_word(d, "units", &node);
+    d->has_units = word != NULL;
     if (!word)
         return;
     const double metres = batten_unit_metres(word);

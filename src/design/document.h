@@ -39,6 +39,7 @@ typedef struct bat_document {
     bat_pool pool;
     bat_complaints *complaints; /* while parsing */
     double unit_metres, tolerance;
+    bool has_units; /* it names its unit */
     const char *title;
     int parameter_count, feature_count, output_count;
     bat_parameter *parameters;

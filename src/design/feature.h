@@ -73,6 +73,9 @@ batten_vec3 bat_point(const bat_run *run, const char *parameter);
 const batten_model *bat_model(const bat_run *run, const char *parameter);
 
 double bat_unit_metres(const bat_run *run);
+/* "mm"; "" where numbers are in a unit that nobody states: that of a model without one, given
+ * to a design that names none. */
+const char *bat_unit_name(const bat_run *run);
 double bat_tolerance(const bat_run *run); /* that of the design, in its units */
 const char *bat_file_name(const bat_run *run);
 /* Say something odd about this feature, with its line: bat_note(run, "%d points ...", count).

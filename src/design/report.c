@@ -476,16 +476,33 @@ static void text_verdict(batten_text *out, const bat_check *check)
                              "them fair, 'batten fit' a curve or a surface through them");
 }
 
+/* Bodies hold together within the bound, meshes are closed or not. */
+static void text_solids(batten_text *out, const bat_check *check, int bodies, int meshes)
+{
+    if (bodies) {
+        batten_text_add(out, "; bodies%s %s within ", meshes ? " and meshes" : "",
+                        check->ok ? "hold together" : "do not hold together");
+        add_length(out, check, check->within);
+    } else if (meshes == 1) {
+        batten_text_add(out, "; the mesh is %s", check->ok ? "closed" : "not closed");
+    } else {
+        batten_text_add(out, "; %s",
+                        check->ok ? "the meshes are closed" : "not all meshes are closed");
+    }
+}
+
 /* Of bodies the bound is for gaps, of other shapes for the points given. */
 static void text_bound(batten_text *out, const bat_check *check)
 {
     bool has_points = false;
-    for (int i = 0; i < check->object_count; i++)
+    int bodies = 0, meshes = 0;
+    for (int i = 0; i < check->object_count; i++) {
         has_points |= check->objects[i].distance_count > 0;
+        bodies += check->objects[i].object->kind == BATTEN_OBJECT_BODY;
+        meshes += check->objects[i].object->kind == BATTEN_OBJECT_MESH;
+    }
     if (!has_points && check->bounded_count) {
-        batten_text_add(out, "; bodies %s within ",
-                        check->ok ? "hold together" : "do not hold together");
-        add_length(out, check, check->within);
+        text_solids(out, check, bodies, meshes);
         return;
     }
     batten_text_add(out, "; the points given %s ",

@@ -69,6 +69,15 @@ double bat_unit_metres(const bat_run *run)
     return run->document->unit_metres;
 }
 
+const char *bat_unit_name(const bat_run *run)
+{
+    const bat_document *d = run->document;
+    const char *name = batten_unit_name(d->unit_metres);
+    const bool is_stated =
+        d->has_units || !d->provided || batten_model_unit_metres(d->provided) > 0;
+    return is_stated && name ? name : "";
+}
+
 double bat_tolerance(const bat_run *run)
 {
     return run->document->tolerance;

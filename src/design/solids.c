@@ -1,6 +1,8 @@
 #include "design/solids.h"
 #include "base/plural.h"
 
+#include <math.h>
+
 /* ---- pairs of a name and a number ---- */
 
 typedef struct {
@@ -41,24 +43,35 @@ static void json_numbers(batten_text *out, const char *key, const double values[
     batten_text_add(out, "]");
 }
 
-/* `error`: so far the sides may be from the shape. */
-static void add_box(batten_text *out, const batten_box *box, double error, bool json)
+/* ", "box": [[0, 0, 0], [1, 2, 3]]" */
+static void json_box(batten_text *out, const batten_box *box)
 {
     const double low[3] = {box->low.x, box->low.y, box->low.z};
     const double high[3] = {box->high.x, box->high.y, box->high.z};
-    if (!json) {
-        batten_text_add(out, "  box %.9g %.9g %.9g  to  %.9g %.9g %.9g", low[0], low[1], low[2],
-                        high[0], high[1], high[2]);
-        if (error > 0)
-            batten_text_add(out, " (error at most %.3g)", error);
-        batten_text_add(out, "\n");
-        return;
-    }
     for (int k = 0; k < 6; k++) {
         batten_text_add(out, k == 0 ? ", \"box\": [[" : k == 3 ? "], [" : ", ");
         batten_text_number(out, k < 3 ? low[k] : high[k - 3]);
     }
     batten_text_add(out, "]]");
+}
+
+static void text_box(batten_text *out, const batten_box *box)
+{
+    batten_text_add(out, "  box %.9g %.9g %.9g  to  %.9g %.9g %.9g", box->low.x, box->low.y,
+                    box->low.z, box->high.x, box->high.y, box->high.z);
+}
+
+/* `error`: so far the sides may be from the shape. */
+static void add_box(batten_text *out, const batten_box *box, double error, bool json)
+{
+    if (!json) {
+        text_box(out, box);
+        if (error > 0)
+            batten_text_add(out, " (error at most %.3g)", error);
+        batten_text_add(out, "\n");
+        return;
+    }
+    json_box(out, box);
     json_number(out, "box_error", error);
 }
 
@@ -161,17 +174,71 @@ static batten_status measure_mesh(const batten_object *object, bool json, batten
                             {"vertices", "vertex", "vertices", parts->vertex_count},
                             {"edges", "edge", "edges", f.edges},
                             {"pieces", "piece", "pieces", f.pieces},
-                            {"rim_edges", "edge at the rim", "edges at the rim", f.rim_edges}};
+                            {"rim_edges", "edge at the rim", "edges at the rim", f.rim_edges},
+                            {"wrong_edges", "edge between triangles turned against each other",
+                             "edges between triangles turned against each other",
+                             f.wrong_edges},
+                            {"crowded_edges", "edge of more than two triangles",
+                             "edges of more than two triangles", f.crowded_edges}};
     add_extent(object, &e, json, out);
     if (json) {
-        json_counts(out, 5, rows);
+        json_counts(out, 7, rows);
         batten_text_add(out, "}");
         return BATTEN_OK;
     }
     batten_text_add(out, "  ");
-    text_counts(out, 5, rows);
+    text_counts(out, 4, rows);
+    if (!f.is_watertight && f.edges > 0) {
+        batten_text_add(out, "\n  not closed for ");
+        text_counts(out, 3, rows + 4);
+    }
     batten_text_add(out, "\n");
     return BATTEN_OK;
+}
+
+/* ---- points ---- */
+
+static batten_box box_of_points(const batten_object *object)
+{
+    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < object->point_count; i++) {
+        const double *p = object->points + 3 * (size_t)i;
+        if (i == 0)
+            box = (batten_box){{p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+        box.low =
+            (batten_vec3){fmin(box.low.x, p[0]), fmin(box.low.y, p[1]), fmin(box.low.z, p[2])};
+        box.high = (batten_vec3){fmax(box.high.x, p[0]), fmax(box.high.y, p[1]),
+                                 fmax(box.high.z, p[2])};
+    }
+    return box;
+}
+
+void bat_measure_points(const batten_object *object, bool json, batten_text *out)
+{
+    const batten_offsets *table = object->offsets;
+    const batten_box box = table ? batten_offsets_box(table) : box_of_points(object);
+    const int stations = table ? batten_offsets_station_count(table) : 0;
+    int count = table ? 0 : object->point_count;
+    for (int i = 0; i < stations; i++)
+        count += batten_offsets_station(table, i)->point_count;
+    const counted rows[] = {
+        {"count", "point", "points", count},
+        {"stations", "station", "stations", stations},
+        {"lines", "line", "lines", table ? batten_offsets_line_count(table) : 0}};
+    if (json) {
+        batten_text_add(out, "    {\"name\": ");
+        batten_text_json(out, object->name);
+        batten_text_add(out, ", \"type\": \"%s\"", table ? "offsets" : "points");
+        json_counts(out, table ? 3 : 1, rows);
+        json_box(out, &box);
+        batten_text_add(out, "}");
+        return;
+    }
+    batten_text_add(out, "%s: %s", object->name, table ? "table of offsets, " : "");
+    text_counts(out, 3, rows);
+    batten_text_add(out, "\n");
+    text_box(out, &box);
+    batten_text_add(out, "\n");
 }
 
 batten_status bat_measure_solid(bat_run *run, const batten_object *object, bool json,
@@ -199,7 +266,7 @@ bool bat_solid_holds(const batten_object *object, const bat_solid_faults *faults
     const batten_body_faults *b = &faults->body;
     const batten_mesh_facts *m = &faults->mesh;
     if (object->kind == BATTEN_OBJECT_MESH)
-        return !m->wrong_edges && !m->crowded_edges;
+        return m->is_watertight;
     return !b->wrong_edges && !b->crowded_edges && !b->gaps && !b->loose &&
            !b->crossing_loops && !b->open_shells && !b->turned_shells;
 }

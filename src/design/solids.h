@@ -9,6 +9,9 @@
 batten_status bat_measure_solid(bat_run *run, const batten_object *object, bool json,
                                 batten_text *out);
 
+/* How many points there are in a row of points or a table of offsets, and their box. */
+void bat_measure_points(const batten_object *object, bool json, batten_text *out);
+
 /* What is wrong with a body or a mesh. */
 typedef struct {
     double tolerance; /* of the body: what counts as a gap */

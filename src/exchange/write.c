@@ -208,11 +208,8 @@ static batten_status mesh_what_is_not_held(const bat_format_row *row, const batt
     unsigned kinds = row->holds & BAT_HOLDS(MESH) ? BAT_SHAPES & ~row->holds : 0;
     if (row->holds & BAT_HOLDS(SURFACE))
         kinds &= ~BAT_HOLDS(TRIANGLES);
-    batten_mesh_options mesh = options->mesh;
-    if (mesh.chord == 0)
-        mesh.chord = options->tolerance; /* what one asks of all shapes holds for meshes too */
     if (kinds)
-        return bat_model_meshed(model, kinds, &mesh, NULL, notes, out);
+        return bat_model_meshed(model, kinds, &options->mesh, NULL, notes, out);
     *out = batten_model_ref(model);
     return BATTEN_OK;
 }

@@ -1,3 +1,6 @@
+#include <batten/exchange.h>
+
+#include "support/bodies.h"
 #include "support/process.h"
 
 #include <stdio.h>
@@ -264,4 +267,90 @@ TEST(convert_points_to_what_makes_shapes_of_tables_and_points)
     run = RUN("batten", "convert", points, dxf);
     CHECK_INT(run.exit, 0);
     CHECK_CONTAINS(run.errors, "'batten fit' makes curves");
+}
+
+TEST(lengths_have_units)
+{
+    const char *tank = write_tank(), *mesh = test_scratch("tank.ply");
+    static const char *const same[] = {"0.05", "0.05mm", "0.05 mm", "50um", "0.005cm"};
+    char triangles[64] = "";
+    for (int i = 0; i < COUNT(same); i++) {
+        CHECK_INT(RUN("batten", "convert", tank, mesh, "--chord", same[i], "-q").exit, 0);
+        const char *found = strstr(test_content(mesh), "element face");
+        CHECK(found != NULL);
+        if (i == 0 && found)
+            snprintf(triangles, sizeof triangles, "%.25s", found);
+        CHECK(found && strncmp(found, triangles, strlen(triangles)) == 0);
+    }
+    CHECK_INT(
+        RUN("batten", "convert", tank, mesh, "--chord", "0.05mm", "--unit", "in", "-q").exit,
+        0);
+    CHECK_CONTAINS(test_content(mesh), triangles);
+    test_process run = RUN("batten", "convert", tank, mesh, "--chord", "0.1 potatoes");
+    CHECK_INT(run.exit, 2);
+    CHECK_CONTAINS(run.errors, "--chord wants a length, as 0.1 or 0.1mm, not '0.1 potatoes'");
+    CHECK_INT(RUN("batten", "convert", tank, mesh, "--tolerance", "-1mm").exit, 2);
+    const char *off = test_scratch("bare.off");
+    test_write(off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    run = RUN("batten", "convert", off, mesh, "--chord", "1mm");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.errors, "the file does not say its unit; --from-unit may");
+    CHECK_INT(RUN("batten", "convert", off, mesh, "--chord", "1mm", "--from-unit", "mm").exit,
+              0);
+}
+
+/* As long as nobody asks for another chord, 1/1000 of the size. */
+TEST(designs_make_the_meshes_that_convert_makes)
+{
+    const char *tank = write_tank(), *design = test_scratch("made.yaml");
+    const char *first = test_scratch("first.ply"), *second = test_scratch("made.ply");
+    CHECK_INT(RUN("batten", "convert", tank, first, "--angle", "20", "-q").exit, 0);
+    test_write(design, "batten: 1\nunits: mm\ntolerance: 1e-4 mm\nfeatures:\n"
+                       "  tank: {cylinder: 20, height: 50}\noutputs:\n  made.ply: tank\n"
+                       "  fine.ply: {write: tank, within: 0.005 mm}\n");
+    CHECK_INT(RUN("batten", "build", design, "-q").exit, 0);
+    const char *a = strstr(test_content(first), "element face");
+    CHECK(a != NULL);
+    char count[64];
+    snprintf(count, sizeof count, "%.20s", a ? a : "");
+    CHECK_CONTAINS(test_content(second), count);
+    CHECK(!strstr(test_content(test_scratch("fine.ply")), count));
+}
+
+/* Three instances of a box and a surface; of the box IGES has six faces. */
+TEST(what_instances_hold_is_counted_in_all)
+{
+    const char *parts = test_scratch("parts.igs"), *path = test_scratch("placed.step");
+    batten_model *inner = NULL, *outer = NULL;
+    batten_body *bodies[2] = {test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 1, 1}), NULL};
+    batten_surface *patch = NULL;
+    const batten_axis line = {1, 2, (const double[]){0, 0, 1, 1}, false};
+    const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
+    CHECK_OK(batten_surface_create(3, &line, &line, corners, NULL, &patch));
+    CHECK_OK(batten_body_of_surface("sheet", patch, 1e-6, &bodies[1]));
+    CHECK_OK(batten_model_create(0.001, &inner));
+    for (int i = 0; i < 2; i++)
+        CHECK_OK(batten_model_add(inner, &(batten_object){.name = i ? "b" : "a",
+                                                          .kind = BATTEN_OBJECT_BODY,
+                                                          .body = bodies[i]}));
+    CHECK_OK(batten_model_create(0.001, &outer));
+    for (int i = 0; i < 3; i++)
+        CHECK_OK(batten_model_add(
+            outer, &(batten_object){.name = "place",
+                                    .kind = BATTEN_OBJECT_INSTANCE,
+                                    .definition = inner,
+                                    .place = batten_affine_translation(2 * i, 0, 0)}));
+    CHECK_OK(batten_write_file(outer, path, NULL, NULL));
+    test_process run = RUN("batten", "convert", path, parts);
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "read 3 instances (in all 3 surfaces, 3 solids)");
+    CHECK_CONTAINS(run.out, ": 3 instances (in all 3 surfaces, 18 sheets)");
+    run = RUN("batten", "convert", path, parts, "--json");
+    CHECK_CONTAINS(run.out, "\"read\": {\"instances\": 3, \"in_all\": {\"surfaces\": 3, "
+                            "\"bodies\": 3, \"solids\": 3}}");
+    batten_model_unref(outer);
+    batten_model_unref(inner);
+    batten_body_unref(bodies[0]);
+    batten_body_unref(bodies[1]);
+    batten_surface_unref(patch);
 }

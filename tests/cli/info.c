@@ -42,7 +42,7 @@ TEST(info_tells_of_faces_and_near_knots)
     test_write(path, face);
     test_process run = RUN("batten", "info", path);
     CHECK_INT(run.exit, 0);
-    CHECK_CONTAINS(run.out, "2 objects (1 curve, 1 body), unit not stated");
+    CHECK_CONTAINS(run.out, "2 objects (1 curve, 1 sheet), unit not stated");
     CHECK_CONTAINS(run.out, "bounded surface 1: sheet, 1 face, 3 edges, 3 vertices, 1 shell");
     CHECK_CONTAINS(run.errors, "spline curve 2: two knots are only 5e-10 of the domain apart");
     run = RUN("batten", "info", path, "--json");
@@ -184,4 +184,77 @@ TEST(measure_exits_with_3_when_faces_are_not_measured)
     test_write(design, "batten: 1\nfeatures:\n  face: {read: part.g2}\noutputs:\n"
                        "  part.txt: {measure: face}\n");
     CHECK_INT(RUN("batten", "build", design).exit, 3);
+}
+
+/* A tetrahedron without its floor, and one whose floor is turned. */
+static const char open_mesh[] = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                "3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+static const char turned_mesh[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                  "3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 2\n";
+
+TEST(meshes_that_are_not_closed_say_why)
+{
+    const char *rim = test_scratch("rim.off"), *turned = test_scratch("turned.off");
+    test_write(rim, open_mesh);
+    test_write(turned, turned_mesh);
+    CHECK_CONTAINS(RUN("batten", "info", rim, "--no-lint").out,
+                   "not watertight: 3 edges at the rim\n");
+    CHECK_CONTAINS(RUN("batten", "info", turned, "--no-lint").out,
+                   "not watertight: 3 edges between triangles turned against each other\n");
+    CHECK_CONTAINS(RUN("batten", "info", rim, "--json").out,
+                   "\"watertight\": false, \"rim_edges\": 3, \"wrong_edges\": 0");
+    CHECK_CONTAINS(RUN("batten", "measure", rim).out,
+                   "\n  not closed for 3 edges at the rim\n");
+    CHECK_CONTAINS(RUN("batten", "measure", turned, "--json").out, "\"wrong_edges\": 3");
+}
+
+TEST(an_open_mesh_does_not_pass_a_check_with_a_bound)
+{
+    const char *rim = test_scratch("rim.off"), *whole = test_scratch("whole.yaml");
+    test_write(rim, open_mesh);
+    test_process run = RUN("batten", "check", rim, "--within", "1 mm");
+    CHECK_INT(run.exit, 1);
+    CHECK_CONTAINS(run.out, "the mesh is not closed.\n");
+    CHECK(!strstr(run.out, "bodies"));
+    CHECK_INT(RUN("batten", "check", rim).exit, 0);
+    test_write(whole, "batten: 1\nfeatures:\n  b: {sphere: 1}\n  m: {mesh: b}\n"
+                      "outputs:\n  whole.stl: m\n");
+    CHECK_INT(RUN("batten", "build", whole, "-q").exit, 0);
+    run = RUN("batten", "check", test_scratch("whole.stl"), "--within", "1 mm");
+    CHECK_INT(run.exit, 0);
+    CHECK_CONTAINS(run.out, "the mesh is closed.\n");
+}
+
+TEST(info_shows_colours)
+{
+    const double points[3] = {1, 2, 3};
+    const char *path = test_scratch("red.step");
+    batten_model *model = NULL;
+    CHECK_OK(batten_model_create(0.001, &model));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "dot",
+                                                      .layer = "marks",
+                                                      .kind = BATTEN_OBJECT_POINTS,
+                                                      .has_colour = true,
+                                                      .colour = {1, 0.5, 0},
+                                                      .point_count = 1,
+                                                      .points = points}));
+    CHECK_OK(batten_write_file(model, path, NULL, NULL));
+    batten_model_unref(model);
+    CHECK_CONTAINS(RUN("batten", "info", path).out, "\n    layer marks  colour #ff8000\n");
+}
+
+TEST(measure_says_the_unit_once)
+{
+    const char *points = test_scratch("dots.csv"), *mesh = test_scratch("rim.off");
+    test_write(points, "x_mm,y_mm,z_mm\n1,2,3\n4,-2,8\n");
+    test_write(mesh, open_mesh);
+    CHECK(strncmp(RUN("batten", "measure", points).out, "unit mm\n", 8) == 0);
+    CHECK_CONTAINS(RUN("batten", "measure", points).out,
+                   ": 2 points\n  box 1 -2 3  to  4 2 8\n");
+    CHECK_CONTAINS(RUN("batten", "measure", points, "--json").out, "\"unit\": \"mm\",");
+    CHECK_CONTAINS(RUN("batten", "measure", points, "--json").out,
+                   "\"type\": \"points\", \"count\": 2, \"box\": [[1, -2, 3], [4, 2, 8]]");
+    CHECK(strncmp(RUN("batten", "measure", mesh).out, "unit not stated\n", 16) == 0);
+    CHECK_CONTAINS(RUN("batten", "measure", mesh, "--json").out, "\"unit\": \"\"");
+    CHECK(strncmp(RUN("batten", "measure", mesh, "--unit", "in").out, "unit in\n", 8) == 0);
 }

@@ -5,7 +5,8 @@
 static const batten_parameter parameters[] = {
     {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is looked at"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far points given may lie from the shape made from them, and edges from faces"},
+     "how far points may lie from the shape made of them, and edges from faces; meshes must "
+     "close"},
 };
 
 /* Bodies and meshes have said themselves what is wrong. */
@@ -66,10 +67,17 @@ const bat_feature bat_feature_check = {
          "curvatures as a\n"
          "part of the larger one, and for curves the difference g3 of the rates of curvature. "
          "Of bodies\n"
-         "and meshes: edges of one face, of two and of more, gaps between edges, vertices and "
-         "faces, loops\n"
-         "that cross; with 'within' these must not be there. As JSON,\n"
-         "with all digits, when the file ends in .json.",
+         "edges of one face, of two and of more, faces turned against each other, gaps between "
+         "edges,\n"
+         "vertices and faces, loops that cross, shells open or inside out; of meshes edges of "
+         "one\n"
+         "triangle, of more than two, triangles turned against each other. With 'within' gaps "
+         "and edges\n"
+         "off their faces must not be larger, and none of the rest may be there but edges of "
+         "two faces\n"
+         "and the free edges of sheets; so meshes must be closed. As JSON, with all digits, "
+         "when the file\n"
+         "ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

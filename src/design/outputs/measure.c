@@ -8,7 +8,7 @@
 
 static const batten_parameter parameters[] = {
     {"measure", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "curves, surfaces, triangles, bodies, meshes"},
+     "curves, surfaces, triangles, bodies, meshes; points and tables, which are counted"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "ends that are nearer close a curve; the tolerance, at most 1/1000 of its box, by "
      "default"},
@@ -400,15 +400,35 @@ static batten_status add_curve(const bat_run *run, const batten_object *object, 
 static batten_status add_object(bat_run *run, const batten_object *object, bool json,
                                 batten_text *out)
 {
-    const bool is_solid =
-        object->kind == BATTEN_OBJECT_BODY || object->kind == BATTEN_OBJECT_MESH;
-    const batten_status status = is_solid ? bat_measure_solid(run, object, json, out)
-                                 : object->kind == BATTEN_OBJECT_CURVE
-                                     ? add_curve(run, object, json, out)
-                                     : add_extent(run, object, json, out);
+    batten_status status = BATTEN_OK;
+    switch (object->kind) {
+    case BATTEN_OBJECT_BODY:
+    case BATTEN_OBJECT_MESH:
+        status = bat_measure_solid(run, object, json, out);
+        break;
+    case BATTEN_OBJECT_CURVE:
+        status = add_curve(run, object, json, out);
+        break;
+    case BATTEN_OBJECT_POINTS:
+    case BATTEN_OBJECT_OFFSETS:
+        bat_measure_points(object, json, out);
+        break;
+    default:
+        status = add_extent(run, object, json, out);
+    }
     if (status == BATTEN_OK || status == BATTEN_OUT_OF_MEMORY)
         return status;
     return bat_fail(status, "%s: %s", object->name, batten_message());
+}
+
+/* Once for all numbers: areas are in its square, volumes in its cube. */
+static void begin_text(const bat_run *run, bool json, batten_text *text)
+{
+    const char *unit = bat_unit_name(run);
+    if (json)
+        batten_text_add(text, "{\n  \"unit\": \"%s\",\n  \"objects\": [\n", unit);
+    else
+        batten_text_add(text, "unit %s\n", *unit ? unit : "not stated");
 }
 
 static batten_status run(bat_run *run)
@@ -417,12 +437,10 @@ static batten_status run(bat_run *run)
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
     const bool json = dot && strcmp(dot, ".json") == 0;
-    batten_status status = bat_gather(
-        run, "measure", BAT_CURVES | BAT_SURFACES | BAT_TRIANGLES | BAT_BODIES | BAT_MESHES,
-        &objects);
+    batten_status status = bat_gather(run, "measure", BAT_ALL, &objects);
     if (status != BATTEN_OK)
         return status;
-    batten_text_add(&text, json ? "{\n  \"objects\": [\n" : "");
+    begin_text(run, json, &text);
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
         batten_text_add(&text, json && i ? ",\n" : "");
         status = add_object(run, objects.at[i], json, &text);
@@ -458,8 +476,15 @@ const bat_feature bat_feature_measure = {
          "bounds of\n"
          "the errors; faces without closed loops are left out, with a note, and the command "
          "exits with 3.\n"
-         "Of meshes those of the triangles. Lengths are in units of "
-         "the design. As JSON, with all digits, when the file ends in .json.",
+         "Of meshes those of the triangles, and why one does not close. Of points and tables "
+         "of "
+         "offsets\n"
+         "their number and box. The unit of the lengths, that of the design, stands in the "
+         "first "
+         "line\n"
+         "(\"unit\" in JSON); areas are in its square, volumes in its cube. As JSON, with all "
+         "digits, when\n"
+         "the file ends in .json.",
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "outputs:\n"

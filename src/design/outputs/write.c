@@ -16,8 +16,8 @@ static const batten_parameter parameters[] = {
     {"parameter-curves", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
      "STEP: faces with their edges in (u, v)"},
     {"chord", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "formats of meshes: how far triangles may be from the shape; 1/1000 of its size by "
-     "default"},
+     "formats of meshes: how far triangles may be from the shape; else 'within', or 1/1000 of "
+     "its size"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "20 deg", NULL,
      "formats of meshes: between the normals at the ends of an edge"},
     {"text", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
@@ -35,7 +35,9 @@ static void read_options(const bat_run *run, batten_write_options *options)
     options->schema = (batten_step_schema)bat_word(run, "schema");
     options->solids = bat_yes(run, "solids");
     options->no_parameter_curves = !bat_yes(run, "parameter-curves");
-    options->mesh.chord = bat_has(run, "chord") ? bat_number(run, "chord") : 0;
+    /* What one asks of all shapes holds for meshes too, but not what designs are made with. */
+    const char *bound = bat_has(run, "chord") ? "chord" : "within";
+    options->mesh.chord = bat_has(run, bound) ? bat_number(run, bound) : 0;
     options->mesh.angle = bat_number(run, "angle");
     options->as_text = bat_yes(run, "text");
     options->eighths = bat_yes(run, "eighths");
