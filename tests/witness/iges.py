@@ -3,8 +3,8 @@
 import glob, re, sys
 
 # Types of entities, and the forms that are written of them.
-FORMS = {102: [0], 106: [2], 110: [0], 116: [0], 124: [0, 1], 126: [0, 1], 128: [0], 142: [0], 144: [0], 308: [0], 314: [0],
-         402: [7], 406: [1, 3, 15], 408: [0]}
+FORMS = {102: [0], 106: [2], 110: [0], 116: [0], 124: [0, 1], 126: [0, 1], 128: [0], 142: [0], 144: [0], 186: [0], 308: [0], 314: [0],
+         402: [7], 406: [1, 3, 15], 408: [0], 502: [1], 504: [1], 508: [1], 510: [1], 514: [1, 2]}
 CURVES = (102, 106, 110, 126)
 SURFACES = (128,)
 
@@ -49,7 +49,8 @@ class File:
         assert len(g) in (25, 26) and g[:2] == ["1H,", "1H;"], "the global section"
         units = {1: "IN", 2: "MM", 4: "FT", 6: "M", 10: "CM"}
         assert g[14] == "%dH%s" % (len(units[int(g[13])]), units[int(g[13])]), "the unit"
-        assert float(g[18]) > 0 and int(g[22]) == 11, "resolution and version"
+        self.resolution = float(g[18].replace("D", "E"))
+        assert self.resolution > 0 and int(g[22]) == 11, "resolution and version"
         assert re.fullmatch(r"15H\d{8}\.\d{6}", g[17]) and re.fullmatch(r"15H\d{8}\.\d{6}", g[24]), "dates"
 
     def add_entry(self, number, one, two, first):
@@ -128,6 +129,40 @@ class File:
             assert self.pointer(str(surface), *SURFACES) and is_bounded in (0, 1)
             for loop in ([outer] if is_bounded else []) + take("i" * count):
                 assert self.pointer(str(loop), 142)[4][1] == str(surface), "a loop of another surface"
+        elif kind == 502:
+            take("rrr" * take("i")[0])
+        elif kind == 504:
+            for _ in range(take("i")[0]):
+                curve, *ends = take("iiiii")
+                assert self.pointer(str(curve), *CURVES)[2][2:4] == "01", "a curve that stands alone"
+                for end, (a, i) in enumerate((ends[:2], ends[2:])):
+                    miss = max(abs(p - q) for p, q in zip(self.end_of(curve, end), self.vertex(a, i)))
+                    assert miss <= self.resolution, "an edge that misses its vertex by %g" % miss
+        elif kind == 508:
+            for _ in range(take("i")[0]):
+                is_vertex, _, _, _, flat = take("iiiii")
+                assert is_vertex in (0, 1)
+                for _, curve in (take("ii") for _ in range(flat)):
+                    assert self.pointer(str(curve), *CURVES)[2][4:6] == "05", "a parameter curve that does not say so"
+            ends = [self.ends_of_use(use) for use in self.uses(number)]
+            assert all(a[1] == b[0] for a, b in zip(ends, ends[1:] + ends[:1])), "uses that do not meet"
+        elif kind == 510:
+            surface, count, is_outer = take("iii")
+            assert self.pointer(str(surface), *SURFACES) and is_outer in (0, 1)
+            for loop in take("i" * count):
+                self.pointer(str(loop), 508)
+        elif kind == 514:
+            ways = {}
+            for face, agrees in (take("ii") for _ in range(take("i")[0])):
+                for loop in self.pointer(str(face), 510)[4][3:3 + int(self.entries[face][4][1])]:
+                    for is_vertex, edges, edge, along in self.uses(int(loop)):
+                        if not is_vertex:
+                            ways.setdefault((edges, edge), []).append(along == agrees)
+            assert form == 2 or all(sorted(w) == [False, True] for w in ways.values()), "a shell that does not close"
+        elif kind == 186:
+            shell, agrees, count = take("iii")
+            for shell, agrees in [(shell, agrees)] + [take("ii") for _ in range(count)]:
+                assert self.pointer(str(shell), 514)[1] == 1 and agrees in (0, 1), "an open shell"
         elif kind == 402:
             for p in take("i" * take("i")[0]):
                 self.pointer(str(p), *FORMS)
@@ -138,6 +173,35 @@ class File:
             for p in take("i" * take("i")[0]) if rest else []:
                 self.pointer(str(p), *wanted)
         assert not rest, "more parameters than it has"
+
+    def end_of(self, curve, end):
+        """The first or last point of a line, or of a clamped spline."""
+        kind, _, _, _, v = self.entries[curve]
+        if kind == 110:
+            return [float(x) for x in v[3 * end:3 * end + 3]]
+        n, degree = int(v[0]), int(v[1])
+        at = 6 + (n + degree + 2) + (n + 1) + 3 * n * end
+        return [float(x.replace("D", "E")) for x in v[at:at + 3]]
+
+    def vertex(self, list_, i):
+        v = self.pointer(str(list_), 502)[4]
+        assert 1 <= i <= int(v[0]), "no vertex of that number"
+        return [float(x.replace("D", "E")) for x in v[3 * i - 2:3 * i + 1]]
+
+    def uses(self, loop):
+        """(is it a vertex, list, number, along) of each use of a loop."""
+        v, at = self.pointer(str(loop), 508)[4], 1
+        for _ in range(int(v[0])):
+            yield tuple(int(x) for x in v[at:at + 4])
+            at += 5 + 2 * int(v[at + 4])
+
+    def ends_of_use(self, use):
+        is_vertex, list_, number, along = use
+        if is_vertex:
+            return (self.vertex(list_, number),) * 2
+        edge = self.pointer(str(list_), 504)[4][5 * number - 4:5 * number + 1]
+        ends = [self.vertex(int(edge[1]), int(edge[2])), self.vertex(int(edge[3]), int(edge[4]))]
+        return tuple(ends if along else ends[::-1])
 
     @staticmethod
     def check_spline(kind, take):
