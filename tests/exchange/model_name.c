@@ -42,7 +42,7 @@ static batten_model *assembly(void)
     static const char *const names[] = {"bolt", "bolt", "", "bolt.2"};
     batten_model *model = new_model("as1 <\xc3\xa4>");
     for (int i = 0; i < COUNT(names); i++) {
-        char instance[16];
+        char instance[32];
         snprintf(instance, sizeof instance, "placed_%d", i);
         batten_model *part = curve_of(names[i], i + 1);
         place(model, instance, part);
