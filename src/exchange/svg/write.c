@@ -92,7 +92,7 @@ static void put_arc(writing *w, const bat_svg_elliptical *arc, double x, double 
     batten_text_add(w->text, " ");
     batten_text_number(w->text, w->scale * arc->ry);
     batten_text_add(w->text, " ");
-    batten_text_number(w->text, arc->angle ? -arc->angle * 180 / BAT_PI : 0);
+    batten_text_number(w->text, arc->angle != 0 ? -arc->angle * 180 / BAT_PI : 0);
     batten_text_add(w->text, " 0 %d", arc->is_clockwise);
     put_point(w, ' ', x, y);
 }
