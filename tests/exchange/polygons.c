@@ -15,7 +15,14 @@ TEST(faces_of_more_than_three_corners_are_counted)
         batten_model *model = NULL;
         int said = 0;
         CHECK_OK(batten_notes_create(100, &notes));
-        CHECK_OK(read_text(files[i], BATTEN_FORMAT_AUTO, notes, &model));
+        batten_status status = read_text(files[i], BATTEN_FORMAT_AUTO, notes, &model);
+        if (test_memory_failed(status, BATTEN_OK)) { /* what it noted is of no account */
+            batten_notes_free(notes);
+            notes = NULL;
+            CHECK_OK(batten_notes_create(100, &notes));
+            status = read_text(files[i], BATTEN_FORMAT_AUTO, notes, &model);
+        }
+        CHECK_OK(status);
         for (int k = 0; k < batten_notes_count(notes); k++)
             said += strstr(batten_notes_at(notes, k)->text,
                            "faces of more than three corners: 2; read as triangles") != NULL;
