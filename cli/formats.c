@@ -63,19 +63,12 @@ void formats_manual(batten_text *text)
     batten_text_add(
         text,
         "\n"
-        "When reading, the content decides; --from-format (in a design 'format' of 'read') "
-        "where "
-        "it does\n"
+        "When reading, the content decides; --from-format (in a design 'format' of 'read') where it does\n"
         "not tell. When writing, the ending decides, or --format.\n"
-        "Shapes become triangles in STL, PLY, glTF and 3MF, and bodies in OBJ, which keeps "
-        "free-form curves\n"
-        "and surfaces, within --chord and --angle. What a format cannot hold is left out, and "
-        "said.\n"
-        "A file that is damaged in part is read in part: what was left out is said, and the "
-        "exit status is "
-        "3.\n"
-        "A format without unit takes the numbers as they are: --from-unit says what they "
-        "mean.\n"
+        "Shapes become triangles in STL, PLY, glTF and 3MF, and bodies in OBJ, which keeps free-form curves\n"
+        "and surfaces, within --chord and --angle. What a format cannot hold is left out, and said.\n"
+        "A file that is damaged in part is read in part: what was left out is said, and the exit status is 3.\n"
+        "A format without unit takes the numbers as they are: --from-unit says what they mean.\n"
         "Pictures are .svg, .pdf and .png of the commands and outputs that draw.\n");
 }
 

@@ -202,8 +202,8 @@ bool output_is_input(const char *of, const char *input, const char *output)
     if (strcmp(output, "-") == 0 || stat(output, &to) != 0 || !S_ISREG(to.st_mode) ||
         !stat_input(input, &from) || from.st_dev != to.st_dev || from.st_ino != to.st_ino)
         return false;
-    complain("batten %s: '%s' is the file that is read, and would be overwritten; give another "
-             "name",
+    complain("batten %s: '%s' is the file that is read, and would be overwritten; give "
+             "another name",
              of, output);
     return true;
 }

@@ -1,5 +1,5 @@
 /* The program `batten`: one word chooses the command, a table knows them all. */
-#include "method.h"
+#include "commands/method.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -10,7 +10,7 @@ includes() { # the quoted includes of a folder: FILE:LINE:#include "folder/file.
     find "$1" -name '*.[ch]' -exec grep -nH '^ *# *include *"' {} + 2> /dev/null
 }
 
-for folder in base numeric spline inspect shape fair body mesh exchange; do
+for folder in base numeric spline inspect shape body mesh model fair exchange; do
     allowed="$allowed|$folder"
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
@@ -19,7 +19,7 @@ for folder in picture design; do
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue
-    bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|body|mesh|exchange|picture|design)/|\.\./")"
+    bad="$bad$(includes "$folder" | grep -E "\"(base|numeric|spline|inspect|shape|fair|body|mesh|model|exchange|picture|design)/|\.\./")"
 done
 bad="$bad$(find include -name '*.h' -exec grep -nH '^ *# *include *"' {} +)"
 

@@ -115,7 +115,7 @@ BATTEN_API batten_status batten_body_transform(const batten_body *body,
 BATTEN_API batten_status batten_body_of_surface(const char *name, const batten_surface *surface,
                                                 double tolerance, batten_body **out);
 
-/* ---- parameter curves (src/body/trace.h) ---- */
+/* ---- parameter curves ---- */
 
 typedef struct batten_trace_report {
     int kept;    /**< parameter curves that were good */
@@ -167,7 +167,7 @@ BATTEN_API batten_status batten_body_trace(const batten_body *body, double toler
                                            const batten_job *job, batten_notes *notes,
                                            batten_trace_report *report, batten_body **out);
 
-/* ---- measures (src/body/measure.c) ---- */
+/* ---- measures ---- */
 
 typedef struct batten_body_measures {
     double area;
@@ -206,7 +206,7 @@ typedef struct batten_body_measures {
 BATTEN_API batten_status batten_body_measure(const batten_body *body, double precision,
                                              const batten_job *job, batten_body_measures *out);
 
-/* ---- what is wrong with it (src/body/check.c) ---- */
+/* ---- what is wrong with it ---- */
 
 typedef struct batten_body_faults {
     int free_edges;    /**< one use: the rim of a sheet */

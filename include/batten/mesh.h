@@ -48,7 +48,7 @@ BATTEN_API batten_status batten_mesh_transform(const batten_mesh *mesh,
  * Triangles keep their order; those that lose their area stay. */
 BATTEN_API batten_status batten_mesh_weld(const batten_mesh *mesh, batten_mesh **out);
 
-/* ---- what is true of a mesh (src/mesh/check.c) ---- */
+/* ---- what is true of a mesh ---- */
 
 typedef struct batten_mesh_facts {
     int edges;           /**< distinct */
@@ -65,7 +65,7 @@ typedef struct batten_mesh_facts {
 } batten_mesh_facts;
 BATTEN_API batten_status batten_mesh_check(const batten_mesh *mesh, batten_mesh_facts *out);
 
-/* ---- triangles from shapes (src/mesh) ---- */
+/* ---- triangles from shapes ---- */
 
 typedef struct batten_mesh_options {
     size_t size;
@@ -101,12 +101,12 @@ typedef struct batten_mesh_report {
  * again. The chord is met also where edges are off their faces by up to 0.88 of it.
  *
  * What is beyond `most` is refused before the work, by an estimate from second derivatives at
- * samples; the message has the number and a chord that would do. Triangles along edges are not in
- * it: the work stops when there are `most`. A face whose border crosses itself in (u, v) gets finer samples there, then corners
- * where its edges truly are, else it is left out. The distance reached is that of samples, four
- * in each triangle, from its plane. Cost: O(n log n) for n triangles; 200,000 of a bicubic
- * surface in half a second.
- * Source: [FMM86] for the bound, [Bowyer81] and [Sloan93] for the triangles.
+ * samples; the message has the number and a chord that would do. Triangles along edges are not
+ * in it: the work stops when there are `most`. A face whose border crosses itself in (u, v)
+ * gets finer samples there, then corners where its edges truly are, else it is left out. The
+ * distance reached is that of samples, four in each triangle, from its plane. Cost: O(n log n)
+ * for n triangles; 200,000 of a bicubic surface in half a second. Source: [FMM86] for the
+ * bound, [Bowyer81] and [Sloan93] for the triangles.
  */
 BATTEN_API batten_status batten_mesh_of_body(const batten_body *body,
                                              const batten_mesh_options *options,

@@ -10,9 +10,9 @@
 extern "C" {
 #endif
 
-/** @param name "m", "mm", "cm", "km", "um", "in", "ft", "yd", "mil", "mi", "uin", "dm", "dam", "hm",
- * "nm", "angstrom" and their long names in lower case, singular or plural: "metre", "meters",
- * "foot", "feet"; "usft", the US survey foot
+/** @param name "m", "mm", "cm", "km", "um", "in", "ft", "yd", "mil", "mi", "uin", "dm", "dam",
+ * "hm", "nm", "angstrom" and their long names in lower case, singular or plural: "metre",
+ * "meters", "foot", "feet"; "usft", the US survey foot
  * @return metres in one of them, or 0 when the name is unknown */
 BATTEN_API double batten_unit_metres(const char *name);
 

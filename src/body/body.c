@@ -1,5 +1,5 @@
 #include "base/plural.h"
-#include "body/box.h"
+#include "body/measure/box.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700
-#include "design/document.h"
-#include "design/edit.h"
+#include "design/text/document.h"
+#include "design/text/edit.h"
 
 #include <assert.h>
 #include <stdio.h>

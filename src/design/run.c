@@ -1,4 +1,4 @@
-#include "design/document.h"
+#include "design/text/document.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "exchange/losses.h"
 #include "exchange/csv/separated.h"
-#include "exchange/definitions.h"
+#include "model/definitions.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "exchange/path.h"
 #include "numeric/vector.h"
-#include "spline/chain.h"
+#include "spline/chain/chain.h"
 #include <batten/arcs.h>
 
 #include <float.h>

@@ -1,7 +1,7 @@
 #include "exchange/prepare.h"
 #include "base/plural.h"
-#include "exchange/object_notes.h"
-#include "spline/surface.h"
+#include "model/object_notes.h"
+#include "spline/surface/surface.h"
 
 #include <limits.h>
 

@@ -3,9 +3,9 @@
 #include "exchange/formats.h"
 #include "exchange/kept_mesh.h"
 #include "exchange/losses.h"
-#include "exchange/model_change.h"
-#include "exchange/model_meshed.h"
-#include "exchange/model_painted.h"
+#include "model/change.h"
+#include "model/meshed.h"
+#include "model/painted.h"
 
 #include <string.h>
 

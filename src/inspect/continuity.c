@@ -1,7 +1,7 @@
-#include "inspect/side.h"
+#include "inspect/affine/side.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 #include <batten/continuity.h>
 
 #include <float.h>

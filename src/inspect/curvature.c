@@ -1,7 +1,7 @@
 #include "inspect/local.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 #include <float.h>
 

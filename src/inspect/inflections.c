@@ -1,5 +1,5 @@
 #include "inspect/inflections.h"
-#include "inspect/forms.h"
+#include "inspect/affine/forms.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 

@@ -1,7 +1,7 @@
 /* What derivatives tell about a curve, of whatever kind it is. */
 #ifndef BAT_LOCAL_H
 #define BAT_LOCAL_H
-#include "spline/chain.h"
+#include "spline/chain/chain.h"
 #include <batten/inspect.h>
 
 /* From the point and three derivatives [4][d] by any parameter; the first is not 0. */

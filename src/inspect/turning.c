@@ -2,7 +2,7 @@
 #include "inspect/inflections.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 #include <batten/measure.h>
 
 #include <string.h>

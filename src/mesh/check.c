@@ -1,5 +1,5 @@
 /* What is true of a mesh: its edges, whether it is closed, area and volume. */
-#include "mesh/pairs.h"
+#include "mesh/faces/pairs.h"
 #include <batten/mesh.h>
 #include <float.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Triangles of a body: edges, borders, then faces. */
-#include "body/box.h"
-#include "mesh/face.h"
+#include "body/measure/box.h"
+#include "mesh/faces/face.h"
 
 #include <float.h>
 #include <limits.h>

@@ -6,10 +6,9 @@
 #ifndef BAT_SHAPE_H
 #define BAT_SHAPE_H
 #include "numeric/banded.h"
+#include "spline/data_check.h"
 #include <batten/interpolate.h>
 
-/* Points of 1..3 finite coordinates, at least `least` of them. */
-batten_status bat_points_check(int dimension, int count, const double *points, int least);
 /* The steps between the parameters of checked points, 0 where points coincide; [count - 1],
  * closed [count]. */
 void bat_steps(int dimension, int count, const double *points, batten_parametrization kind,
@@ -20,8 +19,6 @@ batten_status bat_parametrize(int dimension, int count, const double *points,
 /* The same with steps that are chords to the power alpha, 0 to 1. */
 batten_status bat_parametrize_power(int dimension, int count, const double *points,
                                     double alpha, bool closed, double *parameters);
-/* Finite, increasing. */
-batten_status bat_parameters_check(int count, const double *parameters);
 
 /* The parameters of points by a kind or as given, in *out [count], closed [count + 1]; release
  * them, after a failure too. */

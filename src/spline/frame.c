@@ -1,5 +1,5 @@
 #include "numeric/vector.h"
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 batten_frame batten_frame_world(void)
 {

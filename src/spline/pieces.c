@@ -1,5 +1,5 @@
 /* All spans of a curve in Bezier form, made once for batches. */
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include <batten/polygon.h>
 
 #include "base/plural.h"
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 #include <string.h>
 
@@ -182,8 +182,7 @@ batten_status batten_curve_arc_cubic(double radius, double angle, double toleran
     if (!(radius > 0 && isfinite(radius) && angle > 0 && angle <= 2 * BAT_PI))
         return bat_fail(
             BATTEN_BAD_ARGUMENT,
-            "no arc of radius %g and angle %g: they must be above 0, the angle at most "
-            "2 pi",
+            "no arc of radius %g and angle %g: they must be above 0, the angle at most 2 pi",
             radius, angle);
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);

@@ -4,7 +4,7 @@
  */
 #include "spline/product.h"
 
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 #include <float.h>
 

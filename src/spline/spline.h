@@ -23,7 +23,7 @@ typedef struct {
 batten_status bat_spline_make(int degree, int count, size_t width, bat_spline *out);
 void bat_spline_free(bat_spline *spline);
 
-/* ---- knots (src/spline/knots.c) ---- */
+/* ---- knots (src/spline/knots/knots.c) ---- */
 
 /* Check what a caller gave: finite, not decreasing, multiplicities, a domain. `what` names it
  * in messages: "knot", "knot in u". */
@@ -77,7 +77,7 @@ void bat_combine(int degree, const double *basis, size_t width, const double *ro
                  double *out);
 extern const double bat_binomials[BATTEN_MAX_DEGREE + 1][BATTEN_MAX_DEGREE + 1];
 
-/* ---- other forms (src/spline/curve_forms.c) ---- */
+/* ---- other forms (src/spline/curve/forms.c) ---- */
 
 /* Breaks [piece_count + 1] are finite and rise. */
 batten_status bat_breaks_check(int piece_count, const double *breaks);
@@ -90,7 +90,8 @@ void bat_hermite_points(int width, int count, int k, const double *parameters,
 /* The Bezier rows b [p + 1][width] of a piece of length h in powers c [p + 1][width]. */
 void bat_power_to_bezier(int p, size_t width, double h, const double *c, double *b);
 
-/* ---- exact algebra (src/spline/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ---- */
+/* ---- exact algebra (src/spline/knots/insert.c, remove.c, elevate.c, reduce.c, bezier.c) ----
+ */
 
 /* Insert knots [count], never decreasing, inside the domain or at its ends, none more often
  * than p + 1 times together with those there. Rows that do not change keep their bits. */

@@ -1,4 +1,4 @@
-#include "body/traced.h"
+#include "body/trace/traced.h"
 #include "support/test.h"
 #include <batten/body.h>
 #include <batten/standard.h>

@@ -1,5 +1,5 @@
 #include "body/by_hand.h"
-#include "body/traced.h"
+#include "body/trace/traced.h"
 #include "support/test.h"
 #include <batten/standard.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 # Arguments: the command, the source folder, the folder for the outputs.
 set -euo pipefail
 batten=$1 source=$2 out=$3
-data=$source/../../shared/data/hull_offsets
+data=$source/../shared/data/hull_offsets
 [ -d "$data" ] || { echo "hulls: the tables are not here"; exit 77; }
 rm -rf "$out" && mkdir -p "$out"
 failures=0 count=0

@@ -1,4 +1,4 @@
-#include "spline/curve.h"
+#include "spline/curve/curve.h"
 
 #include "support/generate.h"
 

@@ -378,18 +378,34 @@ int test_random_int(test_random *random, int a, int b)
 
 /* ---- main ---- */
 
-/* `--part 1/3`: each third test, from the first on, so that several processes share the work.
+/* Is the test in this room, the folder below tests/ in which its file stands? */
+static bool is_in_room(const test_entry *test, const char *room)
+{
+    const char *path = strstr(test->file, TESTS_SOURCE "/tests/");
+    if (!path)
+        return false;
+    path += strlen(TESTS_SOURCE "/tests/");
+    const char *slash = strrchr(path, '/');
+    return slash && (size_t)(slash - path) == strlen(room) &&
+           strncmp(path, room, strlen(room)) == 0;
+}
+
+/* `--room shape/skin`: the tests of that folder alone, without those of folders below it.
+ * `--part 1/3`: each third test, from the first on, so that several processes share the work.
  */
 int main(int argument_count, char **arguments)
 {
     unsigned part = 1, parts = 1, index = 0;
+    const char *room = NULL;
     for (int i = 1; i < argument_count; i++) {
         if (strcmp(arguments[i], "--faults") == 0)
             fault_mode = true;
         else if (strcmp(arguments[i], "--part") == 0 && i + 1 < argument_count) {
             if (sscanf(arguments[++i], "%u/%u", &part, &parts) != 2 || part < 1 || part > parts)
                 return 2;
-        } else
+        } else if (strcmp(arguments[i], "--room") == 0 && i + 1 < argument_count)
+            room = arguments[++i];
+        else
             cmocka_set_test_filter(arguments[i]);
     }
     const batten_allocator counting = {counting_resize, counting_release, NULL};
@@ -398,10 +414,11 @@ int main(int argument_count, char **arguments)
     static struct CMUnitTest tests[2048];
     size_t count = 0;
     for (test_entry *e = entries; e && count < 2048; e = e->next)
-        if (index++ % parts == part - 1)
+        if ((!room || is_in_room(e, room)) && index++ % parts == part - 1)
             tests[count++] = (struct CMUnitTest){e->name, run_entry, NULL, NULL, e};
-    const int failures = _cmocka_run_group_tests(TESTS_GROUP, tests, count, NULL, NULL);
-    printf("%s: %d passed, %d failed, %d skipped\n", TESTS_GROUP,
+    const int failures =
+        _cmocka_run_group_tests(room ? room : TESTS_GROUP, tests, count, NULL, NULL);
+    printf("%s: %d passed, %d failed, %d skipped\n", room ? room : TESTS_GROUP,
            (int)count - failures - skipped_count, failures, skipped_count);
-    return failures != 0;
+    return failures != 0 || (room && count == 0);
 }

@@ -22,19 +22,19 @@
 #define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 typedef struct test_entry {
-    const char *name;
+    const char *name, *file;
     void (*run)(void);
     struct test_entry *next;
 } test_entry;
 void test_register(test_entry *entry);
 
-#define TEST(name)                                                 \
-    static void name(void);                                        \
-    static test_entry name##_entry = {#name, name, NULL};          \
-    __attribute__((constructor)) static void name##_register(void) \
-    {                                                              \
-        test_register(&name##_entry);                              \
-    }                                                              \
+#define TEST(name)                                                  \
+    static void name(void);                                         \
+    static test_entry name##_entry = {#name, __FILE__, name, NULL}; \
+    __attribute__((constructor)) static void name##_register(void)  \
+    {                                                               \
+        test_register(&name##_entry);                               \
+    }                                                               \
     static void name(void)
 
 /* ---- checks; a failing one ends the test ---- */

@@ -159,18 +159,12 @@ const bat_feature bat_feature_affine_match = {
     .shown =
         {"affine-match",
          "A report: is one curve the affine image of another, and by which map?",
-         "For the second curve and each after it: the affine map that brings the first one "
-         "there, the\n"
-         "parameters that correspond, and how far the image is from the curve, a bound. "
-         "Splines are\n"
-         "compared end to end, in both directions; of single polynomials any two parts of one "
-         "curve\n"
-         "are found to be the same, whatever their degree and length, by their invariants "
-         "('classify'\n"
-         "lists them as JSON). All parabolas are images of each other, and so are all cubics "
-         "with a\n"
-         "loop. With 'within' a curve that is none fails the build's check. Rational curves "
-         "are\n"
+         "For the second curve and each after it: the affine map that brings the first one there, the\n"
+         "parameters that correspond, and how far the image is from the curve, a bound. Splines are\n"
+         "compared end to end, in both directions; of single polynomials any two parts of one curve\n"
+         "are found to be the same, whatever their degree and length, by their invariants ('classify'\n"
+         "lists them as JSON). All parabolas are images of each other, and so are all cubics with a\n"
+         "loop. With 'within' a curve that is none fails the build's check. Rational curves are\n"
          "refused. As JSON, with all digits, when the file ends in .json.",
          "features:\n"
          "  corners: {points: [[0, 0], [1 m, 2 m], [3 m, 0], [4 m, 1 m], [5 m, 4 m]]}\n"

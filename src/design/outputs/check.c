@@ -1,4 +1,4 @@
-#include "design/check.h"
+#include "design/outputs/fairness.h"
 
 #include <string.h>
 
@@ -33,8 +33,7 @@ static batten_status run(bat_run *run)
         if (!check.ok && check.bounded_count == 0)
             bat_note(run,
                      "the bound %g could not be checked: there is no surface with points, and "
-                     "no curve "
-                     "with points that were not made fair",
+                     "no curve with points that were not made fair",
                      within);
         else if (!check.ok)
             note_distance(run, &check);
@@ -51,32 +50,19 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_check = {
     .shown =
         {"check", "A report: what was done to the data, and how fair the result is",
-         "For each feature that the result is made from: what was moved and how far, "
-         "inflections in\n"
-         "excess and energy before and after, what a skin kept of its sections. For each "
-         "surface:\n"
-         "the distance of the points given, and of those after fairing, from the nearest of "
-         "all\n"
-         "surfaces that are looked at; the fairness of "
-         "its\n"
-         "stations and waterlines, and how far its edges are from the centre plane. Where ends "
-         "of\n"
-         "curves or whole edges of surfaces meet within the tolerance of the design: the gap "
-         "g0, the\n"
-         "angle g1 by which the direction turns, in radians, the difference g2 of the "
-         "curvatures as a\n"
-         "part of the larger one, and for curves the difference g3 of the rates of curvature. "
-         "Of bodies\n"
-         "edges of one face, of two and of more, faces turned against each other, gaps between "
-         "edges,\n"
-         "vertices and faces, loops that cross, shells open or inside out; of meshes edges of "
-         "one\n"
-         "triangle, of more than two, triangles turned against each other. With 'within' gaps "
-         "and edges\n"
-         "off their faces must not be larger, and none of the rest may be there but edges of "
-         "two faces\n"
-         "and the free edges of sheets; so meshes must be closed. As JSON, with all digits, "
-         "when the file\n"
+         "For each feature that the result is made from: what was moved and how far, inflections in\n"
+         "excess and energy before and after, what a skin kept of its sections. For each surface:\n"
+         "the distance of the points given, and of those after fairing, from the nearest of all\n"
+         "surfaces that are looked at; the fairness of its\n"
+         "stations and waterlines, and how far its edges are from the centre plane. Where ends of\n"
+         "curves or whole edges of surfaces meet within the tolerance of the design: the gap g0, the\n"
+         "angle g1 by which the direction turns, in radians, the difference g2 of the curvatures as a\n"
+         "part of the larger one, and for curves the difference g3 of the rates of curvature. Of bodies\n"
+         "edges of one face, of two and of more, faces turned against each other, gaps between edges,\n"
+         "vertices and faces, loops that cross, shells open or inside out; of meshes edges of one\n"
+         "triangle, of more than two, triangles turned against each other. With 'within' gaps and edges\n"
+         "off their faces must not be larger, and none of the rest may be there but edges of two faces\n"
+         "and the free edges of sheets; so meshes must be closed. As JSON, with all digits, when the file\n"
          "ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"

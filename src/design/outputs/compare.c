@@ -1,5 +1,5 @@
-#include "design/document.h"
-#include "design/rows.h"
+#include "design/shared/rows.h"
+#include "design/text/document.h"
 
 #include <batten/inspect.h>
 #include <batten/number.h>
@@ -185,8 +185,9 @@ static void put_table(const bat_run *run, int count, const column *columns, batt
         text, "\nenergy: integral of curvature^2; variation: of (d curvature / ds)^2; in %s\n",
         unit ? unit : "the unit of the design");
     if (infinite)
-        batten_text_add(text, "inf: of a curve with corners both are infinite, of one whose "
-                              "curvature jumps the variation\n");
+        batten_text_add(
+            text,
+            "inf: of a curve with corners both are infinite, of one whose curvature jumps the variation\n");
 }
 
 static void put_number(batten_text *text, const char *key, double value)
@@ -277,14 +278,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_compare = {
     .shown =
         {"compare", "Curves through the same points, side by side",
-         "A picture (.png, .svg, .pdf) with a panel for each feature, all at one scale and "
-         "with one scale\n"
-         "of their combs; or the same numbers as a table (any other ending) or as JSON "
-         "(.json): bending\n"
-         "energy, the variation of curvature, inflections and extrema of curvature, the "
-         "largest curvature,\n"
-         "the length, and how long it took to make the curves. 'batten compare POINTS -o "
-         "PICTURE' does it\n"
+         "A picture (.png, .svg, .pdf) with a panel for each feature, all at one scale and with one scale\n"
+         "of their combs; or the same numbers as a table (any other ending) or as JSON (.json): bending\n"
+         "energy, the variation of curvature, inflections and extrema of curvature, the largest curvature,\n"
+         "the length, and how long it took to make the curves. 'batten compare POINTS -o PICTURE' does it\n"
          "for a file of points and the methods one names.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"

@@ -1,4 +1,4 @@
-#include "design/features/frames.h"
+#include "design/features/take/frames.h"
 #include <batten/text.h>
 
 static const batten_parameter parameters[] = {
@@ -55,15 +55,14 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_frame_table = {
-    .shown = {"frame-table", "A table (CSV): the frames along curves, for machines and robots",
-              "A row for each frame: the number of the curve, parameter and arc length, the "
-              "point, and the\n"
-              "axes x, y and t (the tangent), with all digits. The frames are those of "
-              "'frames'.",
-              "features:\n"
-              "  ducks: {points: [[0, 0, 0], [1 m, 0, 0], [1 m, 1 m, 50 cm], [0, 1 m, 1 m]]}\n"
-              "  pipe: {interpolate: ducks}\n"
-              "outputs:\n"
-              "  pipe.csv: {frame-table: pipe, count: 50}\n",
-              "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), true},
+    .shown =
+        {"frame-table", "A table (CSV): the frames along curves, for machines and robots",
+         "A row for each frame: the number of the curve, parameter and arc length, the point, and the\n"
+         "axes x, y and t (the tangent), with all digits. The frames are those of 'frames'.",
+         "features:\n"
+         "  ducks: {points: [[0, 0, 0], [1 m, 0, 0], [1 m, 1 m, 50 cm], [0, 1 m, 1 m]]}\n"
+         "  pipe: {interpolate: ducks}\n"
+         "outputs:\n"
+         "  pipe.csv: {frame-table: pipe, count: 50}\n",
+         "[WJZL08]", "batten_curve_frames", BAT_PARAMETERS(parameters), true},
     .run = run};

@@ -48,14 +48,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gcode = {
     .shown =
         {"g-code", "A program for a machine that cuts",
-         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve that "
-         "is lines and\n"
-         "arcs exactly is cut so: circles, polylines, what 'fillet', 'join' and 'offset' make "
-         "of them.\n"
-         "Any other must be made of arcs first; 'arcs' does that within a tolerance. An arc "
-         "that is flatter\n"
-         "than half the last decimal is a line. Inches when the design is in inches, else "
-         "millimetres.",
+         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve that is lines and\n"
+         "arcs exactly is cut so: circles, polylines, what 'fillet', 'join' and 'offset' make of them.\n"
+         "Any other must be made of arcs first; 'arcs' does that within a tolerance. An arc that is flatter\n"
+         "than half the last decimal is a line. Inches when the design is in inches, else millimetres.",
          "units: mm\n"
          "features:\n"
          "  frame: {polyline: [[0, 0], [80, 0], [80, 50], [0, 50], [0, 0]]}\n"

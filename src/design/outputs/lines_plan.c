@@ -1,4 +1,4 @@
-#include "design/document.h"
+#include "design/text/document.h"
 
 static const batten_parameter parameters[] = {
     {"lines-plan", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "half a hull, y to the side"},
@@ -94,16 +94,15 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_lines_plan = {
-    .shown = {"lines-plan", "The lines drawing of a hull",
-              "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to "
-              "the side,\n"
-              "z up.",
-              "features:\n"
-              "  offsets: {read: offsets.csv}\n"
-              "  stations: {interpolate: offsets, each: station}\n"
-              "  hull: {skin: stations}\n"
-              "outputs:\n"
-              "  lines.svg: {lines-plan: hull, waterlines: 0.25 m, buttocks: 0.2 m, data: "
-              "offsets}\n",
-              "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true},
+    .shown =
+        {"lines-plan", "The lines drawing of a hull",
+         "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to the side,\n"
+         "z up.",
+         "features:\n"
+         "  offsets: {read: offsets.csv}\n"
+         "  stations: {interpolate: offsets, each: station}\n"
+         "  hull: {skin: stations}\n"
+         "outputs:\n"
+         "  lines.svg: {lines-plan: hull, waterlines: 0.25 m, buttocks: 0.2 m, data: offsets}\n",
+         "", "batten_draw_lines_plan", BAT_PARAMETERS(parameters), true},
     .run = run};

@@ -1,4 +1,4 @@
-#include "design/field.h"
+#include "design/shared/field.h"
 
 typedef enum { SHADING_AUTO, SHADING_FIRST } shading_word;
 typedef enum { CONTOURS_NONE, CONTOURS_FIRST } contours_word;
@@ -153,14 +153,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_picture = {
     .shown =
         {"picture", "A drawing of curves, a shaded picture of surfaces, bodies, meshes",
-         "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; "
-         "surfaces,\n"
-         "bodies and meshes shaded as .png, with dots for points, else as isoparametric lines "
-         "and "
-         "edges; small\n"
+         "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; surfaces,\n"
+         "bodies and meshes shaded as .png, with dots for points, else as isoparametric lines and edges; small\n"
          "meshes with all edges of their triangles unless 'shading' is plain. With 'hidden',\n"
-         "'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in every "
-         "format.",
+         "'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in every format.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -1,5 +1,5 @@
 #include "design/feature.h"
-#include "design/formats.h"
+#include "design/shared/formats.h"
 
 static const batten_parameter parameters[] = {
     {"write", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is written"},
@@ -63,20 +63,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_write = {
     .shown =
         {"write", "A file for other programs",
-         "The ending names the format: .step and .stp, .igs and .iges, .g2; .stl, .obj, .ply "
-         "for "
-         "meshes,\n"
-         "which shapes become within 'chord' and 'angle'; .csv for tables and points; .dxf "
-         "with "
-         "arcs as\n"
-         "bulges, .svg as seen along z at true scale for cutting, .nc for G-code with the "
-         "usual settings "
-         "('g-code' has\n"
+         "The ending names the format: .step and .stp, .igs and .iges, .g2; .stl, .obj, .ply for meshes,\n"
+         "which shapes become within 'chord' and 'angle'; .csv for tables and points; .dxf with arcs as\n"
+         "bulges, .svg as seen along z at true scale for cutting, .nc for G-code with the usual settings ('g-code' has\n"
          "the others). 'batten help formats' lists all, and what they keep.\n"
-         "'hull.step: hull' is short for 'hull.step: {write: hull}'. Not so of .svg, .pdf and "
-         ".png: there\n"
-         "'plan.svg: plan' is a page with a picture, and '{write: plan}' the drawing at true "
-         "scale.",
+         "'hull.step: hull' is short for 'hull.step: {write: hull}'. Not so of .svg, .pdf and .png: there\n"
+         "'plan.svg: plan' is a page with a picture, and '{write: plan}' the drawing at true scale.",
          "features:\n"
          "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
          "outputs:\n"

@@ -1,6 +1,6 @@
 #include "exchange/3mf/3mf.h"
-#include "exchange/definitions.h"
-#include "exchange/palette.h"
+#include "model/definitions.h"
+#include "model/palette.h"
 
 #include <batten/number.h>
 #include <limits.h>
@@ -296,12 +296,13 @@ static batten_status put_definition(writing *w, int definition)
 static batten_status put_model(writing *w, const batten_model *model)
 {
     const char *unit = unit_of(w, batten_model_unit_metres(model));
-    batten_text_add(&w->xml,
-                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"%s\" "
-                    "xml:lang=\"en-US\" "
-                    "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-                    "<metadata name=\"Application\">Batten</metadata>\n<resources>\n",
-                    unit);
+    batten_text_add(
+        &w->xml,
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<model unit=\"%s\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+        "<metadata name=\"Application\">Batten</metadata>\n"
+        "<resources>\n",
+        unit);
     batten_status status = put_colours(w);
     w->next = FIRST_OBJECT;
     for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
@@ -317,17 +318,14 @@ static batten_status put_model(writing *w, const batten_model *model)
 static const char content_types[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
-    "<Default Extension=\"rels\" "
-    "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
-    "<Default Extension=\"model\" "
-    "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
+    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
     "</Types>\n";
 
 static const char relations[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
-    "<Relationship Id=\"rel0\" Target=\"/3D/3dmodel.model\" "
-    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
+    "<Relationship Id=\"rel0\" Target=\"/3D/3dmodel.model\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
     "</Relationships>\n";
 
 static batten_status make_room(writing *w)

@@ -1,5 +1,5 @@
 #include "exchange/dxf/round.h"
-#include "body/elementary.h"
+#include "body/elementary/elementary.h"
 #include "exchange/dxf/dxf.h"
 #include "numeric/vector.h"
 

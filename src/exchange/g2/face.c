@@ -1,5 +1,5 @@
 /* Bounded surfaces of .g2 files: a surface and loops of curves on it, as one face. */
-#include "body/lift.h"
+#include "body/trace/lift.h"
 #include "exchange/g2/g2.h"
 
 #include <string.h>

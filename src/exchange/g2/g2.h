@@ -5,7 +5,7 @@
 #ifndef BAT_G2_H
 #define BAT_G2_H
 #include "body/builder.h"
-#include "body/elementary.h"
+#include "body/elementary/elementary.h"
 #include "exchange/census.h"
 #include "exchange/words.h"
 #include <batten/text.h>

@@ -1,6 +1,6 @@
 /* The tolerance of the loops of a face that is written: bodies say one for all, which some
  * faces do not keep; alone in a file a face has to say its own. */
-#include "body/chart.h"
+#include "body/trace/chart.h"
 #include "exchange/g2/g2.h"
 #include "numeric/box.h"
 #include "numeric/vector.h"

@@ -1,8 +1,8 @@
 #include "exchange/bytes.h"
-#include "exchange/definitions.h"
 #include "exchange/facets.h"
 #include "exchange/gltf/gltf.h"
-#include "exchange/palette.h"
+#include "model/definitions.h"
+#include "model/palette.h"
 
 #include <batten/number.h>
 #include <float.h>

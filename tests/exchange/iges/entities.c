@@ -1,4 +1,4 @@
-#include "exchange/iges/reading.h"
+#include "exchange/iges/read/reading.h"
 #include "exchange/iges/text.h"
 
 #include <batten/inspect.h>

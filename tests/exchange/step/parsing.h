@@ -2,7 +2,7 @@
 #ifndef TESTS_EXCHANGE_STEP_PARSING_H
 #define TESTS_EXCHANGE_STEP_PARSING_H
 #include "exchange/reading.h"
-#include "exchange/step/instances.h"
+#include "exchange/step/text/instances.h"
 
 #define STEP_HEAD                                                           \
     "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"               \

@@ -1,0 +1,113 @@
+#include "commands/single.h"
+#include "formats.h"
+
+#include <string.h>
+#include <strings.h>
+
+static const option options[] = {
+    {"within", 0, OPTION_VALUE, "TOL",
+     "how far data points may lie from the shape, and edges of bodies from faces, as 2 mm"},
+    FROM_FORMAT_OPTION,
+    {"unit", 0, OPTION_VALUE, "UNIT", "the unit in which to work (that of the file, else m)"},
+    {"allow-outside", 0, OPTION_FLAG, NULL, "paths in the design may leave its folder"},
+    {"json", 0, OPTION_FLAG, NULL, "print JSON"},
+    {"quiet", 'q', OPTION_FLAG, NULL, "no progress, no remarks"},
+};
+
+static bool ends_in(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), tail = strlen(ending);
+    return length >= tail && strcasecmp(name + length - tail, ending) == 0;
+}
+
+/* Print one check of a design; EXIT_FAILED when its bound is not met. */
+static int print_check(batten_design *design, int index, batten_notes *notes)
+{
+    char *data = NULL;
+    size_t size = 0;
+    const batten_status status =
+        batten_design_output(design, index, job_get(), notes, &data, &size);
+    if (status != BATTEN_OK)
+        return output_failed("check", status);
+    int exit = output_save("-", data, size);
+    if (exit == EXIT_DONE && !batten_design_output_holds(design, index))
+        exit = EXIT_FAILED;
+    batten_release(data);
+    return exit;
+}
+
+/* The checks that the design itself asks for; with --json those that go to .json files. */
+static int check_design(batten_design *design, bool json, batten_notes *notes)
+{
+    int exit = EXIT_DONE, found = 0;
+    for (int i = 0; i < batten_design_output_count(design); i++) {
+        if (strcmp(batten_design_output_operation(design, i), "check") != 0 ||
+            ends_in(batten_design_output_name(design, i), ".json") != json)
+            continue;
+        const int printed = print_check(design, i, notes);
+        exit = exit == EXIT_DONE ? printed : exit;
+        found++;
+    }
+    if (found)
+        return exit;
+    complain("batten check: the design has no output such as 'report.%s: {check: FEATURE}'",
+             json ? "json" : "txt");
+    return EXIT_FAILED;
+}
+
+static int run_design(const arguments *given)
+{
+    static const char *const of_files[] = {"within", "unit", "from-format"};
+    for (int i = 0; i < 3; i++)
+        if (arguments_has(given, of_files[i])) {
+            complain("batten check: --%s is for files of shapes; '%s' is a design, which says "
+                     "so itself",
+                     of_files[i], given->files[0]);
+            return EXIT_USAGE;
+        }
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    if (batten_notes_create(1000, &notes) != BATTEN_OK)
+        return output_failed("check", BATTEN_OUT_OF_MEMORY);
+    const batten_status status = batten_design_open(
+        given->files[0], arguments_has(given, "allow-outside"), notes, &design);
+    int exit = EXIT_FAILED;
+    if (status == BATTEN_OK)
+        exit = check_design(design, arguments_has(given, "json"), notes);
+    exit == EXIT_FAILED ? failed_show(notes) : notes_show(notes);
+    if (status != BATTEN_OK)
+        exit = output_failed("check", status);
+    batten_design_free(design);
+    batten_notes_free(notes);
+    return exit;
+}
+
+static int run(const arguments *given)
+{
+    if (ends_in(given->files[0], ".yaml") || ends_in(given->files[0], ".yml"))
+        return run_design(given);
+    const single s = {
+        .command = "check",
+        .output = "-",
+        .output_ending = arguments_has(given, "json") ? "check.json" : "check.txt",
+        .output_operation = "check",
+    };
+    return single_run(&s, given);
+}
+
+const command command_check = {
+    .name = "check",
+    .usage = "IN [--within TOL] [--json]",
+    .summary = "how fair a shape is, and how far from its data; status 1 when a bound fails",
+    .manual =
+        "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own checks are\n"
+        "then made. Of bodies gaps, loose edges, faces turned against each other and shells turned inside\n"
+        "out are told, of meshes edges at the rim, triangles turned against each other, edges of more\n"
+        "than two; with --within the status is 1 when there are any, of bodies beyond it.",
+    .least_files = 1,
+    .most_files = 1,
+    .option_count = sizeof options / sizeof options[0],
+    .options = options,
+    .feature = "check",
+    .run = run,
+};

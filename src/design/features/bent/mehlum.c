@@ -1,0 +1,53 @@
+#include "design/shared/nonlinear.h"
+
+static const batten_parameter parameters[] = {
+    {"mehlum", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    {"arcs", BATTEN_VALUE_COUNT, false, false, "4", NULL, "in each span, 2 or more"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
+     "more arcs where they are farther than this from the elastica; 0: as many everywhere"},
+    BAT_EACH,
+    BAT_NONLINEAR_ENDS,
+    BAT_CLOSED,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_mehlum_options options = batten_mehlum_defaults();
+    batten_mehlum_report report;
+    options.closed = bat_yes(run, "closed");
+    options.arcs = bat_count(run, "arcs");
+    options.tolerance = bat_number(run, "within");
+    options.start = bat_nonlinear_end_of(run, true, &options.start_value);
+    options.end = bat_nonlinear_end_of(run, false, &options.end_value);
+    const batten_status status = batten_chain_mehlum(data->count, data->points, &options, NULL,
+                                                     made->parameters, &report, &made->chain);
+    if (status == BATTEN_OK)
+        bat_remark(run,
+                   "'%s': %d arcs, %g from the elastica at most; curvature steps by up to %g",
+                   data->name, report.arcs, report.deviation, report.jump);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_PLANE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_mehlum = {
+    .shown =
+        {"mehlum", "The mechanical spline as a chain of arcs, as KURGLA and AUTOKON had it",
+         "For machines and drawings that know arcs alone, and the shape of a batten all the same:\n"
+         "each span of the elastica through the points becomes a few arcs of equal length, tangent\n"
+         "to one another, whose curvatures go in steps as that of the batten does. Points and\n"
+         "directions at them are those of the elastica; with twice as many arcs the chain is eight\n"
+         "times as near. 'within' takes as many arcs as that distance needs. How near it is, and\n"
+         "by how much curvature steps, is noted. It exists where 'elastica' does. For the fewest\n"
+         "arcs near any curve use 'arcs'.\n"
+         "What holds at the ends is said as for 'elastica'.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
+         "  frame: {mehlum: ducks, within: 1 mm}\n",
+         "[Mehlum64]", "batten_chain_mehlum", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,42 @@
+#include "design/features/bent/energy.h"
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"minimum-energy", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_ENERGY_PARAMETERS,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_energy_options options = batten_energy_defaults();
+    options.energy = strcmp(run->feature->name, "minimum-energy") == 0
+                         ? BATTEN_ENERGY_BENDING
+                         : BATTEN_ENERGY_VARIATION;
+    options.closed = bat_yes(run, "closed");
+    options.tension = bat_number(run, "tension");
+    options.scale_invariant = bat_yes(run, "scale-invariant");
+    options.pieces = bat_count(run, "pieces");
+    return batten_curve_minimum_energy(data->dimension, data->count, data->points, &options,
+                                       made->parameters, NULL, &made->curve);
+}
+
+batten_status bat_least_energy(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_minimum_energy = {
+    .shown =
+        {"minimum-energy", "The curve that bends least, in the plane or in space",
+         "Quintics with continuous curvature whose integral of curvature squared is the least near the elastica\n"
+         "or the cubic spline through the points. In the plane 'elastica' is the same curve exactly; this one also knows\n"
+         "space and tension. Where a curve could bend less and less by growing, no least exists: the feature\n"
+         "then fails, and some 'tension' helps.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
+         "  strip: {minimum-energy: ducks}\n",
+         "[Horn83], [MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false},
+    .run = bat_least_energy};

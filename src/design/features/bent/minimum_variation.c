@@ -1,0 +1,20 @@
+#include "design/features/bent/energy.h"
+
+static const batten_parameter parameters[] = {
+    {"minimum-variation", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_ENERGY_PARAMETERS,
+};
+
+const bat_feature bat_feature_minimum_variation = {
+    .shown =
+        {"minimum-variation", "The curve whose curvature varies least",
+         "Quintics with continuous curvature; the integral of the square of the rate of curvature is the\n"
+         "least near Spiro's curve through the points. Points on a circle give the circle to a few parts in\n"
+         "a thousand million; ends are free, so they curl with the curvature that suits the rest. In space the turning of\n"
+         "the normal counts as well.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 10 cm]]}\n"
+         "  strip: {minimum-variation: ducks}\n",
+         "[MS92]", "batten_curve_minimum_energy", BAT_PARAMETERS(parameters), false},
+    .run = bat_least_energy};

@@ -1,0 +1,305 @@
+#include "base/plural.h"
+#include "design/shared/rows.h"
+
+#include <string.h>
+
+/* So many points that look like blunders are named one by one. */
+#define MOST_SUSPECTS 10
+
+/* Of fewer points there is nothing to fair: their curve stays as it is. */
+#define FEWEST_POINTS 4
+
+static const batten_parameter parameters[] = {
+    {"fair", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, points, or curves that have points"},
+    {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
+     "no point moves farther than this"},
+    {"families", BATTEN_VALUE_WORD, false, false, "both", "stations lines both",
+     "of a table: what is made fair"},
+    {"order", BATTEN_VALUE_WORD, false, false, "sweeps", "worst-first sweeps alternate",
+     "which duck is released next"},
+    {"corner-angle", BATTEN_VALUE_ANGLE, false, false, "25 deg", NULL,
+     "of a table: a station that turns by so much more than beside has a corner, which stays"},
+    {"hold-ends", BATTEN_VALUE_YES_NO, false, false, "yes", NULL, "the end points stay"},
+    {"stop-when-fair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "stop as soon as no inflection is in excess"},
+};
+
+static batten_fair_options options_of(const bat_run *run)
+{
+    batten_fair_options options = batten_fair_defaults(bat_number(run, "within"));
+    options.order = (batten_fair_order)bat_word(run, "order");
+    options.corner_angle = bat_number(run, "corner-angle");
+    options.hold_ends = bat_yes(run, "hold-ends");
+    options.stop_when_fair = bat_yes(run, "stop-when-fair");
+    return options;
+}
+
+/* ---- one report for a family of curves ---- */
+
+static void add_fairness(batten_fairness *sum, const batten_fairness *one, bool first)
+{
+    sum->inflections += one->inflections;
+    sum->excess_inflections += one->excess_inflections;
+    sum->curvature_extrema += one->curvature_extrema;
+    sum->jumps += one->jumps;
+    sum->energy += one->energy;
+    sum->variation += one->variation;
+    sum->max_curvature = bat_max(sum->max_curvature, one->max_curvature);
+    sum->fair = one->fair && (first || sum->fair);
+    sum->corners += one->corners;
+    sum->curvature_jumps += one->curvature_jumps;
+}
+
+static batten_status append_moves(batten_fair_move **all, int *count,
+                                  const batten_fair_move *more, int more_count, int set)
+{
+    if (more_count == 0)
+        return BATTEN_OK;
+    batten_fair_move *grown = bat_resize(*all, (size_t)(*count + more_count), sizeof *grown);
+    if (!grown)
+        return BATTEN_OUT_OF_MEMORY;
+    *all = grown;
+    for (int i = 0; i < more_count; i++) {
+        grown[*count] = more[i];
+        grown[(*count)++].set = set;
+    }
+    return BATTEN_OK;
+}
+
+/* rms_move of the sum holds the sum of squares until the end. */
+static batten_status add_report(batten_fair_report *sum, const batten_fair_report *one, int set,
+                                int point_count)
+{
+    add_fairness(&sum->before, &one->before, set == 0);
+    add_fairness(&sum->after, &one->after, set == 0);
+    if (one->max_move > sum->max_move) {
+        sum->max_move = one->max_move;
+        sum->worst_set = set;
+        sum->worst_index = one->worst_index;
+    }
+    sum->rms_move += one->rms_move * one->rms_move * point_count;
+    sum->moved_count += one->moved_count;
+    batten_status status =
+        append_moves(&sum->moves, &sum->move_count, one->moves, one->move_count, set);
+    if (status == BATTEN_OK)
+        status = append_moves(&sum->suspects, &sum->suspect_count, one->suspects,
+                              one->suspect_count, set);
+    return status;
+}
+
+/* ---- one curve ---- */
+
+/* Moves of a curve in a plane, in space. */
+static void lift_moves(int axis, double height, batten_fair_move *moves, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const double from[2] = {moves[i].from[0], moves[i].from[1]};
+        const double to[2] = {moves[i].to[0], moves[i].to[1]};
+        bat_points_from_plane(axis, 1, from, moves[i].from);
+        bat_points_from_plane(axis, 1, to, moves[i].to);
+        moves[i].from[axis] = moves[i].to[axis] = height;
+    }
+}
+
+static batten_status fair_points(const bat_run *run, const batten_object *object,
+                                 double *faired, batten_fair_report *report)
+{
+    const int count = object->point_count, axis = bat_flat_axis(count, object->points);
+    const int dimension = axis < 0 ? 3 : 2;
+    const batten_fair_options options = options_of(run);
+    double *given = bat_points_in_plane(axis, count, object->points);
+    double *moved = bat_array3((size_t)count, (size_t)dimension, sizeof *moved);
+    batten_status status = given && moved ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_fair_points(dimension, count, given, object->parameters, &options,
+                                    run->job, moved, report);
+    if (status == BATTEN_OK) {
+        memcpy(faired, object->points, 3 * (size_t)count * sizeof *faired);
+        bat_points_from_plane(axis, count, moved, faired);
+    }
+    if (status == BATTEN_OK && axis >= 0) {
+        lift_moves(axis, object->points[axis], report->moves, report->move_count);
+        lift_moves(axis, object->points[axis], report->suspects, report->suspect_count);
+    }
+    bat_release(moved);
+    bat_release(given);
+    return status;
+}
+
+/* The curve through the new points at the old parameters. */
+static batten_status fit_again(const bat_run *run, const batten_object *object,
+                               const double *points, batten_curve **out)
+{
+    batten_interpolate_options options = run->result->fit;
+    const int count = object->point_count;
+    const bool periodic = batten_curve_is_periodic(object->curve);
+    double *given = NULL;
+    options.degree = batten_curve_degree(object->curve);
+    options.periodic = periodic;
+    if (object->parameters) {
+        given = bat_array((size_t)count + 1, sizeof *given);
+        if (!given)
+            return BATTEN_OUT_OF_MEMORY;
+        memcpy(given, object->parameters, (size_t)count * sizeof *given);
+        given[count] = batten_curve_domain(object->curve).b;
+        options.parameters = BATTEN_GIVEN;
+        options.given = given;
+    }
+    const batten_status status =
+        batten_curve_interpolate(3, count, points, &options, NULL, out);
+    bat_release(given);
+    return status;
+}
+
+static batten_status fair_curve(bat_run *run, const batten_object *object, int set)
+{
+    batten_fair_report report = {0};
+    batten_curve *curve = NULL;
+    const int count = object->point_count;
+    if (count < FEWEST_POINTS)
+        return batten_model_add(run->model, object);
+    batten_object made = *object;
+    double *faired = bat_array3((size_t)count, 3, sizeof *faired);
+    batten_status status =
+        faired ? fair_points(run, object, faired, &report) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = add_report(&run->result->fairing, &report, set, count);
+    if (status == BATTEN_OK)
+        status = fit_again(run, object, faired, &curve);
+    made.points = faired;
+    status = bat_put_curve_like(run, status, curve, &made, true);
+    batten_fair_report_release(&report);
+    bat_release(faired);
+    return status;
+}
+
+/* Points alone: those of the curve through them, which is made first. */
+static batten_status fair_row(bat_run *run, const batten_object *object, int set)
+{
+    const int count = object->point_count;
+    batten_object through = *object;
+    batten_curve *curve = NULL;
+    if (count < 2)
+        return batten_model_add(run->model, object);
+    double *parameters_of = bat_array((size_t)count, sizeof *parameters_of);
+    batten_status status = parameters_of ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_interpolate(3, count, object->points, &run->result->fit,
+                                          parameters_of, &curve);
+    through.kind = BATTEN_OBJECT_CURVE;
+    through.curve = curve;
+    through.parameters = parameters_of;
+    if (status == BATTEN_OK)
+        status = fair_curve(run, &through, set);
+    else if (status != BATTEN_OUT_OF_MEMORY)
+        status = bat_fail(status, "%s: %s", object->name, batten_message());
+    bat_release(parameters_of);
+    batten_curve_unref(curve);
+    return status;
+}
+
+/* ---- the whole input ---- */
+
+/* The options with which an input was interpolated, or the standard ones. */
+static void inherit_fit(bat_run *run)
+{
+    const bat_result *from = &run->results[bat_argument_of(run, "fair")->items[0].count];
+    run->result->fit = from->has_fit ? from->fit : batten_interpolate_defaults();
+    run->result->has_fit = true;
+}
+
+static batten_status fair_curves(bat_run *run, const bat_objects *curves)
+{
+    batten_fair_report *report = &run->result->fairing;
+    batten_status status = BATTEN_OK;
+    int point_count = 0;
+    for (int i = 0; i < curves->count && status == BATTEN_OK; i++) {
+        const batten_object *object = curves->at[i];
+        point_count += object->point_count;
+        if (object->kind == BATTEN_OBJECT_POINTS)
+            status = fair_row(run, object, i);
+        else if (object->kind != BATTEN_OBJECT_CURVE || object->point_count == 0)
+            status =
+                bat_fail(BATTEN_BAD_ARGUMENT,
+                         "'%s' is a %s without the points it was made from, and fairing "
+                         "moves points: make those fair, or points of it that 'divide' "
+                         "takes",
+                         object->name, object->kind == BATTEN_OBJECT_CURVE ? "curve" : "shape");
+        else
+            status = fair_curve(run, object, i);
+    }
+    report->rms_move = point_count ? sqrt(report->rms_move / point_count) : 0;
+    return status;
+}
+
+static batten_status fair_table(bat_run *run, const batten_object *object)
+{
+    const batten_fair_options options = options_of(run);
+    const batten_fair_families families = (batten_fair_families)(bat_word(run, "families") + 1);
+    batten_object made = *object;
+    batten_offsets *faired = NULL;
+    batten_status status = batten_fair_offsets(object->offsets, families, &options, run->job,
+                                               &run->result->fairing, &faired);
+    made.offsets = faired;
+    if (status == BATTEN_OK)
+        status = batten_model_add(run->model, &made);
+    batten_offsets_unref(faired);
+    return status;
+}
+
+static void show_report(bat_run *run)
+{
+    batten_feature_result *shown = &run->result->shown;
+    const batten_fair_report *report = &run->result->fairing;
+    shown->has_moves = true;
+    shown->move_max = report->max_move;
+    shown->moved_count = report->moved_count;
+    for (int i = 0; i < report->suspect_count && i < MOST_SUSPECTS; i++) {
+        const batten_fair_move *s = &report->suspects[i];
+        bat_note(
+            run,
+            "point %d of curve %d, (%g, %g, %g), looks like a blunder; (%g, %g, %g) would fit",
+            s->index + 1, s->set + 1, s->from[0], s->from[1], s->from[2], s->to[0], s->to[1],
+            s->to[2]);
+    }
+    if (report->suspect_count > MOST_SUSPECTS)
+        bat_note(run, "%d more point%s %s like blunders", report->suspect_count - MOST_SUSPECTS,
+                 bat_plural(report->suspect_count - MOST_SUSPECTS),
+                 bat_one_or_many(report->suspect_count - MOST_SUSPECTS, "looks", "look"));
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects objects;
+    batten_status status = bat_gather(run, "fair", BAT_ALL, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    inherit_fit(run);
+    if (objects.at[0]->kind != BATTEN_OBJECT_OFFSETS)
+        status = fair_curves(run, &objects);
+    else if (objects.count == 1)
+        status = fair_table(run, objects.at[0]);
+    else
+        status = bat_fail(BATTEN_BAD_ARGUMENT,
+                          "one table of offsets is made fair at a time, not %d", objects.count);
+    if (status == BATTEN_OK)
+        show_report(run);
+    bat_objects_release(&objects);
+    return status;
+}
+
+const bat_feature bat_feature_fair = {
+    .shown =
+        {"fair", "Points moved within a bound until their curves are fair",
+         "Each duck in turn is released and the batten takes its place between the others, but no\n"
+         "point moves farther than 'within' from where it was given. A table of offsets stays a\n"
+         "table; curves are interpolated anew through the moved points, with the parameters and\n"
+         "ends they had; points alone get a curve as 'interpolate' makes it. Curves of IGES and STEP\n"
+         "files have no points to move. Points that look like blunders are reported, not repaired.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
+         "  sheer: {interpolate: ducks}\n"
+         "  faired: {fair: sheer, within: 1 cm}\n",
+         "[SL]", "batten_fair_points", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,134 @@
+#include "design/feature.h"
+
+#include <batten/curve_offset.h>
+#include <batten/surface_offset.h>
+#include <stdio.h>
+
+typedef enum { LEFT, RIGHT } side;
+typedef enum { REFUSE, KEEP } turned;
+
+static const batten_parameter parameters[] = {
+    {"offset", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves and surfaces"},
+    {"by", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
+     "the distance; negative: to the other side"},
+    {"side", BATTEN_VALUE_WORD, false, false, "left", "left right both",
+     "seen along the curve with the normal up; of a surface left is to its normal"},
+    {"corners", BATTEN_VALUE_WORD, false, false, "round", "round mitre square",
+     "what goes around the outside of a corner"},
+    {"mitre-limit", BATTEN_VALUE_NUMBER, false, false, "4", NULL,
+     "longer mitres, as multiples of the distance, become square"},
+    {"loops", BATTEN_VALUE_WORD, false, false, "remove", "remove keep",
+     "what comes nearer to the curve than the distance"},
+    {"normal", BATTEN_VALUE_POINT, false, false, "z", NULL, "across the plane of the offset"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "how far from the true offset; a tenth of the tolerance of the design by default"},
+    {"turned", BATTEN_VALUE_WORD, false, false, "refuse", "refuse keep",
+     "surfaces: what turns over, the distance being more than a radius of curvature"},
+};
+
+static batten_offset_options options_of(const bat_run *run)
+{
+    batten_offset_options options = batten_offset_defaults();
+    options.tolerance =
+        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10;
+    options.corners = (batten_offset_corner)bat_word(run, "corners");
+    options.mitre_limit = bat_number(run, "mitre-limit");
+    options.loops = (batten_loops)bat_word(run, "loops");
+    options.normal = bat_point(run, "normal");
+    return options;
+}
+
+static batten_status put_all(bat_run *run, const batten_object *object,
+                             const batten_curves *made)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < made->count && status == BATTEN_OK; i++) {
+        batten_object like = *object;
+        char name[220];
+        snprintf(name, sizeof name, "%.200s %d", object->name, i + 1);
+        if (made->count > 1)
+            like.name = name;
+        status = bat_put_curve_like(run, status, batten_curve_ref(made->at[i]), &like, false);
+    }
+    return status;
+}
+
+static batten_status offset_surface(bat_run *run, const batten_object *object, double distance)
+{
+    batten_surface_offset_options options = batten_surface_offset_defaults();
+    batten_surface_offset_report report;
+    batten_surface *made = NULL;
+    options.tolerance = options_of(run).tolerance;
+    options.keep = bat_word(run, "turned") == KEEP;
+    const batten_status status =
+        batten_surface_offset(object->surface, distance, &options, &report, &made);
+    if (status != BATTEN_OK)
+        return bat_fail(status, "%s: %s", object->name, batten_message());
+    bat_remark(run, "%s: curvatures from %.4g to %.4g; the offset is %s", object->name,
+               report.least, report.most, report.exact ? "exact" : "within the tolerance");
+    if (report.factor <= 0)
+        bat_note(run, "%s: the offset turns over, most at (%.4g, %.4g)", object->name,
+                 report.at[0], report.at[1]);
+    bat_report_error(run, report.error, report.error);
+    return bat_put_surface_like(run, status, made, object);
+}
+
+static batten_status offset_object(bat_run *run, const batten_object *object, double distance)
+{
+    if (object->kind == BATTEN_OBJECT_SURFACE)
+        return offset_surface(run, object, distance);
+    const batten_offset_options options = options_of(run);
+    batten_offset_report report;
+    batten_curves made = {0, NULL};
+    const int flat = batten_curve_dimension(object->curve) == 1;
+    batten_status status =
+        flat ? bat_fail(BATTEN_UNSUPPORTED, "'%s' is a function", object->name)
+             : batten_curve_offset(object->curve, distance, &options, &report, &made);
+    if (status != BATTEN_OK)
+        return bat_fail(status, "%s: %s", object->name, batten_message());
+    bat_report_error(run, report.error, report.error);
+    if (made.count == 0)
+        bat_note(run, "'%s' has nothing as far inside as %g", object->name, fabs(distance));
+    status = put_all(run, object, &made);
+    batten_curves_release(&made);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects objects;
+    batten_status status = bat_gather(run, "offset", BAT_CURVES | BAT_SURFACES, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    const double by = bat_number(run, "by");
+    const int where = bat_word(run, "side");
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++) {
+        if (where != RIGHT)
+            status = offset_object(run, objects.at[i], by);
+        if (status == BATTEN_OK && where != LEFT)
+            status = offset_object(run, objects.at[i], -by);
+    }
+    bat_objects_release(&objects);
+    return status;
+}
+
+const bat_feature bat_feature_offset = {
+    .shown =
+        {"offset", "Curves and surfaces at a distance from others",
+         "Each point goes by the distance across the curve, in the plane across 'normal'. Lines and\n"
+         "arcs give lines and arcs, which DXF and G-code then have as such; other curves are followed\n"
+         "'within' a tolerance by pieces of degree 5, with cusps where the radius of the curve equals the\n"
+         "distance. What then comes nearer to the curve than the distance is removed, so a narrow curve\n"
+         "may fall into several or nothing; 'loops: keep' leaves all in one piece. Where several curves\n"
+         "are offset each minds itself only.\n"
+         "Surfaces go by the distance along their normals. Spheres, cylinders, cones, tori and what else\n"
+         "allows it stay exactly such, with the same knots; others are met 'within'. An offset beyond a\n"
+         "radius of curvature turns over; it is refused, and the place named, unless 'turned: keep'.\n"
+         "A surface with a crease must be split there first.",
+         "features:\n"
+         "  corners: {points: [[0, 0], [4 m, 0], [4 m, 3 m], [0, 3 m]]}\n"
+         "  floor: {interpolate: corners, periodic: yes}\n"
+         "  walls: {offset: floor, by: 0.3 m, side: both}\n",
+         "[TH84], [PM02]", "batten_curve_offset, batten_surface_offset",
+         BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,41 @@
+#include "design/shared/through.h"
+
+#include <batten/polygon.h>
+
+static const batten_parameter parameters[] = {
+    {"b-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "the polygon: a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "of the curve"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "clamped", "clamped free phantom repeated closed",
+     "how the curve ends at the polygon"},
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    made->has_parameters = false;
+    return batten_curve_uniform(data->dimension, bat_count(run, "degree"), data->count,
+                                data->points, NULL, (batten_polygon_end)bat_word(run, "ends"),
+                                &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_b_spline = {
+    .shown =
+        {"b-spline", "The uniform B-spline of a polygon",
+         "A smooth curve near a polygon: every corner moves the curve only beside it. Ends: 'clamped' begins\n"
+         "at the first corner along the first edge; 'free' begins inside the polygon, as Coons' segments do;\n"
+         "'phantom' (degree 3) begins at the first corner without curvature, by prolonging the first edge;\n"
+         "'repeated' begins straight, by repeating the end corners; 'closed' goes around. Two equal corners\n"
+         "draw the curve near, as many as the degree make it a corner of the curve.",
+         "features:\n"
+         "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0], [6, 1]]}\n"
+         "  hood: {b-spline: corners, ends: phantom}\n",
+         "[Coons74], [Riesenfeld73]", "batten_curve_uniform", BAT_PARAMETERS(parameters),
+         false},
+    .run = run};

@@ -1,0 +1,44 @@
+#include "design/shared/grid.h"
+
+#include <batten/tensor.h>
+
+static const batten_parameter parameters[] = {
+    {"b-spline-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "the net: rows of points, each with as many"},
+    {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "along the rows"},
+    {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
+    {"ends-u", BATTEN_VALUE_WORD, false, false, "clamped",
+     "clamped free phantom repeated closed", "how the surface ends at the ends of the rows"},
+    {"ends-v", BATTEN_VALUE_WORD, false, false, "clamped",
+     "clamped free phantom repeated closed", "how it ends at the first and the last row"},
+};
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    return batten_surface_uniform(3, grid->count_u, grid->count_v, grid->points,
+                                  bat_count(run, "degree-u"), bat_count(run, "degree-v"),
+                                  (batten_polygon_end)bat_word(run, "ends-u"),
+                                  (batten_polygon_end)bat_word(run, "ends-v"), surface);
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "b-spline-surface", make);
+}
+
+const bat_feature bat_feature_b_spline_surface = {
+    .shown =
+        {"b-spline-surface", "The uniform B-spline surface of a net",
+         "A smooth surface near a net: every point moves it only nearby. The ends are those of 'b-spline'.\n"
+         "Rows or columns that stand twice draw the surface near, as often as the degree make a knuckle.",
+         "features:\n"
+         "  net:\n"
+         "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0],\n"
+         "             [0, 1, 1], [1, 1, 2], [2, 1, 2], [3, 1, 1],\n"
+         "             [0, 2, 1], [1, 2, 2], [2, 2, 2], [3, 2, 1],\n"
+         "             [0, 3, 0], [1, 3, 1], [2, 3, 1], [3, 3, 0]]\n"
+         "    columns: 4\n"
+         "  hood: {b-spline-surface: net, ends-v: free}\n",
+         "[Coons74], [Riesenfeld73]", "batten_surface_uniform", BAT_PARAMETERS(parameters),
+         false},
+    .run = run};

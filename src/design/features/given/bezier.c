@@ -1,0 +1,59 @@
+#include "base/plural.h"
+#include "design/shared/through.h"
+
+#include <batten/polygon.h>
+
+enum { POINTS, EDGES };
+
+static const batten_parameter parameters[] = {
+    {"bezier", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "the polygon: a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    {"given", BATTEN_VALUE_WORD, false, false, "points", "points edges",
+     "the corners of the polygon; or its first corner and then its edges, as in UNISURF"},
+    {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "of the corners: a rational curve"},
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    const bat_argument *given = bat_argument_of(run, "weights");
+    double weights[BATTEN_MAX_DEGREE + 1];
+    const int n = data->count;
+    made->has_parameters = false;
+    if (n > BATTEN_MAX_DEGREE + 1)
+        return bat_fail(BATTEN_BAD_DEGREE,
+                        "a polygon of %d corners gives degree %d; the highest is %d, and "
+                        "'b-spline' takes polygons of any length",
+                        n, n - 1, BATTEN_MAX_DEGREE);
+    if (bat_word(run, "given") == EDGES)
+        return batten_curve_from_edges(data->dimension, n - 1, data->points,
+                                       data->points + data->dimension, &made->curve);
+    if (given->count && given->count != n)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weight%s for %d corner%s", given->count,
+                        bat_plural(given->count), n, bat_plural(n));
+    for (int i = 0; i < given->count; i++)
+        weights[i] = given->items[i].number[0];
+    return batten_curve_bezier(data->dimension, n - 1, data->points,
+                               given->count ? weights : NULL, &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_bezier = {
+    .shown =
+        {"bezier", "The Bezier curve of a polygon",
+         "One polynomial whose degree is one less than the number of corners, up to 25. It begins and ends\n"
+         "with the polygon, along its first and last edge, and lies within its hull; every corner moves all\n"
+         "of it. Values of a function at even steps as heights give Bernstein's approximation of it. With\n"
+         "'edges' the first point is the start and the others are the edges of the polygon: the form of\n"
+         "UNISURF.",
+         "features:\n"
+         "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0]]}\n"
+         "  hood: {bezier: corners}\n",
+         "[Bezier74], [Farin02]", "batten_curve_bezier", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,69 @@
+#include "base/plural.h"
+#include "design/shared/grid.h"
+
+static const batten_parameter parameters[] = {
+    {"bezier-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "the net: rows of points, each with as many"},
+    {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "of the points, row by row: a rational surface"},
+};
+
+/* The weights of the net, turned as its points are; NULL when none are given. */
+static batten_status weights_of(const bat_run *run, const bat_grid *grid, double **out)
+{
+    const bat_argument *given = bat_argument_of(run, "weights");
+    const int total = grid->count_u * grid->count_v;
+    if (given->count == 0)
+        return BATTEN_OK;
+    if (given->count != total)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "%d weight%s for %d point%s", given->count,
+                        bat_plural(given->count), total, bat_plural(total));
+    double *weights = bat_array((size_t)total, sizeof *weights);
+    if (!weights)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < grid->count_u; i++)
+        for (int j = 0; j < grid->count_v; j++)
+            weights[i * grid->count_v + j] = given->items[j * grid->count_u + i].number[0];
+    *out = weights;
+    return BATTEN_OK;
+}
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    static const double unit[2] = {0, 1};
+    const int p = grid->count_u - 1, q = grid->count_v - 1;
+    double *weights = NULL;
+    if (bat_max_int(p, q) > BATTEN_MAX_DEGREE || bat_min_int(p, q) < 1)
+        return bat_fail(BATTEN_BAD_DEGREE,
+                        "a net of %d x %d points gives the degrees %d and %d; they must be in "
+                        "1..%d, and 'b-spline-surface' takes nets of any size",
+                        p + 1, q + 1, p, q, BATTEN_MAX_DEGREE);
+    batten_status status = weights_of(run, grid, &weights);
+    if (status == BATTEN_OK)
+        status = batten_surface_from_bezier(3, p, 1, unit, q, 1, unit, grid->points, weights,
+                                            surface);
+    bat_release(weights);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "bezier-surface", make);
+}
+
+const bat_feature bat_feature_bezier_surface = {
+    .shown =
+        {"bezier-surface", "The Bezier surface of a net",
+         "One patch whose degrees are one less than the numbers of points, up to 25. Its edges are the Bezier\n"
+         "curves of the rims of the net, at its corners it touches the net, and it lies within its hull.\n"
+         "'match' joins such patches smoothly, 'part' cuts pieces out, 'elevate' raises degrees.",
+         "features:\n"
+         "  net:\n"
+         "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0],\n"
+         "             [0, 1, 1], [1, 1, 2], [2, 1, 2], [3, 1, 1],\n"
+         "             [0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, 0]]\n"
+         "    columns: 4\n"
+         "  hood: {bezier-surface: net}\n",
+         "[Bezier74], [Farin02]", "batten_surface_from_bezier", BAT_PARAMETERS(parameters),
+         false},
+    .run = run};

@@ -1,0 +1,29 @@
+#include "design/shared/place.h"
+
+static const batten_parameter parameters[] = {
+    {"ellipse", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
+     "the first half axis, along 'from'"},
+    {"b", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the second half axis"},
+    {"start", BATTEN_VALUE_ANGLE, false, false, "0", NULL, "where it begins"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL,
+     "how far it goes, up to 360 deg"},
+    BAT_PLACE,
+};
+
+static batten_status run(bat_run *run)
+{
+    batten_curve *ellipse = NULL;
+    const batten_status status =
+        batten_curve_ellipse(bat_number(run, "ellipse"), bat_number(run, "b"),
+                             bat_number(run, "start"), bat_number(run, "angle"), &ellipse);
+    return bat_place_curve(run, status, ellipse);
+}
+
+const bat_feature bat_feature_ellipse = {
+    .shown =
+        {"ellipse", "An ellipse or a part of one, exactly",
+         "The point at angle t is (a cos t, b sin t) in the plane at right angles to 'axis'.",
+         "features:\n"
+         "  port: {ellipse: 20 cm, b: 12 cm, axis: y}\n",
+         "[PT97]", "batten_curve_ellipse", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,25 @@
+#include "design/shared/place.h"
+
+static const batten_parameter parameters[] = {
+    {"ellipsoid", BATTEN_VALUE_POINT, false, true, NULL, NULL, "the three half axes"},
+    BAT_PLACE,
+};
+
+static batten_status run(bat_run *run)
+{
+    const batten_vec3 axes = bat_point(run, "ellipsoid");
+    batten_frame frame;
+    batten_surface *surface = NULL;
+    batten_status status = bat_frame(run, &frame);
+    if (status == BATTEN_OK)
+        status = batten_surface_ellipsoid(&frame, axes.x, axes.y, axes.z, &surface);
+    return bat_put_surface(run, status, surface);
+}
+
+const bat_feature bat_feature_ellipsoid = {
+    .shown = {"ellipsoid", "An ellipsoid, exactly",
+              "About 'at'; the last half axis lies along 'axis', the first along 'from'.",
+              "features:\n"
+              "  pebble: {ellipsoid: [30 cm, 20 cm, 10 cm]}\n",
+              "[PT97]", "batten_surface_ellipsoid", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,31 @@
+#include "design/shared/place.h"
+
+static const batten_parameter parameters[] = {
+    {"hyperboloid", BATTEN_VALUE_POINT, false, true, NULL, NULL,
+     "the half axes: both of the waist, and how fast it opens"},
+    {"heights", BATTEN_VALUE_RANGE, false, true, NULL, NULL, "from and to, from the waist"},
+    BAT_PLACE,
+};
+
+static batten_status run(bat_run *run)
+{
+    const batten_vec3 axes = bat_point(run, "hyperboloid");
+    const double *heights = bat_argument_of(run, "heights")->items[0].number;
+    batten_frame frame;
+    batten_surface *surface = NULL;
+    batten_status status = bat_frame(run, &frame);
+    if (status == BATTEN_OK)
+        status = batten_surface_hyperboloid(&frame, axes.x, axes.y, axes.z, heights[0],
+                                            heights[1], &surface);
+    return bat_put_surface(run, status, surface);
+}
+
+const bat_feature bat_feature_hyperboloid = {
+    .shown =
+        {"hyperboloid", "A hyperboloid of one sheet, exactly",
+         "x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1, with its waist in 'at' and z along 'axis';\n"
+         "v runs along its straight lines.",
+         "features:\n"
+         "  tower: {hyperboloid: [20 m, 20 m, 30 m], heights: [-60 m, 20 m]}\n",
+         "[PT97]", "batten_surface_hyperboloid", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,72 @@
+#include "base/plural.h"
+#include "design/shared/through.h"
+#include <batten/biarc.h>
+
+static const batten_parameter parameters[] = {
+    {"biarcs", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    {"joint", BATTEN_VALUE_WORD, false, false, "automatic",
+     "automatic equal-chord equal-legs least-ratio least-curvature given",
+     "where the two arcs of a span meet"},
+    {"place", BATTEN_VALUE_NUMBER, false, false, "0.5", NULL,
+     "of 'joint: given', from 0 at the start of a span to 1 at its end"},
+    {"in", BATTEN_VALUE_WORD, false, false, "plane", "plane space",
+     "arcs in the plane of the points, or a curve in space with equal legs"},
+    BAT_CLOSED,
+};
+
+static batten_biarcs_options options_of(const bat_run *run)
+{
+    batten_biarcs_options options = batten_biarcs_defaults();
+    options.joint = (batten_biarc_joint)bat_word(run, "joint");
+    options.place = bat_number(run, "place");
+    options.closed = bat_yes(run, "closed");
+    return options;
+}
+
+static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made)
+{
+    const batten_biarcs_options options = options_of(run);
+    batten_biarcs_report report;
+    const batten_status status = batten_chain_biarcs(data->count, data->points, &options,
+                                                     made->parameters, &report, &made->chain);
+    if (status == BATTEN_OK && report.long_arcs > 0)
+        bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,
+                 report.long_arcs, bat_plural(report.long_arcs));
+    return status;
+}
+
+static batten_status in_space(bat_run *run, const bat_data *data, bat_made *made)
+{
+    const batten_biarcs_options options = options_of(run);
+    return batten_curve_biarcs(data->dimension, data->count, data->points, &options,
+                               made->parameters, &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method plane = {2, BAT_IN_PLANE, in_plane},
+                            space = {2, BAT_IN_SPACE, in_space};
+    return bat_through(run, bat_word(run, "in") == 1 ? &space : &plane);
+}
+
+const bat_feature bat_feature_biarcs = {
+    .shown =
+        {"biarcs", "Two arcs between any two points, with smooth tangents",
+         "For shapes that a machine or a draughtsman makes of arcs: templates, plates, tool\n"
+         "paths. The direction at a point is that of the circle through it and its neighbours;\n"
+         "between two points two arcs meet with a common tangent at the 'joint'. 'equal-chord'\n"
+         "makes the step of curvature least, 'least-ratio' the radii most alike,\n"
+         "'least-curvature' the smaller radius as large as can be, 'equal-legs' the legs of the\n"
+         "control polygon equal. 'automatic' is equal-chord, and least-ratio where equal-chord\n"
+         "would turn both ways between points that turn one way. Points of a circle give the\n"
+         "circle. Curvature has steps at points and joints; a point moves only its two neighbour\n"
+         "spans and theirs. Where the points turn sharply arcs can turn by more than 180 degrees,\n"
+         "which is noted; points that turn back on themselves are refused. In space, 'joint' is not\n"
+         "used, and the arcs lie in different planes.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
+         "  template: {biarcs: ducks, joint: equal-chord}\n",
+         "[Bolton75]", "batten_chain_biarcs", BAT_PARAMETERS(parameters), false},
+    .run = run};

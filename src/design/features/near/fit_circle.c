@@ -1,0 +1,49 @@
+#include "design/features/near/primitive.h"
+
+static const batten_parameter parameters[] = {
+    {"fit-circle", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "points, or a table of offsets"},
+    {"by", BATTEN_VALUE_WORD, false, false, "distances", "distances taubin pratt kasa",
+     "what is made least: the distances, or a formula near to them that needs no rounds"},
+    BAT_WHOLE,
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_fitted_circle circle;
+    batten_primitive_report report = {0};
+    batten_status status =
+        batten_circle_fit(3, data->count, data->points,
+                          (batten_circle_method)bat_word(run, "by"), &circle, &report);
+    if (status == BATTEN_OK) {
+        const bool whole = bat_yes(run, "whole");
+        made->has_parameters = false;
+        bat_remark(run, "'%s': a circle of radius %.9g about [%.9g, %.9g, %.9g]", data->name,
+                   circle.radius, circle.frame.origin.x, circle.frame.origin.y,
+                   circle.frame.origin.z);
+        status = batten_curve_arc_in(&circle.frame, circle.radius, circle.start,
+                                     whole ? 2 * BAT_PI : circle.angle, &made->curve);
+    }
+    return bat_made_primitive(&report, status, made);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {3, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_fit_circle = {
+    .shown =
+        {"fit-circle", "The circle nearest to points, in any plane",
+         "For measured holes, pipes, rims and corner rounds: the points may go all around or lie on a\n"
+         "short arc. In space the plane nearest to them is found first. 'distances' makes the sum of\n"
+         "squared distances least; 'taubin' and 'pratt' come close to it, 'kasa' comes out too small on\n"
+         "short arcs. Radius and centre are noted. With 'whole: no' the arc ends beside the first and\n"
+         "the last point. Points on a straight line have no circle and are refused.",
+         "features:\n"
+         "  marks: {points: [[1 m, 0], [71 cm, 70 cm], [0, 1.01 m], [-70 cm, 71 cm]]}\n"
+         "  rim: {fit-circle: marks}\n",
+         "[Taubin91], [Pratt87]", "batten_circle_fit", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,45 @@
+#include "design/features/near/primitive.h"
+
+static const batten_parameter parameters[] = {
+    {"fit-clothoid", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "points in a plane, in their order along it, or a table of offsets"},
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_span span;
+    batten_primitive_report report = {0};
+    batten_status status =
+        batten_clothoid_fit(data->count, data->points, &span, made->parameters, &report);
+    if (status == BATTEN_OK) {
+        for (int i = 0; i < data->count; i++)
+            made->parameters[i] = bat_max(0, bat_min(span.length, made->parameters[i]));
+        bat_remark(run, "'%s': a clothoid of length %.9g, curvature %.9g to %.9g", data->name,
+                   span.length, span.curvature[0],
+                   span.curvature[0] + span.length * span.curvature[1]);
+        status = batten_chain_create(2, 1, &span, NULL, false, 0, &made->chain);
+    }
+    return bat_made_primitive(&report, status, made);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {4, BAT_IN_PLANE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_fit_clothoid = {
+    .shown =
+        {"fit-clothoid", "The clothoid nearest to points of a plane",
+         "One span whose curvature runs evenly along its length: a measured transition of a road or a\n"
+         "rail, the run of a plank. A line and an arc are clothoids too, and points on them give them\n"
+         "back. Length and end curvatures are noted. The points must follow each other along the curve,\n"
+         "neighbours apart, and the curve may turn by less than a right angle between two of them.\n"
+         "Points that no clothoid passes near are refused when the rounds find no way to one; for a\n"
+         "curve of many spans use 'euler-spiral'.",
+         "features:\n"
+         "  marks: {points: [[0, 0], [1 m, 1 cm], [2 m, 7 cm], [3 m, 22 cm], [4 m, 53 cm]]}\n"
+         "  ramp: {fit-clothoid: marks}\n",
+         "[ARW01]", "batten_clothoid_fit", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,55 @@
+#include "design/features/near/primitive.h"
+
+static const batten_parameter parameters[] = {
+    {"fit-line", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "points, or a table of offsets"},
+    BAT_EACH,
+};
+
+/* A foot's parameter goes from 0 at the first to 1 at the last. */
+static void take_feet(const batten_fitted_line *line, const bat_data *data, double *feet)
+{
+    for (int i = 0; i < data->count; i++) {
+        double s = 0;
+        for (int k = 0; k < 3; k++)
+            s += (data->points[3 * i + k] - line->point[k]) * line->direction[k];
+        feet[i] = bat_max(0, bat_min(1, (s - line->from) / (line->to - line->from)));
+    }
+}
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    (void)run;
+    batten_fitted_line line;
+    batten_primitive_report report = {0};
+    batten_status status = batten_line_fit(3, data->count, data->points, &line, &report);
+    if (status == BATTEN_OK) {
+        double ends[2][3];
+        for (int k = 0; k < 3; k++) {
+            ends[0][k] = line.point[k] + line.from * line.direction[k];
+            ends[1][k] = line.point[k] + line.to * line.direction[k];
+        }
+        take_feet(&line, data, made->parameters);
+        status = batten_curve_line(3, ends[0], ends[1], &made->curve);
+    }
+    return bat_made_primitive(&report, status, made);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_fit_line = {
+    .shown =
+        {"fit-line", "The straight line nearest to points",
+         "Distances count at right angles to the line, in all directions alike, so the line does not\n"
+         "depend on the axes: for edges that shall be straight, keels, axes of holes. It goes from the\n"
+         "foot of the first point to that of the last along it. Every point counts, an outlier most.\n"
+         "Points that spread alike in several directions, as the corners of a square, have no nearest\n"
+         "line and are refused; so are points that are all one.",
+         "features:\n"
+         "  marks: {points: [[0, 0], [1 m, 11 cm], [2 m, 19 cm], [3 m, 31 cm]]}\n"
+         "  keel: {fit-line: marks}\n",
+         "[GVL13]", "batten_line_fit", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,89 @@
+#include "base/plural.h"
+#include "design/shared/through.h"
+#include <batten/within.h>
+
+static const batten_parameter parameters[] = {
+    {"fit-within", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "points, or a table of offsets"},
+    {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
+     "the distance from the curve that no point exceeds"},
+    {"by", BATTEN_VALUE_WORD, false, false, "fewest", "fewest insert remove bezier",
+     "how knots are found; 'bezier' divides cubics instead"},
+    {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "1 to 25"},
+    {"corner", BATTEN_VALUE_ANGLE, false, false, "0", NULL,
+     "where the points turn by more, the curve has a corner; 0: nowhere"},
+    {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points that are corners, counted from 0"},
+    BAT_PARAMETRIZATION,
+    BAT_CLOSED,
+    BAT_AS,
+    BAT_EACH,
+};
+
+static batten_status corners_of(const bat_run *run, int *count, int **out)
+{
+    const bat_argument *corners = bat_argument_of(run, "corners");
+    *count = corners->count;
+    *out = bat_array((size_t)corners->count + 1, sizeof **out);
+    for (int i = 0; *out && i < corners->count; i++)
+        (*out)[i] = corners->items[i].count;
+    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_within_options options = batten_within_defaults();
+    batten_within_report report = {0};
+    int *corners = NULL;
+    options.tolerance = bat_number(run, "within");
+    options.method = (batten_within_method)bat_word(run, "by");
+    options.degree = bat_count(run, "degree");
+    options.corner = bat_number(run, "corner");
+    options.closed = bat_yes(run, "closed");
+    options.parameters = bat_parametrization_of(run, data);
+    options.given = data->abscissae;
+    batten_status status = corners_of(run, &options.corner_count, &corners);
+    options.corners = corners;
+    if (status == BATTEN_OK)
+        status = batten_curve_within(data->dimension, data->count, data->points, &options,
+                                     made->parameters, &report, &made->curve);
+    bat_release(corners);
+    if (status != BATTEN_OK)
+        return status;
+    bat_remark(
+        run,
+        "'%s': %d control point%s for %d point%s, %d corner%s; between points the curve is up "
+        "to %.3g from their polygon",
+        data->name, report.points, bat_plural(report.points), data->count,
+        bat_plural(data->count), report.corners, bat_plural(report.corners), report.apart);
+    made->has_error = true;
+    made->error_max = report.max;
+    made->error_rms = report.rms;
+    return BATTEN_OK;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_through(
+        run, &(bat_method){.least = 2, .ways = BAT_IN_SPACE | BAT_AS_FUNCTION, .make = make});
+}
+
+const bat_feature bat_feature_fit_within = {
+    .shown =
+        {"fit-within", "Few control points, and no point farther than a bound",
+         "For digitised lines, aerofoils and contours: the tolerance is the accuracy of the points, and\n"
+         "the curve has no more control points than that takes. 'insert' begins with one span and adds\n"
+         "knots where points are too far off, 'remove' begins with one for each point; both then take\n"
+         "away what the tolerance can spare, fitting anew each time. 'fewest' tries both. 'bezier' is\n"
+         "fast and local: cubics with common tangents, divided where they are too far off, with about\n"
+         "twice the control points and steps in curvature. Give 'corner: 40 deg', or the points in\n"
+         "'corners', where the line has corners; they are kept exactly, as the ends are. The curve may\n"
+         "not swing between points by more than their polygon turns there, unless no other is near enough;\n"
+         "how far it leaves that polygon is noted. A tolerance below the noise of the points costs a knot for each of them: it is met\n"
+         "where a curve through all points meets it, else refused with what was reached. A function\n"
+         "counts distances along its second axis.",
+         "features:\n"
+         "  scan: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 40 cm], [4 m, 39 cm], [5 m, 30 cm], [6 m, 19 cm]]}\n"
+         "  edge: {fit-within: scan, within: 1 cm}\n",
+         "[LM88], [Schneider90]", "batten_curve_within", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,45 @@
+#include "design/shared/through.h"
+#include <batten/operators.h>
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"minimax", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "points that rise along the first axis in which they differ, or a table of offsets"},
+    {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL,
+     "0 to 25; at least two points more are needed"},
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_minimax_report report = {0};
+    const batten_status status =
+        batten_curve_minimax(data->count, data->abscissae, data->points,
+                             bat_count(run, "degree"), &report, &made->curve);
+    memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
+    made->has_error = status == BATTEN_OK;
+    made->error_max = report.error;
+    made->error_rms = report.rms;
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_minimax = {
+    .shown =
+        {"minimax", "The polynomial whose largest distance from points is least",
+         "Of all functions of this degree none stays nearer to all points at once: the error\n"
+         "that is reported is the half width of the narrowest band around a polynomial that\n"
+         "holds them. Use it for tables of exact values that a machine or a program shall\n"
+         "evaluate, and to see whether points can lie within a tolerance of such a shape at\n"
+         "all. One wrong point spoils it; for measured points take 'least-squares'.",
+         "features:\n"
+         "  table: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 5 cm]]}\n"
+         "  near: {minimax: table, degree: 2}\n",
+         "[Remez34]", "batten_curve_minimax", BAT_PARAMETERS(parameters), false},
+    .run = run};

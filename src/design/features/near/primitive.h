@@ -1,0 +1,24 @@
+/* What the features that fit lines, circles, ellipses and clothoids share. */
+#ifndef BAT_FEATURES_PRIMITIVE_H
+#define BAT_FEATURES_PRIMITIVE_H
+#include "design/shared/through.h"
+#include <batten/primitives.h>
+
+/* How much of a closed shape is drawn. */
+#define BAT_WHOLE                                                                        \
+    {                                                                                    \
+        "whole", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,                         \
+            "all of it, or the part beside the points alone, from the first to the last" \
+    }
+
+/* The shape and its report were made; hands the status on. */
+static inline batten_status bat_made_primitive(const batten_primitive_report *report,
+                                               batten_status status, bat_made *made)
+{
+    made->has_error = status == BATTEN_OK;
+    made->error_max = report->max;
+    made->error_rms = report->rms;
+    return status;
+}
+
+#endif

@@ -1,0 +1,55 @@
+#include "design/shared/through.h"
+#include <batten/operators.h>
+
+static const batten_parameter parameters[] = {
+    {"schoenberg", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "points, or a table of offsets"},
+    {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL,
+     "1 to 25; the higher, the calmer and the farther from the points"},
+    {"knots", BATTEN_VALUE_WORD, false, false, "points", "points none",
+     "at the points, or none inside: Bernstein's operator, one polynomial"},
+    BAT_PARAMETRIZATION,
+    BAT_CLOSED,
+    BAT_AS,
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_operator_options options = batten_operator_defaults();
+    options.degree = bat_count(run, "degree");
+    options.parameters = bat_parametrization_of(run, data);
+    options.given = data->abscissae;
+    options.periodic = bat_yes(run, "closed");
+    options.bernstein = bat_word(run, "knots") == 1;
+    batten_operator_report report = {0};
+    batten_status status = bat_check_closed(run, data);
+    if (status == BATTEN_OK)
+        status = batten_curve_schoenberg(data->dimension, data->count, data->points, &options,
+                                         made->parameters, &report, &made->curve);
+    made->has_error = status == BATTEN_OK;
+    made->error_max = report.max;
+    made->error_rms = report.rms;
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_schoenberg = {
+    .shown =
+        {"schoenberg", "A spline near points that never turns more often than they do",
+         "Schoenberg's variation diminishing spline: it is convex, rising or positive wherever\n"
+         "the polyline through the points is, for curves and for functions, and meets no line\n"
+         "more often. It ends in the end points and rounds the others off: the coarser the\n"
+         "points, the more. Take it where a shape must not gain a bump at any price, and\n"
+         "'quasi-interpolant' or 'least-squares' where nearness counts more. No equations are\n"
+         "solved; two points that coincide are refused.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
+         "  calm: {schoenberg: ducks}\n",
+         "[Schoenberg67]", "batten_curve_schoenberg", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,57 @@
+#include "base/plural.h"
+#include "design/shared/through.h"
+#include <batten/biarc.h>
+
+static const batten_parameter parameters[] = {
+    {"sequential-arcs", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    {"start-angle", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
+     "direction at the start, from the first axis; else that with the least jumps of "
+     "curvature"},
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    const double degree = BAT_PI / 180;
+    const double start =
+        bat_has(run, "start-angle") ? bat_number(run, "start-angle") : (double)NAN;
+    batten_sequential_report report;
+    const batten_status status = batten_chain_sequential_arcs(
+        data->count, data->points, start, NULL, made->parameters, &report, &made->chain);
+    if (status != BATTEN_OK)
+        return status;
+    bat_note(
+        run,
+        "'%s' begins at %g degrees; each degree more changes the curvature of arc %d by %g, "
+        "and swings on to the end; curvature jumps by %g at most",
+        data->name, report.start_angle / degree, report.sensitive_at,
+        report.sensitivity * degree, report.jump);
+    if (report.long_arcs > 0)
+        bat_note(run, "'%s' has %d arc%s turning by more than 180 degrees", data->name,
+                 report.long_arcs, bat_plural(report.long_arcs));
+    return BATTEN_OK;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_PLANE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_sequential_arcs = {
+    .shown =
+        {"sequential-arcs", "One arc from point to point, each going on from the one before",
+         "The oldest way to draw with arcs: from the start, each arc goes on in the direction in\n"
+         "which the one before ends, to the next point. It has one arc for each pair of points,\n"
+         "half as many as biarcs, and the joints are the points themselves. But whatever is wrong\n"
+         "at the start, or at any point, swings on to the end to both sides and is never damped:\n"
+         "the note tells by how much. Use it for few points that lie well, of a template made of\n"
+         "arcs, say; else 'arc-spline', which solves for all arcs at once, or 'biarcs'. Without a\n"
+         "start angle it takes the one with which the squares of the jumps of curvature are\n"
+         "least; points of a circle then give the circle. The points lie in a plane.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 50 cm], [2 m, 60 cm], [3 m, 30 cm]]}\n"
+         "  edge: {sequential-arcs: ducks}\n",
+         "[SL]", "batten_chain_sequential_arcs", BAT_PARAMETERS(parameters), false},
+    .run = run};

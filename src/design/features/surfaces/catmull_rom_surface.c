@@ -1,0 +1,52 @@
+#include "design/shared/grid.h"
+#include <batten/tensor.h>
+
+static const batten_parameter parameters[] = {
+    {"catmull-rom-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "rows of points, each with as many, or a table of offsets without gaps"},
+    {"blend", BATTEN_VALUE_COUNT, false, false, "2", NULL,
+     "degree of the B-splines that blend: 2 is smooth, 3 has curvature"},
+    {"local", BATTEN_VALUE_COUNT, false, false, "1", NULL,
+     "degree of the polynomials that are blended"},
+    {"closed-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
+    {"closed-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first row follows the last"},
+};
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    batten_catmull_rom_options u = batten_catmull_rom_defaults();
+    double off = 0;
+    u.blend = bat_count(run, "blend");
+    u.local = bat_count(run, "local");
+    batten_catmull_rom_options v = u;
+    u.closed = bat_yes(run, "closed-u");
+    v.closed = bat_yes(run, "closed-v");
+    const batten_status status =
+        batten_surface_catmull_rom(3, grid->count_u, grid->count_v, grid->points, NULL, NULL,
+                                   &u, &v, run->job, &off, surface);
+    if (status == BATTEN_OK)
+        bat_report_error(run, off, off);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "catmull-rom-surface", make);
+}
+
+const bat_feature bat_feature_catmull_rom_surface = {
+    .shown =
+        {"catmull-rom-surface", "The local surface of Catmull and Rom through a grid of points",
+         "No equations are solved: a point moves the surface only near it. With the standard values bicubic\n"
+         "and smooth; blend 3 with local 2 is of degree 5 and its curvature goes on too. Where 'local' is less\n"
+         "than 'blend' less one the surface comes near the points instead.",
+         "features:\n"
+         "  grid:\n"
+         "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0],\n"
+         "             [0, 1, 0.1], [1, 1, 0.5], [2, 1, 0.1],\n"
+         "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
+         "    columns: 3\n"
+         "  hill: {catmull-rom-surface: grid}\n",
+         "[CR74]", "batten_surface_catmull_rom", BAT_PARAMETERS(parameters), false},
+    .run = run};

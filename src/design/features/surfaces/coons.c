@@ -1,0 +1,238 @@
+#include "design/shared/boundary.h"
+
+static const batten_parameter parameters[] = {
+    {"coons", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "the boundary curves, in any order and direction"},
+    BAT_BOUNDARY_SIDES,
+    {"kind", BATTEN_VALUE_WORD, false, false, NULL, "first twists second third",
+     "what it takes from the sides; of itself 'first', with 'along' 'second'"},
+    {"blend", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
+     "the blending functions; of itself as the kind needs them"},
+    {"blend-v", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
+     "other ones from the first side to the one across it"},
+    {"functions", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "blending functions of one's own, F0 F1 G0 G1 H0 H1: graphs over 0 .. 1 in the xy-plane"},
+    {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
+     "surfaces beside it that it continues smoothly; found by where they are"},
+    {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "one for all corners, or four: at the ends of the first side, then across"},
+    {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
+     "where slopes of two sides ask for different twists"},
+    {"repair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "correct slopes that do not fit the boundary curves at a corner; it says the angle left"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "how far corners may be open, curves from surfaces; of itself the design's tolerance"},
+};
+
+/* What a run takes and holds. */
+typedef struct {
+    bat_run *run;
+    batten_coons_options options;
+    double twists[12];
+    batten_curve *functions[6];
+    bat_boundary boundary;
+} work;
+
+static void choose_kind(work *w)
+{
+    static const int orders[] = {1, 2, 2, 3};
+    static const batten_blending blends[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,
+                                             BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_QUINTIC};
+    const int kind = bat_has(w->run, "kind")    ? bat_word(w->run, "kind")
+                     : bat_has(w->run, "along") ? 2
+                                                : 0;
+    w->options.order = orders[kind];
+    w->options.blending_u =
+        bat_has(w->run, "blend") ? (batten_blending)bat_word(w->run, "blend") : blends[kind];
+    w->options.blending_v = bat_has(w->run, "blend-v")
+                                ? (batten_blending)bat_word(w->run, "blend-v")
+                                : w->options.blending_u;
+}
+
+static batten_status choose_twists(work *w)
+{
+    const bat_argument *given = bat_argument_of(w->run, "twists");
+    if (given->count == 0)
+        return BATTEN_OK;
+    if (given->count != 1 && given->count != 4)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d twists, not 1 or 4", given->count);
+    if (w->options.order < 2)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "a patch of the first kind takes no twists; 'kind: twists' does");
+    /* Given around the patch, wanted as (0,0), (0,1), (1,0), (1,1). */
+    static const int places[4] = {0, 2, 3, 1};
+    for (int c = 0; c < 4; c++)
+        for (int x = 0; x < 3; x++)
+            w->twists[3 * places[c] + x] = given->items[given->count == 4 ? c : 0].number[x];
+    w->options.twists = w->twists;
+    return BATTEN_OK;
+}
+
+/* y over x of a graph whose x is its parameter. */
+static batten_status take_function(const batten_curve *graph, const char *name,
+                                   batten_curve **out)
+{
+    const int d = batten_curve_dimension(graph), n = batten_curve_point_count(graph);
+    const double *points = batten_curve_points(graph);
+    if (d < 2 || batten_curve_is_rational(graph))
+        return bat_fail(BATTEN_UNSUPPORTED, "'%s' is no polynomial graph", name);
+    double *values = bat_array((size_t)n, sizeof *values);
+    if (!values)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < n; i++) {
+        const double x = batten_curve_greville(graph, i);
+        values[i] = points[i * d + 1];
+        if (!(fabs(points[i * d] - x) <= 1e-9) || (d > 2 && points[i * d + 2] != 0))
+            status = bat_fail(BATTEN_NOT_COMPATIBLE,
+                              "'%s' is no graph over its parameter: control point %d is at %g, "
+                              "not %g",
+                              name, i, points[i * d], x);
+    }
+    if (status == BATTEN_OK)
+        status = batten_curve_create(1, batten_curve_degree(graph), n, values, NULL,
+                                     batten_curve_knots(graph), out);
+    bat_release(values);
+    return status;
+}
+
+static batten_status choose_functions(work *w)
+{
+    bat_objects graphs;
+    if (!bat_has(w->run, "functions"))
+        return BATTEN_OK;
+    batten_status status = bat_gather(w->run, "functions", BAT_CURVES, &graphs);
+    if (status != BATTEN_OK)
+        return status;
+    if (graphs.count != 2 * w->options.order)
+        status = bat_fail(BATTEN_BAD_ARGUMENT, "there are %d functions, this kind takes %d",
+                          graphs.count, 2 * w->options.order);
+    for (int i = 0; status == BATTEN_OK && i < graphs.count; i++)
+        status = take_function(graphs.at[i]->curve, graphs.at[i]->name, &w->functions[i]);
+    bat_objects_release(&graphs);
+    w->options.blending_u = w->options.blending_v = BATTEN_BLENDING_GIVEN;
+    w->options.given_u = w->options.given_v = (const batten_curve *const *)w->functions;
+    return status;
+}
+
+static const char *edge_name(int edge)
+{
+    static const char *const names[] = {"the first side", "the second side", "the third side",
+                                        "the fourth side"};
+    return names[edge];
+}
+
+#define DEGREES (180 / BAT_PI)
+
+/* What helps where a boundary curve leaves the tangent plane of a surface beside it. */
+static batten_status advise(const work *w, const batten_coons_report *found,
+                            batten_status status)
+{
+    if (status != BATTEN_NOT_COMPATIBLE || !(found->slope_gap > w->options.tolerance) ||
+        w->options.repair)
+        return status;
+    return bat_fail(status,
+                    "%s; let the boundary curves leave within the tangent planes ('curve-of' "
+                    "and 'blend' with G1), or correct the slopes ('repair: yes')",
+                    batten_message());
+}
+
+/* The slopes that gave way: how far from smooth the joins are now. */
+static void report_repair(const work *w, const batten_coons_report *found)
+{
+    int worst = 0;
+    for (int e = 1; e < 4; e++)
+        if (found->angle[e] > found->angle[worst])
+            worst = e;
+    bat_note(w->run,
+             "slope and boundary curve differ by %.3g per unit of the parameter at corner %d, "
+             "where the curve leaves the tangent plane at %.3g degrees; corrected: the patch "
+             "is up to %.3g degrees off the tangent planes along %s",
+             found->slope_gap, found->slope_corner, found->slope_angle * DEGREES,
+             found->angle[worst] * DEGREES, edge_name(worst));
+}
+
+/* What did not fit, and what became of it. */
+static void report(const work *w, const batten_coons_report *found)
+{
+    bat_run *run = w->run;
+    const double tolerance = w->options.tolerance;
+    if (found->corner_gap > 1e-6 * tolerance)
+        bat_remark(run, "the curves are up to %.3g apart, at corner %d; they meet halfway",
+                   found->corner_gap, found->corner);
+    if (found->slope_gap > tolerance)
+        report_repair(w, found);
+    if (found->twist_gap > tolerance)
+        bat_note(run, "the slopes ask for twists that differ by %.3g at corner %d%s",
+                 found->twist_gap, found->twist_corner,
+                 w->options.twist == BATTEN_TWIST_GREGORY ? "; all slopes hold, the twist turns"
+                                                          : "");
+    if (found->higher_gap > tolerance)
+        bat_note(run, "curvatures and their rates differ by up to %.3g at a corner",
+                 found->higher_gap);
+    for (int e = 0; e < 4; e++)
+        for (int k = 1; k < w->options.order; k++)
+            if (found->missed[e][k] > tolerance)
+                bat_note(run, "%s across %s is missed by up to %.3g per unit of the parameter",
+                         k == 1 ? "the slope" : "the second derivative", edge_name(e),
+                         found->missed[e][k]);
+}
+
+static batten_status make(work *w, batten_surface **out)
+{
+    batten_coons_report found = {0};
+    choose_kind(w);
+    w->options.twist = (batten_twist_policy)bat_word(w->run, "policy");
+    w->options.repair = bat_yes(w->run, "repair");
+    w->options.tolerance =
+        bat_has(w->run, "within") ? bat_number(w->run, "within") : bat_tolerance(w->run);
+    batten_status status = choose_twists(w);
+    if (status == BATTEN_OK)
+        status = choose_functions(w);
+    if (status == BATTEN_OK)
+        status = bat_boundary_take(w->run, "coons", w->options.tolerance, &w->boundary);
+    if (status == BATTEN_OK && bat_has(w->run, "along"))
+        status = bat_boundary_along(w->run, "along", w->options.order, w->options.tolerance,
+                                    &w->boundary);
+    if (status == BATTEN_OK)
+        status = batten_surface_coons(w->boundary.sides, &w->options, &found, out);
+    if (status == BATTEN_OK)
+        report(w, &found);
+    return advise(w, &found, status);
+}
+
+static batten_status run(bat_run *run)
+{
+    batten_surface *surface = NULL;
+    work w = {.run = run, .options = batten_coons_defaults()};
+    const batten_status status = make(&w, &surface);
+    bat_boundary_release(&w.boundary);
+    for (int i = 0; i < 6; i++)
+        batten_curve_unref(w.functions[i]);
+    return bat_put_surface(run, status, surface);
+}
+
+const bat_feature bat_feature_coons = {
+    .shown =
+        {"coons", "The Coons patch between four sides",
+         "u runs along the first side, v along the second. A side may be several curves end to\n"
+         "end, with corners, or a point: 'sides' says how many curves each has. Kinds: 'first'\n"
+         "goes through the curves alone, 'twists' also has chosen twists at its corners (else\n"
+         "those of the bilinear patch), which cure flat spots; 'second' has the slopes of the\n"
+         "surfaces it lies along, 'third' their curvatures too. Blending functions: 'linear'\n"
+         "('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with continuous\n"
+         "curvature. Of itself 'linear' for 'first', 'quintic' for 'third', else 'cubic'.\n"
+         "A slope fits its neighbours when the boundary curves beside it leave the surface within its\n"
+         "tangent plane. Such curves come from 'curve-of' (the ends of the surface) and 'blend' between\n"
+         "them with continuity G1; 'repair: yes' corrects the slopes instead and says by how many degrees\n"
+         "the patch then leaves the tangent planes. Gaps of slopes are vectors per unit of the parameter.\n"
+         "Unless curves are rational, or twists differ under the policy 'gregory',\n"
+         "the result is exact.",
+         "features:\n"
+         "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"
+         "  stern: {conic: [[0, 0, 0], [0, 1, 0.2], [0, 1, 1.5]], weight: 1}\n"
+         "  sheer: {conic: [[0, 1, 1.5], [2, 1.6, 1.2], [4, 0.4, 1.6]], weight: 1}\n"
+         "  bow: {conic: [[4, 0.4, 1.6], [4, 0.2, 0.6], [4, 0, 0]], weight: 1}\n"
+         "  side: {coons: [keel, bow, stern, sheer], kind: twists}\n",
+         "[Coons67], [Coons74]", "batten_surface_coons", BAT_PARAMETERS(parameters), false},
+    .run = run};

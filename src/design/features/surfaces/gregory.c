@@ -1,0 +1,67 @@
+#include "design/feature.h"
+
+#include <batten/gregory.h>
+
+static const batten_parameter parameters[] = {
+    {"gregory", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "three or four cubic curves, in any order"},
+    {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
+     "how far corners may be open, and the spline from the patch; the tolerance of the design "
+     "by default"},
+    {"angle", BATTEN_VALUE_ANGLE, false, false, "0.01 deg", NULL,
+     "between normals of spline and patch along the edges"},
+};
+
+/* The spline near the patch, and how near it is. */
+static batten_status put_patch(bat_run *run, const batten_surface *patch, double within)
+{
+    const double degrees = 180 / BAT_PI;
+    batten_surface *nurbs = NULL;
+    double error = 0, angle = 0;
+    const batten_status status = batten_surface_to_smooth_nurbs(
+        patch, within, bat_number(run, "angle"), &nurbs, &error, &angle);
+    if (status == BATTEN_OK) {
+        bat_report_error(run, error, error);
+        bat_remark(run, "normals along the edges to %.2g degrees", angle * degrees);
+    }
+    return bat_put_surface(run, status, nurbs);
+}
+
+static batten_status run(bat_run *run)
+{
+    bat_objects curves;
+    batten_surface *patch = NULL;
+    const double within =
+        bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+    batten_status status = bat_gather(run, "gregory", BAT_CURVES, &curves);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_curve **sides = bat_array((size_t)curves.count, sizeof(const batten_curve *));
+    for (int i = 0; sides && i < curves.count; i++)
+        sides[i] = curves.at[i]->curve;
+    status = sides ? batten_surface_gregory_between(curves.count, sides, within, NULL, &patch)
+                   : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = put_patch(run, patch, within);
+    batten_surface_unref(patch);
+    bat_release(sides);
+    bat_objects_release(&curves);
+    return status;
+}
+
+const bat_feature bat_feature_gregory = {
+    .shown =
+        {"gregory", "Patches over a mesh of cubic curves, each made alone",
+         "Three or four cubics become a patch whose tangent planes along a side follow from this side and\n"
+         "from the planes at its ends alone: so patches on both sides of it join smoothly, though they know\n"
+         "nothing of each other, when the curves that meet in a corner have a common tangent plane there.",
+         "features:\n"
+         "  p: {points: [[0, 0, 0], [1 m, 0, 0.4 m], [2 m, 0, 0.4 m], [3 m, 0, 0]]}\n"
+         "  q: {points: [[3 m, 0, 0], [3 m, 1 m, 0.3 m], [2 m, 2 m, 0.3 m], [1.5 m, 3 m, 0]]}\n"
+         "  r: {points: [[1.5 m, 3 m, 0], [1 m, 2 m, 0.3 m], [0, 1 m, 0.3 m], [0, 0, 0]]}\n"
+         "  a: {bezier: p}\n"
+         "  b: {bezier: q}\n"
+         "  c: {bezier: r}\n"
+         "  patch: {gregory: [a, b, c]}\n",
+         "[CK83], [WM96]", "batten_surface_gregory_between", BAT_PARAMETERS(parameters), false},
+    .run = run};

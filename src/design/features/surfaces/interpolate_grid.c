@@ -1,0 +1,132 @@
+#include "design/shared/grid.h"
+#include "design/shared/place.h"
+#include "design/shared/through.h"
+
+static const batten_parameter parameters[] = {
+    {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "rows of points, each with as many, or a table of offsets without gaps"},
+    {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "along the rows"},
+    {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
+    {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
+     "centripetal chord uniform foley foley-chord", "how parameters are given to the points"},
+    {"knots", BATTEN_VALUE_WORD, false, false, "averaged", "averaged data",
+     "where the knots are"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
+     "what holds on the rim, with knots at the data"},
+    {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "of the points in their order, above 0, or one for all: a rational surface"},
+    {"gaps", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points, counted from 0, that are none: what stands there is not looked at"},
+    {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
+    {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first row follows the last"},
+};
+
+static batten_grid_options options_of(const bat_run *run)
+{
+    batten_grid_options options = batten_grid_defaults();
+    options.degree_u = bat_count(run, "degree-u");
+    options.degree_v = bat_count(run, "degree-v");
+    options.parameters = (batten_parametrization)bat_word(run, "parameters");
+    options.knots_at_data = bat_word(run, "knots") == 1;
+    options.ends = (batten_end_kind)bat_word(run, "ends");
+    options.periodic_u = bat_yes(run, "periodic-u");
+    options.periodic_v = bat_yes(run, "periodic-v");
+    return options;
+}
+
+/* What is listed row after row, turned as the points are: u runs along the rows. */
+static size_t turned(const bat_grid *grid, int index)
+{
+    return (size_t)(index % grid->count_u) * (size_t)grid->count_v +
+           (size_t)(index / grid->count_u);
+}
+
+static batten_status find_weights(const bat_run *run, const bat_grid *grid, double **out)
+{
+    const int count = grid->count_u * grid->count_v;
+    double *listed = NULL;
+    if (bat_argument_of(run, "weights")->count == 0)
+        return BATTEN_OK;
+    batten_status status = bat_numbers_each(run, "weights", count, "points", &listed);
+    if (status == BATTEN_OK && !(*out = bat_array((size_t)count, sizeof **out)))
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; status == BATTEN_OK && i < count; i++)
+        (*out)[turned(grid, i)] = listed[i];
+    bat_release(listed);
+    return status;
+}
+
+static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **out)
+{
+    const bat_argument *given = bat_argument_of(run, "gaps");
+    const int count = grid->count_u * grid->count_v;
+    if (given->count == 0)
+        return BATTEN_OK;
+    *out = bat_array((size_t)count, sizeof **out);
+    if (!*out)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < given->count; i++) {
+        const int index = given->items[i].count;
+        if (index < 0 || index >= count)
+            return bat_fail(BATTEN_BAD_ARGUMENT, "gap %d: the points are counted 0 to %d",
+                            index, count - 1);
+        (*out)[turned(grid, index)] = true;
+    }
+    return BATTEN_OK;
+}
+
+static void say(bat_run *run, const batten_grid_report *report)
+{
+    if (bat_max(report->spread_u, report->spread_v) > 0.5)
+        bat_note(run,
+                 "the parameters of single rows differ from the average by %.2g steps; "
+                 "heights over an even grid want 'parameters: uniform'; 'interpolate' and "
+                 "'skin' will follow other points better",
+                 bat_max(report->spread_u, report->spread_v));
+    if (report->filled > 0)
+        bat_remark(run, "%d gaps are filled with the points of least energy", report->filled);
+    bat_report_error(run, report->residual, report->residual);
+}
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    batten_grid_options options = options_of(run);
+    batten_grid_report report;
+    double *weights = NULL;
+    bool *gaps = NULL;
+    batten_status status = find_weights(run, grid, &weights);
+    if (status == BATTEN_OK)
+        status = find_gaps(run, grid, &gaps);
+    options.weights = weights;
+    options.gaps = gaps;
+    if (status == BATTEN_OK)
+        status = batten_surface_interpolate(3, grid->count_u, grid->count_v, grid->points,
+                                            &options, run->job, NULL, NULL, &report, surface);
+    if (status == BATTEN_OK)
+        say(run, &report);
+    bat_release(gaps);
+    bat_release(weights);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "interpolate-grid", make);
+}
+
+const bat_feature bat_feature_interpolate_grid = {
+    .shown =
+        {"interpolate-grid", "The surface through a grid of points",
+         "Every row must have as many points; u runs along the rows, v across them. Where there\n"
+         "is no point, 'gaps' says so, and least energy puts one: the surface passes all others.\n"
+         "In a file of points the rows are separated by empty lines; in the design 'columns' says\n"
+         "how long they are.",
+         "features:\n"
+         "  grid:\n"
+         "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, 1, 0.1],\n"
+         "             [0, 2, 0], [1, 2, 0.1], [2, 2, 0]]\n"
+         "    columns: 3\n"
+         "  roof: {interpolate-grid: grid, degree-u: 2, degree-v: 2}\n",
+         "[PT97]", "batten_surface_interpolate", BAT_PARAMETERS(parameters), false},
+    .run = run};

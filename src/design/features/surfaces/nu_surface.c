@@ -1,0 +1,55 @@
+#include "design/shared/grid.h"
+#include "design/shared/through.h"
+#include <batten/tensor.h>
+
+static const batten_parameter parameters[] = {
+    {"nu-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "rows of points, each with as many, or a table of offsets without gaps"},
+    {"nu-u", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "at the lines that the rows cross, of all or one for each: 0 is the spline, 10 much"},
+    {"nu-v", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "at the rows, of all or one for each"},
+    {"closed-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
+    {"closed-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first row follows the last"},
+};
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    batten_nu_surface_options o = batten_nu_surface_defaults();
+    double *nus[2] = {NULL, NULL};
+    o.closed_u = bat_yes(run, "closed-u");
+    o.closed_v = bat_yes(run, "closed-v");
+    batten_status status = bat_numbers_each(run, "nu-u", grid->count_u, "lines", &nus[0]);
+    if (status == BATTEN_OK)
+        status = bat_numbers_each(run, "nu-v", grid->count_v, "rows", &nus[1]);
+    o.nus_u = nus[0];
+    o.nus_v = nus[1];
+    if (status == BATTEN_OK)
+        status = batten_surface_nu(3, grid->count_u, grid->count_v, grid->points, &o, run->job,
+                                   surface);
+    bat_release(nus[0]);
+    bat_release(nus[1]);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "nu-surface", make);
+}
+
+const bat_feature bat_feature_nu_surface = {
+    .shown =
+        {"nu-surface", "The bicubic surface with a tension at each line of its grid",
+         "Nu-splines along the rows and across them. A large nu draws the bend of the surface into its line,\n"
+         "in the end as a knuckle, while the rest stays round. The surface is one bicubic B-spline surface;\n"
+         "tangents go on over every line, and along the lines curvature too.",
+         "features:\n"
+         "  grid:\n"
+         "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 0],\n"
+         "             [0, 1, 0], [1, 1, 1], [2, 1, 0],\n"
+         "             [0, 2, 0], [1, 2, 1], [2, 2, 0]]\n"
+         "    columns: 3\n"
+         "  ridge: {nu-surface: grid, nu-u: [0, 30, 0]}\n",
+         "[Nielson74]", "batten_surface_nu", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,57 @@
+#include "design/shared/grid.h"
+#include "design/shared/through.h"
+#include <batten/tensor.h>
+
+static const batten_parameter parameters[] = {
+    {"tension-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
+     "rows of points, each with as many, or a table of offsets without gaps"},
+    {"amount-u", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "along the rows, of all strips or one for each: 0 is the spline, 2 a little, 10 much"},
+    {"amount-v", BATTEN_VALUE_NUMBER, true, false, "0", NULL, "the same across the rows"},
+    {"closed-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
+    {"closed-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
+     "the first row follows the last"},
+};
+
+static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
+{
+    batten_tension_surface_options o = batten_tension_surface_defaults();
+    double *amounts[2] = {NULL, NULL};
+    o.closed_u = bat_yes(run, "closed-u");
+    o.closed_v = bat_yes(run, "closed-v");
+    batten_status status =
+        bat_numbers_each(run, "amount-u", grid->count_u - !o.closed_u, "strips", &amounts[0]);
+    if (status == BATTEN_OK)
+        status = bat_numbers_each(run, "amount-v", grid->count_v - !o.closed_v, "strips",
+                                  &amounts[1]);
+    o.tensions_u = amounts[0];
+    o.tensions_v = amounts[1];
+    if (status == BATTEN_OK)
+        status =
+            batten_surface_tension(3, grid->count_u, grid->count_v, grid->points, &o, surface);
+    bat_release(amounts[0]);
+    bat_release(amounts[1]);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    return bat_grid_surface(run, "tension-surface", make);
+}
+
+const bat_feature bat_feature_tension_surface = {
+    .shown =
+        {"tension-surface", "The surface in tension through a grid of points",
+         "Splines in tension along the rows and across them. Each strip between two lines of the grid can\n"
+         "be pulled by itself: none is the bicubic spline, much draws the strip straight, so that a surface\n"
+         "beside a steep place loses its waves. Tangent planes and curvatures go on over all lines. It is no\n"
+         "NURBS surface; one within the design's tolerance is made.",
+         "features:\n"
+         "  grid:\n"
+         "    points: [[0, 0, 0], [1, 0, 0], [2, 0, 1], [3, 0, 1],\n"
+         "             [0, 1, 0], [1, 1, 0], [2, 1, 1], [3, 1, 1],\n"
+         "             [0, 2, 0], [1, 2, 0], [2, 2, 1], [3, 2, 1]]\n"
+         "    columns: 4\n"
+         "  ramp: {tension-surface: grid, amount-u: [8, 0, 8]}\n",
+         "[Cline74]", "batten_surface_tension", BAT_PARAMETERS(parameters), false},
+    .run = run};

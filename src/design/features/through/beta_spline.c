@@ -1,0 +1,47 @@
+#include "design/shared/through.h"
+#include <batten/beta.h>
+
+static const batten_parameter parameters[] = {
+    {"beta-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    BAT_CLOSED,
+    {"use", BATTEN_VALUE_WORD, false, false, "near", "near through",
+     "is the curve drawn to the points, or does it pass them"},
+    {"beta1", BATTEN_VALUE_NUMBER, false, false, "1", NULL,
+     "the bias: speed after a joint by the speed before it"},
+    {"beta2", BATTEN_VALUE_NUMBER, false, false, "0", NULL,
+     "the tension, 0 or more: 10 draws the curve well to its polygon"},
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    const batten_beta_use use = (batten_beta_use)bat_word(run, "use");
+    for (int i = 0; i < data->count; i++)
+        made->parameters[i] = i;
+    made->has_parameters = use == BATTEN_BETA_THROUGH;
+    return batten_curve_beta(data->dimension, data->count, data->points, use,
+                             bat_number(run, "beta1"), bat_number(run, "beta2"),
+                             bat_yes(run, "closed"), &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_beta_spline = {
+    .shown =
+        {"beta-spline", "Uniform splines with one bias and one tension for all joints",
+         "Uniform Beta-splines: near a control polygon, whose ends they pass, or through points. Two\n"
+         "numbers shape all joints: beta2 draws the curve to the polygon, beta1 above 1 pulls its bends\n"
+         "to the later side of each point, below 1 to the earlier. Tangent and curvature go on over the\n"
+         "joints, the speed jumps by beta1. Near points a curve changes only within two steps of a point\n"
+         "that is moved. Through points all steps count alike: for uneven points 'nu-spline' is fairer,\n"
+         "and beta1 far from 1 makes large swings.",
+         "features:\n"
+         "  cage: {points: [[0, 0], [1 m, 2 m], [3 m, 1 m], [4 m, 0]]}\n"
+         "  soft: {beta-spline: cage, beta2: 5}\n",
+         "[Barsky88]", "batten_curve_beta", BAT_PARAMETERS(parameters), false},
+    .run = run};

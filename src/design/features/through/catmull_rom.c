@@ -1,0 +1,65 @@
+#include "design/shared/local.h"
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"catmull-rom", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_CHORD_POWER("0.5"),
+    {"blend", BATTEN_VALUE_COUNT, false, false, "2", NULL,
+     "degree of the B-splines that blend the local polynomials"},
+    {"local", BATTEN_VALUE_COUNT, false, false, "1", NULL,
+     "degree of the local polynomials; below 'blend' - 1 the curve passes near the points"},
+    BAT_PHANTOMS,
+    BAT_AS,
+    BAT_EACH,
+    BAT_CLOSED,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_catmull_rom_options options = batten_catmull_rom_defaults();
+    batten_catmull_rom_report report = {0};
+    options.blend = bat_count(run, "blend");
+    options.local = bat_count(run, "local");
+    options.alpha = bat_number(run, "alpha");
+    options.given = data->abscissae;
+    options.closed = bat_yes(run, "closed");
+    options.phantoms = (batten_phantoms)bat_word(run, "beyond");
+    double *t = bat_array((size_t)data->count + 1, sizeof *t);
+    batten_status status = t ? bat_check_closed(run, data) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = batten_curve_catmull_rom(data->dimension, data->count, data->points, &options,
+                                          t, &report, &made->curve);
+    if (status == BATTEN_OK)
+        memcpy(made->parameters, t, (size_t)data->count * sizeof *t);
+    bat_release(t);
+    if (status == BATTEN_OK && !report.through)
+        bat_note(run, "'%s': the curve passes near the points, up to %g away", data->name,
+                 report.off);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_catmull_rom = {
+    .shown =
+        {"catmull-rom", "Local polynomials blended with B-splines, after Catmull and Rom",
+         "Through every few points runs a polynomial; B-splines blend them. The curve is smooth\n"
+         "without solving anything, and a point moved changes four spans. With the default alpha,\n"
+         "0.5, no span has a cusp or crosses itself, however uneven the points; 0 swings beside short\n"
+         "spans, 1 bulges on long ones. The default is the classical cubic, with continuous first\n"
+         "derivative; 'blend: 3, local: 2' a quintic with continuous curvature, which suits few,\n"
+         "even points better than many, uneven ones. 'local: 0' gives the B-spline with the points\n"
+         "for its control points. Where 'blend' and 'local' are both even or both odd, the order of\n"
+         "the points matters. For fair curves take 'interpolate': here curvature jumps at the points.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [1.2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
+         "  sheer: {catmull-rom: ducks}\n",
+         "[CR74], [BG88], [YSK11]", "batten_curve_catmull_rom", BAT_PARAMETERS(parameters),
+         false},
+    .run = run};

@@ -1,0 +1,57 @@
+#include "design/shared/conics.h"
+#include "design/shared/local.h"
+
+static const batten_parameter parameters[] = {
+    {"conic-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_CONIC_TANGENTS,
+    {"curvatures", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "one for each point or for all, 1 by the unit, above 0 to the left; else by circles"},
+    BAT_CONIC_SHARES,
+    BAT_EACH,
+    BAT_CLOSED,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_conics_options options = batten_conics_defaults();
+    double *tangents = NULL, *curvatures = NULL;
+    options.closed = bat_yes(run, "closed");
+    options.start_share = bat_number(run, "start-share");
+    options.end_share = bat_number(run, "end-share");
+    batten_status status = bat_vectors(run, data, "tangents", &tangents);
+    if (status == BATTEN_OK && bat_argument_of(run, "curvatures")->count > 0)
+        status = bat_numbers_each(run, "curvatures", data->count, "points", &curvatures);
+    options.tangents = tangents;
+    options.curvatures = curvatures;
+    if (status == BATTEN_OK)
+        status = bat_conics_make(run, data, &options, made);
+    bat_release(tangents);
+    bat_release(curvatures);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_PLANE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_conic_spline = {
+    .shown =
+        {"conic-spline", "Pairs of conics through points, curvature continuous without a solve",
+         "Between two points stand two conics, which have the tangents and the curvatures at both\n"
+         "points and the same curvature where they meet. So the curve is exact to write in any\n"
+         "system that knows conics, a point that moves changes four spans and no others, and\n"
+         "spans whose tangents bend to one side have no inflection. Data of one ellipse, parabola\n"
+         "or hyperbola, with its tangents and curvatures, give it back; other smooth curves are\n"
+         "met with the fifth power of the step. Tangents and curvatures that are not given come\n"
+         "from circles through three points. The shares may be set to draw a span fuller or\n"
+         "flatter in its middle. A conic has no inflection: a span that bends to both sides is\n"
+         "cut on its chord, and curvature jumps there, which is noted, as are spans whose\n"
+         "curvatures bend against their tangents. The points lie in a plane.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [3.2 m, -40 cm]]}\n"
+         "  rim: {conic-spline: ducks}\n",
+         "[SL]", "batten_curve_conics", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,64 @@
+#include "design/shared/through.h"
+#include <batten/cubic_spline.h>
+
+static const batten_parameter parameters[] = {
+    {"cornered-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "rows of points, a table of offsets, or curves that have points"},
+    BAT_EACH,
+    {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points where the direction may jump, counted from 0"},
+    {"lines", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points from which the curve is straight to the next, counted from 0"},
+    {"transition", BATTEN_VALUE_WORD, false, false, "tangent", "tangent curvature",
+     "how a curve passes into a straight run: with its direction, and with curvature 0"},
+    {"parameters", BATTEN_VALUE_WORD, false, false, "chord",
+     "centripetal chord uniform foley foley-chord", "how points get parameters"},
+    {"ends", BATTEN_VALUE_WORD, false, false, "natural",
+     "natural not-a-knot parabolic bessel circle", "what holds at corners and free ends"},
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    static const batten_end_kind ends[] = {BATTEN_END_NATURAL, BATTEN_END_NOT_A_KNOT,
+                                           BATTEN_END_PARABOLIC, BATTEN_END_BESSEL,
+                                           BATTEN_END_CIRCLE};
+    batten_cornered_options options = batten_cornered_defaults();
+    int *corners = NULL, *lines = NULL;
+    options.parameters = (batten_parametrization)bat_word(run, "parameters");
+    options.transition = (batten_transition)bat_word(run, "transition");
+    options.ends = ends[bat_word(run, "ends")];
+    batten_status status = bat_indices(run, "corners", &options.corner_count, &corners);
+    if (status == BATTEN_OK)
+        status = bat_indices(run, "lines", &options.line_count, &lines);
+    options.corners = corners;
+    options.lines = lines;
+    if (status == BATTEN_OK)
+        status = batten_curve_cornered(data->dimension, data->count, data->points, &options,
+                                       made->parameters, &made->curve);
+    bat_release(corners);
+    bat_release(lines);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_cornered_spline = {
+    .shown =
+        {"cornered-spline", "A spline through points with corners and straight runs",
+         "For outlines that are smooth in parts: a keel with a straight run, a bracket, a letter.\n"
+         "The points in 'corners' end one smooth run and begin the next; from those in 'lines'\n"
+         "the curve is straight to the next point, and the runs beside it begin with the\n"
+         "direction of the line. 'transition: curvature' also lets curvature begin with 0\n"
+         "there, as a fair curve does; a free end of such a run can be 'natural', while the other\n"
+         "'ends' leave it as it comes. A point between two straight runs is a corner. Points\n"
+         "are counted from 0. Where corners stand close together a smooth run has few points\n"
+         "and little reason to bend: one span alone between two corners is straight.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 1], [5, 0.5], [6, 0.6], [6.6, 1.2]]}\n"
+         "  keel: {cornered-spline: ducks, lines: [3], corners: [1], transition: curvature}\n",
+         "[SL]", "batten_curve_cornered", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,101 @@
+#include "base/plural.h"
+#include "design/shared/through.h"
+#include <batten/cubic_spline.h>
+
+static const batten_parameter parameters[] = {
+    {"directed-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "rows of points, a table of offsets, or curves that have points"},
+    BAT_EACH,
+    {"at", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
+     "points with a given direction, counted from 0"},
+    {"directions", BATTEN_VALUE_POINT, true, false, NULL, NULL,
+     "one for each of these; their lengths do not matter"},
+    {"tension", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
+     "nu of all points, or one for each: where it is large the curve bends sharply"},
+    {"parameters", BATTEN_VALUE_WORD, false, false, "chord",
+     "centripetal chord uniform foley foley-chord", "how points get parameters"},
+};
+
+static batten_status find_directions(const bat_run *run, batten_directed_options *options,
+                                     batten_direction_at **out)
+{
+    const bat_argument *at = bat_argument_of(run, "at");
+    const bat_argument *directions = bat_argument_of(run, "directions");
+    if (at->count != directions->count)
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "'at' names %d point%s and 'directions' has %d",
+                        at->count, bat_plural(at->count), directions->count);
+    batten_direction_at *made = bat_array((size_t)at->count, sizeof *made);
+    if (!made)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < at->count; i++) {
+        made[i].index = at->items[i].count;
+        for (int k = 0; k < 3; k++)
+            made[i].vector[k] = directions->items[i].number[k];
+    }
+    options->direction_count = at->count;
+    options->directions = *out = made;
+    return BATTEN_OK;
+}
+
+static batten_status find_tension(const bat_run *run, int count,
+                                  batten_directed_options *options, double **out)
+{
+    const bat_argument *given = bat_argument_of(run, "tension");
+    if (given->count == 0)
+        return BATTEN_OK;
+    if (given->count != 1 && given->count != count)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "'tension' has %d number%s for %d point%s; it takes 1 or one for each",
+                        given->count, bat_plural(given->count), count, bat_plural(count));
+    *out = bat_array((size_t)count, sizeof **out);
+    for (int i = 0; *out && i < count; i++)
+        (*out)[i] = given->items[given->count == 1 ? 0 : i].number[0];
+    options->tension = *out;
+    return *out ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_directed_options options = batten_directed_defaults();
+    batten_directed_report report = {0};
+    batten_direction_at *directions = NULL;
+    double *tension = NULL;
+    options.parameters = (batten_parametrization)bat_word(run, "parameters");
+    batten_status status = find_directions(run, &options, &directions);
+    if (status == BATTEN_OK)
+        status = find_tension(run, data->count, &options, &tension);
+    if (status == BATTEN_OK)
+        status = batten_curve_directed(data->dimension, data->count, data->points, &options,
+                                       made->parameters, &report, &made->curve);
+    if (status == BATTEN_OK && report.clamped > 0)
+        bat_note(run,
+                 "%d of the directions of '%s' lead against the points, the first at point %d; "
+                 "the curve is slow there",
+                 report.clamped, data->name, report.first_clamped);
+    bat_release(directions);
+    bat_release(tension);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    const bat_method method = {.least = 2, .ways = BAT_IN_SPACE, .make = make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_directed_spline = {
+    .shown =
+        {"directed-spline", "A spline through points with given directions at some of them",
+         "The cubic spline of least energy that passes the points and has, at those named in\n"
+         "'at', the directions given; how fast it passes is found. Use it where a curve must\n"
+         "leave along a frame, stand upright at the bow, be level at the crown. At all other\n"
+         "points its second derivative is continuous; at those with a direction only what of it\n"
+         "is along that direction, so that curvature may jump there. 'tension' draws the curve\n"
+         "tight at points, as a weight on a batten does: its curvature stays continuous.\n"
+         "Directions that lead against the order of the points are followed slowly, and a note\n"
+         "says so.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 0.6], [4, 0]]}\n"
+         "  crown: {directed-spline: ducks, at: [0, 2], directions: [[0, 1], [1, 0]]}\n",
+         "[SL] [Nielson74]", "batten_curve_directed", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,56 @@
+#include "design/shared/local.h"
+
+static const batten_parameter parameters[] = {
+    {"kochanek-bartels", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    {"tension", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "at all points or one for each: 1 halts at the point, -1 swings wide"},
+    {"continuity", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "the same: -1 makes a corner of the polygon, 1 one that points inwards"},
+    {"bias", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "the same: 1 overshoots the point, -1 turns before it"},
+    BAT_CHORD_POWER("0"),
+    BAT_PHANTOMS,
+    BAT_AS,
+    BAT_EACH,
+    BAT_CLOSED,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    static const char *const names[] = {"tension", "continuity", "bias"};
+    batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+    double *lists[3] = {NULL};
+    batten_status status = BATTEN_OK;
+    for (int l = 0; l < 3 && status == BATTEN_OK; l++)
+        status = bat_numbers_each(run, names[l], data->count, "points", &lists[l]);
+    options.tension = lists[0];
+    options.continuity = lists[1];
+    options.bias = lists[2];
+    if (status == BATTEN_OK)
+        status = bat_make_kochanek_bartels(run, data, &options, made);
+    for (int l = 0; l < 3; l++)
+        bat_release(lists[l]);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_kochanek_bartels = {
+    .shown =
+        {"kochanek-bartels", "Cubics shaped point by point: tension, continuity and bias",
+         "Made for paths of moving things: three numbers at each point say how the curve passes it.\n"
+         "Tension tightens, continuity below or above 0 makes a corner, bias moves the bend behind the\n"
+         "point or before it; all 0 is 'catmull-rom'. Useful numbers lie from -1 to 1. A point and its\n"
+         "numbers change four spans. Not for fair lines: curvature jumps at the points, and where\n"
+         "continuity is not 0 the direction does. Steps are equal by default; 'alpha: 0.5' suits uneven\n"
+         "points.",
+         "features:\n"
+         "  keys: {points: [[0, 0], [1 m, 60 cm], [2 m, 0], [3 m, 60 cm], [4 m, 0]]}\n"
+         "  path: {kochanek-bartels: keys, tension: [0, 0.5, 0, 0, 0], continuity: [0, 0, -1, 0, 0]}\n",
+         "[KB84]", "batten_tangents_kochanek_bartels", BAT_PARAMETERS(parameters), false},
+    .run = run};

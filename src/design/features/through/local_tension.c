@@ -1,0 +1,57 @@
+#include "design/shared/nonlinear.h"
+
+static const batten_parameter parameters[] = {
+    {"local-tension", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    {"tension", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
+     "of every span, sigma times its chord, 0 or more; left out: as much as it takes"},
+    BAT_NONLINEAR_ENDS,
+    BAT_CLOSED,
+};
+
+/* The same tension for every span. */
+static batten_status in_tension(bat_run *run, const bat_data *data, bat_made *made)
+{
+    double *tensions = bat_array((size_t)data->count, sizeof *tensions);
+    if (!tensions)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < data->count; i++)
+        tensions[i] = bat_number(run, "tension");
+    const batten_status status =
+        bat_nonlinear_make(run, data, BATTEN_FAMILY_LOCAL_TENSION, tensions, made);
+    bat_release(tensions);
+    return status;
+}
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    if (bat_has(run, "tension"))
+        return in_tension(run, data, made);
+    return bat_nonlinear_make(run, data, BATTEN_FAMILY_LOCAL_TENSION, NULL, made);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_PLANE, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_local_tension = {
+    .shown =
+        {"local-tension", "Local cubics pulled towards their chords",
+         "As local-cubic, but each span is a spline in tension over its chord. Without 'tension' spans get\n"
+         "as much as it takes that the curve bends to one side where the points do: no waves\n"
+         "beside flat parts. With it every span gets the same: 0 is local-cubic, 10 is nearly\n"
+         "the polygon with rounded corners. Tangents stay below a right angle from the chord; where\n"
+         "the points turn sharply between spans in tension there may be no solution: use\n"
+         "euler-spiral there.\n"
+         "What holds at the ends is said by 'ends', or 'start' and 'end': 'natural' is curvature 0,\n"
+         "'circular' the same curvature at both ends of the last span; 'tangent' takes its direction from\n"
+         "'start-angle' and 'end-angle', 'curvature' its value from 'start-curvature' and\n"
+         "'end-curvature'.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 1 cm], [2 m, 4 cm], [3 m, 30 cm], [4 m, 150 cm]]}\n"
+         "  batten: {local-tension: ducks}\n",
+         "[SL]", "batten_chain_nonlinear", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,48 @@
+#include "design/shared/weighted.h"
+
+static const batten_parameter parameters[] = {
+    {"nu-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+    BAT_AS,
+    BAT_CLOSED,
+    {"nu", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
+     "at all points or one for each: 0 is the cubic spline, 10 much"},
+    BAT_PARAMETRIZATION,
+    BAT_PLAIN_ENDS,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    batten_weighted_options o = batten_weighted_defaults();
+    double *nus = NULL;
+    batten_status status = bat_check_closed(run, data);
+    if (status == BATTEN_OK)
+        status = bat_numbers_each(run, "nu", data->count, "points", &nus);
+    o.nus = nus;
+    if (status == BATTEN_OK)
+        status = bat_make_weighted(run, data, &o, made);
+    bat_release(nus);
+    return status;
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_IN_SPACE | BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_nu_spline = {
+    .shown =
+        {"nu-spline", "Cubic splines with a tension at each point",
+         "A large nu draws the bend into its point, in the end\n"
+         "as a corner; large ones at all points give the polygon. Tangent and curvature go on over the\n"
+         "points, so it suits plane and space curves; the second derivative does not, so a function\n"
+         "is smooth only to the eye. Use it to tighten single places; 'tension' works span by span and\n"
+         "can find its amounts itself. nu has no unit. Some below 0 loosen a point; too far below there\n"
+         "is no such curve, which is refused. Those at the ends of an open curve say nothing.",
+         "features:\n"
+         "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 1 m], [3 m, 1 m]]}\n"
+         "  knuckle: {nu-spline: ducks, nu: [0, 30, 0, 0]}\n",
+         "[Nielson74]", "batten_curve_weighted", BAT_PARAMETERS(parameters), false},
+    .run = run};

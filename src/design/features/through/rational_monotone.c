@@ -1,0 +1,37 @@
+#include "design/shared/local.h"
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"rational-monotone", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    (void)run;
+    memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
+    return batten_curve_rational_monotone(data->count, data->abscissae, data->points, NULL,
+                                          &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_rational_monotone = {
+    .shown =
+        {"rational-monotone",
+         "A rational quadratic function that is monotone where the data are",
+         "Spans are quotients of parabolas, exactly represented as a rational curve: monotone for any\n"
+         "slopes of the right sign, where a cubic must shorten them. The slopes are those of fritsch-\n"
+         "butland; where the data turn they are 0. Smoother than cubics at steep rises between flat\n"
+         "parts. The result is rational, which not every format carries as well as cubics.",
+         "features:\n"
+         "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
+         "  level: {rational-monotone: tank}\n",
+         "[GD82]", "batten_curve_rational_monotone", BAT_PARAMETERS(parameters), false},
+    .run = run};

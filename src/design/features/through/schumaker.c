@@ -1,0 +1,38 @@
+#include "design/shared/local.h"
+
+#include <string.h>
+
+static const batten_parameter parameters[] = {
+    {"schumaker", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
+     "a table of offsets, rows of points, or curves that have points"},
+    BAT_EACH,
+};
+
+static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
+{
+    (void)run;
+    memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
+    return batten_curve_schumaker(data->count, data->abscissae, data->points, NULL,
+                                  &made->curve);
+}
+
+static batten_status run(bat_run *run)
+{
+    static const bat_method method = {2, BAT_AS_FUNCTION, make};
+    return bat_through(run, &method);
+}
+
+const bat_feature bat_feature_schumaker = {
+    .shown =
+        {"schumaker", "A quadratic function that is monotone and convex where the data are",
+         "For tables whose bend has a meaning, as costs and stiffnesses: a spline of parabolas that is\n"
+         "monotone and also convex or concave wherever the points are, with at most one more knot in\n"
+         "each span. Three points in line give that line. The curvature is constant in pieces, so it\n"
+         "looks less round than cubics. Where a straight run ends in an extremum of the data, or in\n"
+         "another straight run, no smooth function is both convex and monotone; then a span beside it\n"
+         "bends twice.",
+         "features:\n"
+         "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
+         "  level: {schumaker: tank}\n",
+         "[Schumaker83]", "batten_curve_schumaker", BAT_PARAMETERS(parameters), false},
+    .run = run};

@@ -1,0 +1,107 @@
+/* What can be said about a result: how far it is from its data, how fair it is. */
+#ifndef BAT_DESIGN_CHECK_H
+#define BAT_DESIGN_CHECK_H
+#include "design/shared/solids.h"
+#include "design/text/document.h"
+#include <batten/inspect.h>
+#include <batten/text.h>
+
+/* How far the points of an earlier feature lie from a surface, or the nearest of those that
+ * were made from them. */
+typedef struct {
+    const char *feature;
+    bool is_faired; /* the points are those after fairing, not those given */
+    int count;
+    double max, rms;
+    double worst[3]; /* the point that lies farthest */
+} bat_distance;
+
+/* A plane section of a surface where the data have a row. */
+typedef struct {
+    const char *family; /* "station", "buttock", "waterline" */
+    const char *name;
+    double at;
+    bool found;
+    batten_fairness fairness;
+    int visible; /* inflections between bulges that are higher than the tolerance of the design
+                  */
+    int excess;  /* of these, beyond those that the row itself requires */
+} bat_section;
+
+/* One edge of a surface and the centre plane. */
+typedef struct {
+    const char *name; /* "u low" ... */
+    double gap;       /* the largest |y| on it */
+    bool is_near;     /* on average within a twentieth of the half-breadth */
+} bat_edge;
+
+typedef struct {
+    const batten_object *object;
+    int given, faired; /* the features that its data are from, or -1 */
+    bool has_fairness;
+    batten_fairness fairness;              /* of a curve, in its plane */
+    int knot_count, parametric, geometric; /* of a curve: joins at knots and at the seam, and
+                                              the lowest C and G of them */
+    int triangle_joins;                    /* inner edges of a set of triangles */
+    double triangle_gap, triangle_angle;   /* the largest at these; the angle in radians */
+    bat_solid_faults faults;               /* of a body or mesh */
+    int distance_count, section_count, edge_count;
+    bat_distance distances[2]; /* from the points given, from those after fairing */
+    bat_section *sections;
+    bat_edge edges[4];
+} bat_checked;
+
+/* Where two ends of curves meet, or two edges of surfaces, one of them all along its length.
+ * NaN is what cannot be told: at a cusp, at a pole; g3 of surfaces. */
+typedef struct {
+    int object[2];
+    int side[2]; /* see bat_side_name */
+    int part;    /* which of both edges runs along a part of the other; -1: all meets all */
+    double g0;   /* the gap */
+    double g1;   /* by how much tangents or tangent planes turn, in radians */
+    double g2;   /* difference of the curvatures (of surfaces across the edge), over the larger
+                    one */
+    double g3;   /* difference of the rates of curvature of curves, 1 / length^2 */
+    int parametric, geometric; /* of curves: C and G of the join; -1 of surfaces */
+} bat_join;
+
+typedef struct {
+    const bat_run *run;
+    bat_pool pool;
+    bool *upstream; /* [feature_count] of any object */
+    double within;  /* the bound, or infinity */
+    int object_count;
+    bat_checked *objects;
+    int join_count;
+    bat_join *joins;     /* in the order of objects and sides */
+    bool joins_left_out; /* there are more */
+    int bounded_count;   /* distances of points given that were measured */
+    bool
+        ok; /* no point given is farther than the bound, which was measured when there is one */
+    int judged_count; /* plane curves through points, and sections, that were judged */
+    bool fair;        /* none of them has inflections in excess, no section visible ones */
+} bat_check;
+
+/* Look at everything in the argument `parameter` of the run. Release it, also after a failure.
+ */
+batten_status bat_check_all(const bat_run *run, const char *parameter, double within,
+                            bat_check *out);
+void bat_check_release(bat_check *check);
+
+/* Sign changes of the turning of points [count][2], without bulges lower than `height`. */
+int bat_visible_inflections(int count, const double *points, double height);
+
+/* ---- joins.c ---- */
+
+/* Find the joins of the objects, within the tolerance of the design. */
+batten_status bat_joins_find(bat_check *check);
+/* "start", "end" of a curve; "u low", "u high", "v low", "v high" of a surface. */
+const char *bat_side_name(const batten_object *object, int side);
+
+/* ---- report.c ---- */
+
+/* As a text for people, with rounded numbers, or as JSON with all digits. */
+void bat_report_text(const bat_check *check, batten_text *out);
+void bat_report_json(const bat_check *check, batten_text *out);
+
+#endif

@@ -1,0 +1,429 @@
+#include "design/outputs/fairness.h"
+
+#include <batten/continuity.h>
+#include <stdlib.h>
+
+/* Points of an edge at which two surfaces are compared, at least, and steps of each span. */
+#define JOIN_POINTS 17
+#define SPAN_POINTS 4
+/* More joins than these are not listed. */
+#define MOST_JOINS 10000
+
+/* An end of a curve, or an edge of a surface with the points at both its ends. */
+typedef struct {
+    int object, side;
+    batten_vec3 p[2];
+    double key;     /* the same for both directions of an edge, and in order of x */
+    batten_box box; /* of an edge */
+} end;
+
+/* ---- vectors ---- */
+
+static batten_vec3 of(int d, const double *a)
+{
+    return (batten_vec3){a[0], d > 1 ? a[1] : 0, d > 2 ? a[2] : 0};
+}
+
+static batten_vec3 scale(batten_vec3 a, double factor)
+{
+    return (batten_vec3){a.x * factor, a.y * factor, a.z * factor};
+}
+
+/* a + factor b */
+static batten_vec3 plus(batten_vec3 a, double factor, batten_vec3 b)
+{
+    return (batten_vec3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+}
+
+static double dot(batten_vec3 a, batten_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static batten_vec3 cross(batten_vec3 a, batten_vec3 b)
+{
+    return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static double norm(batten_vec3 a)
+{
+    return hypot(hypot(a.x, a.y), a.z);
+}
+
+static double gap(batten_vec3 p, batten_vec3 q)
+{
+    return norm(plus(p, -1, q));
+}
+
+/* ---- what surfaces compare ---- */
+
+/* The angle by which a way out of one shape turns on its way into the other. */
+static double turn(batten_vec3 out_of, batten_vec3 into)
+{
+    return atan2(norm(cross(out_of, into)), dot(out_of, into));
+}
+
+/* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
+ * over the size of the shapes counts as straight. */
+static double part(batten_vec3 a, batten_vec3 b, double straight)
+{
+    const double larger = bat_max(norm(a), norm(b));
+    return gap(a, b) / bat_max(larger, straight);
+}
+
+static batten_status compare_curves(const batten_curve *a, int side_a, const batten_curve *b,
+                                    int side_b, double tolerance, bat_join *join)
+{
+    batten_continuity_options options = batten_continuity_defaults();
+    batten_continuity found;
+    options.gap = tolerance;
+    const batten_status status = batten_curves_continuity(
+        a, side_a ? BATTEN_CURVE_END : BATTEN_CURVE_START, b,
+        side_b ? BATTEN_CURVE_END : BATTEN_CURVE_START, &options, &found);
+    if (status != BATTEN_OK)
+        return status;
+    join->g1 = found.angle;
+    join->g2 = found.curvature_part;
+    join->g3 = found.rate_difference;
+    join->parametric = found.parametric;
+    join->geometric = found.geometric;
+    return BATTEN_OK;
+}
+
+/* ---- surfaces ---- */
+
+/* The point of an edge at `t`, the direction there into the surface, square to the edge, and
+ * the normal curvature in it as a vector; false where the surface is singular. */
+static bool leave_surface(const batten_surface *surface, int side, double t, batten_vec3 *into,
+                          batten_vec3 *curvature)
+{
+    const bool fixed_v = side >= 2, high = side % 2;
+    const batten_interval domain =
+        batten_surface_domain(surface, fixed_v ? BATTEN_V : BATTEN_U);
+    const double fixed = high ? domain.b : domain.a;
+    const int d = batten_surface_dimension(surface);
+    double s[BATTEN_SURFACE_DERIVATIVES(2) * 3];
+    if (batten_surface_evaluate(surface, fixed_v ? t : fixed, fixed_v ? fixed : t, 2, s) !=
+        BATTEN_OK)
+        return false;
+    const batten_vec3 su = of(d, s + d), sv = of(d, s + 2 * d);
+    const batten_vec3 suu = of(d, s + 3 * d), suv = of(d, s + 4 * d), svv = of(d, s + 5 * d);
+    const batten_vec3 across = fixed_v ? sv : su, along = fixed_v ? su : sv;
+    const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
+    const batten_vec3 product = cross(su, sv);
+    const double area = norm(product), g = dot(along, along);
+    if (!(area > 1e-12 * norm(su) * norm(sv)) || !(g > 0))
+        return false;
+    /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.
+     */
+    const double f = dot(across, along) / g;
+    const batten_vec3 square = plus(across, -f, along);
+    const double length = norm(square);
+    const batten_vec3 n = scale(product, 1 / area);
+    const batten_vec3 second = plus(plus(across2, -2 * f, suv), f * f, along2);
+    *into = scale(square, (high ? -1 : 1) / length);
+    *curvature = scale(n, dot(second, n) / (length * length));
+    return true;
+}
+
+static batten_status edge_curve(const batten_surface *surface, int side, batten_curve **out)
+{
+    const batten_direction direction = side < 2 ? BATTEN_U : BATTEN_V;
+    const batten_interval domain = batten_surface_domain(surface, direction);
+    return batten_surface_isocurve(surface, direction, side % 2 ? domain.b : domain.a, out);
+}
+
+/* Both surfaces at one place of the edge of the first. */
+static batten_status compare_at(const batten_surface *a, int side_a, const batten_curve *edge_a,
+                                double t, const batten_surface *b, int side_b,
+                                const batten_curve *edge_b, double straight, bat_join *join)
+{
+    batten_vec3 into_a, into_b, curvature_a, curvature_b;
+    batten_deviation foot;
+    double p[3];
+    batten_status status = batten_curve_evaluate(edge_a, t, 0, p);
+    if (status == BATTEN_OK)
+        status = batten_curve_deviation(edge_b, 1, p, NULL, NULL, NULL, &foot);
+    if (status != BATTEN_OK)
+        return status;
+    join->g0 = bat_max(join->g0, foot.max);
+    if (leave_surface(a, side_a, t, &into_a, &curvature_a) &&
+        leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b)) {
+        join->g1 = fmax(join->g1, turn(scale(into_a, -1), into_b));
+        join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
+    }
+    return BATTEN_OK;
+}
+
+/* Tangent planes at common points, and, where these agree, curvature across the edge: by the
+ * linkage curve theorem [PW92] two surfaces with one tangent plane along an edge have one
+ * curvature when they have it in one direction across. Each span is looked at, so that nothing
+ * narrow is missed; at the first point that is off by more than the tolerance it ends. */
+static batten_status compare_surfaces(const batten_surface *a, int side_a,
+                                      const batten_surface *b, int side_b, double tolerance,
+                                      double straight, bat_join *join)
+{
+    batten_curve *edge_a = NULL, *edge_b = NULL;
+    batten_status status = edge_curve(a, side_a, &edge_a);
+    if (status == BATTEN_OK)
+        status = edge_curve(b, side_b, &edge_b);
+    const int spans = status == BATTEN_OK ? batten_curve_spans(edge_a, NULL) - 1 : 0;
+    const int steps = spans > 0 ? bat_max_int(SPAN_POINTS, (JOIN_POINTS - 1) / spans) : 0;
+    double *breaks = bat_array((size_t)spans + 1, sizeof *breaks);
+    if (status == BATTEN_OK)
+        status = breaks ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        batten_curve_spans(edge_a, breaks);
+    join->g1 = join->g2 = join->g3 = NAN;
+    join->g0 = 0;
+    for (int i = 0; i <= spans * steps && status == BATTEN_OK && join->g0 <= tolerance; i++) {
+        const int k = bat_min_int(i / steps, spans - 1);
+        const double share = (double)(i - k * steps) / steps;
+        const double t = (1 - share) * breaks[k] + share * breaks[k + 1];
+        status = compare_at(a, side_a, edge_a, t, b, side_b, edge_b, straight, join);
+    }
+    bat_release(breaks);
+    batten_curve_unref(edge_a);
+    batten_curve_unref(edge_b);
+    return status;
+}
+
+/* ---- finding what meets ---- */
+
+static batten_status add_ends(const bat_checked *checked, int object, double tolerance,
+                              end *ends, int *count)
+{
+    const bool is_curve = checked->object->kind == BATTEN_OBJECT_CURVE;
+    batten_status status = BATTEN_OK;
+    for (int side = 0; side < (is_curve ? 2 : 4) && status == BATTEN_OK; side++) {
+        batten_curve *curve = NULL;
+        status = is_curve ? BATTEN_OK : edge_curve(checked->object->surface, side, &curve);
+        const batten_curve *at = is_curve ? checked->object->curve : curve;
+        double p[2][3], middle[3];
+        const batten_interval domain =
+            status == BATTEN_OK ? batten_curve_domain(at) : (batten_interval){0, 1};
+        const int d = status == BATTEN_OK ? batten_curve_dimension(at) : 3;
+        for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+            status =
+                batten_curve_evaluate(at, (is_curve ? side : k) ? domain.b : domain.a, 0, p[k]);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate(at, domain.a + (domain.b - domain.a) / 2, 0, middle);
+        /* An edge that is collapsed to a pole joins nothing. */
+        if (status == BATTEN_OK && (is_curve || gap(of(d, p[0]), of(d, p[1])) > tolerance ||
+                                    gap(of(d, p[0]), of(d, middle)) > tolerance))
+            ends[(*count)++] = (end){object,
+                                     side,
+                                     {of(d, p[0]), of(d, p[1])},
+                                     p[0][0] + p[1][0],
+                                     batten_curve_box(at)};
+        batten_curve_unref(curve);
+    }
+    return status;
+}
+
+/* Objects in order, and their sides. */
+static int by_object(const end *a, const end *b)
+{
+    return a->object != b->object ? (a->object > b->object) - (a->object < b->object)
+                                  : a->side - b->side;
+}
+
+static int by_key(const void *a, const void *b)
+{
+    const end *x = a, *y = b;
+    if (x->key != y->key)
+        return x->key < y->key ? -1 : 1;
+    return by_object(x, y);
+}
+
+/* Do both points of one meet both points of the other, in either order? */
+static double ends_gap(const end *a, const end *b)
+{
+    return bat_min(bat_max(gap(a->p[0], b->p[0]), gap(a->p[1], b->p[1])),
+                   bat_max(gap(a->p[0], b->p[1]), gap(a->p[1], b->p[0])));
+}
+
+static double size_of(const batten_object *object)
+{
+    const batten_box box = object->kind == BATTEN_OBJECT_CURVE
+                               ? batten_curve_box(object->curve)
+                               : batten_surface_box(object->surface);
+    return gap(box.low, box.high);
+}
+
+static batten_status keep_join(bat_check *check, const bat_join *join)
+{
+    if (check->join_count == MOST_JOINS) {
+        if (!check->joins_left_out)
+            bat_note(check->run, "more than %d joins; the others are not listed", MOST_JOINS);
+        check->joins_left_out = true;
+        return BATTEN_OK;
+    }
+    if ((check->join_count & (check->join_count - 1)) == 0) { /* room for twice as many */
+        bat_join *grown =
+            bat_resize(check->joins, 2 * (size_t)check->join_count + 1, sizeof *grown);
+        if (!grown)
+            return BATTEN_OUT_OF_MEMORY;
+        check->joins = grown;
+    }
+    check->joins[check->join_count++] = *join;
+    return BATTEN_OK;
+}
+
+/* The join of two ends, when they meet. The first of two edges may run along a part of the
+ * second. */
+static batten_status add_join(bat_check *check, const end *a, const end *b, double tolerance,
+                              bool is_part)
+{
+    const batten_object *x = check->objects[a->object].object,
+                        *y = check->objects[b->object].object;
+    const double size = bat_max(size_of(x), size_of(y));
+    const bool swap = by_object(a, b) > 0;
+    const end *first = swap ? b : a, *second = swap ? a : b;
+    bat_join join = {.object = {first->object, second->object},
+                     .side = {first->side, second->side},
+                     .part = !is_part ? -1 : swap,
+                     .g0 = is_part ? 0 : ends_gap(a, b),
+                     .parametric = -1,
+                     .geometric = -1};
+    batten_status status = BATTEN_OK;
+    if (x->kind == BATTEN_OBJECT_CURVE)
+        status = compare_curves(x->curve, a->side, y->curve, b->side, tolerance, &join);
+    else
+        status = compare_surfaces(x->surface, a->side, y->surface, b->side, tolerance,
+                                  tolerance / (size * size), &join);
+    if (status != BATTEN_OK || !(join.g0 <= tolerance))
+        return status;
+    return keep_join(check, &join);
+}
+
+static batten_status stopped(const bat_check *check, int i, int count)
+{
+    const batten_job *job = check->run->job;
+    if (job && job->is_cancelled && job->is_cancelled(job->user))
+        return bat_fail(BATTEN_CANCELLED, "cancelled at end %d of %d", i, count);
+    return BATTEN_OK;
+}
+
+/* Along the sorted keys only those that are near each other can meet. */
+static batten_status sweep(bat_check *check, int count, const end *ends, double tolerance)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count && status == BATTEN_OK; i++) {
+        status = stopped(check, i, count);
+        for (int j = i + 1; j < count && ends[j].key - ends[i].key <= 2 * tolerance &&
+                            status == BATTEN_OK && !check->joins_left_out;
+             j++) {
+            const bool in_order = by_object(&ends[i], &ends[j]) < 0;
+            const end *a = &ends[in_order ? i : j], *b = &ends[in_order ? j : i];
+            const batten_object_kind kind = check->objects[a->object].object->kind;
+            if (kind == check->objects[b->object].object->kind && ends_gap(a, b) <= tolerance)
+                status = add_join(check, a, b, tolerance, false);
+        }
+    }
+    return status;
+}
+
+/* ---- edges along a part of others ---- */
+
+static int by_start(const void *a, const void *b)
+{
+    const end *x = a, *y = b;
+    if (x->p[0].x != y->p[0].x)
+        return x->p[0].x < y->p[0].x ? -1 : 1;
+    return by_object(x, y);
+}
+
+static bool is_in(const batten_box *box, batten_vec3 p, double tolerance)
+{
+    return p.x >= box->low.x - tolerance && p.x <= box->high.x + tolerance &&
+           p.y >= box->low.y - tolerance && p.y <= box->high.y + tolerance &&
+           p.z >= box->low.z - tolerance && p.z <= box->high.z + tolerance;
+}
+
+/* May this edge run along a part of that one? One no longer than the tolerance, which would be
+ * near whatever it touches, does not. */
+static bool may_be_part(const end *part, const end *of_this, double tolerance)
+{
+    const batten_vec3 low = part->box.low, high = part->box.high;
+    return (part->object != of_this->object || part->side != of_this->side) &&
+           gap(low, high) > 8 * tolerance && is_in(&of_this->box, part->p[0], tolerance) &&
+           is_in(&of_this->box, part->p[1], tolerance) && ends_gap(part, of_this) > tolerance;
+}
+
+/* The first of the sorted edges that starts at x or behind it. */
+static int first_from(int count, const end *edges, double x)
+{
+    int low = 0, high = count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (edges[middle].p[0].x < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* For each edge those that start within the width of its box; ends of curves are dropped. */
+static batten_status sweep_parts(bat_check *check, int count, end *ends, double tolerance)
+{
+    batten_status status = BATTEN_OK;
+    int edges = 0;
+    for (int i = 0; i < count; i++)
+        if (check->objects[ends[i].object].object->kind == BATTEN_OBJECT_SURFACE)
+            ends[edges++] = ends[i];
+    qsort(ends, (size_t)edges, sizeof *ends, by_start);
+    for (int i = 0; i < edges && status == BATTEN_OK; i++) {
+        const batten_box *box = &ends[i].box;
+        status = stopped(check, i, edges);
+        for (int j = first_from(edges, ends, box->low.x - tolerance);
+             j < edges && ends[j].p[0].x <= box->high.x + tolerance && status == BATTEN_OK &&
+             !check->joins_left_out;
+             j++)
+            if (may_be_part(&ends[j], &ends[i], tolerance))
+                status = add_join(check, &ends[j], &ends[i], tolerance, true);
+    }
+    return status;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const bat_join *x = a, *y = b;
+    const int p[4] = {x->object[0], x->object[1], x->side[0], x->side[1]};
+    const int q[4] = {y->object[0], y->object[1], y->side[0], y->side[1]};
+    for (int k = 0; k < 4; k++)
+        if (p[k] != q[k])
+            return p[k] < q[k] ? -1 : 1;
+    return 0;
+}
+
+batten_status bat_joins_find(bat_check *check)
+{
+    const double tolerance = bat_tolerance(check->run);
+    end *ends = bat_array(4 * (size_t)check->object_count + 1, sizeof *ends);
+    batten_status status = ends ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    int count = 0;
+    for (int i = 0; i < check->object_count && status == BATTEN_OK; i++) {
+        const batten_object_kind kind = check->objects[i].object->kind;
+        if (kind == BATTEN_OBJECT_CURVE || kind == BATTEN_OBJECT_SURFACE)
+            status = add_ends(&check->objects[i], i, tolerance, ends, &count);
+    }
+    if (status == BATTEN_OK) {
+        qsort(ends, (size_t)count, sizeof *ends, by_key);
+        status = sweep(check, count, ends, tolerance);
+    }
+    if (status == BATTEN_OK)
+        status = sweep_parts(check, count, ends, tolerance);
+    if (status == BATTEN_OK && check->join_count)
+        qsort(check->joins, (size_t)check->join_count, sizeof *check->joins, by_place);
+    bat_release(ends);
+    return status;
+}
+
+const char *bat_side_name(const batten_object *object, int side)
+{
+    static const char *const curve_sides[] = {"start", "end"};
+    static const char *const surface_sides[] = {"u low", "u high", "v low", "v high"};
+    return object->kind == BATTEN_OBJECT_CURVE ? curve_sides[side] : surface_sides[side];
+}

@@ -1,0 +1,543 @@
+#include "base/plural.h"
+#include "design/outputs/fairness.h"
+
+static const char *kind_name(const batten_object *object)
+{
+    static const char *const names[] = {"points",    "curve", "surface", "offsets",
+                                        "triangles", "body",  "mesh",    "instance"};
+    return names[object->kind];
+}
+
+/* ---- JSON: all digits ---- */
+
+static void json_number(batten_text *out, const char *key, double value)
+{
+    batten_text_add(out, "\"%s\": ", key);
+    if (isfinite(value))
+        batten_text_number(out, value);
+    else
+        batten_text_add(out, "null");
+}
+
+static void json_point(batten_text *out, const char *key, const double *p)
+{
+    batten_text_add(out, "\"%s\": [", key);
+    for (int k = 0; k < 3; k++) {
+        batten_text_number(out, p[k]);
+        batten_text_add(out, k < 2 ? ", " : "]");
+    }
+}
+
+static void json_fairness(batten_text *out, const batten_fairness *f)
+{
+    batten_text_add(
+        out,
+        "\"fairness\": {\"fair\": %s, \"inflections\": %d, \"excess_inflections\": %d, "
+        "\"curvature_extrema\": %d, ",
+        f->fair ? "true" : "false", f->inflections, f->excess_inflections,
+        f->curvature_extrema);
+    json_number(out, "jumps", f->jumps);
+    batten_text_add(out, ", ");
+    json_number(out, "energy", f->energy);
+    batten_text_add(out, ", ");
+    json_number(out, "variation", f->variation);
+    batten_text_add(out, ", ");
+    json_number(out, "max_curvature", f->max_curvature);
+    batten_text_add(out, ", \"corners\": %d, \"curvature_jumps\": %d}", f->corners,
+                    f->curvature_jumps);
+}
+
+static void json_moves(batten_text *out, const batten_feature_result *r)
+{
+    const batten_fair_report *f = r->fairing;
+    batten_text_add(out, ", \"moved\": {");
+    json_number(out, "max", f->max_move);
+    batten_text_add(out, ", ");
+    json_number(out, "rms", f->rms_move);
+    batten_text_add(out, ", \"count\": %d, \"set\": %d, \"index\": %d}", f->moved_count,
+                    f->worst_set, f->worst_index);
+    batten_text_add(out,
+                    ", \"excess_inflections\": {\"before\": %d, \"after\": %d}, \"energy\": {",
+                    f->before.excess_inflections, f->after.excess_inflections);
+    json_number(out, "before", f->before.energy);
+    batten_text_add(out, ", ");
+    json_number(out, "after", f->after.energy);
+    batten_text_add(out, "}, \"suspects\": %d", f->suspect_count);
+}
+
+static void json_skin(batten_text *out, const batten_skin_report *s)
+{
+    static const char *const cures[] = {"none", "stretched", "rescaled", "polynomial"};
+    batten_text_add(out, ", \"skin\": {");
+    json_number(out, "deviation", s->deviation);
+    batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
+                    s->worst_section, s->exact_knot_count, s->knot_count);
+    json_number(out, "span_ratio", s->span_ratio);
+    batten_text_add(out, ", ");
+    json_number(out, "normal_jump", s->normal_jump);
+    batten_text_add(out, ", ");
+    json_number(out, "speed_jump", s->speed_jump);
+    batten_text_add(out, ", ");
+    json_number(out, "crease", s->crease);
+    batten_text_add(out, ", \"cure\": \"%s\", \"reversed\": %d, \"turned\": %d, ",
+                    cures[s->cure], s->reversed_count, s->turned_count);
+    batten_text_add(out, "\"crossings\": %d, \"disorders\": %d}", s->crossing_count,
+                    s->disorder_count);
+}
+
+static void json_feature(batten_text *out, const batten_feature_result *r)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, r->name);
+    batten_text_add(out, ", \"operation\": \"%s\"", r->operation);
+    if (r->has_error) {
+        batten_text_add(out, ", \"error\": {");
+        json_number(out, "max", r->error_max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", r->error_rms);
+        batten_text_add(out, "}");
+    }
+    if (r->fairing)
+        json_moves(out, r);
+    if (r->skin)
+        json_skin(out, r->skin);
+    batten_text_add(out, "}");
+}
+
+static void json_distances(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ",\n     \"distances\": [");
+    for (int i = 0; i < c->distance_count; i++) {
+        const bat_distance *d = &c->distances[i];
+        batten_text_add(out, "%s{\"from\": ", i ? ", " : "");
+        batten_text_json(out, d->feature);
+        batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
+                        d->is_faired ? "true" : "false", d->count);
+        json_number(out, "max", d->max);
+        batten_text_add(out, ", ");
+        json_number(out, "rms", d->rms);
+        batten_text_add(out, ", ");
+        json_point(out, "at", d->worst);
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_surface(batten_text *out, const bat_checked *c)
+{
+    json_distances(out, c);
+    batten_text_add(out, ",\n     \"edges\": [");
+    for (int i = 0; i < c->edge_count; i++) {
+        batten_text_add(out, "%s{\"name\": \"%s\", ", i ? ", " : "", c->edges[i].name);
+        json_number(out, "gap", c->edges[i].gap);
+        batten_text_add(out, ", \"at_centre\": %s}", c->edges[i].is_near ? "true" : "false");
+    }
+    batten_text_add(out, "],\n     \"sections\": [");
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        batten_text_add(out, "%s\n      {\"family\": \"%s\", \"name\": ", i ? "," : "",
+                        s->family);
+        batten_text_json(out, s->name);
+        batten_text_add(out, ", ");
+        json_number(out, "at", s->at);
+        if (s->found) {
+            batten_text_add(out, ", ");
+            batten_text_add(out, "\"visible_inflections\": %d, \"visible_excess\": %d, ",
+                            s->visible, s->excess);
+            json_fairness(out, &s->fairness);
+        }
+        batten_text_add(out, "}");
+    }
+    batten_text_add(out, "]");
+}
+
+static void json_triangles(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, ", \"count\": %d, \"degree\": %d, \"inner_edges\": %d, ",
+                    batten_triangles_count(c->object->triangles),
+                    batten_triangles_degree(c->object->triangles), c->triangle_joins);
+    json_number(out, "gap", c->triangle_gap);
+    batten_text_add(out, ", ");
+    json_number(out, "angle", c->triangle_angle);
+}
+
+static void json_object(batten_text *out, const bat_checked *c)
+{
+    batten_text_add(out, "    {\"name\": ");
+    batten_text_json(out, c->object->name);
+    batten_text_add(out, ", \"type\": \"%s\"", kind_name(c->object));
+    if (c->has_fairness) {
+        batten_text_add(out, ", ");
+        json_fairness(out, &c->fairness);
+    }
+    if (c->knot_count)
+        batten_text_add(out, ", \"continuity\": {\"knots\": %d, \"c\": %d, \"g\": %d}",
+                        c->knot_count, c->parametric, c->geometric);
+    if (c->object->kind == BATTEN_OBJECT_SURFACE)
+        json_surface(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
+        json_triangles(out, c);
+    else if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
+        bat_solid_json(c->object, &c->faults, out);
+    else if (c->distance_count)
+        json_distances(out, c);
+    batten_text_add(out, "}");
+}
+
+static const char *unit_of(const bat_check *check)
+{
+    const char *unit = batten_unit_name(bat_unit_metres(check->run));
+    return unit ? unit : "units";
+}
+
+static void json_joins(batten_text *out, const bat_check *check)
+{
+    static const char *const keys[] = {"g0", "g1", "g2", "g3"};
+    for (int i = 0; i < check->join_count; i++) {
+        const bat_join *join = &check->joins[i];
+        const double values[] = {join->g0, join->g1, join->g2, join->g3};
+        for (int k = 0; k < 2; k++) {
+            const batten_object *object = check->objects[join->object[k]].object;
+            batten_text_add(out, k ? ", \"b\": " : "%s\n    {\"a\": ", i ? "," : "");
+            batten_text_json(out, object->name);
+            batten_text_add(out, ", \"%s\": \"%s\"", k ? "side_b" : "side_a",
+                            bat_side_name(object, join->side[k]));
+        }
+        for (int k = 0; k < 4; k++) {
+            batten_text_add(out, ", ");
+            json_number(out, keys[k], values[k]);
+        }
+        if (join->part >= 0)
+            batten_text_add(out, ", \"part\": \"%c\"", join->part ? 'b' : 'a');
+        if (check->objects[join->object[0]].object->kind == BATTEN_OBJECT_CURVE)
+            batten_text_add(out, ", \"c\": %d, \"g\": %d", join->parametric, join->geometric);
+        batten_text_add(out, "}");
+    }
+}
+
+static void json_messages(batten_text *out, const batten_notes *notes)
+{
+    for (int i = 0; notes && i < batten_notes_count(notes); i++) {
+        const batten_note *note = batten_notes_at(notes, i);
+        batten_text_add(out, "%s\n    {\"file\": ", i ? "," : "");
+        batten_text_json(out, note->file);
+        batten_text_add(out, ", \"line\": %d, \"entity\": ", note->line);
+        batten_text_json(out, note->entity);
+        batten_text_add(out, ", \"text\": ");
+        batten_text_json(out, note->text);
+        batten_text_add(out, ", \"remark\": %s}", note->is_remark ? "true" : "false");
+    }
+}
+
+void bat_report_json(const bat_check *check, batten_text *out)
+{
+    const bat_document *d = check->run->document;
+    batten_text_add(out, "{\n  \"ok\": %s, \"fair\": %s, \"unit\": \"%s\", ",
+                    check->ok ? "true" : "false",
+                    check->judged_count == 0 ? "null"
+                    : check->fair            ? "true"
+                                             : "false",
+                    unit_of(check));
+    json_number(out, "within", check->within);
+    batten_text_add(out, ",\n  \"features\": [");
+    for (int k = 0, count = 0; k < d->feature_count; k++)
+        if (check->upstream[d->order[k]]) {
+            batten_text_add(out, count++ ? ",\n" : "\n");
+            json_feature(out, &check->run->results[d->order[k]].shown);
+        }
+    batten_text_add(out, "\n  ],\n  \"objects\": [");
+    for (int i = 0; i < check->object_count; i++) {
+        batten_text_add(out, i ? ",\n" : "\n");
+        json_object(out, &check->objects[i]);
+    }
+    batten_text_add(out, "\n  ],\n  \"joins\": [");
+    json_joins(out, check);
+    batten_text_add(out, "],\n  \"messages\": [");
+    json_messages(out, check->run->notes);
+    batten_text_add(out, "]\n}\n");
+}
+
+/* ---- text: four digits, the same in every locale ---- */
+
+static void add_rounded(batten_text *out, double value)
+{
+    if (value == 0 || !isfinite(value)) {
+        batten_text_number(out, value);
+        return;
+    }
+    const double places = 3 - floor(log10(fabs(value)));
+    const double scale = pow(10, fabs(places));
+    batten_text_number(out, places >= 0 ? round(value * scale) / scale
+                                        : round(value / scale) * scale);
+}
+
+static void add_length(batten_text *out, const bat_check *check, double value)
+{
+    add_rounded(out, value);
+    batten_text_add(out, " %s", unit_of(check));
+}
+
+static void add_plural(batten_text *out, int count, const char *what)
+{
+    batten_text_add(out, "%d %s%s", count, what, bat_plural(count));
+}
+
+static void text_feature(batten_text *out, const bat_check *check,
+                         const batten_feature_result *r)
+{
+    batten_text_add(out, "  %s (%s)\n", r->name, r->operation);
+    if (r->fairing) {
+        const batten_fair_report *f = r->fairing;
+        batten_text_add(out, "    ");
+        add_plural(out, f->moved_count, "point");
+        batten_text_add(out, " moved, at most ");
+        add_length(out, check, f->max_move);
+        batten_text_add(
+            out,
+            " (curve %d, point %d)\n    inflections in excess: %d before, %d after; energy ",
+            f->worst_set + 1, f->worst_index + 1, f->before.excess_inflections,
+            f->after.excess_inflections);
+        add_rounded(out, f->before.energy);
+        batten_text_add(out, " before, ");
+        add_rounded(out, f->after.energy);
+        batten_text_add(out, " after\n");
+        if (f->suspect_count) {
+            batten_text_add(out, "    ");
+            add_plural(out, f->suspect_count, "point");
+            batten_text_add(out, " may be a blunder; see the messages\n");
+        }
+    }
+    if (r->skin) {
+        batten_text_add(out, "    sections moved by at most ");
+        add_length(out, check, r->skin->deviation);
+        batten_text_add(out, "; %d inner knot%s along them, the exact union has %d\n",
+                        r->skin->knot_count, bat_plural(r->skin->knot_count),
+                        r->skin->exact_knot_count);
+    } else if (r->has_error) {
+        batten_text_add(out, "    error at most ");
+        add_length(out, check, r->error_max);
+        batten_text_add(out, "\n");
+    }
+}
+
+static void text_fairness(batten_text *out, const batten_fairness *f)
+{
+    add_plural(out, f->inflections, "inflection");
+    batten_text_add(out, ", %d in excess; ", f->excess_inflections);
+    batten_text_add(out, "curvature extrema %d, largest curvature ", f->curvature_extrema);
+    add_rounded(out, f->max_curvature);
+    batten_text_add(out, ", energy ");
+    if (isfinite(f->energy)) {
+        add_rounded(out, f->energy);
+    } else {
+        batten_text_add(out, "infinite: ");
+        add_plural(out, f->corners, "corner");
+    }
+    if (f->curvature_jumps > 0) {
+        batten_text_add(out, ", ");
+        add_plural(out, f->curvature_jumps, "jump");
+        batten_text_add(out, " of curvature");
+    }
+}
+
+static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    for (int i = 0; i < c->distance_count; i++) {
+        const bat_distance *d = &c->distances[i];
+        batten_text_add(out, "    distance from the %d points %s '%s': at most ", d->count,
+                        d->is_faired ? "after fairing," : "given,", d->feature);
+        add_length(out, check, d->max);
+        batten_text_add(out, " (rms ");
+        add_rounded(out, d->rms);
+        batten_text_add(out, "), at ");
+        for (int k = 0; k < 3; k++) {
+            add_rounded(out, d->worst[k]);
+            batten_text_add(out, k < 2 ? ", " : "\n");
+        }
+    }
+    for (int i = 0; i < c->edge_count; i++)
+        if (c->edges[i].is_near) {
+            batten_text_add(out, "    the edge '%s' is at the centre plane within ",
+                            c->edges[i].name);
+            add_length(out, check, c->edges[i].gap);
+            batten_text_add(out, "\n");
+        }
+}
+
+/* How many sections of a family are fair, and which are not. */
+static void text_family(batten_text *out, const bat_checked *c, const char *family)
+{
+    int found = 0, fair = 0, missed = 0;
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        if (s->family[0] != family[0])
+            continue;
+        found += s->found;
+        missed += !s->found;
+        fair += s->found && s->excess == 0;
+    }
+    if (found + missed == 0)
+        return;
+    batten_text_add(out, "    %ss: %d of %d without visible inflections in excess", family,
+                    fair, found);
+    if (missed)
+        batten_text_add(out, "; %d could not be judged", missed);
+    batten_text_add(out, "\n");
+    for (int i = 0; i < c->section_count; i++) {
+        const bat_section *s = &c->sections[i];
+        if (s->family[0] != family[0] || !s->found || s->excess == 0)
+            continue;
+        batten_text_add(out, "      %s at ", s->name);
+        add_rounded(out, s->at);
+        batten_text_add(out, ": ");
+        add_plural(out, s->visible, "visible inflection");
+        batten_text_add(out, ", %d in excess; largest curvature ", s->excess);
+        add_rounded(out, s->fairness.max_curvature);
+        batten_text_add(out, "\n");
+    }
+}
+
+static void text_triangles(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    batten_text_add(out, "    ");
+    add_plural(out, batten_triangles_count(c->object->triangles), "triangle");
+    batten_text_add(out, " of degree %d", batten_triangles_degree(c->object->triangles));
+    if (c->triangle_joins) {
+        batten_text_add(out, "; at ");
+        add_plural(out, c->triangle_joins, "inner edge");
+        batten_text_add(out, " gaps of at most ");
+        add_length(out, check, c->triangle_gap);
+        batten_text_add(out, ", normals turn by at most ");
+        add_rounded(out, c->triangle_angle);
+        batten_text_add(out, " rad");
+    }
+    batten_text_add(out, "\n");
+}
+
+static void text_object(batten_text *out, const bat_check *check, const bat_checked *c)
+{
+    batten_text_add(out, "  %s (%s)\n", c->object->name, kind_name(c->object));
+    if (c->has_fairness) {
+        batten_text_add(out, "    ");
+        text_fairness(out, &c->fairness);
+        batten_text_add(out, "\n");
+    }
+    if (c->knot_count)
+        batten_text_add(out, "    joins at %d knot%s, all at least C%d and G%d\n",
+                        c->knot_count, bat_plural(c->knot_count), c->parametric, c->geometric);
+    if (c->object->kind == BATTEN_OBJECT_BODY || c->object->kind == BATTEN_OBJECT_MESH)
+        bat_solid_text(c->object, &c->faults, out);
+    if (c->object->kind == BATTEN_OBJECT_TRIANGLES)
+        text_triangles(out, check, c);
+    text_distances(out, check, c);
+    text_family(out, c, "station");
+    text_family(out, c, "waterline");
+    text_family(out, c, "buttock");
+}
+
+static void text_join(batten_text *out, const bat_check *check, const bat_join *join)
+{
+    for (int k = 0; k < 2; k++) {
+        const batten_object *object = check->objects[join->object[k]].object;
+        batten_text_add(out, "%s%s%s, %s", k ? " and " : "  ",
+                        join->part == 1 - k ? "a part of " : "", object->name,
+                        bat_side_name(object, join->side[k]));
+    }
+    batten_text_add(out, ": gap ");
+    add_length(out, check, join->g0);
+    if (isfinite(join->g1)) {
+        batten_text_add(out, ", turning by ");
+        add_rounded(out, join->g1);
+        batten_text_add(out, " rad, curvatures differ by ");
+        add_rounded(out, join->g2);
+        batten_text_add(out, " of the larger");
+    }
+    if (join->parametric >= 0)
+        batten_text_add(out, ": C%d, G%d", join->parametric, join->geometric);
+    batten_text_add(out, "\n");
+}
+
+/* Without a curve that was judged there is no verdict, but what would make one. */
+static void text_verdict(batten_text *out, const bat_check *check)
+{
+    bool has_shape = false;
+    for (int i = 0; i < check->object_count; i++)
+        has_shape |= check->objects[i].object->curve || check->objects[i].object->surface ||
+                     check->objects[i].object->triangles || check->objects[i].object->body ||
+                     check->objects[i].object->mesh;
+    if (check->judged_count)
+        batten_text_add(out, "\nVerdict: %s",
+                        check->fair ? "fair" : "there are inflections in excess");
+    else if (has_shape)
+        batten_text_add(
+            out,
+            "\n"
+            "No verdict: fairness is judged of curves through points in a plane x, y or z = constant, and of surfaces with their points");
+    else
+        batten_text_add(
+            out,
+            "\n"
+            "No verdict: points alone are not judged; 'batten fair' makes them fair, 'batten fit' a curve or a surface through them");
+}
+
+/* Bodies hold together within the bound, meshes are closed or not. */
+static void text_solids(batten_text *out, const bat_check *check, int bodies, int meshes)
+{
+    if (bodies) {
+        batten_text_add(out, "; bodies%s %s within ", meshes ? " and meshes" : "",
+                        check->ok ? "hold together" : "do not hold together");
+        add_length(out, check, check->within);
+    } else if (meshes == 1) {
+        batten_text_add(out, "; the mesh is %s", check->ok ? "closed" : "not closed");
+    } else {
+        batten_text_add(out, "; %s",
+                        check->ok ? "the meshes are closed" : "not all meshes are closed");
+    }
+}
+
+/* Of bodies the bound is for gaps, of other shapes for the points given. */
+static void text_bound(batten_text *out, const bat_check *check)
+{
+    bool has_points = false;
+    int bodies = 0, meshes = 0;
+    for (int i = 0; i < check->object_count; i++) {
+        has_points |= check->objects[i].distance_count > 0;
+        bodies += check->objects[i].object->kind == BATTEN_OBJECT_BODY;
+        meshes += check->objects[i].object->kind == BATTEN_OBJECT_MESH;
+    }
+    if (!has_points && check->bounded_count) {
+        text_solids(out, check, bodies, meshes);
+        return;
+    }
+    batten_text_add(out, "; the points given %s ",
+                    check->ok              ? "lie within"
+                    : check->bounded_count ? "lie farther than"
+                                           : "could not be measured against");
+    add_length(out, check, check->within);
+    batten_text_add(out, check->ok              ? " of the shape"
+                         : check->bounded_count ? " from the shape"
+                                                : "");
+}
+
+void bat_report_text(const bat_check *check, batten_text *out)
+{
+    const bat_document *d = check->run->document;
+    if (d->title)
+        batten_text_add(out, "%s\n\n", d->title);
+    batten_text_add(out, "What was done\n");
+    for (int k = 0; k < d->feature_count; k++)
+        if (check->upstream[d->order[k]])
+            text_feature(out, check, &check->run->results[d->order[k]].shown);
+    batten_text_add(out, "\nThe result\n");
+    for (int i = 0; i < check->object_count; i++)
+        text_object(out, check, &check->objects[i]);
+    if (check->join_count)
+        batten_text_add(out, "\nWhat meets\n");
+    for (int i = 0; i < check->join_count; i++)
+        text_join(out, check, &check->joins[i]);
+    text_verdict(out, check);
+    if (isfinite(check->within)) {
+        text_bound(out, check);
+    }
+    batten_text_add(out, ".\n");
+}

@@ -1,0 +1,39 @@
+#include "design/shared/conics.h"
+#include "base/plural.h"
+
+#include <string.h>
+
+static void tell(bat_run *run, const char *name, const batten_conics_report *report)
+{
+    if (report->inflections > 0)
+        bat_note(run, "'%s' bends to both sides in %d of its spans; curvature jumps there",
+                 name, report->inflections);
+    if (report->arcs > 0)
+        bat_note(run,
+                 "in %d span%s '%s' is a biarc, as the tangents do not meet near it; the first "
+                 "is after point %d",
+                 report->arcs, bat_plural(report->arcs), name, report->first_arcs);
+    if (report->fallen_back > 0)
+        bat_note(run,
+                 "in %d span%s '%s' has no pair of conics with these curvatures and keeps the "
+                 "tangents alone; the first is after point %d",
+                 report->fallen_back, bat_plural(report->fallen_back), name,
+                 report->first_fallen_back);
+}
+
+batten_status bat_conics_make(bat_run *run, const bat_data *data,
+                              const batten_conics_options *options, bat_made *made)
+{
+    batten_conics_report report;
+    double *t = bat_array((size_t)data->count + 1, sizeof *t);
+    if (!t)
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status =
+        batten_curve_conics(data->count, data->points, options, t, &report, &made->curve);
+    if (status == BATTEN_OK) {
+        memcpy(made->parameters, t, (size_t)data->count * sizeof *t);
+        tell(run, data->name, &report);
+    }
+    bat_release(t);
+    return status;
+}

@@ -1,0 +1,211 @@
+#include "design/shared/rows.h"
+
+#include <string.h>
+
+static batten_status begin_rows(int count, bat_rows *rows)
+{
+    rows->rows = bat_array((size_t)count, sizeof *rows->rows);
+    rows->count = rows->rows ? count : 0;
+    return rows->rows ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static batten_status begin_row(bat_row *row, const char *name, int count)
+{
+    row->name = name;
+    row->points = bat_array3((size_t)count, 3, sizeof *row->points);
+    return row->points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+static void add_point(bat_row *row, const batten_offset_point *p)
+{
+    double *to = row->points + 3 * row->count++;
+    to[0] = p->x;
+    to[1] = p->y;
+    to[2] = p->z;
+}
+
+static batten_status rows_of_stations(const batten_offsets *table, bat_rows *rows)
+{
+    batten_status status = begin_rows(batten_offsets_station_count(table), rows);
+    for (int i = 0; i < rows->count && status == BATTEN_OK; i++) {
+        const batten_station *station = batten_offsets_station(table, i);
+        status = begin_row(&rows->rows[i], station->name, station->point_count);
+        for (int k = 0; k < station->point_count && status == BATTEN_OK; k++)
+            add_point(&rows->rows[i], &station->points[k]);
+    }
+    return status;
+}
+
+static batten_status rows_of_lines(const batten_offsets *table, bat_rows *rows)
+{
+    const int stations = batten_offsets_station_count(table);
+    batten_status status = begin_rows(batten_offsets_line_count(table), rows);
+    int *counts = bat_array((size_t)rows->count, sizeof *counts);
+    if (status == BATTEN_OK && !counts)
+        status = BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < stations && status == BATTEN_OK; i++) {
+        const batten_station *station = batten_offsets_station(table, i);
+        for (int k = 0; k < station->point_count; k++)
+            if (station->points[k].line >= 0)
+                counts[station->points[k].line]++;
+    }
+    for (int i = 0; i < rows->count && status == BATTEN_OK; i++)
+        status = begin_row(&rows->rows[i], batten_offsets_line(table, i)->name, counts[i]);
+    for (int i = 0; i < stations && status == BATTEN_OK; i++) {
+        const batten_station *station = batten_offsets_station(table, i);
+        for (int k = 0; k < station->point_count; k++)
+            if (station->points[k].line >= 0)
+                add_point(&rows->rows[station->points[k].line], &station->points[k]);
+    }
+    bat_release(counts);
+    return status;
+}
+
+static batten_status row_of_points(const batten_object *object, bat_rows *rows)
+{
+    batten_status status = begin_rows(1, rows);
+    if (status == BATTEN_OK)
+        status = begin_row(rows->rows, object->name, object->point_count);
+    if (status == BATTEN_OK && object->point_count) {
+        memcpy(rows->rows->points, object->points,
+               3 * (size_t)object->point_count * sizeof(double));
+        rows->rows->count = object->point_count;
+    }
+    return status;
+}
+
+batten_status bat_rows_of(const batten_object *object, bool lines, bat_rows *out)
+{
+    bat_rows rows = {0, NULL};
+    batten_status status;
+    if (object->kind != BATTEN_OBJECT_OFFSETS)
+        status = row_of_points(object, &rows);
+    else if (lines)
+        status = rows_of_lines(object->offsets, &rows);
+    else
+        status = rows_of_stations(object->offsets, &rows);
+    if (status == BATTEN_OK)
+        *out = rows;
+    else
+        bat_rows_release(&rows);
+    return status;
+}
+
+void bat_rows_release(bat_rows *rows)
+{
+    for (int i = 0; i < rows->count; i++)
+        bat_release(rows->rows[i].points);
+    bat_release(rows->rows);
+    *rows = (bat_rows){0, NULL};
+}
+
+/* ---- points in no order ---- */
+
+static batten_status add_rows(const batten_object *object, int *count, double **points)
+{
+    bat_rows rows = {0, NULL};
+    batten_status status = bat_rows_of(object, false, &rows);
+    for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
+        const size_t had = (size_t)*count, more = (size_t)rows.rows[i].count;
+        double *grown = bat_resize(*points, 3 * (had + more) + 1, sizeof *grown);
+        if (!grown) {
+            status = BATTEN_OUT_OF_MEMORY;
+            break;
+        }
+        memcpy(grown + 3 * had, rows.rows[i].points, 3 * more * sizeof *grown);
+        *points = grown;
+        *count += (int)more;
+    }
+    bat_rows_release(&rows);
+    return status;
+}
+
+batten_status bat_gather_points(const bat_run *run, const char *parameter, int *count,
+                                double **points)
+{
+    bat_objects objects;
+    int all = 0;
+    double *gathered = NULL;
+    batten_status status = bat_gather(run, parameter, BAT_POINTS | BAT_OFFSETS, &objects);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
+        status = add_rows(objects.at[i], &all, &gathered);
+    bat_objects_release(&objects);
+    if (status == BATTEN_OK)
+        status = bat_points_check_size(all, gathered);
+    if (status != BATTEN_OK) {
+        bat_release(gathered);
+        return status;
+    }
+    *count = all;
+    *points = gathered;
+    return BATTEN_OK;
+}
+
+/* ---- plane rows ---- */
+
+int bat_flat_axis(int count, const double *points)
+{
+    for (int axis = 2; axis >= 0; axis--) {
+        int i = 0;
+        while (i < count && points[3 * i + axis] == points[axis])
+            i++;
+        if (i == count)
+            return axis;
+    }
+    return -1;
+}
+
+double *bat_points_in_plane(int axis, int count, const double *points)
+{
+    double *plane = bat_array3((size_t)count, axis < 0 ? 3 : 2, sizeof *plane);
+    double *to = plane;
+    for (int i = 0; plane && i < 3 * count; i++)
+        if (i % 3 != axis)
+            *to++ = points[i];
+    return plane;
+}
+
+void bat_points_from_plane(int axis, int count, const double *from, double *to)
+{
+    for (int i = 0; i < 3 * count; i++)
+        if (i % 3 != axis)
+            to[i] = *from++;
+}
+
+batten_status bat_curve_in_plane(const batten_curve *curve, int axis, batten_curve **out)
+{
+    batten_curve *lifted = NULL, *turned = NULL;
+    /* Bring the two coordinates that stay to the front. */
+    const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+    batten_affine map = batten_affine_identity();
+    batten_status status = batten_curve_to_dimension(curve, 3, &lifted);
+    if (axis < 0 || status != BATTEN_OK) {
+        if (status == BATTEN_OK)
+            *out = lifted;
+        return status;
+    }
+    memset(map.m, 0, sizeof map.m);
+    map.m[0][first] = map.m[1][second] = map.m[2][axis] = 1;
+    status = batten_curve_transform(lifted, &map, &turned);
+    if (status == BATTEN_OK)
+        status = batten_curve_to_dimension(turned, 2, out);
+    batten_curve_unref(turned);
+    batten_curve_unref(lifted);
+    return status;
+}
+
+batten_status bat_points_check_size(int count, const double *points)
+{
+    static const double least = 1e-90, most = 1e90;
+    double size = 0;
+    for (int i = 0; i < 3 * count; i++)
+        size = fmax(size, fabs(points[i]));
+    if (size == 0 || (size >= least && size <= most))
+        return BATTEN_OK;
+    return bat_fail(BATTEN_BAD_ARGUMENT,
+                    "the largest coordinate is %g; from %g to %g can be worked with: choose "
+                    "another unit",
+                    size, least, most);
+}

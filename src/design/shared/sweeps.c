@@ -1,0 +1,91 @@
+#include "design/shared/sweeps.h"
+#include "base/plural.h"
+
+#include <batten/measure.h>
+#include <stdio.h>
+
+double bat_sweep_within(const bat_run *run)
+{
+    return bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
+}
+
+void bat_remark_space_section(const bat_run *run, const batten_curve *section)
+{
+    batten_box box;
+    if (batten_curve_dimension(section) < 3 || batten_curve_bounds(section, &box) != BATTEN_OK)
+        return;
+    if (box.low.z != 0 || box.high.z != 0)
+        bat_remark(run,
+                   "the section is a space curve in the moving frame: its z, from %.4g to "
+                   "%.4g, goes along the way",
+                   box.low.z, box.high.z);
+}
+
+static batten_status through(int count, const double *values, batten_curve **out)
+{
+    double *at = bat_array((size_t)count, sizeof *at);
+    if (!at)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        at[i] = i < count - 1 ? (double)i / (count - 1) : 1;
+    batten_interpolate_options options = batten_interpolate_defaults();
+    options.parameters = BATTEN_GIVEN;
+    options.given = at;
+    const batten_status status =
+        batten_curve_interpolate(1, count, values, &options, NULL, out);
+    bat_release(at);
+    return status;
+}
+
+batten_status bat_sweep_law(const bat_run *run, const char *parameter, batten_curve **out)
+{
+    const bat_argument *given = bat_argument_of(run, parameter);
+    if (given->count == 0)
+        return BATTEN_OK;
+    const int count = given->count < 2 ? 2 : given->count;
+    double *values = bat_array((size_t)count, sizeof *values);
+    if (!values)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < count; i++)
+        values[i] = given->items[i < given->count ? i : 0].number[0];
+    const batten_status status = through(count, values, out);
+    bat_release(values);
+    return status;
+}
+
+static void say(bat_run *run, const batten_sweep_report *report)
+{
+    bat_report_error(run, report->error, report->error);
+    if (report->turn != 0)
+        bat_remark(run, "%d section%s; the frames are turned back by %.4g degrees in a round",
+                   report->section_count, bat_plural(report->section_count),
+                   report->turn * 180 / BAT_PI);
+    else
+        bat_remark(run, "%d section%s", report->section_count,
+                   bat_plural(report->section_count));
+    if (report->clearance <= 0)
+        bat_note(run,
+                 "the sections run into each other around %.6g of the spine: curvature times "
+                 "their reach is %.4g",
+                 report->clearance_at, 1 - report->clearance);
+}
+
+batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
+                            batten_surface **surfaces, const batten_sweep_report *report)
+{
+    if (status != BATTEN_OK)
+        return status;
+    for (int k = 0; k < count; k++) {
+        char name[200];
+        if (count == 1)
+            snprintf(name, sizeof name, "%s", run->name);
+        else
+            snprintf(name, sizeof name, "%.180s %d", run->name, k + 1);
+        const batten_object like = {.name = name, .layer = ""};
+        status = bat_put_surface_like(run, status, surfaces[k], &like);
+    }
+    bat_release(surfaces);
+    if (status == BATTEN_OK)
+        say(run, report);
+    return status;
+}

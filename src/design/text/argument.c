@@ -1,0 +1,431 @@
+#include "base/plural.h"
+#include "design/text/document.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* What is being read, for the sentences about it. */
+typedef struct {
+    bat_document *document;
+    const bat_entry *entry;
+    const batten_parameter *parameter;
+    int at; /* the node to which complaints point */
+} reading;
+
+static const char *operation_of(const reading *r)
+{
+    return r->entry->feature->shown.name;
+}
+
+static void complain_of(const reading *r, const char *what)
+{
+    const bool principal = strcmp(r->parameter->name, operation_of(r)) == 0;
+    if (principal)
+        bat_complain(r->document, r->at, "%s %s", operation_of(r), what);
+    else
+        bat_complain(r->document, r->at, "'%s' of %s %s", r->parameter->name, operation_of(r),
+                     what);
+}
+
+/* ---- names and words ---- */
+
+static void read_model(const reading *r, const char *word, bat_item *item)
+{
+    bat_document *d = r->document;
+    item->count = bat_document_feature(d, word);
+    item->text = word;
+    if (item->count >= 0)
+        return;
+    const char *near = NULL;
+    int best = 99;
+    for (int i = 0; i < d->feature_count; i++)
+        if (bat_is_nearer(word, d->features[i].name, &best))
+            near = d->features[i].name;
+    bat_complain(d, r->at, "no feature is named '%.80s'%s%s%s", word,
+                 near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+/* Copy word number `index` of a list with blanks between; false at its end. */
+static bool word_at(const char **words, char *word, size_t size)
+{
+    *words += strspn(*words, " ");
+    const size_t length = strcspn(*words, " ");
+    if (length == 0 || length >= size)
+        return false;
+    memcpy(word, *words, length);
+    word[length] = 0;
+    *words += length;
+    return true;
+}
+
+static void read_word(const reading *r, const char *given, bat_item *item)
+{
+    char word[40], near[40] = "", what[400];
+    const char *rest = r->parameter->words;
+    int best = 99;
+    item->text = given;
+    item->count = -1;
+    for (int i = 0; word_at(&rest, word, sizeof word); i++) {
+        if (strcmp(word, given) == 0) {
+            item->count = i;
+            return;
+        }
+        if (bat_is_nearer(given, word, &best))
+            snprintf(near, sizeof near, "%s", word);
+    }
+    snprintf(what, sizeof what, "cannot be '%.60s'%s%s%s; it is one of: %s", given,
+             *near ? "; did you mean '" : "", near, *near ? "'" : "", r->parameter->words);
+    complain_of(r, what);
+}
+
+static void read_yes_no(const reading *r, const char *word, bat_item *item)
+{
+    static const char *const words[] = {"no", "yes", "false", "true"};
+    for (int i = 0; i < 4; i++)
+        if (strcmp(word, words[i]) == 0) {
+            item->count = i % 2;
+            return;
+        }
+    char what[120];
+    snprintf(what, sizeof what, "must be yes or no, not '%.60s'", word);
+    complain_of(r, what);
+}
+
+static void read_file(const reading *r, const char *word, bat_item *item)
+{
+    item->text = word;
+    if (!*word)
+        complain_of(r, "needs the name of a file");
+    else if (!r->document->allow_outside && bat_path_leaves(word))
+        bat_complain(
+            r->document, r->at,
+            "the path %.200s leads out of the folder of the design; --allow-outside allows it",
+            word);
+}
+
+/* ---- numbers ---- */
+
+static const char *kind_name(batten_value_kind kind)
+{
+    static const char *const names[] = {"the name of a feature",
+                                        "a length",
+                                        "an angle with its unit (30 deg, 0.5 rad)",
+                                        "a number",
+                                        "a whole number",
+                                        "a word",
+                                        "a text",
+                                        "the name of a file",
+                                        "yes or no",
+                                        "a point [x, y, z]",
+                                        "a range [a, b]",
+                                        "a point [x, y, z], or the name of a feature"};
+    return names[kind];
+}
+
+static bool fits(batten_value_kind kind, const bat_quantity *q)
+{
+    const bool is_number = q->length == 0 && q->angle == 0;
+    if (kind == BATTEN_VALUE_ANGLE)
+        return (q->angle == 1 && q->length == 0) || (is_number && q->value == 0);
+    if (kind == BATTEN_VALUE_NUMBER || kind == BATTEN_VALUE_COUNT)
+        return is_number;
+    return is_number || (q->length == 1 && q->angle == 0);
+}
+
+static bool read_quantity(const reading *r, batten_value_kind kind, const char *word,
+                          bat_quantity *out)
+{
+    const bat_names names = bat_document_names(r->document);
+    bool vanished = false;
+    char what[700], text[48];
+    if (bat_quantity_read(word, &names, &vanished, out) != BATTEN_OK) {
+        snprintf(what, sizeof what, "needs %s: %s", kind_name(kind), batten_message());
+        complain_of(r, what);
+        return false;
+    }
+    if (!fits(kind, out)) {
+        snprintf(what, sizeof what, "needs %s; '%.60s' is %s", kind_name(kind), word,
+                 bat_dimension_name(out->length, out->angle, text));
+        complain_of(r, what);
+        return false;
+    }
+    if (vanished)
+        batten_notes_add(r->document->complaints->notes, r->document->file_name,
+                         r->document->tree.nodes[r->at].line, r->entry->name,
+                         "%s is too small for a number and became 0", word);
+    return true;
+}
+
+static void read_count(const reading *r, const char *word, bat_item *item)
+{
+    char what[200];
+    bat_quantity q;
+    if (*word != '=') {
+        if (bat_count_read(word, &item->count) != BATTEN_OK) {
+            snprintf(what, sizeof what, "is wrong: %.150s", batten_message());
+            complain_of(r, what);
+        }
+        return;
+    }
+    if (!read_quantity(r, BATTEN_VALUE_COUNT, word, &q))
+        return;
+    if (q.value >= 0 && q.value <= 1e9 && q.value == floor(q.value)) {
+        item->count = (int)q.value;
+        return;
+    }
+    snprintf(what, sizeof what, "must be a whole number, 0 or more; '%.60s' is none", word);
+    complain_of(r, what);
+}
+
+/* "x", "-z", "origin": directions and the origin have names. */
+static bool named_point(const char *word, double *out)
+{
+    const bool minus = *word == '-';
+    const char *rest = minus ? word + 1 : word;
+    if (strcmp(word, "origin") == 0) {
+        memset(out, 0, 3 * sizeof *out);
+        return true;
+    }
+    if (*rest < 'x' || *rest > 'z' || rest[1])
+        return false;
+    memset(out, 0, 3 * sizeof *out);
+    out[*rest - 'x'] = minus ? -1 : 1;
+    return true;
+}
+
+/* The coordinates of a list of words. */
+static void read_coordinates(reading r, const bat_node *node, int least, int most,
+                             bat_item *item)
+{
+    const bat_node *nodes = r.document->tree.nodes;
+    char what[120];
+    if (node->count < least || node->count > most) {
+        snprintf(what, sizeof what, "needs %s, not %d value%s", kind_name(r.parameter->kind),
+                 node->count, bat_plural(node->count));
+        complain_of(&r, what);
+        return;
+    }
+    int k = 0;
+    for (int i = node->first; i >= 0; i = nodes[i].next, k++) {
+        bat_quantity q;
+        r.at = i;
+        if (nodes[i].kind != BAT_NODE_WORD)
+            complain_of(&r, "has a list where a length is expected");
+        else if (read_quantity(&r, BATTEN_VALUE_LENGTH, nodes[i].word, &q))
+            item->number[k] = q.value;
+    }
+}
+
+static void read_list_item(const reading *r, const bat_node *node, bat_item *item)
+{
+    const batten_value_kind kind = r->parameter->kind;
+    char what[120];
+    if ((kind == BATTEN_VALUE_POINT || kind == BATTEN_VALUE_POINTS) &&
+        node->kind == BAT_NODE_LIST) {
+        read_coordinates(*r, node, 2, 3, item);
+    } else if (kind == BATTEN_VALUE_RANGE && node->kind == BAT_NODE_LIST) {
+        read_coordinates(*r, node, 2, 2, item);
+        if (item->number[0] >= item->number[1])
+            complain_of(r, "must have its lower end first, and the other above it");
+    } else {
+        snprintf(what, sizeof what, "needs %s, not a %s", kind_name(kind),
+                 node->kind == BAT_NODE_LIST ? "list" : "map");
+        complain_of(r, what);
+    }
+}
+
+static void read_item(const reading *r, const bat_node *node, bat_item *item)
+{
+    bat_quantity q;
+    const batten_value_kind kind = r->parameter->kind;
+    const char *word = node->word;
+    if (node->kind != BAT_NODE_WORD) {
+        read_list_item(r, node, item);
+        return;
+    }
+    switch (kind) {
+    case BATTEN_VALUE_MODEL:
+        read_model(r, word, item);
+        return;
+    case BATTEN_VALUE_WORD:
+        read_word(r, word, item);
+        return;
+    case BATTEN_VALUE_TEXT:
+        item->text = word;
+        return;
+    case BATTEN_VALUE_FILE:
+        read_file(r, word, item);
+        return;
+    case BATTEN_VALUE_YES_NO:
+        read_yes_no(r, word, item);
+        return;
+    case BATTEN_VALUE_COUNT:
+        read_count(r, word, item);
+        return;
+    case BATTEN_VALUE_POINTS:
+        if (!named_point(word, item->number))
+            read_model(r, word, item);
+        return;
+    case BATTEN_VALUE_POINT:
+    case BATTEN_VALUE_RANGE:
+        if (kind == BATTEN_VALUE_RANGE || !named_point(word, item->number)) {
+            char what[160];
+            snprintf(what, sizeof what, "needs %s%s, not '%.60s'", kind_name(kind),
+                     kind == BATTEN_VALUE_POINT ? ", or one of origin x y z -x -y -z" : "",
+                     word);
+            complain_of(r, what);
+        }
+        return;
+    default:
+        if (read_quantity(r, kind, word, &q))
+            item->number[0] = q.value;
+    }
+}
+
+/* ---- one argument ---- */
+
+/* Are all words of a list names of features? */
+static bool names_features(bat_document *d, const bat_node *list)
+{
+    for (int i = list->first; i >= 0; i = d->tree.nodes[i].next)
+        if (d->tree.nodes[i].kind != BAT_NODE_WORD ||
+            bat_document_feature(d, d->tree.nodes[i].word) < 0)
+            return false;
+    return true;
+}
+
+/* Is a list node many values, and not one point? */
+static bool is_many(bat_document *d, const batten_parameter *p, const bat_node *node)
+{
+    const bool has_coordinates = p->kind == BATTEN_VALUE_POINT ||
+                                 p->kind == BATTEN_VALUE_POINTS ||
+                                 p->kind == BATTEN_VALUE_RANGE;
+    if (!p->is_list || node->kind != BAT_NODE_LIST)
+        return false;
+    if (!has_coordinates || !node->count)
+        return true;
+    for (int i = node->first; i >= 0; i = d->tree.nodes[i].next)
+        if (d->tree.nodes[i].kind == BAT_NODE_LIST)
+            return true;
+    return p->kind == BATTEN_VALUE_POINTS && names_features(d, node);
+}
+
+static batten_status read_argument(reading *r, int node, bat_argument *out)
+{
+    bat_document *d = r->document;
+    const bat_node *at = &d->tree.nodes[node];
+    const bool many = is_many(d, r->parameter, at);
+    const int count = many ? at->count : 1;
+    r->at = node;
+    if (count == 0) {
+        complain_of(r, "needs at least one value");
+        return BATTEN_OK;
+    }
+    out->items = bat_pool_array(&d->pool, (size_t)count, sizeof *out->items);
+    if (!out->items)
+        return BATTEN_OUT_OF_MEMORY;
+    out->count = count;
+    out->given = true;
+    int k = 0;
+    for (int i = many ? at->first : node; k < count; i = d->tree.nodes[i].next) {
+        r->at = i;
+        read_item(r, &d->tree.nodes[i], &out->items[k++]);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status read_standard(reading *r, bat_argument *out)
+{
+    if (!r->parameter->standard)
+        return BATTEN_OK;
+    const bat_node node = {.kind = BAT_NODE_WORD, .word = r->parameter->standard};
+    out->items = bat_pool_array(&r->document->pool, 1, sizeof *out->items);
+    if (!out->items)
+        return BATTEN_OUT_OF_MEMORY;
+    out->count = 1;
+    r->at = r->entry->key;
+    read_item(r, &node, out->items);
+    return BATTEN_OK;
+}
+
+/* ---- all arguments of an entry ---- */
+
+static void unknown_key(bat_document *d, const bat_entry *entry, int key)
+{
+    const batten_feature *f = &entry->feature->shown;
+    const char *word = d->tree.nodes[key].word, *near = NULL;
+    int best = 99;
+    for (int i = 1; i < f->parameter_count; i++)
+        if (bat_is_nearer(word, f->parameters[i].name, &best))
+            near = f->parameters[i].name;
+    /* In { } a comma ends a value, also inside of min(a, b). */
+    const bool is_rest = strchr(word, ')') && !strchr(word, '(');
+    bat_complain(d, key, "%s has no parameter '%.80s'%s%s%s%s", f->name, word,
+                 near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "",
+                 is_rest ? "; put an expression with commas in quotes" : "");
+}
+
+static batten_status read_map(reading *r, bat_entry *entry)
+{
+    const bat_node *nodes = r->document->tree.nodes;
+    const batten_feature *f = &entry->feature->shown;
+    batten_status status = BATTEN_OK;
+    for (int i = nodes[entry->node].first; i >= 0 && status == BATTEN_OK; i = nodes[i].next) {
+        const char *key = nodes[nodes[i].key].word;
+        int p = 0;
+        while (p < f->parameter_count && strcmp(f->parameters[p].name, key) != 0)
+            p++;
+        if (p == f->parameter_count) {
+            unknown_key(r->document, entry, nodes[i].key);
+            continue;
+        }
+        r->parameter = &f->parameters[p];
+        status = read_argument(r, i, &entry->arguments[p]);
+    }
+    return status;
+}
+
+batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
+{
+    if (!entry->feature)
+        return BATTEN_OK;
+    const batten_feature *f = &entry->feature->shown;
+    reading r = {.document = document, .entry = entry, .parameter = &f->parameters[0]};
+    entry->arguments =
+        bat_pool_array(&document->pool, (size_t)f->parameter_count, sizeof *entry->arguments);
+    if (!entry->arguments)
+        return BATTEN_OUT_OF_MEMORY;
+    const bool is_bare = document->tree.nodes[entry->node].kind != BAT_NODE_MAP;
+    batten_status status =
+        is_bare ? read_argument(&r, entry->node, &entry->arguments[0]) : read_map(&r, entry);
+    for (int i = 0; i < f->parameter_count && status == BATTEN_OK; i++) {
+        r.parameter = &f->parameters[i];
+        if (entry->arguments[i].count)
+            continue;
+        if (f->parameters[i].required && !entry->arguments[i].given)
+            bat_complain(document, entry->key, "%s of '%s' needs '%s': %s", f->name,
+                         entry->name, f->parameters[i].name, f->parameters[i].summary);
+        else
+            status = read_standard(&r, &entry->arguments[i]);
+    }
+    return status;
+}
+
+bool bat_item_is_feature(batten_value_kind kind, const bat_item *item)
+{
+    return kind == BATTEN_VALUE_MODEL || (kind == BATTEN_VALUE_POINTS && item->text);
+}
+
+void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
+                      void *user)
+{
+    if (!entry->feature || !entry->arguments)
+        return;
+    const batten_feature *f = &entry->feature->shown;
+    for (int i = 0; i < f->parameter_count; i++)
+        for (int k = 0; k < entry->arguments[i].count; k++) {
+            const bat_item *item = &entry->arguments[i].items[k];
+            if (bat_item_is_feature(f->parameters[i].kind, item) && item->count >= 0)
+                visit(user, item->count);
+        }
+}

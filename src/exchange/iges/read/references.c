@@ -1,0 +1,243 @@
+#include "exchange/iges/read/references.h"
+
+#include <string.h>
+
+const bat_iges_entry *bat_iges_entry_at(const bat_iges_reading *reading, size_t place)
+{
+    return (const bat_iges_entry *)reading->file.entries.items + place;
+}
+
+size_t bat_iges_place_of(const bat_iges_reading *reading, const bat_iges_entry *entry)
+{
+    return (size_t)(entry - (const bat_iges_entry *)reading->file.entries.items);
+}
+
+bat_iges_shape *bat_iges_shape_of(const bat_iges_reading *reading, const bat_iges_entry *entry)
+{
+    return &reading->shapes[bat_iges_place_of(reading, entry)];
+}
+
+batten_status bat_iges_find(const bat_iges_reading *reading, int id, const bat_iges_entry **out)
+{
+    const bat_iges_entry *entries = reading->file.entries.items;
+    size_t low = 0, high = reading->file.entries.count;
+    if (id <= 0 || id % 2 == 0)
+        return bat_fail(BATTEN_BAD_FORMAT, "%d is not the odd number of an entity", id);
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (entries[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == reading->file.entries.count || entries[low].id != id)
+        return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d, which is missing", id);
+    if (entries[low].is_broken)
+        return bat_fail(BATTEN_BAD_FORMAT, "it refers to entity D%d, which is damaged", id);
+    *out = &entries[low];
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_find_type(const bat_iges_reading *reading, int id, int type,
+                                 const bat_iges_entry **out)
+{
+    const bat_iges_entry *entry = NULL;
+    batten_status status = bat_iges_find(reading, id, &entry);
+    if (status == BATTEN_OK && entry->type != type)
+        status = bat_fail(BATTEN_BAD_FORMAT,
+                          "it refers to entity D%d as type %d, which is of type %d", id, type,
+                          entry->type);
+    if (status == BATTEN_OK)
+        *out = entry;
+    return status;
+}
+
+/* ---- parts ---- */
+
+/* A part of a pattern that is being repeated. */
+typedef struct {
+    const char *begin;
+    int left;
+} repeated;
+
+/* Behind the ')' that belongs to the '(' at c. */
+static const char *past_group(const char *c)
+{
+    int open = 0;
+    do {
+        open += (*c == '(') - (*c == ')');
+        c++;
+    } while (open > 0);
+    return c;
+}
+
+static void mark(bat_iges_item *item, size_t index)
+{
+    const bat_iges_entry *entry = NULL;
+    int id = 0;
+    if (bat_iges_integer(item->parameters, index, &id) == BATTEN_OK && id > 0 &&
+        id != item->entry->id && bat_iges_find(item->reading, id, &entry) == BATTEN_OK)
+        bat_iges_shape_of(item->reading, entry)->is_part = true;
+}
+
+static void mark_parts_of(bat_iges_item *item)
+{
+    enum { DEEPEST = 4 };
+    repeated stack[DEEPEST];
+    int depth = 0, count = 0;
+    size_t at = 1;
+    for (const char *c = item->row->references; *c && at < bat_iges_count_of(item->parameters);)
+        if (*c == '(' && count <= 0) {
+            c = past_group(c);
+        } else if (*c == '(') {
+            assert(depth < DEEPEST);
+            stack[depth++] = (repeated){++c, count};
+        } else if (*c == ')') {
+            c = --stack[depth - 1].left > 0 ? stack[depth - 1].begin : c + 1;
+            depth -= stack[depth - 1].left == 0;
+        } else {
+            if (*c == 'p')
+                mark(item, at);
+            if (*c == 'n' && bat_iges_integer(item->parameters, at, &count) != BATTEN_OK)
+                return;
+            at++;
+            c++;
+        }
+}
+
+batten_status bat_iges_mark_parts(bat_iges_reading *reading)
+{
+    batten_status status = BATTEN_OK;
+    for (size_t k = 0; status == BATTEN_OK && k < reading->file.entries.count; k++) {
+        const bat_iges_entry *entry = bat_iges_entry_at(reading, k);
+        bat_iges_item item;
+        if (entry->is_broken || !bat_iges_row_of(entry->type)->references)
+            continue;
+        status = bat_iges_open(reading, entry, &item);
+        if (status == BATTEN_OK)
+            mark_parts_of(&item);
+        bat_iges_close(&item);
+        if (bat_iges_is_fault_of_data(status))
+            status = BATTEN_OK; /* it is said when the entity is read */
+    }
+    return status;
+}
+
+/* ---- matrices ---- */
+
+/* How far the rows of a matrix are from being orthonormal. */
+static double skewness(const double m[3][3])
+{
+    double worst = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            const double dot = m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2];
+            worst = bat_max(worst, fabs(dot - (i == j)));
+        }
+    return worst;
+}
+
+/* Gram and Schmidt, from the first row on. */
+static void make_orthonormal(double m[3][3])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < i; j++) {
+            const double dot = m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2];
+            for (int k = 0; k < 3; k++)
+                m[i][k] -= dot * m[j][k];
+        }
+        const double length = sqrt(m[i][0] * m[i][0] + m[i][1] * m[i][1] + m[i][2] * m[i][2]);
+        for (int k = 0; k < 3; k++)
+            m[i][k] /= length;
+    }
+}
+
+static batten_status read_matrix(bat_iges_item *item, batten_affine *map)
+{
+    const bat_iges_entry *entry = item->entry;
+    batten_status status = BATTEN_OK;
+    for (size_t i = 0; status == BATTEN_OK && i < 12; i++) {
+        double *value = i % 4 < 3 ? &map->m[i / 4][i % 4] : &map->t[i / 4];
+        status = bat_iges_real(item->parameters, i + 1, value);
+    }
+    if (status != BATTEN_OK)
+        return status;
+    const double skew = skewness((const double(*)[3])map->m);
+    if (!(skew <= 1e-6))
+        return bat_fail(BATTEN_BAD_FORMAT, "the matrix D%d is off a rotation by %g", entry->id,
+                        skew);
+    if (skew > 1e-9) {
+        bat_iges_shape *shape = bat_iges_shape_of(item->reading, entry);
+        if (shape->state == BAT_IGES_NEW)
+            bat_iges_note(item->reading, entry,
+                          "the matrix is off a rotation by %g; made a rotation", skew);
+        shape->state = BAT_IGES_READ;
+        make_orthonormal(map->m);
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_transform(bat_iges_reading *reading, int id, batten_affine *map)
+{
+    batten_affine whole = batten_affine_identity(), part;
+    batten_status status = BATTEN_OK;
+    for (int depth = 0; status == BATTEN_OK && id != 0; depth++) {
+        const bat_iges_entry *entry = NULL;
+        bat_iges_item item;
+        if (depth == reading->input->limits.nesting)
+            return bat_fail(BATTEN_BAD_FORMAT,
+                            "its matrices refer to one another in a ring, or more than %d deep",
+                            depth);
+        status = bat_iges_find_type(reading, id, 124, &entry);
+        if (status != BATTEN_OK)
+            return status;
+        status = bat_iges_open(reading, entry, &item);
+        if (status == BATTEN_OK)
+            status = read_matrix(&item, &part);
+        bat_iges_close(&item);
+        if (status == BATTEN_OK) {
+            whole = batten_affine_compose(whole, part);
+            id = entry->transform;
+        }
+    }
+    if (status == BATTEN_OK)
+        *map = whole;
+    return status;
+}
+
+/* ---- points and directions ---- */
+
+static batten_status read_triple(bat_iges_reading *reading, int id, int type, bool moves,
+                                 double triple[3])
+{
+    const bat_iges_entry *entry = NULL;
+    bat_iges_item item;
+    batten_affine map = batten_affine_identity();
+    batten_status status = bat_iges_find_type(reading, id, type, &entry);
+    if (status != BATTEN_OK)
+        return status;
+    status = bat_iges_open(reading, entry, &item);
+    if (status == BATTEN_OK)
+        status = bat_iges_reals(item.parameters, 1, 3, triple);
+    bat_iges_close(&item);
+    if (status == BATTEN_OK && entry->transform)
+        status = bat_iges_transform(reading, entry->transform, &map);
+    if (status != BATTEN_OK || !entry->transform)
+        return status;
+    if (!moves)
+        memset(map.t, 0, sizeof map.t);
+    const batten_vec3 moved =
+        batten_affine_apply(map, (batten_vec3){triple[0], triple[1], triple[2]});
+    memcpy(triple, (double[]){moved.x, moved.y, moved.z}, 3 * sizeof *triple);
+    return BATTEN_OK;
+}
+
+batten_status bat_iges_point(bat_iges_reading *reading, int id, double point[3])
+{
+    return read_triple(reading, id, 116, true, point);
+}
+
+batten_status bat_iges_direction(bat_iges_reading *reading, int id, double direction[3])
+{
+    return read_triple(reading, id, 123, false, direction);
+}

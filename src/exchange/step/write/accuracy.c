@@ -1,0 +1,52 @@
+/* How accurate a STEP file says that it is. */
+#include "base/real.h"
+#include "exchange/step/write/writing.h"
+
+#include <math.h>
+
+/* How far curves of the bodies may miss their vertices and surfaces. */
+static double loosest(const batten_model *model)
+{
+    double tolerance = 0;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (object->body)
+            tolerance = bat_max(tolerance, batten_body_view(object->body)->tolerance);
+    }
+    return tolerance;
+}
+
+static double size_of(const batten_box *box)
+{
+    const double x = box->high.x - box->low.x, y = box->high.y - box->low.y,
+                 z = box->high.z - box->low.z;
+    return hypot(hypot(x, y), z);
+}
+
+/* The size of the smallest body or surface, of those that are more than a point; INFINITY when
+ * there is none. */
+static double smallest(const batten_model *model)
+{
+    double least = INFINITY;
+    for (int i = 0; i < batten_model_count(model); i++) {
+        const batten_object *object = batten_model_object(model, i);
+        if (!object->body && !object->surface)
+            continue;
+        const batten_box box =
+            object->body ? batten_body_box(object->body) : batten_surface_box(object->surface);
+        const double size = size_of(&box);
+        if (size > 0)
+            least = bat_min(least, size);
+    }
+    return least;
+}
+
+double bat_step_accuracy(const bat_definitions *parts, const batten_write_options *options)
+{
+    double accuracy = 1e-6 / batten_model_unit_metres(parts->models[0]), worst = 0;
+    for (int i = 0; i < parts->count; i++) {
+        accuracy = bat_min(accuracy, 1e-3 * smallest(parts->models[i]));
+        worst = bat_max(worst, loosest(parts->models[i]));
+    }
+    return bat_max(options->tolerance > 0 ? options->tolerance : accuracy, worst);
+}

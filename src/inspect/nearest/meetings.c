@@ -1,0 +1,280 @@
+/*
+ * Both curves are cut into chords with a bound on their sag. Pairs of boxes that are near
+ * enough are halved down to pairs of chords; from these Newton's method finds the local minimum
+ * of the distance, which must not leave the neighbourhood of the two chords.
+ */
+#include "inspect/nearest/meetings.h"
+#include "numeric/vector.h"
+#include "spline/curve/curve.h"
+
+#include <float.h>
+#include <string.h>
+
+/* ---- two chords ---- */
+
+static double clamp(double x)
+{
+    return bat_max(0, bat_min(1, x));
+}
+
+/* The distance of the segments a0 a1 and b0 b1, and where on each, 0 .. 1. */
+static double chord_distance(const double *a, const double *b, double *s, double *t)
+{
+    double u[3], v[3], w[3];
+    for (int c = 0; c < 3; c++) {
+        u[c] = a[3 + c] - a[c];
+        v[c] = b[3 + c] - b[c];
+        w[c] = a[c] - b[c];
+    }
+    const double uu = bat_dot(3, u, u), uv = bat_dot(3, u, v), vv = bat_dot(3, v, v);
+    const double uw = bat_dot(3, u, w), vw = bat_dot(3, v, w), across = uu * vv - uv * uv;
+    *s = across > DBL_EPSILON * uu * vv ? clamp((uv * vw - vv * uw) / across) : 0.5;
+    *t = vv > 0 ? clamp((uv * *s + vw) / vv) : 0.5;
+    if (uu > 0) /* once more the nearest on a: right when t was cut */
+        *s = clamp((uv * *t - uw) / uu);
+    for (int c = 0; c < 3; c++)
+        w[c] += *s * u[c] - *t * v[c];
+    return bat_norm(3, w);
+}
+
+/* ---- the local minimum of the distance ---- */
+
+typedef struct {
+    const batten_curve *curve[2];
+    double low[2], high[2]; /* the search stays in here */
+} hunt;
+
+typedef struct {
+    double at[2], rows[2][9], off[3], value; /* value: half the square of the distance */
+} place;
+
+static batten_status look(const hunt *h, double s, double t, place *out)
+{
+    place p = {.at = {s, t}};
+    for (int k = 0; k < 2; k++) {
+        const batten_status status = batten_curve_evaluate(h->curve[k], p.at[k], 2, p.rows[k]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    for (int c = 0; c < 3; c++)
+        p.off[c] = p.rows[0][c] - p.rows[1][c];
+    p.value = bat_dot(3, p.off, p.off) / 2;
+    *out = p;
+    return BATTEN_OK;
+}
+
+/* Newton's step, that of Gauss and Newton where the distance is not convex; a parameter that is
+ * pressed against its limit stays. */
+static void find_step(const hunt *h, const place *p, double step[2])
+{
+    const double *P = p->rows[0], *Q = p->rows[1], *r = p->off;
+    const double g[2] = {bat_dot(3, P + 3, r), -bat_dot(3, Q + 3, r)};
+    const double pp = bat_dot(3, P + 3, P + 3), qq = bat_dot(3, Q + 3, Q + 3);
+    const double pq = -bat_dot(3, P + 3, Q + 3);
+    double a = pp + bat_dot(3, P + 6, r), b = qq - bat_dot(3, Q + 6, r);
+    bool fixed[2];
+    for (int k = 0; k < 2; k++)
+        fixed[k] = (p->at[k] <= h->low[k] && g[k] > 0) || (p->at[k] >= h->high[k] && g[k] < 0);
+    if (!(a > 0 && b > 0 && a * b - pq * pq > 1e-8 * a * b)) {
+        a = pp * (1 + 1e-9);
+        b = qq * (1 + 1e-9);
+    }
+    const double across = a * b - pq * pq;
+    if (fixed[0] || fixed[1] || !(across > 0)) {
+        step[0] = !fixed[0] && a > 0 ? -g[0] / a : 0;
+        step[1] = !fixed[1] && b > 0 && fixed[0] ? -g[1] / b : 0;
+        if (!fixed[1] && !fixed[0] && b > 0)
+            step[1] = -g[1] / b / 2;
+        return;
+    }
+    step[0] = (-b * g[0] + pq * g[1]) / across;
+    step[1] = (pq * g[0] - a * g[1]) / across;
+}
+
+static double within(double low, double high, double x)
+{
+    return bat_max(low, bat_min(high, x));
+}
+
+static batten_status descend(const hunt *h, double s, double t, place *best)
+{
+    enum { STEPS = 40, HALVINGS = 12 };
+    batten_status status = look(h, s, t, best);
+    for (int i = 0; status == BATTEN_OK && i < STEPS; i++) {
+        double step[2];
+        bool better = false;
+        find_step(h, best, step);
+        for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
+            place next;
+            const double f = ldexp(1, -half);
+            status = look(h, within(h->low[0], h->high[0], best->at[0] + f * step[0]),
+                          within(h->low[1], h->high[1], best->at[1] + f * step[1]), &next);
+            better = status == BATTEN_OK && next.value < best->value;
+            if (better)
+                *best = next;
+        }
+        if (!better)
+            break;
+    }
+    return status;
+}
+
+/* ---- pairs of boxes ---- */
+
+typedef struct {
+    const bat_trace *trace[2];
+    double tolerance;
+    bool nearest; /* only the nearest place is wanted */
+    long looked;
+    bat_meetings *out;
+} search;
+
+static double box_distance(const double *a, const double *b)
+{
+    double away[3];
+    for (int c = 0; c < 3; c++)
+        away[c] = bat_max(0, bat_max(a[c] - b[3 + c], b[c] - a[3 + c]));
+    return bat_norm(3, away);
+}
+
+/* Did the search end at a limit that is no end of the curve? Then the minimum is elsewhere. */
+static bool ran_out(const hunt *h, const place *p)
+{
+    for (int k = 0; k < 2; k++) {
+        const batten_interval domain = batten_curve_domain(h->curve[k]);
+        if ((p->at[k] <= h->low[k] && h->low[k] > domain.a) ||
+            (p->at[k] >= h->high[k] && h->high[k] < domain.b))
+            return true;
+    }
+    return false;
+}
+
+static bat_meeting meeting_of(const place *p)
+{
+    bat_meeting m = {.at = {p->at[0], p->at[1]}, .distance = bat_norm(3, p->off)};
+    for (int k = 0; k < 2; k++)
+        memcpy(m.point[k], p->rows[k], sizeof m.point[k]);
+    return m;
+}
+
+static void keep(search *s, const bat_meeting *m)
+{
+    bat_meetings *all = s->out;
+    if (m->distance < all->nearest.distance)
+        all->nearest = *m;
+    if (m->distance > s->tolerance)
+        return;
+    int i = 0;
+    for (; i < all->count; i++)
+        if (bat_distance(3, all->found[i].point[0], m->point[0]) <= 2 * s->tolerance &&
+            bat_distance(3, all->found[i].point[1], m->point[1]) <= 2 * s->tolerance) {
+            /* Ends of closed curves are one place with two parameters: keep both apart. */
+            if (fabs(all->found[i].at[0] - m->at[0]) > 0.5 ||
+                fabs(all->found[i].at[1] - m->at[1]) > 0.5)
+                continue;
+            if (m->distance < all->found[i].distance)
+                all->found[i] = *m;
+            return;
+        }
+    if (all->count == BAT_MEETINGS) {
+        all->more = true;
+        return;
+    }
+    for (i = all->count++; i > 0 && all->found[i - 1].at[0] > m->at[0]; i--)
+        all->found[i] = all->found[i - 1];
+    all->found[i] = *m;
+}
+
+static batten_status try_chords(search *s, int a, int b)
+{
+    const int k[2] = {a, b};
+    double at[2];
+    hunt h;
+    const double distance = chord_distance(s->trace[0]->points + 3 * a,
+                                           s->trace[1]->points + 3 * b, &at[0], &at[1]);
+    const double sag = s->trace[0]->sag[a] + s->trace[1]->sag[b];
+    if (distance - sag > (s->nearest ? s->out->nearest.distance : s->tolerance))
+        return BATTEN_OK;
+    for (int c = 0; c < 2; c++) {
+        const bat_trace *t = s->trace[c];
+        h.curve[c] = t->curve;
+        h.low[c] = t->at[bat_max_int(0, k[c] - 1)];
+        h.high[c] = t->at[bat_min_int(t->count, k[c] + 2)];
+        at[c] = (1 - at[c]) * t->at[k[c]] + at[c] * t->at[k[c] + 1];
+    }
+    place best;
+    const batten_status status = descend(&h, at[0], at[1], &best);
+    if (status == BATTEN_OK && (s->nearest || !ran_out(&h, &best))) {
+        const bat_meeting m = meeting_of(&best);
+        keep(s, &m);
+    }
+    return status;
+}
+
+/* Is a pair of nodes worth looking at? */
+static bool is_near(const search *s, int a, int b)
+{
+    const double distance =
+        box_distance(s->trace[0]->boxes + 6 * a, s->trace[1]->boxes + 6 * b);
+    return distance <= (s->nearest ? s->out->nearest.distance * (1 - 1e-6) : s->tolerance);
+}
+
+/* Put both halves of the larger node upon the stack, the nearer one last. */
+static int split(const search *s, int a, int b, int (*stack)[2], int waiting)
+{
+    const bool leaf_a = a >= s->trace[0]->width, leaf_b = b >= s->trace[1]->width;
+    const double *A = s->trace[0]->boxes + 6 * a, *B = s->trace[1]->boxes + 6 * b;
+    const bool cut_a =
+        leaf_b || (!leaf_a && bat_distance(3, A, A + 3) >= bat_distance(3, B, B + 3));
+    int pairs[2][2];
+    double away[2];
+    for (int k = 0; k < 2; k++) {
+        pairs[k][0] = cut_a ? 2 * a + k : a;
+        pairs[k][1] = cut_a ? b : 2 * b + k;
+        away[k] = box_distance(s->trace[0]->boxes + 6 * pairs[k][0],
+                               s->trace[1]->boxes + 6 * pairs[k][1]);
+    }
+    const int first = away[0] < away[1] ? 1 : 0;
+    for (int i = 0; i < 2; i++)
+        memcpy(stack[waiting++], pairs[i == 0 ? first : 1 - first], sizeof pairs[0]);
+    return waiting;
+}
+
+static batten_status descend_pairs(search *s)
+{
+    enum { DEEP = 128, MOST = 1000000 };
+    int stack[DEEP][2] = {{1, 1}}, waiting = 1;
+    batten_status status = BATTEN_OK;
+    while (status == BATTEN_OK && waiting > 0 && !s->out->more) {
+        const int a = stack[--waiting][0], b = stack[waiting][1];
+        if (!is_near(s, a, b))
+            continue;
+        if (++s->looked > MOST)
+            return bat_fail(BATTEN_INCOMPLETE,
+                            "two curves run so near to each other that %d pairs of their parts "
+                            "do not tell where they meet",
+                            (int)MOST);
+        if (a >= s->trace[0]->width && b >= s->trace[1]->width)
+            status = try_chords(s, a - s->trace[0]->width, b - s->trace[1]->width);
+        else
+            waiting = split(s, a, b, stack, waiting);
+    }
+    return status;
+}
+
+batten_status bat_meetings_find(const bat_trace *a, const bat_trace *b, double tolerance,
+                                bat_work *work, bat_meetings *out)
+{
+    bat_meetings found = {.nearest = {.distance = HUGE_VAL}};
+    search s = {.trace = {a, b}, .tolerance = tolerance, .out = &found};
+    batten_status status = descend_pairs(&s);
+    if (status == BATTEN_OK && found.count == 0) {
+        s.nearest = true;
+        status = descend_pairs(&s);
+    }
+    if (status == BATTEN_OK)
+        status = bat_work_step(work, (uint64_t)s.looked, 0.1, "crossings");
+    if (status == BATTEN_OK)
+        *out = found;
+    return status;
+}

@@ -1,0 +1,404 @@
+/*
+ * Distance of points from surfaces.
+ *
+ * Each patch between knot lines has the box of its control points and a grid of sample points.
+ * Of a patch whose box comes nearer than what was found so far, every sample that is nearer
+ * than its neighbours starts a descent inside its patch, so that a crease along a knot line is
+ * a rim like any other, and goes on over the whole surface where that ends on a knot line:
+ * Newton's method on (r . Su, r . Sv) with r = S - Q, that falls back to Gauss-Newton where the
+ * second derivatives point uphill, and never accepts a farther point.
+ */
+#include "base/work.h"
+#include "inspect/nearest/nearest.h"
+#include "numeric/vector.h"
+
+#include <float.h>
+#include <string.h>
+
+typedef struct {
+    int count;     /* spans */
+    int samples;   /* for each span; they share their ends */
+    double *knots; /* [count + 1] */
+    double *at;    /* [count * samples + 1] */
+} direction;
+
+typedef struct {
+    const batten_surface *surface; /* NURBS */
+    int dimension;
+    direction along[2];
+    double *points; /* [u samples][v samples][d] */
+    double *boxes;  /* [u spans][v spans][2][d] */
+} patches;
+
+/* ---- patches ---- */
+
+static batten_status direction_begin(const batten_surface *surface, batten_direction which,
+                                     direction *out)
+{
+    const int degree = batten_surface_degree(surface, which);
+    out->count = batten_surface_spans(surface, which, NULL) - 1;
+    out->samples = 2 * degree + 1;
+    out->knots = bat_array((size_t)out->count + 1, sizeof *out->knots);
+    out->at = bat_array3((size_t)out->count + 1, (size_t)out->samples, sizeof *out->at);
+    if (!out->knots || !out->at)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_surface_spans(surface, which, out->knots);
+    for (int i = 0; i <= out->count * out->samples; i++) {
+        const int span = i / out->samples, part = i % out->samples;
+        const double a = out->knots[span], b = part ? out->knots[span + 1] : a;
+        out->at[i] = a + (b - a) * part / out->samples;
+    }
+    return BATTEN_OK;
+}
+
+static int sample_count(const direction *along)
+{
+    return along->count * along->samples + 1;
+}
+
+/* The knot index that begins each span. */
+static int span_index(const batten_surface *surface, batten_direction which, double knot)
+{
+    const double *knots = batten_surface_knots(surface, which);
+    int low = batten_surface_degree(surface, which),
+        high = batten_surface_point_count(surface, which);
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (knots[middle] <= knot)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void set_box(const patches *p, int i, int j, double *low, double *high)
+{
+    const int d = p->dimension, nv = batten_surface_point_count(p->surface, BATTEN_V);
+    const int pu = batten_surface_degree(p->surface, BATTEN_U);
+    const int pv = batten_surface_degree(p->surface, BATTEN_V);
+    const int u = span_index(p->surface, BATTEN_U, p->along[0].knots[i]) - pu;
+    const int v = span_index(p->surface, BATTEN_V, p->along[1].knots[j]) - pv;
+    const double *points = batten_surface_points(p->surface);
+    for (int k = 0; k < d; k++) {
+        low[k] = HUGE_VAL;
+        high[k] = -HUGE_VAL;
+        for (int a = u; a <= u + pu; a++)
+            for (int b = v; b <= v + pv; b++) {
+                const double x =
+                    points[((size_t)a * (size_t)nv + (size_t)b) * (size_t)d + (size_t)k];
+                low[k] = bat_min(low[k], x);
+                high[k] = bat_max(high[k], x);
+            }
+    }
+}
+
+static double *box_of(const patches *p, int i, int j)
+{
+    const size_t index = (size_t)i * (size_t)p->along[1].count + (size_t)j;
+    return p->boxes + index * 2 * (size_t)p->dimension;
+}
+
+static batten_status patches_begin(const batten_surface *surface, const batten_job *job,
+                                   patches *p)
+{
+    *p = (patches){.surface = surface, .dimension = batten_surface_dimension(surface)};
+    const size_t d = (size_t)p->dimension;
+    batten_status status = direction_begin(surface, BATTEN_U, &p->along[0]);
+    if (status == BATTEN_OK)
+        status = direction_begin(surface, BATTEN_V, &p->along[1]);
+    if (status != BATTEN_OK)
+        return status;
+    const size_t nu = (size_t)sample_count(&p->along[0]),
+                 nv = (size_t)sample_count(&p->along[1]);
+    p->points = bat_array3(nu, nv, d * sizeof *p->points);
+    p->boxes = bat_array3((size_t)p->along[0].count, (size_t)p->along[1].count,
+                          2 * d * sizeof *p->boxes);
+    if (!p->points || !p->boxes)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < p->along[0].count; i++)
+        for (int j = 0; j < p->along[1].count; j++)
+            set_box(p, i, j, box_of(p, i, j), box_of(p, i, j) + d);
+    return batten_surface_evaluate_grid(surface, nu, p->along[0].at, nv, p->along[1].at, 0, job,
+                                        p->points);
+}
+
+static void patches_end(patches *p)
+{
+    for (int k = 0; k < 2; k++) {
+        bat_release(p->along[k].knots);
+        bat_release(p->along[k].at);
+    }
+    bat_release(p->points);
+    bat_release(p->boxes);
+}
+
+/* ---- descent ---- */
+
+/* Half the squared distance, its gradient and second derivatives at (u, v). */
+typedef struct {
+    double at[2], value, gradient[2], second[3]; /* uu, uv, vv */
+    double normal[3];                            /* Gauss-Newton: E, F, G */
+} slope;
+
+/* A part of the parameter plane: [low, high] in u and v. */
+typedef struct {
+    double low[2], high[2];
+} area;
+
+static area whole(const patches *p)
+{
+    area all;
+    for (int k = 0; k < 2; k++) {
+        all.low[k] = p->along[k].knots[0];
+        all.high[k] = p->along[k].knots[p->along[k].count];
+    }
+    return all;
+}
+
+/* Derivatives are those from inside the area. */
+static batten_status slope_at(const patches *p, const double *q, const area *in, double u,
+                              double v, slope *out)
+{
+    const int d = p->dimension;
+    const batten_side side_u = u >= in->high[0] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
+    const batten_side side_v = v >= in->high[1] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
+    double s[BATTEN_SURFACE_DERIVATIVES(2) * 3], r[3];
+    batten_status status = batten_surface_evaluate_side(p->surface, u, v, side_u, side_v, 2, s);
+    if (status != BATTEN_OK)
+        return status;
+    for (int k = 0; k < d; k++)
+        r[k] = s[k] - q[k];
+    const double *su = s + d, *sv = s + 2 * d;
+    *out = (slope){.at = {u, v},
+                   .value = bat_dot(d, r, r) / 2,
+                   .gradient = {bat_dot(d, r, su), bat_dot(d, r, sv)},
+                   .normal = {bat_dot(d, su, su), bat_dot(d, su, sv), bat_dot(d, sv, sv)}};
+    for (int k = 0; k < 3; k++)
+        out->second[k] = out->normal[k] + bat_dot(d, r, s + (3 + k) * d);
+    return BATTEN_OK;
+}
+
+/* A step downhill with the 2 x 2 matrix h, along the free directions; false when h is not
+ * positive there. */
+static bool solve_step(const double h[3], const double g[2], const bool free[2], double step[2])
+{
+    step[0] = step[1] = 0;
+    if (free[0] && free[1]) {
+        const double det = h[0] * h[2] - h[1] * h[1];
+        if (!(h[0] > 0 && det > 64 * DBL_EPSILON * h[0] * h[2]))
+            return false;
+        step[0] = (h[1] * g[1] - h[2] * g[0]) / det;
+        step[1] = (h[1] * g[0] - h[0] * g[1]) / det;
+        return true;
+    }
+    const int k = free[0] ? 0 : 1;
+    if (!(free[0] || free[1]) || !(h[2 * k] > 0))
+        return false;
+    step[k] = -g[k] / h[2 * k];
+    return true;
+}
+
+static void choose_step(const area *in, const slope *here, double step[2])
+{
+    bool free[2];
+    for (int k = 0; k < 2; k++) {
+        const double g = here->gradient[k];
+        free[k] =
+            !((here->at[k] <= in->low[k] && g > 0) || (here->at[k] >= in->high[k] && g < 0));
+    }
+    if (solve_step(here->second, here->gradient, free, step) ||
+        solve_step(here->normal, here->gradient, free, step))
+        return;
+    for (int k = 0; k < 2; k++) /* the tangents span no plane: each direction by itself */
+        step[k] =
+            free[k] && here->normal[2 * k] > 0 ? -here->gradient[k] / here->normal[2 * k] : 0;
+}
+
+enum { STEPS = 50, HALVINGS = 12 };
+
+/* From `at`, which becomes the foot, downhill inside the area. */
+static batten_status descend(const patches *p, const double *q, const area *in, double at[2],
+                             bat_nearest *best)
+{
+    slope here;
+    bool better = true;
+    batten_status status = slope_at(p, q, in, at[0], at[1], &here);
+    for (int k = 0; status == BATTEN_OK && better && k < STEPS; k++) {
+        double step[2];
+        choose_step(in, &here, step);
+        better = false;
+        for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
+            double to[2];
+            slope there;
+            for (int j = 0; j < 2; j++)
+                to[j] = bat_min(in->high[j],
+                                bat_max(in->low[j], here.at[j] + ldexp(step[j], -half)));
+            if (to[0] == here.at[0] && to[1] == here.at[1])
+                break;
+            status = slope_at(p, q, in, to[0], to[1], &there);
+            better = status == BATTEN_OK && there.value < here.value;
+            if (better)
+                here = there;
+        }
+    }
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(at, here.at, sizeof here.at);
+    const double distance = sqrt(2 * here.value);
+    if (distance < best->distance)
+        *best = (bat_nearest){distance, {at[0], at[1]}};
+    return BATTEN_OK;
+}
+
+/* From sample (i, j) of a patch: inside it, and beyond where that ends on its rim. */
+static batten_status descend_from(const patches *p, const double *q, const area *patch, int i,
+                                  int j, bat_nearest *best)
+{
+    double at[2] = {p->along[0].at[i], p->along[1].at[j]};
+    const batten_status status = descend(p, q, patch, at, best);
+    const area all = whole(p);
+    bool on_line = false;
+    for (int k = 0; k < 2; k++)
+        on_line = on_line || (at[k] <= patch->low[k] && at[k] > all.low[k]) ||
+                  (at[k] >= patch->high[k] && at[k] < all.high[k]);
+    return status == BATTEN_OK && on_line ? descend(p, q, &all, at, best) : status;
+}
+
+/* ---- one point ---- */
+
+static double box_distance(int d, const double *box, const double *q)
+{
+    double away[3] = {0};
+    for (int k = 0; k < d; k++)
+        away[k] = bat_max(0, bat_max(box[k] - q[k], q[k] - box[d + k]));
+    return bat_norm(d, away);
+}
+
+static double sample_distance(const patches *p, const double *q, int i, int j)
+{
+    const size_t nv = (size_t)sample_count(&p->along[1]);
+    return bat_distance(p->dimension,
+                        p->points + ((size_t)i * nv + (size_t)j) * (size_t)p->dimension, q);
+}
+
+/* Is sample (i, j) the nearest of those around it in its patch? Of equals the first. */
+static bool is_valley(const patches *p, const double *q, int i, int j, const int low[2])
+{
+    const double here = sample_distance(p, q, i, j);
+    for (int a = i - 1; a <= i + 1; a++)
+        for (int b = j - 1; b <= j + 1; b++) {
+            const bool inside = a >= low[0] && a <= low[0] + p->along[0].samples &&
+                                b >= low[1] && b <= low[1] + p->along[1].samples;
+            if (!inside || (a != i && b != j) || (a == i && b == j))
+                continue;
+            const double there = sample_distance(p, q, a, b);
+            if (there < here || (there == here && (a < i || (a == i && b < j))))
+                return false;
+        }
+    return true;
+}
+
+static batten_status search_patch(const patches *p, const double *q, int pi, int pj,
+                                  bat_nearest *best)
+{
+    const int low[2] = {pi * p->along[0].samples, pj * p->along[1].samples};
+    const area patch = {{p->along[0].knots[pi], p->along[1].knots[pj]},
+                        {p->along[0].knots[pi + 1], p->along[1].knots[pj + 1]}};
+    batten_status status = BATTEN_OK;
+    for (int i = low[0]; i <= low[0] + p->along[0].samples; i++)
+        for (int j = low[1]; status == BATTEN_OK && j <= low[1] + p->along[1].samples; j++)
+            if (is_valley(p, q, i, j, low))
+                status = descend_from(p, q, &patch, i, j, best);
+    return status;
+}
+
+/* The patch with the nearest box first: what it gives spares most others. */
+static batten_status search_all(const patches *p, const double *q, bat_nearest *best)
+{
+    int first[2] = {0, 0};
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < p->along[0].count; i++)
+        for (int j = 0; j < p->along[1].count; j++) {
+            const double away = box_distance(p->dimension, box_of(p, i, j), q);
+            if (away < nearest) {
+                nearest = away;
+                first[0] = i;
+                first[1] = j;
+            }
+        }
+    batten_status status = search_patch(p, q, first[0], first[1], best);
+    for (int i = 0; i < p->along[0].count; i++)
+        for (int j = 0; status == BATTEN_OK && j < p->along[1].count; j++) {
+            const bool done = i == first[0] && j == first[1];
+            if (!done && box_distance(p->dimension, box_of(p, i, j), q) < best->distance)
+                status = search_patch(p, q, i, j, best);
+        }
+    return status;
+}
+
+/* ---- many points ---- */
+
+typedef struct {
+    patches patches;
+    const double *points, *start;
+    bat_nearest *nearest;
+} query;
+
+static batten_status search_chunk(void *context, size_t begin, size_t end)
+{
+    const query *q = context;
+    const patches *p = &q->patches;
+    batten_status status = BATTEN_OK;
+    for (size_t i = begin; status == BATTEN_OK && i < end; i++) {
+        const double *point = q->points + i * (size_t)p->dimension;
+        q->nearest[i].distance = HUGE_VAL;
+        if (q->start) {
+            const area all = whole(p);
+            double at[2];
+            for (int k = 0; k < 2; k++)
+                at[k] = bat_min(all.high[k], bat_max(all.low[k], q->start[2 * i + (size_t)k]));
+            status = descend(p, point, &all, at, &q->nearest[i]);
+        }
+        if (status == BATTEN_OK)
+            status = search_all(p, point, &q->nearest[i]);
+    }
+    return status;
+}
+
+batten_status batten_surface_deviation(const batten_surface *surface, int count,
+                                       const double *points, const double *start,
+                                       const batten_job *job, double *distances,
+                                       batten_deviation *out)
+{
+    return batten_surface_project(surface, count, points, start, job, NULL, distances, out);
+}
+
+batten_status batten_surface_project(const batten_surface *surface, int count,
+                                     const double *points, const double *start,
+                                     const batten_job *job, double *uv, double *distances,
+                                     batten_deviation *out)
+{
+    query q = {.points = points, .start = start};
+    batten_surface *nurbs = NULL;
+    batten_status status =
+        bat_deviation_check(batten_surface_dimension(surface), count, points, start, 2);
+    const batten_box box = batten_surface_box(surface);
+    const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    if (status == BATTEN_OK)
+        status = batten_surface_to_nurbs(surface, 1e-12 * size + DBL_MIN, &nurbs, NULL);
+    if (status == BATTEN_OK)
+        status = patches_begin(nurbs, job, &q.patches);
+    if (status == BATTEN_OK && !(q.nearest = bat_array((size_t)count, sizeof *q.nearest)))
+        status = BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = bat_parallel(job, (size_t)count, 16, search_chunk, &q);
+    if (status == BATTEN_OK)
+        status = bat_deviation_finish(count, q.nearest, distances, out);
+    for (int i = 0; status == BATTEN_OK && uv && i < count; i++)
+        memcpy(uv + 2 * (size_t)i, q.nearest[i].at, sizeof q.nearest[i].at);
+    bat_release(q.nearest);
+    patches_end(&q.patches);
+    batten_surface_unref(nurbs);
+    return status;
+}

@@ -1,0 +1,137 @@
+/* The faces one after another; those where an edge is in the way again, when it is finer. */
+#include "mesh/faces/face.h"
+
+#include <limits.h>
+#include <string.h>
+
+/* The edges of triangles that no other face may have: the sides of all polylines, both ways,
+ * and those across faces. */
+static batten_status take_edges(bat_meshing *m)
+{
+    bat_pairs_end(&m->taken);
+    batten_status status = bat_pairs_begin(&m->taken, 2 * (size_t)m->point_count + 64);
+    int index;
+    for (int e = 0; status == BATTEN_OK && e < m->parts->edge_count; e++)
+        for (int i = 0; status == BATTEN_OK && i + 1 < m->edges[e].count; i++) {
+            const int a = m->edges[e].vertex[i], b = m->edges[e].vertex[i + 1];
+            status = bat_pairs_add(&m->taken, a, b, &index);
+            if (status == BATTEN_OK)
+                status = bat_pairs_add(&m->taken, b, a, &index);
+        }
+    for (int i = 0; status == BATTEN_OK && i < m->across_count; i++)
+        status = bat_pairs_add(&m->taken, m->across[i].ends[0], m->across[i].ends[1], &index);
+    return status;
+}
+
+batten_status bat_meshing_take(bat_meshing *m, int face, int a, int b)
+{
+    int index;
+    if (m->across_count == m->across_room) {
+        const int room = bat_max_int(256, 2 * bat_min_int(m->across_room, INT_MAX / 2 - 1));
+        bat_across *across = bat_resize(m->across, (size_t)room, sizeof *across);
+        if (!across)
+            return BATTEN_OUT_OF_MEMORY;
+        m->across = across;
+        m->across_room = room;
+    }
+    m->across[m->across_count++] = (bat_across){.face = face, .ends = {a, b}};
+    return bat_pairs_add(&m->taken, a, b, &index);
+}
+
+/* Without the triangles of the faces that are asked again. */
+static void forget(bat_meshing *m, const bool *ask)
+{
+    int count = 0, kept = 0;
+    for (int i = 0; i < m->triangle_count; i++) {
+        if (ask[m->owners[i]])
+            continue;
+        memmove(m->corners[count], m->corners[i], sizeof *m->corners);
+        memmove(m->normals[count], m->normals[i], sizeof *m->normals);
+        m->owners[count++] = m->owners[i];
+    }
+    m->triangle_count = count;
+    for (int i = 0; i < m->across_count; i++)
+        if (!ask[m->across[i].face])
+            m->across[kept++] = m->across[i];
+    m->across_count = kept;
+}
+
+/* The faces that are asked. *splits: sides that are to be finer. Of faces whose borders, finer
+ * now, cross themselves `again` is set, or they are left out in the last round. */
+static batten_status mesh_asked(bat_meshing *m, const bool *ask, bool last, bat_pairs *splits,
+                                bool *again)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; status == BATTEN_OK && i < m->parts->face_count; i++) {
+        const int before = m->triangle_count;
+        bool simple = false;
+        if (!ask[i] || m->failed[i] || m->parts->faces[i].count == 0)
+            continue;
+        m->done[i] = (bat_reached){.chord = 0};
+        status = bat_mesh_face(m, i, splits, &simple);
+        again[i] = status == BATTEN_OK && !simple && !last;
+        if (status == BATTEN_OK && !simple && last)
+            bat_meshing_give_up(m, i, "its border crosses or touches itself in (u, v)");
+        if (status != BATTEN_OK && !bat_meshing_is_final(status)) {
+            bat_meshing_give_up(m, i, batten_message());
+            m->triangle_count = before;
+            m->done[i] = (bat_reached){.chord = 0};
+            status = BATTEN_OK;
+        }
+    }
+    return status;
+}
+
+/* Over all faces. */
+static void sum_up(bat_meshing *m)
+{
+    batten_mesh_report *r = &m->report;
+    r->asked = m->chord;
+    for (int i = 0; i < m->parts->face_count; i++) {
+        const bat_reached *d = &m->done[i];
+        r->chord = bat_max(r->chord, d->chord);
+        r->angle = bat_max(r->angle, d->angle);
+        r->beyond += d->beyond;
+        r->off = bat_max(r->off, d->off);
+    }
+}
+
+/* Sides are halved: after so many rounds they are a sixtieth of what they were. */
+enum { MOST_ROUNDS = 6 };
+
+batten_status bat_meshing_faces(bat_meshing *m)
+{
+    bat_pairs splits;
+    batten_status status = bat_pairs_begin(&splits, 64);
+    if (status != BATTEN_OK)
+        return status;
+    const size_t faces = (size_t)m->parts->face_count;
+    bool *ask = bat_array(faces, sizeof *ask), *next = bat_array(faces, sizeof *next);
+    if (!ask || !next)
+        status = BATTEN_OUT_OF_MEMORY;
+    if (ask)
+        memset(ask, true, faces);
+    bool any = true;
+    for (int round = 0; status == BATTEN_OK && any; round++) {
+        const bool last = round == MOST_ROUNDS;
+        status = take_edges(m);
+        if (status == BATTEN_OK)
+            status = mesh_asked(m, ask, last, &splits, next);
+        any = false;
+        if (status != BATTEN_OK || last)
+            break;
+        status = bat_meshing_apply_splits(m, &splits, next, &any);
+        for (size_t i = 0; i < faces; i++) {
+            any = any || next[i];
+            ask[i] = next[i];
+            next[i] = false;
+        }
+        forget(m, ask);
+    }
+    if (status == BATTEN_OK)
+        sum_up(m);
+    bat_release(next);
+    bat_release(ask);
+    bat_pairs_end(&splits);
+    return status;
+}

@@ -1,0 +1,474 @@
+/* Line drawings of surfaces on a sheet: one view, three views, or a stereo pair. */
+#include "picture/lines/wires.h"
+#include "picture/sheet/axes.h"
+#include "picture/sheet/flat.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_VIEWS = 4 };
+
+/* One drawing on the sheet. */
+typedef struct {
+    batten_view kind;
+    bat_eye eye;
+    const char *title;
+    double low[2], high[2]; /* what it shows, before scaling */
+    bat_plot plot;
+} look;
+
+typedef struct {
+    const batten_picture_options *options;
+    bat_wires wires;
+    int look_count;
+    look looks[MOST_VIEWS];
+    double em;
+} drawing;
+
+/* ---- views ---- */
+
+static look look_from(const drawing *d, batten_view kind, double azimuth, const char *title)
+{
+    const batten_vec3 a = d->wires.box.low, b = d->wires.box.high;
+    const batten_view seen = kind == BATTEN_VIEW_AUTO ? BATTEN_VIEW_AXONOMETRIC : kind;
+    return (look){.kind = seen,
+                  .eye = {bat_view_make(seen, azimuth, d->options->elevation),
+                          {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z)},
+                          d->options->distance},
+                  .title = title};
+}
+
+static void choose_looks(drawing *d)
+{
+    const batten_picture_options *o = d->options;
+    const double half = 0.5 * o->stereo_angle;
+    const bool crossed = o->sheet == BATTEN_SHEET_STEREO_CROSSED;
+    switch (o->sheet) {
+    case BATTEN_SHEET_ONE:
+        d->looks[d->look_count++] = look_from(d, o->view, o->azimuth, "");
+        break;
+    case BATTEN_SHEET_THREE_VIEWS:
+        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_SIDE, 0, "side");
+        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_FRONT, 0, "front");
+        d->looks[d->look_count++] = look_from(d, BATTEN_VIEW_TOP, 0, "top");
+        d->looks[d->look_count++] =
+            look_from(d, o->view == BATTEN_VIEW_ISOMETRIC ? o->view : BATTEN_VIEW_AXONOMETRIC,
+                      o->azimuth, "");
+        break;
+    case BATTEN_SHEET_STEREO_PARALLEL:
+    case BATTEN_SHEET_STEREO_CROSSED:
+        /* The left eye stands to the left: at the smaller azimuth. */
+        d->looks[d->look_count++] =
+            look_from(d, BATTEN_VIEW_AXONOMETRIC, o->azimuth + (crossed ? half : -half), "");
+        d->looks[d->look_count++] =
+            look_from(d, BATTEN_VIEW_AXONOMETRIC, o->azimuth + (crossed ? -half : half), "");
+        break;
+    }
+}
+
+/* What a look shows: the corners of the box. Fails where one is behind the eye. */
+static batten_status measure_look(const drawing *d, look *l)
+{
+    const batten_vec3 a = d->wires.box.low, b = d->wires.box.high;
+    for (int k = 0; k < 2; k++) {
+        l->low[k] = HUGE_VAL;
+        l->high[k] = -HUGE_VAL;
+    }
+    for (int i = 0; i < 8; i++) {
+        const double corner[3] = {i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z};
+        double q[3];
+        const bat_eye parallel = {
+            l->eye.view, {l->eye.centre[0], l->eye.centre[1], l->eye.centre[2]}, 0};
+        bat_eye_project(&parallel, corner, q);
+        if (l->eye.distance > 0 && q[2] > 0.95 * l->eye.distance)
+            return bat_fail(BATTEN_BAD_ARGUMENT,
+                            "the eye is %g before the middle of what is drawn; its box reaches "
+                            "%g towards it",
+                            l->eye.distance, q[2]);
+        bat_eye_project(&l->eye, corner, q);
+        for (int k = 0; k < 2; k++) {
+            l->low[k] = bat_min(l->low[k], q[k]);
+            l->high[k] = bat_max(l->high[k], q[k]);
+        }
+    }
+    return BATTEN_OK;
+}
+
+/* The lines themselves, more exact than the box. */
+static void measure_lines(const drawing *d, look *l)
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < d->wires.count; i++) {
+        const bat_stroke *s = &d->wires.wires[i].stroke;
+        for (size_t k = 0; k < s->count; k++) {
+            double q[3];
+            bat_eye_project(&l->eye, s->points + 3 * k, q);
+            for (int n = 0; n < 2; n++) {
+                low[n] = bat_min(low[n], q[n]);
+                high[n] = bat_max(high[n], q[n]);
+            }
+        }
+    }
+    for (int n = 0; n < 2 && low[n] <= high[n]; n++) {
+        const double margin = 0.02 * bat_max(high[0] - low[0], high[1] - low[1]);
+        l->low[n] = low[n] - margin;
+        l->high[n] = high[n] + margin;
+    }
+}
+
+/* ---- places on the sheet ---- */
+
+/* Side and front in the first row, top and the axonometric view in the second; the first three
+ * at one scale, so that every point stands in line. */
+static void place_three(drawing *d, bat_rectangle all)
+{
+    const double gap = 3 * d->em, *sl = d->looks[0].low, *sh = d->looks[0].high;
+    const double *fl = d->looks[1].low, *fh = d->looks[1].high, *tl = d->looks[2].low,
+                 *th = d->looks[2].high;
+    const double x = bat_max(sh[0] - sl[0], th[0] - tl[0]), y = fh[0] - fl[0];
+    const double z = bat_max(sh[1] - sl[1], fh[1] - fl[1]), deep = th[1] - tl[1];
+    const double scale = bat_min((all.width - gap) / (x + y), (all.height - gap) / (z + deep));
+    const double wide = scale * x, tall = scale * z;
+    const bat_rectangle frames[4] = {{all.x, all.y, wide, tall},
+                                     {all.x + wide + gap, all.y, all.width - wide - gap, tall},
+                                     {all.x, all.y + tall + gap, wide, all.height - tall - gap},
+                                     {all.x + wide + gap, all.y + tall + gap,
+                                      all.width - wide - gap, all.height - tall - gap}};
+    for (int i = 0; i < 4; i++)
+        d->looks[i].plot = bat_plot_fit(frames[i], d->looks[i].low, d->looks[i].high);
+    for (int i = 0; i < 3; i++) { /* at the common scale, in the middle of their frames */
+        bat_plot *p = &d->looks[i].plot;
+        p->scale = scale;
+        p->x0 = 0.5 * (d->looks[i].low[0] + d->looks[i].high[0]) - 0.5 * p->frame.width / scale;
+        p->y0 =
+            0.5 * (d->looks[i].low[1] + d->looks[i].high[1]) - 0.5 * p->frame.height / scale;
+    }
+}
+
+static void place_looks(drawing *d, bat_rectangle all)
+{
+    if (d->look_count == 4) {
+        place_three(d, all);
+        return;
+    }
+    const double gap = d->look_count > 1 ? 2 * d->em : 0;
+    const double wide = (all.width - gap) / d->look_count;
+    for (int i = 0; i < d->look_count; i++)
+        d->looks[i].plot =
+            bat_plot_fit((bat_rectangle){all.x + i * (wide + gap), all.y, wide, all.height},
+                         d->looks[i].low, d->looks[i].high);
+}
+
+static bat_rectangle stage(const drawing *d)
+{
+    const batten_picture_options *o = d->options;
+    const double em = d->em, top = *o->title ? 3.5 * em : 1.5 * em;
+    const double bottom = o->contours ? 3.5 * em : 1.5 * em;
+    return (bat_rectangle){2 * em, top, bat_max(o->width - 4 * em, 8),
+                           bat_max(o->height - top - bottom, 8)};
+}
+
+/* ---- lines ---- */
+
+static const bat_colour contour_colour = {0.66, 0.30, 0.04};
+
+static bat_pen pen_of(const drawing *d, const bat_wire *wire)
+{
+    static const double widths[BAT_WIRE_KINDS] = {0.5, 0.9, 1.4, 1.4, 1.8};
+    const batten_object *object = batten_model_object(d->wires.model, wire->object);
+    bat_pen pen = {{0.13, 0.17, 0.24}, widths[wire->kind], BAT_SOLID};
+    /* Colours of faces are often too pale for lines. */
+    const double share = object->kind == BATTEN_OBJECT_MESH ? 0.5 : 1;
+    if (object->has_colour)
+        pen.colour = (bat_colour){share * object->colour[0], share * object->colour[1],
+                                  share * object->colour[2]};
+    if (wire->kind == BAT_WIRE_CONTOUR) {
+        pen.colour = contour_colour;
+        /* Each fifth is stronger, as on maps. */
+        if (fmod(fabs(round(wire->value / d->wires.level_step)), 5) < 0.5)
+            pen.width *= 1.7;
+    }
+    return pen;
+}
+
+/* The value of a contour in the middle of its longest visible run. */
+static void write_label(bat_canvas *canvas, const bat_wire *wire, const bat_runs *runs)
+{
+    const bat_run *longest = NULL;
+    double most = 6 * canvas->em;
+    for (size_t i = 0; i < runs->count; i++) {
+        double length = 0;
+        for (size_t k = 1; k < runs->runs[i].count; k++)
+            length += hypot(runs->runs[i].xy[2 * k] - runs->runs[i].xy[2 * k - 2],
+                            runs->runs[i].xy[2 * k + 1] - runs->runs[i].xy[2 * k - 1]);
+        if (!runs->runs[i].hidden && length > most) {
+            most = length;
+            longest = &runs->runs[i];
+        }
+    }
+    if (!longest)
+        return;
+    char text[BATTEN_NUMBER_SIZE];
+    bat_digits_text(wire->value, 6, text);
+    const double *middle = longest->xy + 2 * (longest->count / 2);
+    bat_canvas_label(canvas, contour_colour, 0.75 * canvas->em, BAT_MIDDLE, middle[0],
+                     middle[1], text);
+}
+
+typedef enum { HIDDEN, VISIBLE, LABELS } layer;
+
+static void draw_runs(bat_canvas *canvas, const drawing *d, const bat_wire *wire,
+                      const bat_runs *runs, layer which)
+{
+    bat_pen pen = pen_of(d, wire);
+    if (which == LABELS) {
+        write_label(canvas, wire, runs);
+        return;
+    }
+    if (which == HIDDEN)
+        pen = (bat_pen){pen.colour, 0.6 * pen.width, BAT_DASHED};
+    for (size_t i = 0; i < runs->count; i++)
+        if (runs->runs[i].hidden == (which == HIDDEN))
+            bat_canvas_line(canvas, pen, runs->runs[i].count, runs->runs[i].xy);
+}
+
+static void to_sheet(const look *l, const double *point, double out[3])
+{
+    double q[3];
+    bat_eye_project(&l->eye, point, q);
+    out[0] = bat_plot_x(&l->plot, q[0]);
+    out[1] = bat_plot_y(&l->plot, q[1]);
+    out[2] = l->plot.scale * q[2];
+}
+
+/* A line on the sheet, cut where it vanishes. The chords of a silhouette lie inside the outline
+ * of its surface, which would hide them: so it is probed a little outside. */
+static batten_status cut_wire(const look *l, const bat_facets *facets, const bat_wire *wire,
+                              bat_runs *out)
+{
+    const double outside = 0.4; /* points; chords are within a tenth */
+    const size_t count = wire->stroke.count;
+    double *points = bat_array3(count, 6, sizeof *points), *probes = points;
+    if (!points)
+        return BATTEN_OUT_OF_MEMORY;
+    if (wire->away)
+        probes = points + 3 * count;
+    for (size_t i = 0; i < count; i++) {
+        const double *p = wire->stroke.points + 3 * i;
+        to_sheet(l, p, points + 3 * i);
+        if (!wire->away)
+            continue;
+        const double *n = wire->away + 3 * i, step = outside / l->plot.scale;
+        to_sheet(l, (double[3]){p[0] + step * n[0], p[1] + step * n[1], p[2] + step * n[2]},
+                 probes + 3 * i);
+    }
+    const batten_status status = bat_runs_cut(facets, count, points, probes, 1, out);
+    bat_release(points);
+    return status;
+}
+
+/* Points of the model, as crosses. */
+static void draw_points(bat_canvas *canvas, const drawing *d, const look *l)
+{
+    for (int i = 0; i < batten_model_count(d->wires.model); i++) {
+        const batten_object *object = batten_model_object(d->wires.model, i);
+        if (object->kind != BATTEN_OBJECT_POINTS)
+            continue;
+        for (int k = 0; k < object->point_count; k++) {
+            double q[3];
+            bat_eye_project(&l->eye, object->points + 3 * (size_t)k, q);
+            bat_canvas_cross(canvas, (bat_pen){bat_ink, 1, BAT_SOLID},
+                             bat_plot_x(&l->plot, q[0]), bat_plot_y(&l->plot, q[1]),
+                             BAT_CROSS * canvas->em);
+        }
+    }
+}
+
+static void draw_layer(bat_canvas *canvas, const drawing *d, const bat_runs *runs, layer which)
+{
+    for (int kind = 0; kind < BAT_WIRE_KINDS; kind++)
+        for (size_t i = 0; i < d->wires.count; i++) {
+            const bat_wire *wire = &d->wires.wires[i];
+            if ((int)wire->kind == kind && (which != LABELS || kind == BAT_WIRE_CONTOUR))
+                draw_runs(canvas, d, wire, &runs[i], which);
+        }
+}
+
+static batten_status draw_wires(bat_canvas *canvas, const drawing *d, const look *l,
+                                const bat_facets *facets)
+{
+    bat_runs *runs = bat_array(d->wires.count, sizeof *runs);
+    batten_status status = runs ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < d->wires.count && status == BATTEN_OK; i++)
+        status = cut_wire(l, facets, &d->wires.wires[i], &runs[i]);
+    if (status == BATTEN_OK) {
+        if (d->options->hidden == BATTEN_HIDDEN_DASHED)
+            draw_layer(canvas, d, runs, HIDDEN);
+        draw_layer(canvas, d, runs, VISIBLE);
+        draw_layer(canvas, d, runs, LABELS);
+    }
+    for (size_t i = 0; runs && i < d->wires.count; i++)
+        bat_runs_free(&runs[i]);
+    bat_release(runs);
+    return status;
+}
+
+static batten_status draw_look(bat_canvas *canvas, drawing *d, look *l)
+{
+    bat_facets facets = {0};
+    const bat_plot *p = &l->plot;
+    batten_status status = bat_wires_add_silhouettes(&d->wires, &l->eye);
+    if (status == BATTEN_OK && d->options->hidden != BATTEN_HIDDEN_SHOWN)
+        status = bat_wires_facets(&d->wires, &l->eye, p->scale, bat_plot_x(p, 0),
+                                  bat_plot_y(p, 0), &facets);
+    if (status == BATTEN_OK)
+        status = draw_wires(canvas, d, l, &facets);
+    bat_facets_free(&facets);
+    draw_points(canvas, d, l);
+    return status;
+}
+
+/* ---- what stands around ---- */
+
+static const char *unit_of(const drawing *d)
+{
+    const char *unit = batten_unit_name(batten_model_unit_metres(d->wires.model));
+    return unit ? unit : "units";
+}
+
+/* What the contours show and how far they are apart. */
+static void write_contours(bat_canvas *canvas, const drawing *d)
+{
+    static const struct {
+        const char *name;
+        int power; /* of the unit */
+        bool angle;
+    } fields[] = {[BATTEN_FIELD_HEIGHT] = {"height", 1, false},
+                  [BATTEN_FIELD_GAUSSIAN] = {"Gaussian curvature", -2, false},
+                  [BATTEN_FIELD_MEAN] = {"mean curvature", -1, false},
+                  [BATTEN_FIELD_KAPPA1] = {"larger principal curvature", -1, false},
+                  [BATTEN_FIELD_KAPPA2] = {"smaller principal curvature", -1, false},
+                  [BATTEN_FIELD_ISOPHOTE] = {"light n \u00b7 l", 0, false},
+                  [BATTEN_FIELD_DRAFT] = {"draft angle", 0, true},
+                  [BATTEN_FIELD_HIGHLIGHT] = {"highlight lines", 1, false},
+                  [BATTEN_FIELD_REFLECTION] = {"reflection lines", 1, false},
+                  [BATTEN_FIELD_SILHOUETTE] = {"outline", 0, false}};
+    static const char *const before[] = {"1/", "1/", "", ""};
+    if (!(d->wires.level_step > 0))
+        return;
+    char number[BATTEN_NUMBER_SIZE], text[160];
+    const int power = fields[d->options->contour_field.kind].power;
+    bat_digits_text(d->wires.level_step, 4, number);
+    snprintf(text, sizeof text, "contours of %s, %s%s%s%s%s apart",
+             fields[d->options->contour_field.kind].name, number,
+             power == 0 ? fields[d->options->contour_field.kind].angle ? " rad" : "" : " ",
+             before[power + 2], power == 0 ? "" : unit_of(d), power == -2 ? "\u00b2" : "");
+    bat_canvas_text(canvas, contour_colour, 0.85 * d->em, BAT_MIDDLE, 0.5 * canvas->width,
+                    canvas->height - 1.5 * d->em, text);
+}
+
+static void write_around(bat_canvas *canvas, const drawing *d)
+{
+    bat_canvas_bold(canvas, bat_ink, 1.25 * d->em, BAT_MIDDLE, 0.5 * canvas->width, 1.7 * d->em,
+                    d->options->title);
+    write_contours(canvas, d);
+    for (int i = 0; i < d->look_count; i++) {
+        const look *l = &d->looks[i];
+        const bat_rectangle f = l->plot.frame;
+        bat_canvas_text(canvas, bat_grey, 0.85 * d->em, BAT_LEFT, f.x, f.y - 0.6 * d->em,
+                        l->title);
+        if (l->kind == BATTEN_VIEW_AXONOMETRIC || l->kind == BATTEN_VIEW_ISOMETRIC)
+            bat_axes_draw(canvas, &l->plot, &l->eye.view, l->kind, unit_of(d));
+    }
+}
+
+static batten_status make_sheet(drawing *d, char **data, size_t *size)
+{
+    const batten_picture_options *o = d->options;
+    bat_canvas canvas;
+    batten_status status =
+        bat_canvas_begin(o->format, o->width, o->height, d->em, o->title, &canvas);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < d->look_count && status == BATTEN_OK; i++)
+        status = draw_look(&canvas, d, &d->looks[i]);
+    if (status == BATTEN_OK) {
+        write_around(&canvas, d);
+        return bat_canvas_finish(&canvas, data, size);
+    }
+    bat_canvas_end(&canvas);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static batten_status check_options(const batten_picture_options *o)
+{
+    if (o->isolines < 1 || o->isolines > 1000)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "%d isolines are asked for; from 1 to 1000 are drawn", o->isolines);
+    if (!isfinite(o->azimuth) || !isfinite(o->elevation) || !isfinite(o->stereo_angle))
+        return bat_fail(BATTEN_NOT_FINITE,
+                        "azimuth %g, elevation %g and stereo angle %g must be finite",
+                        o->azimuth, o->elevation, o->stereo_angle);
+    if (!(o->contour_spacing >= 0) || !isfinite(o->contour_spacing))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "contours cannot be %g apart", o->contour_spacing);
+    if (!(o->distance >= 0) || !isfinite(o->distance))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the eye cannot be %g away", o->distance);
+    return bat_canvas_check_size(o->width, o->height);
+}
+
+static batten_status prepare(drawing *d)
+{
+    batten_status status = bat_wires_measure(&d->wires);
+    if (status != BATTEN_OK)
+        return status;
+    choose_looks(d);
+    for (int i = 0; i < d->look_count && status == BATTEN_OK; i++)
+        status = measure_look(d, &d->looks[i]);
+    if (status != BATTEN_OK)
+        return status;
+    /* The box is larger than what is in it, at most by the half: so the final scale is. */
+    place_looks(d, stage(d));
+    double scale = 0;
+    for (int i = 0; i < d->look_count; i++)
+        scale = bat_max(scale, 1.5 * d->looks[i].plot.scale);
+    if (!(scale > 0) || !isfinite(scale) || !isfinite(0.25 / scale))
+        return bat_fail(BATTEN_OVERFLOW, "a model of size %g cannot be drawn at scale %g",
+                        d->wires.size, scale);
+    status = bat_wires_gather(&d->wires, scale);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < d->look_count; i++) {
+        status = bat_wires_add_silhouettes(&d->wires, &d->looks[i].eye);
+        if (status != BATTEN_OK)
+            return status;
+        measure_lines(d, &d->looks[i]);
+    }
+    place_looks(d, stage(d));
+    return BATTEN_OK;
+}
+
+batten_status batten_draw_surface_lines(const batten_model *model,
+                                        const batten_picture_options *options,
+                                        const batten_job *job, char **data, size_t *size)
+{
+    drawing d = {.options = options,
+                 .wires = {.options = options, .job = job},
+                 .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
+    batten_model *flat = NULL, *patches = NULL; /* triangles as surfaces with a pole */
+    batten_status status = check_options(options);
+    if (status == BATTEN_OK)
+        status = bat_picture_model(model, options, job, &flat);
+    if (status == BATTEN_OK)
+        status = batten_model_with_patches(flat, BATTEN_PATCHES_POLE, &patches);
+    d.wires.model = patches;
+    if (status == BATTEN_OK)
+        status = prepare(&d);
+    if (status == BATTEN_OK)
+        status = make_sheet(&d, data, size);
+    bat_wires_free(&d.wires);
+    batten_model_unref(patches);
+    batten_model_unref(flat);
+    return status;
+}

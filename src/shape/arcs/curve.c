@@ -1,0 +1,425 @@
+/* A curve as few arcs: from corner to corner the longest that stays in the band, and again. */
+#include "base/plural.h"
+#include "inspect/singular.h"
+#include "numeric/vector.h"
+#include "shape/arcs/smooth_arcs.h"
+#include <batten/inspect.h>
+
+#include <limits.h>
+
+typedef struct {
+    const bat_arcs_path *path;
+    batten_arcs_options options;
+    batten_arcs_side side; /* LEFT, RIGHT or EITHER */
+    double slack;          /* what rounding does to a distance */
+    /* Of the piece between two corners: */
+    double from, to;
+    bat_band band;
+    batten_arcs_join joined; /* what is made now: BIARCS or PLAIN */
+    double guess;            /* of a step, as a parameter */
+    int first;               /* of its parts in the list */
+    bat_arcs_list list, guide;
+    int enough; /* arcs */
+    bat_samples samples;
+} task;
+
+/* ---- one arc or biarc ---- */
+
+/* The node at u of the piece: at its ends on the curve, unless it closes smoothly; else in the
+ * middle of the band. */
+static batten_status node_at(const task *t, double u, bat_node *node)
+{
+    double row[4];
+    const batten_status status =
+        bat_arcs_direction(t->path, u, u == t->to ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, row);
+    if (status != BATTEN_OK)
+        return status;
+    const bool held = (u == t->from || u == t->to) && !t->path->smooth_seam;
+    const double off = held ? 0 : t->band.middle;
+    node->direction[0] = row[2];
+    node->direction[1] = row[3];
+    node->point[0] = row[0] - off * row[3];
+    node->point[1] = row[1] + off * row[2];
+    return BATTEN_OK;
+}
+
+/* The part from a to u: how much of the band it takes, BAT_ARCS_REFUSED when there is none. */
+static batten_status try_part(task *t, const bat_node *a, double from, double to,
+                              bat_arcs_part *part, bat_node *b, double *share)
+{
+    batten_status status = bat_arcs_take(t->path, from, to, 4, 16, &t->samples);
+    if (status == BATTEN_OK)
+        status = node_at(t, to, b);
+    if (status != BATTEN_OK)
+        return status;
+    const double turn = bat_arcs_turn(&t->samples);
+    *part = (bat_arcs_part){.from = from, .to = to};
+    *share = BAT_ARCS_REFUSED;
+    if (fabs(turn) > BAT_PI * (1 + 1e-9))
+        return BATTEN_OK;
+    const bool made = t->joined == BATTEN_ARCS_BIARCS
+                          ? bat_arcs_biarc(a, b, turn, t->options.least_radius, &t->band,
+                                           &t->samples, &part->biarc)
+                          : bat_arcs_single(a, b, turn, t->options.least_radius, &t->band,
+                                            &t->samples, &part->biarc);
+    bat_beside beside;
+    if (!made)
+        return BATTEN_OK;
+    status = bat_arcs_measure(t->path, &part->biarc, &t->samples, &beside);
+    *share = bat_band_share(&t->band, &beside, t->slack);
+    return status;
+}
+
+/* Where plain arcs are nearly straight, lines. */
+static batten_status prefer_line(task *t, const bat_node *a, const bat_node *b,
+                                 bat_arcs_part *part)
+{
+    batten_biarc line;
+    bat_beside beside;
+    if (t->joined != BATTEN_ARCS_PLAIN)
+        return BATTEN_OK;
+    batten_status status = bat_arcs_take(t->path, part->from, part->to, 4, 16, &t->samples);
+    bat_arcs_line(a, b, &line);
+    if (status == BATTEN_OK)
+        status = bat_arcs_measure(t->path, &line, &t->samples, &beside);
+    if (status == BATTEN_OK && bat_band_share(&t->band, &beside, t->slack) <= 1)
+        part->biarc = line;
+    return status;
+}
+
+static batten_status nothing_fits(const task *t, double u)
+{
+    batten_curve_local local = {.curvature = 0};
+    const batten_status status =
+        batten_curve_local_at(t->path->curve, u, BATTEN_FROM_RIGHT, &local);
+    if (status == BATTEN_OUT_OF_MEMORY)
+        return status;
+    const double tolerance = t->band.high - t->band.low;
+    return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                    "at %g, where the radius of the curve is %g, no arcs with radii of %g and "
+                    "more stay within a band %g wide",
+                    u, 1 / fabs(local.curvature), t->options.least_radius, tolerance);
+}
+
+/* The longest part from a: between a step that is good and one that is not, guided by the third
+ * power by which errors grow. */
+static batten_status longest(task *t, const bat_node *a, double from, bat_arcs_part *best,
+                             bat_node *end, double *reach)
+{
+    double good = from, bad = HUGE_VAL, good_share = 0;
+    double u = bat_min(t->to, from + t->guess);
+    for (int i = 0; i < 200; i++) {
+        bat_arcs_part part;
+        bat_node b;
+        double share = 0;
+        const batten_status status = try_part(t, a, from, u, &part, &b, &share);
+        if (status != BATTEN_OK)
+            return status;
+        if (share <= 1) {
+            good = u;
+            good_share = share;
+            *best = part;
+            *end = b;
+        } else {
+            bad = u;
+        }
+        const double factor =
+            share < BAT_ARCS_REFUSED ? cbrt(0.9997 / bat_max(share, 1e-6)) : 0.5;
+        const double wanted = from + (u - from) * factor;
+        if (good == t->to || (isfinite(bad) && good > from &&
+                              (bad - good <= 1e-3 * (good - from) || good_share > 0.998)))
+            break;
+        if (isinf(bad))
+            u = bat_min(t->to, bat_max(wanted, from + 1.1 * (good - from)));
+        else if (wanted > good + 1e-4 * (bad - good) && wanted < bad - 1e-4 * (bad - good))
+            u = wanted;
+        else
+            u = good + (bad - good) / 2;
+        if (!(u > from) || (isfinite(bad) && bad - from <= 1e-9 * (t->to - t->from)))
+            return nothing_fits(t, from);
+    }
+    if (!(good > from))
+        return nothing_fits(t, from);
+    /* How far the last one would have gone. */
+    *reach = good_share > 0 ? (good - from) * cbrt(1 / good_share) : HUGE_VAL;
+    t->guess = good - from;
+    return BATTEN_OK;
+}
+
+static batten_status greedy(void *context, double tolerance, int *count, double *last)
+{
+    task *t = context;
+    double u = t->from, reach = 0;
+    bat_node a, b;
+    t->band = bat_band_of(t->side, tolerance);
+    t->list.count = t->first;
+    t->guess = t->to - t->from;
+    batten_status status = node_at(t, u, &a);
+    while (status == BATTEN_OK && u < t->to) {
+        bat_arcs_part part;
+        const double from = u;
+        status = longest(t, &a, u, &part, &b, &reach);
+        if (status == BATTEN_OK)
+            status = prefer_line(t, &a, &b, &part);
+        if (status == BATTEN_OK)
+            status = bat_arcs_list_add(&t->list, &part);
+        if (status != BATTEN_OK)
+            return status;
+        u = part.to;
+        a = b;
+        *last = bat_min(1, (u - from) / reach);
+    }
+    *count = t->list.count - t->first;
+    return status;
+}
+
+/* ---- arcs that are tangent to one another ---- */
+
+/* Plain arcs tell how long arcs are; they stand in the list for a while. */
+static batten_status make_guide(task *t, double tolerance)
+{
+    int count = 0;
+    double last = 1;
+    t->joined = BATTEN_ARCS_PLAIN;
+    batten_status status = greedy(t, tolerance, &count, &last);
+    t->joined = BATTEN_ARCS_BIARCS;
+    t->guide.count = 0;
+    for (int i = t->first; i < t->list.count && status == BATTEN_OK; i++)
+        status = bat_arcs_list_add(&t->guide, &t->list.parts[i]);
+    t->list.count = t->first;
+    return status;
+}
+
+static int arcs_of(const task *t)
+{
+    int arcs = 0;
+    for (int i = t->first; i < t->list.count; i++)
+        arcs += t->list.parts[i].biarc.count;
+    return arcs;
+}
+
+/* No arcs at all when the search finds none. */
+static batten_status fewest(void *context, double tolerance, int *count, double *last)
+{
+    task *t = context;
+    batten_status status = make_guide(t, tolerance);
+    const bat_arcs_smooth smooth = {.path = t->path,
+                                    .from = t->from,
+                                    .to = t->to,
+                                    .band = t->band,
+                                    .slack = t->slack,
+                                    .least_radius = t->options.least_radius,
+                                    .guide = &t->guide,
+                                    .enough = t->enough,
+                                    .samples = &t->samples};
+    if (status == BATTEN_OK)
+        status = bat_arcs_smooth_run(&smooth, &t->list);
+    *count = arcs_of(t) > 0 ? arcs_of(t) : INT_MAX;
+    *last = 1;
+    return status;
+}
+
+/* The fewest, unless biarcs with the directions of the curve are no more. */
+static batten_status run_smooth(task *t)
+{
+    const double tolerance = t->options.tolerance;
+    int count = 0, arcs = INT_MAX;
+    double last = 1;
+    t->joined = BATTEN_ARCS_BIARCS;
+    t->enough = 0;
+    batten_status status = greedy(t, tolerance, &count, &last);
+    const int biarcs = status == BATTEN_OK ? arcs_of(t) : INT_MAX;
+    if (status == BATTEN_OK ? biarcs > 2 : status == BATTEN_TOLERANCE_NOT_MET)
+        status = fewest(t, tolerance, &arcs, &last);
+    if (status != BATTEN_OK)
+        return status;
+    if (arcs == INT_MAX && biarcs == INT_MAX)
+        return nothing_fits(t, t->from);
+    t->enough = arcs;
+    return bat_arcs_spread(arcs < biarcs ? fewest : greedy, t, tolerance, t->options.spread);
+}
+
+/* ---- pieces that are one arc or circle ---- */
+
+/* A whole circle as its halves; else one arc through its middle. */
+static batten_status try_whole(task *t, bool *done)
+{
+    const bat_arcs_path *p = t->path;
+    bat_node a, b;
+    bat_beside beside;
+    bat_arcs_part part = {.from = t->from, .to = t->to};
+    t->band = bat_band_of(t->side, t->options.tolerance);
+    batten_status status = bat_arcs_take(p, t->from, t->to, 4, 24, &t->samples);
+    if (status == BATTEN_OK)
+        status = node_at(t, t->from, &a);
+    if (status == BATTEN_OK)
+        status = node_at(t, t->to, &b);
+    if (status != BATTEN_OK || p->smooth_seam)
+        return status;
+    const double turn = bat_arcs_turn(&t->samples);
+    if (!bat_arcs_single(&a, &b, turn, t->options.least_radius, &t->band, &t->samples,
+                         &part.biarc))
+        return BATTEN_OK;
+    status = bat_arcs_measure(p, &part.biarc, &t->samples, &beside);
+    if (status != BATTEN_OK || bat_band_share(&t->band, &beside, t->slack) > 1)
+        return status;
+    status = prefer_line(t, &a, &b, &part);
+    *done = status == BATTEN_OK;
+    return status == BATTEN_OK ? bat_arcs_list_add(&t->list, &part) : status;
+}
+
+static batten_status run_piece(task *t)
+{
+    bool done = false;
+    t->first = t->list.count;
+    batten_status status =
+        bat_arcs_keep(t->path, t->from, t->to, t->options.least_radius, &t->list, &done);
+    if (status == BATTEN_OK && !done)
+        status = try_whole(t, &done);
+    if (status != BATTEN_OK || done)
+        return status;
+    if (t->options.joined == BATTEN_ARCS_SMOOTH)
+        return run_smooth(t);
+    return bat_arcs_spread(greedy, t, t->options.tolerance, t->options.spread);
+}
+
+/* ---- the report ---- */
+
+static void widen(batten_arcs_report *report, const bat_beside *beside)
+{
+    report->left = bat_max(report->left, beside->high);
+    report->right = bat_max(report->right, -beside->low);
+    const bool high = beside->high > -beside->low;
+    const double largest = high ? beside->high : -beside->low;
+    if (largest > report->deviation) {
+        report->deviation = largest;
+        report->at = high ? beside->high_at : beside->low_at;
+    }
+}
+
+static batten_status measure_range(task *t, const batten_biarc *biarc, const double range[2],
+                                   batten_arcs_report *report)
+{
+    bat_arcs_probe probe;
+    bat_beside beside;
+    batten_status status =
+        bat_arcs_take(t->path, range[0], range[1], 16, 64 * biarc->count, &t->samples);
+    if (status == BATTEN_OK)
+        status = bat_arcs_measure(t->path, biarc, &t->samples, &beside);
+    if (status != BATTEN_OK)
+        return status;
+    widen(report, &beside);
+    bat_arcs_probe_make(biarc, &probe);
+    beside = bat_arcs_beside_samples(&probe, &t->samples);
+    report->sampled = bat_max(report->sampled, bat_max(beside.high, -beside.low));
+    return BATTEN_OK;
+}
+
+static batten_status measure_all(task *t, batten_arcs_report *report)
+{
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < t->list.count; i++) {
+        double ranges[2][2];
+        const int count = bat_arcs_ranges(t->path, &t->list.parts[i], ranges);
+        for (int k = 0; k < count && status == BATTEN_OK; k++)
+            status = measure_range(t, &t->list.parts[i].biarc, ranges[k], report);
+    }
+    return status;
+}
+
+/* ---- the whole ---- */
+
+/* Inside and outside, as the curve turns. */
+static batten_status side_of(const bat_arcs_path *p, const batten_arcs_options *options,
+                             bat_samples *samples, batten_arcs_side *side)
+{
+    *side = options->side;
+    if (*side != BATTEN_ARCS_INSIDE && *side != BATTEN_ARCS_OUTSIDE)
+        return BATTEN_OK;
+    if (!p->closed)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a curve that is not closed has no inside");
+    const batten_status status = bat_arcs_take(p, p->domain.a, p->domain.b, 8, 64, samples);
+    double area = 0;
+    for (int i = 0; status == BATTEN_OK && i + 1 < samples->count; i++) {
+        const double *o = samples->rows[0], *a = samples->rows[i], *b = samples->rows[i + 1];
+        area += (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+    }
+    const bool inside_is_left = area > 0;
+    *side = inside_is_left == (options->side == BATTEN_ARCS_INSIDE) ? BATTEN_ARCS_LEFT
+                                                                    : BATTEN_ARCS_RIGHT;
+    return status;
+}
+
+static batten_status run_all(task *t, batten_arcs_report *report, batten_chain **out)
+{
+    const bat_arcs_path *p = t->path;
+    t->joined = t->options.joined;
+    batten_status status = side_of(p, &t->options, &t->samples, &t->side);
+    for (int i = 0; i + 1 < p->corner_count && status == BATTEN_OK; i++) {
+        t->from = p->corners[i];
+        t->to = p->corners[i + 1];
+        status = run_piece(t);
+    }
+    if (status == BATTEN_OK)
+        status = measure_all(t, report);
+    if (status == BATTEN_OK)
+        status = bat_arcs_chain(&t->list, &t->options, p->closed, p->scale, report, out);
+    return status;
+}
+
+batten_status batten_arcs_of_curve(const batten_curve *curve,
+                                   const batten_arcs_options *options,
+                                   batten_arcs_report *report, batten_chain **out)
+{
+    assert(curve && options && out);
+    batten_status status = bat_arcs_check(options);
+    if (status != BATTEN_OK)
+        return status;
+    if (batten_curve_dimension(curve) != 2)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the curve has %d dimension%s; arcs are for curves in the plane",
+                        batten_curve_dimension(curve),
+                        bat_plural(batten_curve_dimension(curve)));
+    status = bat_curve_check_size(curve);
+    if (status != BATTEN_OK)
+        return status;
+    bat_arcs_path p;
+    batten_arcs_report found = {0};
+    status = bat_arcs_path_make(curve, options->corner, &p);
+    task t = {.path = &p, .options = *options, .slack = 32 * DBL_EPSILON * p.scale};
+    if (status == BATTEN_OK)
+        status = run_all(&t, &found, out);
+    if (status == BATTEN_OK && report)
+        *report = found;
+    bat_arcs_list_end(&t.list);
+    bat_arcs_list_end(&t.guide);
+    bat_samples_end(&t.samples);
+    bat_arcs_path_end(&p);
+    return status;
+}
+
+batten_status batten_arcs_of_chain(const batten_chain *chain,
+                                   const batten_arcs_options *options,
+                                   batten_arcs_report *report, batten_chain **out)
+{
+    assert(chain && options && out);
+    batten_status status = bat_arcs_check(options);
+    batten_curve *curve = NULL;
+    double error = 0;
+    if (status == BATTEN_OK)
+        status = batten_chain_to_curve(chain, options->tolerance / 100, &error, &curve);
+    batten_arcs_options rest = *options;
+    batten_arcs_report found;
+    rest.tolerance -= error;
+    if (status == BATTEN_OK)
+        status = batten_arcs_of_curve(curve, &rest, &found, out);
+    if (status == BATTEN_OK && report) {
+        *report = found;
+        report->deviation += error;
+        report->sampled += error;
+        report->left += error;
+        report->right += error;
+    }
+    batten_curve_unref(curve);
+    return status;
+}

@@ -1,0 +1,278 @@
+/* Rows of points as few arcs: from point to point the longest that passes those between. */
+#include "numeric/vector.h"
+#include "shape/arcs/arcs.h"
+#include "shape/shape.h"
+
+#include <string.h>
+
+typedef struct {
+    int count; /* points; of a closed row the first again at the end */
+    const double *points;
+    batten_arcs_options options;
+    batten_arcs_side side;
+    double slack;
+    double *closed_points; /* [count][2], when the row is closed */
+    double *directions;    /* [count][2] */
+    bat_band band;
+    bat_arcs_list list;
+    bat_samples samples;
+} task;
+
+static bat_node node_at(const task *t, int i)
+{
+    const double *p = t->points + 2 * i, *d = t->directions + 2 * i;
+    const bool held = (i == 0 || i == t->count - 1) && !t->options.closed;
+    const double off = held ? 0 : t->band.middle;
+    return (bat_node){{p[0] - off * d[1], p[1] + off * d[0]}, {d[0], d[1]}};
+}
+
+/* The points between two of them, and by how much the row turns from one direction to the
+ * other. */
+static batten_status take_samples(task *t, int from, int to, double *turn)
+{
+    const int count = to - from - 1;
+    const batten_status status = bat_samples_reserve(&t->samples, bat_max_int(count, 1));
+    if (status != BATTEN_OK)
+        return status;
+    const double *before = t->directions + 2 * from;
+    double chord[2], last[2];
+    *turn = 0;
+    t->samples.count = count;
+    for (int i = from; i < to; i++) {
+        const double *p = t->points + 2 * i;
+        chord[0] = p[2] - p[0];
+        chord[1] = p[3] - p[1];
+        *turn += bat_turn(i == from ? before : last, chord);
+        memcpy(last, chord, sizeof last);
+        if (i > from) {
+            t->samples.u[i - from - 1] = i;
+            memcpy(t->samples.rows[i - from - 1], (double[4]){p[0], p[1], 0, 0},
+                   sizeof t->samples.rows[0]);
+        }
+    }
+    *turn += bat_turn(last, t->directions + 2 * to);
+    return BATTEN_OK;
+}
+
+static double share_of(const task *t, const batten_biarc *biarc)
+{
+    bat_arcs_probe probe;
+    if (t->samples.count == 0)
+        return 0;
+    bat_arcs_probe_make(biarc, &probe);
+    const bat_beside beside = bat_arcs_beside_samples(&probe, &t->samples);
+    return bat_band_share(&t->band, &beside, t->slack);
+}
+
+static batten_status try_part(task *t, int from, int to, bat_arcs_part *part, double *share)
+{
+    const bat_node a = node_at(t, from), b = node_at(t, to);
+    const double least = t->options.least_radius;
+    double turn = 0;
+    const batten_status status = take_samples(t, from, to, &turn);
+    if (status != BATTEN_OK)
+        return status;
+    *part = (bat_arcs_part){.from = from, .to = to};
+    *share = BAT_ARCS_REFUSED;
+    if (fabs(turn) > BAT_PI * (1 + 1e-9))
+        return BATTEN_OK;
+    const bool plain = t->options.joined == BATTEN_ARCS_PLAIN;
+    const bool made =
+        plain ? bat_arcs_single(&a, &b, turn, least, &t->band, &t->samples, &part->biarc)
+              : bat_arcs_biarc(&a, &b, turn, least, &t->band, &t->samples, &part->biarc);
+    if (made)
+        *share = share_of(t, &part->biarc);
+    if (plain && made && *share <= 1) {
+        batten_biarc line;
+        bat_arcs_line(&a, &b, &line);
+        if (share_of(t, &line) <= 1)
+            part->biarc = line;
+    }
+    return BATTEN_OK;
+}
+
+/* Twice as far each time, then back by halves. */
+static batten_status longest(task *t, int from, bat_arcs_part *best, double *last)
+{
+    int good = from, bad = t->count, step = 1;
+    double good_share = 0;
+    while (bad - good > 1) {
+        const int to =
+            bad == t->count ? bat_min_int(t->count - 1, from + step) : good + (bad - good) / 2;
+        bat_arcs_part part;
+        double share = 0;
+        const batten_status status = try_part(t, from, to, &part, &share);
+        if (status != BATTEN_OK)
+            return status;
+        if (share <= 1) {
+            good = to;
+            good_share = share;
+            *best = part;
+        } else {
+            bad = to;
+        }
+        step *= 2;
+    }
+    if (good == from)
+        return bat_fail(
+            BATTEN_TOLERANCE_NOT_MET,
+            "between points %d and %d no arcs with radii of %g and more stay within "
+            "the tolerance",
+            from, from + 1, t->options.least_radius);
+    *last = good_share > 0 ? bat_min(1, cbrt(good_share)) : 0;
+    return BATTEN_OK;
+}
+
+static batten_status greedy(void *context, double tolerance, int *count, double *last)
+{
+    task *t = context;
+    t->band = bat_band_of(t->side, tolerance);
+    t->list.count = 0;
+    for (int i = 0; i < t->count - 1;) {
+        bat_arcs_part part;
+        batten_status status = longest(t, i, &part, last);
+        if (status == BATTEN_OK)
+            status = bat_arcs_list_add(&t->list, &part);
+        if (status != BATTEN_OK)
+            return status;
+        i = (int)part.to;
+    }
+    *count = t->list.count;
+    return BATTEN_OK;
+}
+
+/* ---- the report, and where the points are ---- */
+
+/* How far along an arc its point nearest to another is. */
+static double along(const batten_span *arc, const double *point)
+{
+    const double c = cos(arc->angle), s = sin(arc->angle), k = arc->curvature[0];
+    const double x = point[0] - arc->start[0], y = point[1] - arc->start[1];
+    const double ahead = x * c + y * s, left = y * c - x * s;
+    double at = k == 0 ? ahead : atan2(k * ahead, 1 - k * left) / k;
+    /* Of more than a half circle the second half is behind. */
+    if (at < -arc->length / 1e6 && fabs(k) * arc->length > BAT_PI)
+        at += 2 * BAT_PI / fabs(k);
+    return bat_max(0, bat_min(arc->length, at));
+}
+
+static double place_of(const batten_biarc *biarc, const double *point)
+{
+    const batten_span *second = &biarc->arcs[biarc->count - 1];
+    const double ahead = (point[0] - second->start[0]) * cos(second->angle) +
+                         (point[1] - second->start[1]) * sin(second->angle);
+    if (biarc->count == 2 && ahead > 0)
+        return biarc->arcs[0].length + along(second, point);
+    return along(&biarc->arcs[0], point);
+}
+
+static void measure_all(const task *t, double *parameters, batten_arcs_report *report)
+{
+    double length = 0;
+    for (int i = 0; i < t->list.count; i++) {
+        const bat_arcs_part *part = &t->list.parts[i];
+        bat_arcs_probe probe;
+        bat_arcs_probe_make(&part->biarc, &probe);
+        for (int k = (int)part->from; k <= (int)part->to; k++) {
+            const double d = bat_arcs_beside(&probe, t->points + 2 * k);
+            report->left = bat_max(report->left, d);
+            report->right = bat_max(report->right, -d);
+            if (fabs(d) > report->deviation) {
+                report->deviation = fabs(d);
+                report->at = k;
+            }
+            parameters[k] = length + place_of(&part->biarc, t->points + 2 * k);
+        }
+        for (int k = 0; k < part->biarc.count; k++)
+            length += part->biarc.arcs[k].length;
+        parameters[(int)part->to] = length;
+    }
+    report->sampled = report->deviation;
+}
+
+/* ---- the whole ---- */
+
+static batten_status prepare(task *t, int count, const double *points)
+{
+    const size_t n = (size_t)count;
+    const bool closed = t->options.closed;
+    t->count = count + closed;
+    t->points = points;
+    t->directions = bat_array3(n + 1, 2, sizeof *t->directions);
+    if (closed)
+        t->closed_points = bat_array3(n + 1, 2, sizeof *t->closed_points);
+    if (!t->directions || (closed && !t->closed_points))
+        return BATTEN_OUT_OF_MEMORY;
+    const batten_status status = bat_circle_directions(2, count, points, closed, t->directions);
+    if (status == BATTEN_OK && closed) {
+        memcpy(t->closed_points, points, 2 * n * sizeof *points);
+        memcpy(t->closed_points + 2 * n, points, 2 * sizeof *points);
+        memcpy(t->directions + 2 * n, t->directions, 2 * sizeof *points);
+        t->points = t->closed_points;
+    }
+    return status;
+}
+
+static batten_status find_side(task *t)
+{
+    double area = 0;
+    t->side = t->options.side;
+    if (t->side != BATTEN_ARCS_INSIDE && t->side != BATTEN_ARCS_OUTSIDE)
+        return BATTEN_OK;
+    if (!t->options.closed)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a row that is not closed has no inside");
+    for (int i = 0; i + 1 < t->count; i++) {
+        const double *o = t->points, *a = t->points + 2 * i;
+        area += (a[0] - o[0]) * (a[3] - o[1]) - (a[1] - o[1]) * (a[2] - o[0]);
+    }
+    t->side =
+        (area > 0) == (t->side == BATTEN_ARCS_INSIDE) ? BATTEN_ARCS_LEFT : BATTEN_ARCS_RIGHT;
+    return BATTEN_OK;
+}
+
+static batten_status run_all(task *t, int count, double *parameters, batten_arcs_report *report,
+                             batten_chain **out)
+{
+    double *at = bat_array((size_t)t->count, sizeof *at);
+    if (!at)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = find_side(t);
+    if (status == BATTEN_OK)
+        status = bat_arcs_spread(greedy, t, t->options.tolerance, t->options.spread);
+    if (status == BATTEN_OK) {
+        measure_all(t, at, report);
+        status = bat_arcs_chain(&t->list, &t->options, t->options.closed,
+                                bat_largest(2 * count, t->points), report, out);
+    }
+    if (status == BATTEN_OK && parameters)
+        memcpy(parameters, at, (size_t)count * sizeof *parameters);
+    bat_release(at);
+    return status;
+}
+
+batten_status batten_arcs_of_points(int count, const double *points,
+                                    const batten_arcs_options *options, double *parameters,
+                                    batten_arcs_report *report, batten_chain **out)
+{
+    assert(points && options && out);
+    batten_biarcs_options row = batten_biarcs_defaults();
+    row.closed = options->closed;
+    batten_status status = bat_arcs_check(options);
+    if (status == BATTEN_OK)
+        status = bat_biarcs_check(2, count, points, &row);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.options = *options};
+    batten_arcs_report found = {0};
+    t.slack = 32 * DBL_EPSILON * bat_largest(2 * count, points);
+    status = prepare(&t, count, points);
+    if (status == BATTEN_OK)
+        status = run_all(&t, count, parameters, &found, out);
+    if (status == BATTEN_OK && report)
+        *report = found;
+    bat_arcs_list_end(&t.list);
+    bat_samples_end(&t.samples);
+    bat_release(t.directions);
+    bat_release(t.closed_points);
+    return status;
+}

@@ -1,0 +1,118 @@
+/* The first parameters of a cloud without a base: its projection on the plane of least squares.
+ */
+#include "numeric/eigen.h"
+#include "numeric/vector.h"
+#include "shape/cloud/scattered.h"
+
+#include <string.h>
+
+static void find_mean(size_t count, const double *points, double mean[3], double *size)
+{
+    double low[3], high[3];
+    *size = 0;
+    for (size_t c = 0; c < 3; c++) {
+        low[c] = HUGE_VAL;
+        high[c] = -HUGE_VAL;
+        for (size_t t = 0; t < count; t++) {
+            low[c] = bat_min(low[c], points[3 * t + c]);
+            high[c] = bat_max(high[c], points[3 * t + c]);
+        }
+        *size = bat_max(*size, high[c] - low[c]);
+        mean[c] = 0;
+        for (size_t t = 0; t < count; t++)
+            mean[c] += (points[3 * t + c] - low[c]) / (double)count;
+        mean[c] += low[c];
+    }
+}
+
+/* The axes of a plane turned by an angle. */
+static void turn(double from[2][3], double angle, double to[2][3])
+{
+    for (int c = 0; c < 3; c++) {
+        to[0][c] = from[0][c] * cos(angle) + from[1][c] * sin(angle);
+        to[1][c] = from[1][c] * cos(angle) - from[0][c] * sin(angle);
+    }
+}
+
+/* How wide the points are along both axes, by `size`. */
+static void widths_along(size_t count, const double *points, const double mean[3], double size,
+                         double axes[2][3], double widths[2])
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (size_t t = 0; t < count; t++) {
+        double off[3];
+        for (size_t c = 0; c < 3; c++)
+            off[c] = (points[3 * t + c] - mean[c]) / size;
+        for (int k = 0; k < 2; k++) {
+            const double at = bat_dot(3, off, axes[k]);
+            low[k] = bat_min(low[k], at);
+            high[k] = bat_max(high[k], at);
+        }
+    }
+    for (int k = 0; k < 2; k++)
+        widths[k] = high[k] - low[k];
+}
+
+/* Turn the axes to the smallest rectangle around the points, by whole degrees: the principal
+ * axes of a square may be its diagonals, and half of the domain would be empty. A gain of less
+ * than a tenth is none: what is long keeps its direction. */
+static void turn_to_smallest(size_t count, const double *points, const double mean[3],
+                             double size, double axes[2][3])
+{
+    double found[2][3], turned[2][3], widths[2], least;
+    widths_along(count, points, mean, size, axes, widths);
+    least = 0.9 * widths[0] * widths[1];
+    memcpy(found, axes, sizeof found);
+    for (int degrees = 1; degrees < 90; degrees++) {
+        turn(axes, degrees * BAT_PI / 180, turned);
+        widths_along(count, points, mean, size, turned, widths);
+        if (widths[0] * widths[1] >= least)
+            continue;
+        least = widths[0] * widths[1];
+        memcpy(found[0], turned[widths[0] >= widths[1] ? 0 : 1], sizeof found[0]);
+        memcpy(found[1], turned[widths[0] >= widths[1] ? 1 : 0], sizeof found[1]);
+    }
+    memcpy(axes, found, sizeof found);
+}
+
+/* The directions of the plane of least squares: the longest first, pointing up their longest
+ * coordinate. */
+static batten_status find_plane(size_t count, const double *points, double mean[3],
+                                double axes[2][3])
+{
+    double size, a[9] = {0}, values[3], vectors[9];
+    find_mean(count, points, mean, &size);
+    for (size_t t = 0; size > 0 && t < count; t++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                a[3 * i + j] += (points[3 * t + (size_t)i] - mean[i]) / size *
+                                ((points[3 * t + (size_t)j] - mean[j]) / size);
+    bat_eigen_symmetric(3, a, values, vectors);
+    if (!(values[1] > 1e-14 * values[2]))
+        return bat_fail(BATTEN_COINCIDENT, "the points lie on a line: no plane is theirs");
+    for (int k = 0; k < 2; k++)
+        memcpy(axes[k], vectors + 3 * (2 - k), 3 * sizeof(double));
+    turn_to_smallest(count, points, mean, size, axes);
+    for (int k = 0; k < 2; k++) {
+        double longest = 0;
+        for (int c = 0; c < 3; c++)
+            if (fabs(axes[k][c]) > fabs(longest) * (1 + 1e-9))
+                longest = axes[k][c];
+        for (int c = 0; c < 3; c++)
+            axes[k][c] = copysign(1, longest) * axes[k][c];
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_scatter_on_plane(size_t count, const double *points, double *uv)
+{
+    double mean[3], axes[2][3], off[3];
+    const batten_status status = find_plane(count, points, mean, axes);
+    for (size_t t = 0; status == BATTEN_OK && t < count; t++) {
+        for (size_t c = 0; c < 3; c++)
+            off[c] = points[3 * t + c] - mean[c];
+        for (int k = 0; k < 2; k++)
+            uv[2 * t + (size_t)k] = bat_dot(3, off, axes[k]);
+    }
+    return status;
+}

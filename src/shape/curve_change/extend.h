@@ -1,0 +1,29 @@
+/* Pieces that go on from the end of a curve. */
+#ifndef BAT_EXTEND_H
+#define BAT_EXTEND_H
+#include "inspect/affine/side.h"
+#include "spline/spline.h"
+#include <batten/extend.h>
+
+/* Where a curve ends and how it bends there: in space, T and N of length one, N across T. */
+typedef struct {
+    int dimension;
+    batten_vec3 p, t, n;
+    double speed, curvature, rate; /* curvature and its rate by arc length, towards n */
+} bat_tip;
+
+/* SINGULAR_HERE where the end has no speed. */
+batten_status bat_tip_at(const batten_curve *curve, bat_tip *out);
+/* What goes on from the tip by an arc length, on the domain [b, ..] with the speed of the tip.
+ * @param error as in batten_extend_report */
+batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,
+                            double tolerance, double b, double *error, batten_curve **out);
+/* A spline clamped at its end, of rows of any width, with its last piece gone on to u. */
+batten_status bat_spline_go_on(const bat_spline *from, double u, bat_spline *out);
+/* The clamped curve with its last piece gone on to u, beyond its end (extend_natural.c). */
+batten_status bat_curve_go_on(const batten_curve *curve, double u, batten_curve **out);
+/* The u to which it goes on by an arc length. `first` is a first guess of the way. */
+batten_status bat_curve_go_on_by(const batten_curve *curve, double length, double first,
+                                 double tolerance, double *u);
+
+#endif

@@ -1,0 +1,459 @@
+/*
+ * The B-spline near a surface that is none: quintic, interpolating at Greville's abscissae, one
+ * direction after the other. Errors are measured along each direction alone, at parameters of
+ * the other where the spline is exact, so that only spans that need it are halved.
+ */
+#include "shape/formula/nurbs.h"
+
+#include "numeric/banded.h"
+#include "numeric/dense.h"
+#include "numeric/vector.h"
+#include "spline/spline.h"
+
+#include <float.h>
+#include <string.h>
+
+enum {
+    DEGREE = 5,
+    ROUNDS = 64,
+    JUDGED = 16384, /* points from which on it is asked whether more of them will do */
+    GROWTH = 16,    /* points so many times as many show how errors fall with them: */
+    SLOW = 4,  /* no more than this is what spans of a quarter of the length do of a kink */
+    PROBES = 7 /* measurements of a span, between the abscissae */
+};
+
+static const double probes[PROBES] = {0.03, 0.08, 0.3, 0.5, 0.7, 0.92, 0.97};
+
+/* A measured error grows by this much, for what lies between the measurements. */
+#define SAFETY 1.3
+
+/* One direction: its spans, and the spline over them. Of an isocurve one direction is fixed:
+ * no spans, one parameter. */
+typedef struct {
+    int span_count, room;
+    double *breaks; /* [span_count + 1] */
+    int *times;     /* [span_count + 1]: how often the knot stands there */
+    double *knots;
+    int count;        /* of control points */
+    double *greville; /* [count] */
+    double *lu;       /* [count][2 DEGREE + 1] */
+    double *errors;   /* [span_count]: the largest one measured */
+} line;
+
+typedef struct {
+    const batten_surface *surface;
+    int dimension;
+    double tolerance;
+    int most; /* points */
+    line lines[2];
+    double *points; /* [count u][count v][dimension]: data, then control points */
+    double error;   /* of the spline that was checked last */
+} task;
+
+static void release_line(line *l)
+{
+    bat_release(l->breaks);
+    bat_release(l->times);
+    bat_release(l->knots);
+    bat_release(l->greville);
+    bat_release(l->lu);
+    bat_release(l->errors);
+}
+
+static void release(task *t)
+{
+    release_line(&t->lines[0]);
+    release_line(&t->lines[1]);
+    bat_release(t->points);
+}
+
+/* ---- one direction ---- */
+
+static batten_status begin_line(const batten_surface *surface, batten_direction direction,
+                                int smoothness, line *l)
+{
+    const int count = batten_surface_spans(surface, direction, NULL);
+    l->breaks = bat_array((size_t)count, sizeof *l->breaks);
+    l->times = bat_array((size_t)count, sizeof *l->times);
+    if (!l->breaks || !l->times)
+        return BATTEN_OUT_OF_MEMORY;
+    l->span_count = batten_surface_spans(surface, direction, l->breaks) - 1;
+    for (int i = 0; i <= l->span_count; i++)
+        l->times[i] = i == 0 || i == l->span_count ? DEGREE + 1 : DEGREE - smoothness;
+    return BATTEN_OK;
+}
+
+static batten_status fixed_line(double at, line *l)
+{
+    l->greville = bat_array(1, sizeof *l->greville);
+    if (!l->greville)
+        return BATTEN_OUT_OF_MEMORY;
+    l->greville[0] = at;
+    l->count = 1;
+    return BATTEN_OK;
+}
+
+/* Knots and abscissae of the spans as they are. */
+static batten_status lay_knots(line *l)
+{
+    int total = 0;
+    for (int i = 0; i <= l->span_count; i++)
+        total += l->times[i];
+    bat_release(l->knots);
+    bat_release(l->greville);
+    l->count = total - DEGREE - 1;
+    l->knots = bat_array((size_t)total, sizeof *l->knots);
+    l->greville = bat_array((size_t)l->count, sizeof *l->greville);
+    if (!l->knots || !l->greville)
+        return BATTEN_OUT_OF_MEMORY;
+    int k = 0;
+    for (int i = 0; i <= l->span_count; i++)
+        for (int j = 0; j < l->times[i]; j++)
+            l->knots[k++] = l->breaks[i];
+    for (int i = 0; i < l->count; i++) {
+        double sum = 0;
+        for (int j = 1; j <= DEGREE; j++)
+            sum += l->knots[i + j] - l->knots[i];
+        l->greville[i] = bat_min(l->knots[i] + sum / DEGREE, l->breaks[l->span_count]);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status factor(line *l)
+{
+    const size_t width = 2 * DEGREE + 1;
+    bat_release(l->lu);
+    l->lu = bat_array3((size_t)l->count, width, sizeof *l->lu);
+    if (!l->lu)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < l->count; i++) {
+        double basis[DEGREE + 1];
+        const int span =
+            bat_knots_span(DEGREE, l->count, l->knots, l->greville[i], BATTEN_FROM_RIGHT);
+        bat_basis(DEGREE, l->knots, span, l->greville[i], 0, basis);
+        for (int j = 0; j <= DEGREE; j++) {
+            const int column = span - DEGREE + j - i + DEGREE;
+            if (column >= 0 && column < (int)width)
+                l->lu[(size_t)i * width + (size_t)column] = basis[j];
+        }
+    }
+    return bat_banded_factor(l->count, DEGREE, DEGREE, l->lu);
+}
+
+static batten_status prepare(line *l)
+{
+    if (l->span_count == 0)
+        return BATTEN_OK;
+    const batten_status status = lay_knots(l);
+    return status == BATTEN_OK ? factor(l) : status;
+}
+
+/* Halve the spans where the error is too large; false when one has become too short for that.
+ */
+static batten_status refine(line *l, double tolerance, bool *changed)
+{
+    const int old = l->span_count;
+    int added = 0;
+    for (int i = 0; i < old; i++)
+        added += l->errors[i] > tolerance;
+    if (added == 0)
+        return BATTEN_OK;
+    double *breaks = bat_array((size_t)(old + added + 1), sizeof *breaks);
+    int *times = bat_array((size_t)(old + added + 1), sizeof *times);
+    int k = 0;
+    bool too_short = false;
+    for (int i = 0; breaks && times && i <= old; i++) {
+        breaks[k] = l->breaks[i];
+        times[k++] = l->times[i];
+        if (i == old || !(l->errors[i] > tolerance))
+            continue;
+        breaks[k] = 0.5 * l->breaks[i] + 0.5 * l->breaks[i + 1];
+        too_short |= !(breaks[k] - l->breaks[i] > 1e-10 * (l->breaks[old] - l->breaks[0]));
+        times[k++] = 1;
+    }
+    if (!breaks || !times || too_short) {
+        bat_release(breaks);
+        bat_release(times);
+        return too_short ? BATTEN_TOLERANCE_NOT_MET : BATTEN_OUT_OF_MEMORY;
+    }
+    bat_release(l->breaks);
+    bat_release(l->times);
+    l->breaks = breaks;
+    l->times = times;
+    l->span_count = old + added;
+    *changed = true;
+    return BATTEN_OK;
+}
+
+/* ---- interpolation ---- */
+
+static batten_status interpolate(task *t)
+{
+    const line *u = &t->lines[0], *v = &t->lines[1];
+    const int d = t->dimension;
+    const size_t total = (size_t)u->count * (size_t)v->count;
+    if (total > (size_t)t->most)
+        return BATTEN_TOLERANCE_NOT_MET;
+    bat_release(t->points);
+    t->points = bat_array3(total, (size_t)d, sizeof *t->points);
+    double *turned = bat_array3(total, (size_t)d, sizeof *turned);
+    batten_status status = t->points && turned ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status =
+            batten_surface_evaluate_grid(t->surface, (size_t)u->count, u->greville,
+                                         (size_t)v->count, v->greville, 0, NULL, t->points);
+    if (status == BATTEN_OK && u->lu)
+        bat_banded_solve(u->count, DEGREE, DEGREE, u->lu, (size_t)v->count * (size_t)d,
+                         t->points);
+    if (status == BATTEN_OK && v->lu) {
+        bat_transpose(u->count, v->count, (size_t)d, t->points, turned);
+        bat_banded_solve(v->count, DEGREE, DEGREE, v->lu, (size_t)u->count * (size_t)d, turned);
+        bat_transpose(v->count, u->count, (size_t)d, turned, t->points);
+    }
+    bat_release(turned);
+    return status;
+}
+
+static batten_status make_surface(const task *t, batten_surface **out)
+{
+    const line *u = &t->lines[0], *v = &t->lines[1];
+    const batten_axis axes[2] = {{DEGREE, u->count, u->knots, false},
+                                 {DEGREE, v->count, v->knots, false}};
+    return batten_surface_create(t->dimension, &axes[0], &axes[1], t->points, NULL, out);
+}
+
+static batten_status make_curve(const task *t, const line *l, batten_curve **out)
+{
+    return batten_curve_create(t->dimension, DEGREE, l->count, t->points, NULL, l->knots, out);
+}
+
+/* ---- errors ---- */
+
+/* The places of a span between the abscissae; [span_count * PROBES]. */
+static double *places_of(const line *l)
+{
+    double *places = bat_array((size_t)l->span_count * PROBES, sizeof *places);
+    for (int i = 0; places && i < l->span_count; i++)
+        for (int j = 0; j < PROBES; j++)
+            places[i * PROBES + j] =
+                l->breaks[i] + probes[j] * (l->breaks[i + 1] - l->breaks[i]);
+    return places;
+}
+
+/* The values of the spline that is made on a grid. */
+static batten_status evaluate_made(const task *t, size_t count_u, const double *u,
+                                   size_t count_v, const double *v, double *out)
+{
+    batten_surface *surface = NULL;
+    batten_curve *curve = NULL;
+    batten_status status;
+    if (t->lines[0].span_count > 0 && t->lines[1].span_count > 0) {
+        status = make_surface(t, &surface);
+        if (status == BATTEN_OK)
+            status =
+                batten_surface_evaluate_grid(surface, count_u, u, count_v, v, 0, NULL, out);
+    } else {
+        const bool along_u = t->lines[0].span_count > 0;
+        status = make_curve(t, &t->lines[along_u ? 0 : 1], &curve);
+        if (status == BATTEN_OK)
+            status = batten_curve_evaluate_many(curve, along_u ? count_u : count_v,
+                                                along_u ? u : v, 0, NULL, out);
+    }
+    batten_surface_unref(surface);
+    batten_curve_unref(curve);
+    return status;
+}
+
+/* Compare on the grid of places; errors go to the spans of those directions that are probed. */
+static batten_status compare(task *t, size_t count_u, const double *u, bool probe_u,
+                             size_t count_v, const double *v, bool probe_v)
+{
+    const size_t d = (size_t)t->dimension;
+    double *truth = bat_array3(count_u * count_v, d, sizeof *truth);
+    double *made = bat_array3(count_u * count_v, d, sizeof *made);
+    batten_status status = truth && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status =
+            batten_surface_evaluate_grid(t->surface, count_u, u, count_v, v, 0, NULL, truth);
+    if (status == BATTEN_OK)
+        status = evaluate_made(t, count_u, u, count_v, v, made);
+    for (size_t i = 0; status == BATTEN_OK && i < count_u; i++)
+        for (size_t j = 0; j < count_v; j++) {
+            const size_t at = (i * count_v + j) * d;
+            const double error = SAFETY * bat_distance((int)d, truth + at, made + at);
+            double *of_u = probe_u ? &t->lines[0].errors[i / PROBES] : NULL;
+            double *of_v = probe_v ? &t->lines[1].errors[j / PROBES] : NULL;
+            if (of_u)
+                *of_u = bat_max(*of_u, error);
+            if (of_v)
+                *of_v = bat_max(*of_v, error);
+            t->error = bat_max(t->error, error);
+        }
+    bat_release(truth);
+    bat_release(made);
+    return status;
+}
+
+static batten_status clear_errors(line *l)
+{
+    bat_release(l->errors);
+    l->errors = bat_array((size_t)l->span_count + 1, sizeof *l->errors);
+    return l->errors ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+/* Along each direction where the other is exact; or, at last, between everything. */
+static batten_status measure(task *t, bool between)
+{
+    line *u = &t->lines[0], *v = &t->lines[1];
+    batten_status status = clear_errors(u);
+    if (status == BATTEN_OK)
+        status = clear_errors(v);
+    double *at_u = u->span_count > 0 ? places_of(u) : NULL;
+    double *at_v = v->span_count > 0 ? places_of(v) : NULL;
+    if (status == BATTEN_OK && ((u->span_count > 0 && !at_u) || (v->span_count > 0 && !at_v)))
+        status = BATTEN_OUT_OF_MEMORY;
+    const size_t probes_u = (size_t)u->span_count * PROBES,
+                 probes_v = (size_t)v->span_count * PROBES;
+    t->error = 0;
+    if (status == BATTEN_OK && between && at_u && at_v)
+        status = compare(t, probes_u, at_u, true, probes_v, at_v, true);
+    if (status == BATTEN_OK && !between && at_u)
+        status = compare(t, probes_u, at_u, true, (size_t)v->count, v->greville, false);
+    if (status == BATTEN_OK && !between && at_v)
+        status = compare(t, (size_t)u->count, u->greville, false, probes_v, at_v, true);
+    bat_release(at_u);
+    bat_release(at_v);
+    return status;
+}
+
+/* ---- the search ---- */
+
+static batten_status refine_both(task *t, bool *changed)
+{
+    *changed = false;
+    batten_status status = refine(&t->lines[0], t->tolerance, changed);
+    if (status == BATTEN_OK)
+        status = refine(&t->lines[1], t->tolerance, changed);
+    return status;
+}
+
+/* One spline, and whether it must be refined. */
+static batten_status try_once(task *t, bool *changed)
+{
+    batten_status status = prepare(&t->lines[0]);
+    if (status == BATTEN_OK)
+        status = prepare(&t->lines[1]);
+    if (status == BATTEN_OK)
+        status = interpolate(t);
+    if (status == BATTEN_OK)
+        status = measure(t, false);
+    if (status == BATTEN_OK)
+        status = refine_both(t, changed);
+    const bool both = t->lines[0].span_count > 0 && t->lines[1].span_count > 0;
+    if (status != BATTEN_OK || *changed || !both)
+        return status;
+    const double along = t->error;
+    status = measure(t, true);
+    t->error = bat_max(t->error, along);
+    return status == BATTEN_OK ? refine_both(t, changed) : status;
+}
+
+/* How many points a spline had, and its error. */
+typedef struct {
+    double points, error;
+} attempt;
+
+/* Would the points that are needed be far too many, when errors go on falling as slowly as they
+ * did since there were a sixteenth of them? Where the surface jumps they do not fall at all;
+ * where it is smooth and its features are found, to a four-thousandth. */
+static bool is_hopeless(const task *t, const attempt *attempts, int round)
+{
+    const attempt *now = &attempts[round];
+    int before = round;
+    while (before > 0 && attempts[before].points > now->points / GROWTH)
+        before--;
+    if (now->points < JUDGED || attempts[before].points > now->points / GROWTH)
+        return false;
+    const double fall = attempts[before].error / now->error, wanted = now->error / t->tolerance;
+    if (!(wanted > 1) || fall > SLOW)
+        return false;
+    const double times = fall > 1 ? pow(GROWTH, log(wanted) / log(fall)) : HUGE_VAL;
+    return now->points * times > GROWTH * (double)t->most;
+}
+
+static batten_status search(task *t)
+{
+    attempt attempts[ROUNDS];
+    bool changed = true;
+    batten_status status = BATTEN_OK;
+    for (int round = 0; round < ROUNDS && changed && status == BATTEN_OK; round++) {
+        status = try_once(t, &changed);
+        attempts[round] = (attempt){(double)t->lines[0].count * t->lines[1].count, t->error};
+        if (status == BATTEN_OK && is_hopeless(t, attempts, round))
+            break;
+    }
+    if (status == BATTEN_TOLERANCE_NOT_MET || (status == BATTEN_OK && changed))
+        return bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                        "%d x %d control points come to %g of the %s surface; %g was wanted",
+                        t->lines[0].count, t->lines[1].count, t->error,
+                        batten_surface_kind(t->surface), t->tolerance);
+    return status;
+}
+
+static double box_size(const batten_surface *surface)
+{
+    const batten_box box = batten_surface_box(surface);
+    const double corners[6] = {box.low.x,  box.low.y,  box.low.z,
+                               box.high.x, box.high.y, box.high.z};
+    return bat_largest(6, corners);
+}
+
+static batten_status begin(task *t, double tolerance)
+{
+    batten_status status = bat_tolerance_check(tolerance);
+    const double least = 64 * DBL_EPSILON * box_size(t->surface);
+    if (status == BATTEN_OK && tolerance < least)
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "a tolerance of %g is below %g, what rounding leaves of the surface",
+                          tolerance, least);
+    t->tolerance = bat_max(tolerance, DBL_MIN);
+    return status;
+}
+
+batten_status bat_surface_approximate(const batten_surface *surface, double tolerance, int most,
+                                      batten_surface **out, double *error)
+{
+    task t = {.surface = surface, .dimension = surface->dimension, .most = most};
+    batten_status status = begin(&t, tolerance);
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+        status = begin_line(surface, (batten_direction)k,
+                            bat_formula_smoothness(surface, (batten_direction)k), &t.lines[k]);
+    if (status == BATTEN_OK)
+        status = search(&t);
+    if (status == BATTEN_OK)
+        status = make_surface(&t, out);
+    if (status == BATTEN_OK && error)
+        *error = t.error;
+    release(&t);
+    return status;
+}
+
+batten_status bat_formula_isocurve(const batten_surface *surface, batten_direction direction,
+                                   double at, batten_curve **out)
+{
+    const batten_direction along = bat_other(direction);
+    task t = {
+        .surface = surface, .dimension = surface->dimension, .most = BAT_APPROXIMATE_MOST};
+    batten_status status = begin(&t, 1e-9 * box_size(surface));
+    if (status == BATTEN_OK)
+        status =
+            begin_line(surface, along, bat_formula_smoothness(surface, along), &t.lines[along]);
+    if (status == BATTEN_OK)
+        status = fixed_line(at, &t.lines[direction]);
+    if (status == BATTEN_OK)
+        status = search(&t);
+    if (status == BATTEN_OK)
+        status = make_curve(&t, &t.lines[along], out);
+    release(&t);
+    return status;
+}

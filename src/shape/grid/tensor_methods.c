@@ -1,0 +1,133 @@
+/* Surfaces through grids by the methods that curves have. */
+#include "shape/grid/tensor.h"
+#include <batten/weighted.h>
+
+#include <string.h>
+
+/* ---- nu-splines ---- */
+
+batten_nu_surface_options batten_nu_surface_defaults(void)
+{
+    return (batten_nu_surface_options){.size = sizeof(batten_nu_surface_options)};
+}
+
+static batten_status make_nu(void *user, int dimension, int count, const double *points,
+                             const double *parameters, batten_curve **out)
+{
+    batten_weighted_options o = *(const batten_weighted_options *)user;
+    o.given = parameters;
+    return batten_curve_weighted(dimension, count, points, &o, NULL, out);
+}
+
+static batten_weighted_options weighted(bool closed, double nu, const double *nus)
+{
+    batten_weighted_options o = batten_weighted_defaults();
+    o.parameters = BATTEN_GIVEN;
+    o.closed = closed;
+    o.nu = nu;
+    o.nus = nus;
+    return o;
+}
+
+batten_status batten_surface_nu(int dimension, int count_u, int count_v, const double *points,
+                                const batten_nu_surface_options *options, const batten_job *job,
+                                batten_surface **out)
+{
+    assert(points && out);
+    const batten_nu_surface_options defaults = batten_nu_surface_defaults();
+    const batten_nu_surface_options *o = options ? options : &defaults;
+    batten_weighted_options curves[2] = {weighted(o->closed_u, o->nu_u, o->nus_u),
+                                         weighted(o->closed_v, o->nu_v, o->nus_v)};
+    const batten_line_method u = {make_nu, &curves[0], o->closed_u},
+                             v = {make_nu, &curves[1], o->closed_v};
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
+    batten_status status =
+        bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
+    if (status == BATTEN_OK)
+        status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD,
+                                        o->closed_u, o->closed_v, o->u, o->v, &at);
+    if (status == BATTEN_OK)
+        status = batten_surface_tensor(dimension, count_u, count_v, points, at.u, at.v, &u, &v,
+                                       job, NULL, out);
+    bat_grid_parameters_release(&at);
+    return status;
+}
+
+/* ---- uniform B-splines of nets ---- */
+
+typedef struct {
+    int degree;
+    batten_polygon_end ends;
+} polygon_way;
+
+static batten_status make_uniform(void *user, int dimension, int count, const double *points,
+                                  const double *parameters, batten_curve **out)
+{
+    const polygon_way *way = user;
+    (void)parameters;
+    return batten_curve_uniform(dimension, way->degree, count, points, NULL, way->ends, out);
+}
+
+batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
+                                     const double *points, int degree_u, int degree_v,
+                                     batten_polygon_end ends_u, batten_polygon_end ends_v,
+                                     batten_surface **out)
+{
+    assert(points && out);
+    polygon_way ways[2] = {{degree_u, ends_u}, {degree_v, ends_v}};
+    const batten_line_method u = {make_uniform, &ways[0], false},
+                             v = {make_uniform, &ways[1], false};
+    batten_status status = bat_grid_check(dimension, count_u, count_v, points, false, false);
+    if (status != BATTEN_OK)
+        return status;
+    const int most = bat_max_int(count_u, count_v);
+    double *steps = bat_array((size_t)most, sizeof *steps);
+    if (!steps)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < most; i++)
+        steps[i] = i;
+    status = batten_surface_tensor(dimension, count_u, count_v, points, steps, steps, &u, &v,
+                                   NULL, NULL, out);
+    bat_release(steps);
+    return status;
+}
+
+/* ---- the class of Catmull and Rom ---- */
+
+static batten_status make_catmull_rom(void *user, int dimension, int count,
+                                      const double *points, const double *parameters,
+                                      batten_curve **out)
+{
+    batten_catmull_rom_options o = *(const batten_catmull_rom_options *)user;
+    o.given = parameters;
+    return batten_curve_catmull_rom(dimension, count, points, &o, NULL, NULL, out);
+}
+
+batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v,
+                                         const double *points, const double *u, const double *v,
+                                         const batten_catmull_rom_options *along_u,
+                                         const batten_catmull_rom_options *along_v,
+                                         const batten_job *job, double *off,
+                                         batten_surface **out)
+{
+    assert(points && out);
+    batten_catmull_rom_options curves[2] = {batten_catmull_rom_defaults(),
+                                            batten_catmull_rom_defaults()};
+    if (along_u)
+        curves[0] = *along_u;
+    if (along_v)
+        curves[1] = *along_v;
+    const batten_line_method ways[2] = {{make_catmull_rom, &curves[0], curves[0].closed},
+                                        {make_catmull_rom, &curves[1], curves[1].closed}};
+    bat_grid_parameters at = {NULL, NULL, {0, 0}};
+    batten_status status =
+        bat_grid_check(dimension, count_u, count_v, points, curves[0].closed, curves[1].closed);
+    if (status == BATTEN_OK)
+        status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CENTRIPETAL,
+                                        curves[0].closed, curves[1].closed, u, v, &at);
+    if (status == BATTEN_OK)
+        status = batten_surface_tensor(dimension, count_u, count_v, points, at.u, at.v,
+                                       &ways[0], &ways[1], job, off, out);
+    bat_grid_parameters_release(&at);
+    return status;
+}

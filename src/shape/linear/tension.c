@@ -1,0 +1,245 @@
+/* Splines in tension: the system of second derivatives, and the chain made of them. */
+#include "shape/linear/tension.h"
+#include "spline/chain/chain.h"
+
+#include <float.h>
+#include <string.h>
+
+batten_tension_options batten_tension_defaults(void)
+{
+    return (batten_tension_options){.size = sizeof(batten_tension_options),
+                                    .parameters = BATTEN_CHORD,
+                                    .start = {.kind = BATTEN_END_NATURAL},
+                                    .end = {.kind = BATTEN_END_NATURAL},
+                                    .slack = 0.01};
+}
+
+/* ---- the system ---- */
+
+/* The slope at the start of a span is d - a M - b N, at its end d + b M + a N. */
+static void find_coefficients(bat_tension *t)
+{
+    for (int i = 0; i < t->spans; i++) {
+        const double h = t->u[i + 1] - t->u[i];
+        double at_start[4], at_end[4];
+        bat_tension_shape(t->sigma[i] * h, 0, 1, at_start);
+        bat_tension_shape(t->sigma[i] * h, 1, 0, at_end);
+        t->a[i] = h * at_end[1];
+        t->b[i] = -h * at_start[1];
+    }
+}
+
+/* Row of a point between the spans `before` and `after`: their slopes agree. */
+static void inner_row(bat_tension *t, int i, int before, int after)
+{
+    const int d = t->dimension;
+    double *row = t->matrix + 3 * (size_t)i, *right = t->moments + (size_t)i * (size_t)d;
+    row[0] = t->b[before];
+    row[1] = t->a[before] + t->a[after];
+    row[2] = t->b[after];
+    for (int k = 0; k < d; k++)
+        right[k] = t->slopes[(size_t)after * (size_t)d + (size_t)k] -
+                   t->slopes[(size_t)before * (size_t)d + (size_t)k];
+}
+
+static void end_row(bat_tension *t, int end)
+{
+    const int d = t->dimension, i = end ? t->count - 1 : 0, span = end ? t->spans - 1 : 0;
+    const bool line = t->count == 2 && t->kinds[1 - end] == BATTEN_END_PARABOLIC;
+    double *row = t->matrix + 3 * (size_t)i, *right = t->moments + (size_t)i * (size_t)d;
+    const double *slope = t->slopes + (size_t)span * (size_t)d;
+    const double sign = end ? -1 : 1;
+    memset(row, 0, 3 * sizeof *row);
+    memset(right, 0, (size_t)d * sizeof *right);
+    row[1] = 1;
+    if (t->kinds[end] == BATTEN_END_CLAMPED) {
+        row[1] = t->a[span];
+        row[end ? 0 : 2] = t->b[span];
+        for (int k = 0; k < d; k++)
+            right[k] = sign * (slope[k] - t->values[end][k]);
+    } else if (t->kinds[end] == BATTEN_END_SECOND)
+        memcpy(right, t->values[end], (size_t)d * sizeof *right);
+    else if (!line) /* which two parabolic ends of one span are */
+        row[end ? 0 : 2] = -1;
+}
+
+batten_status bat_tension_solve(bat_tension *t)
+{
+    const size_t d = (size_t)t->dimension, n = (size_t)t->count;
+    find_coefficients(t);
+    for (int i = t->closed ? 0 : 1; i < t->spans; i++)
+        inner_row(t, i, i ? i - 1 : t->spans - 1, i);
+    batten_status status = BATTEN_OK;
+    if (t->closed) {
+        bat_cyclic *factor = NULL;
+        status = bat_cyclic_factor(t->count, 1, 1, t->matrix, &factor);
+        if (status == BATTEN_OK)
+            status = bat_cyclic_solve(factor, d, t->moments);
+        bat_cyclic_free(factor);
+    } else {
+        end_row(t, 0);
+        end_row(t, 1);
+        status = bat_banded_factor(t->count, 1, 1, t->matrix);
+        if (status == BATTEN_OK)
+            bat_banded_solve(t->count, 1, 1, t->matrix, d, t->moments);
+    }
+    const size_t bad = status == BATTEN_OK ? bat_first_not_finite(t->moments, n * d) / d : n;
+    if (bad < n)
+        return bat_fail(BATTEN_OVERFLOW, "the curve bends too much at point %d for a number",
+                        (int)bad);
+    return status;
+}
+
+void bat_tension_slope(const bat_tension *t, int span, int end, double *slope)
+{
+    const size_t d = (size_t)t->dimension;
+    const double *M = t->moments + (size_t)span * d;
+    const double *N = t->moments + (size_t)bat_tension_next(t, span) * d;
+    const double a = t->a[span], b = t->b[span];
+    for (size_t k = 0; k < d; k++) {
+        const double chord = t->slopes[(size_t)span * d + k];
+        slope[k] = end ? chord + (b * M[k] + a * N[k]) : chord - (a * M[k] + b * N[k]);
+    }
+}
+
+/* Each row of the system is a handful of sums; more than their rounding is no solution. */
+static batten_status check_slopes(const bat_tension *t)
+{
+    const int d = t->dimension;
+    for (int i = t->closed ? 0 : 1; i < t->spans; i++) {
+        const int before = i ? i - 1 : t->spans - 1, previous = i ? i - 1 : t->count - 1;
+        double left[3], right[3];
+        bat_tension_slope(t, before, 1, left);
+        bat_tension_slope(t, i, 0, right);
+        for (int k = 0; k < d; k++) {
+            const double M = fabs(t->moments[i * d + k]),
+                         L = fabs(t->moments[previous * d + k]),
+                         N = fabs(t->moments[bat_tension_next(t, i) * d + k]);
+            const double size = fabs(t->slopes[before * d + k]) + fabs(t->slopes[i * d + k]) +
+                                t->b[before] * L + (t->a[before] + t->a[i]) * M + t->b[i] * N;
+            if (!(fabs(left[k] - right[k]) <= 32 * DBL_EPSILON * size + DBL_MIN))
+                return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the slope jumps by %g at point %d",
+                                right[k] - left[k], i);
+        }
+    }
+    return BATTEN_OK;
+}
+
+/* ---- from points to a chain ---- */
+
+static batten_status allocate(bat_tension *t)
+{
+    const size_t d = (size_t)t->dimension, n = (size_t)t->count, m = (size_t)t->spans;
+    t->sigma = bat_array(m, sizeof *t->sigma);
+    t->slopes = bat_array3(m, d, sizeof *t->slopes);
+    t->a = bat_array(m, sizeof *t->a);
+    t->b = bat_array(m, sizeof *t->b);
+    t->matrix = bat_array3(n, 3, sizeof *t->matrix);
+    t->moments = bat_array3(n, d, sizeof *t->moments);
+    return t->sigma && t->slopes && t->a && t->b && t->matrix && t->moments
+               ? BATTEN_OK
+               : BATTEN_OUT_OF_MEMORY;
+}
+
+static void release(bat_tension *t)
+{
+    bat_release(t->u);
+    bat_release(t->sigma);
+    bat_release(t->slopes);
+    bat_release(t->a);
+    bat_release(t->b);
+    bat_release(t->matrix);
+    bat_release(t->moments);
+}
+
+static batten_status fill(bat_tension *t, const batten_tension_options *o)
+{
+    const int d = t->dimension;
+    const double mean = (t->u[t->spans] - t->u[0]) / t->spans;
+    for (int i = 0; i < t->spans; i++) {
+        const double tension = o->tensions ? o->tensions[i] : o->tension;
+        const double h = t->u[i + 1] - t->u[i];
+        if (!(tension >= 0 && isfinite(tension)))
+            return bat_fail(BATTEN_BAD_ARGUMENT, "the tension of span %d is %g, not 0 or more",
+                            i, tension);
+        t->sigma[i] = tension / mean;
+        for (int k = 0; k < d; k++)
+            t->slopes[i * d + k] =
+                (t->points[bat_tension_next(t, i) * d + k] - t->points[i * d + k]) / h;
+        if (!isfinite(t->sigma[i] * h) ||
+            bat_first_not_finite(t->slopes + i * d, (size_t)d) < (size_t)d)
+            return bat_fail(BATTEN_OVERFLOW, "tension or slope of span %d are too large", i);
+    }
+    return BATTEN_OK;
+}
+
+static batten_status prepare(bat_tension *t, const batten_tension_options *o)
+{
+    const batten_end ends[2] = {o->start, o->end};
+    if (!(o->slack > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the slack is %g, not above 0", o->slack);
+    batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
+                                             o->given, o->closed, &t->u);
+    if (status == BATTEN_OK && !o->closed)
+        status = bat_ends_plain(t->dimension, t->count, t->points, t->u, ends,
+                                "splines in tension", t->kinds, t->values);
+    if (status == BATTEN_OK)
+        status = allocate(t);
+    return status == BATTEN_OK ? fill(t, o) : status;
+}
+
+static batten_status make_chain(const bat_tension *t, batten_chain **out)
+{
+    const int d = t->dimension;
+    batten_span *spans = bat_array((size_t)t->spans, sizeof *spans);
+    if (!spans)
+        return BATTEN_OUT_OF_MEMORY;
+    for (int i = 0; i < t->spans; i++) {
+        const int next = bat_tension_next(t, i);
+        spans[i].kind = BATTEN_SPAN_TENSION;
+        spans[i].length = t->u[i + 1] - t->u[i];
+        spans[i].tension = t->sigma[i];
+        for (int k = 0; k < d; k++) {
+            spans[i].start[k] = t->points[i * d + k];
+            spans[i].end[k] = t->points[next * d + k];
+            spans[i].bend[0][k] = t->moments[i * d + k];
+            spans[i].bend[1][k] = t->moments[next * d + k];
+        }
+    }
+    const batten_status status =
+        batten_chain_create(d, t->spans, spans, t->u, t->closed, 0, out);
+    bat_release(spans);
+    return status;
+}
+
+batten_status batten_chain_tension(int dimension, int count, const double *points,
+                                   const batten_tension_options *options, double *parameters,
+                                   batten_chain **out)
+{
+    assert(points && out);
+    const batten_tension_options defaults = batten_tension_defaults();
+    const batten_tension_options *o = options ? options : &defaults;
+    batten_status status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
+    if (status != BATTEN_OK)
+        return status;
+    bat_tension t = {.dimension = dimension,
+                     .count = count,
+                     .spans = o->closed ? count : count - 1,
+                     .closed = o->closed,
+                     .points = points};
+    status = prepare(&t, o);
+    if (status == BATTEN_OK)
+        status = bat_tension_solve(&t);
+    if (status == BATTEN_OK && o->rule == BATTEN_TENSION_CONVEX)
+        status = bat_tension_convex(&t, o->slack);
+    if (status == BATTEN_OK && o->rule == BATTEN_TENSION_MONOTONE)
+        status = bat_tension_monotone(&t, o->slack);
+    if (status == BATTEN_OK)
+        status = check_slopes(&t);
+    if (status == BATTEN_OK)
+        status = make_chain(&t, out);
+    if (status == BATTEN_OK && parameters)
+        memcpy(parameters, t.u, (size_t)count * sizeof *parameters);
+    release(&t);
+    return status;
+}

@@ -1,0 +1,253 @@
+#include "shape/local/correct_tangents.h"
+#include "numeric/vector.h"
+
+#include <string.h>
+
+/* ---- limits ---- */
+
+batten_status batten_tangent_limits(double chord, double alpha, double beta, double *start,
+                                    double *end)
+{
+    const double turn = fabs(alpha + beta);
+    if (!isfinite(chord) || !isfinite(alpha) || !isfinite(beta))
+        return bat_fail(BATTEN_NOT_FINITE, "chord %g, angles %g and %g: all must be finite",
+                        chord, alpha, beta);
+    if (!(chord > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a chord of length %g", chord);
+    if (!(alpha * beta > 0) || turn >= BAT_PI)
+        return bat_fail(BATTEN_NOT_COMPATIBLE,
+                        "turning by %g and %g there is no simple arc: both must turn to one "
+                        "side, by less than BAT_PI together",
+                        alpha, beta);
+    *start = 3 * chord * fabs(sin(beta)) / sin(turn);
+    *end = 3 * chord * fabs(sin(alpha)) / sin(turn);
+    return BATTEN_OK;
+}
+
+batten_correct_options batten_correct_defaults(void)
+{
+    return (batten_correct_options){
+        .size = sizeof(batten_correct_options), .within = 0.95, .tolerance = 1e-9};
+}
+
+/* ---- at work ---- */
+
+/* Scale the leg from point `foot` to point `tip`. */
+static void scale_leg(const bat_correction *w, int foot, int tip, double factor)
+{
+    for (int k = 0; k < w->dimension; k++)
+        bat_correction_point(w, tip)[k] =
+            bat_correction_point(w, foot)[k] +
+            factor * (bat_correction_point(w, tip)[k] - bat_correction_point(w, foot)[k]);
+}
+
+bool bat_correction_is_bad(batten_cubic_region region)
+{
+    return region != BATTEN_REGION_REGULAR && region != BATTEN_REGION_S_SHAPED;
+}
+
+/* Bring one span into its good region; false when that cannot be. */
+static bool correct_span(bat_correction *w, int i)
+{
+    const batten_cubic *c = &w->spans[i];
+    const double most = 1 + w->options.tolerance;
+    if (c->segment == BATTEN_CUBIC_RETRACED_LINE)
+        return false;
+    if (!c->has_tangents)
+        return true;
+    if (c->lambda < 0 && c->mu < 0)
+        return false;
+    if (c->lambda > most || (c->lambda > w->options.within && c->mu > most)) {
+        scale_leg(w, 3 * i, 3 * i + 1, w->options.within / c->lambda);
+        w->changed[i] = 1;
+    }
+    if (c->mu > most || (c->mu > w->options.within && c->lambda > most)) {
+        scale_leg(w, 3 * i + 3, 3 * i + 2, w->options.within / c->mu);
+        w->changed[i] = 1;
+    }
+    return true;
+}
+
+static void correct_spans(bat_correction *w)
+{
+    for (int i = 0; i < w->count; i++)
+        if (correct_span(w, i)) {
+            w->report.corrected += w->changed[i];
+        } else {
+            if (w->report.incurable++ == 0)
+                w->report.first_incurable = i;
+        }
+}
+
+/* ---- curvatures at the joins, in the plane ---- */
+
+double bat_correction_bend(const bat_correction *w, int i, int end)
+{
+    const double *a = bat_correction_point(w, end ? 3 * i + 3 : 3 * i);
+    const double *b = bat_correction_point(w, end ? 3 * i + 2 : 3 * i + 1);
+    const double *c = bat_correction_point(w, end ? 3 * i + 1 : 3 * i + 2);
+    const double leg[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {c[0] - b[0], c[1] - b[1]};
+    const double length = bat_norm(2, leg);
+    const double cross = leg[0] * next[1] - leg[1] * next[0];
+    return (end ? -1 : 1) * 2 * cross / (3 * length * length * length);
+}
+
+int bat_correction_before(const bat_correction *w, int j)
+{
+    return j == 0 ? w->count - 1 : j - 1;
+}
+
+/* How much two curvatures differ, of the larger one. */
+static double part(double left, double right)
+{
+    const double larger = bat_max(fabs(left), fabs(right));
+    return larger > 0 ? fabs(left - right) / larger : isnan(left + right) ? (double)NAN : 0;
+}
+
+/* How much curvature jumps at join j; the seam is join 0. */
+static double jump(const bat_correction *w, int j)
+{
+    if (j == 0 && !w->closed)
+        return 0;
+    return part(bat_correction_bend(w, bat_correction_before(w, j), 1),
+                bat_correction_bend(w, j, 0));
+}
+
+/* The same as it was given. */
+static double given_jump(const bat_correction *w, int j)
+{
+    if (j == 0 && !w->closed)
+        return 0;
+    return part(w->bends[2 * bat_correction_before(w, j) + 1], w->bends[2 * j]);
+}
+
+/* ---- the whole ---- */
+
+static void note_shape(bat_correction *w)
+{
+    for (int i = 0; i < w->count; i++) {
+        w->legs[2 * i] = bat_distance(w->dimension, bat_correction_point(w, 3 * i),
+                                      bat_correction_point(w, 3 * i + 1));
+        w->legs[2 * i + 1] = bat_distance(w->dimension, bat_correction_point(w, 3 * i + 3),
+                                          bat_correction_point(w, 3 * i + 2));
+        for (int end = 0; end < 2; end++)
+            w->bends[2 * i + end] = w->dimension == 2 ? bat_correction_bend(w, i, end) : 0;
+    }
+}
+
+static void count_joins(bat_correction *w, const double *corrected)
+{
+    for (int j = w->closed ? 0 : 1; j < w->count && w->dimension == 2; j++) {
+        const double now = jump(w, j);
+        w->report.broken +=
+            !(now <= bat_correction_agree) && given_jump(w, j) <= bat_correction_agree;
+        w->report.rejoined +=
+            now <= bat_correction_agree && !(corrected[j] <= bat_correction_agree);
+    }
+}
+
+static batten_status correct(bat_correction *w)
+{
+    double *corrected = bat_array((size_t)w->count, sizeof *corrected);
+    batten_status status = corrected ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        note_shape(w);
+        correct_spans(w);
+        for (int j = 0; j < w->count && w->dimension == 2; j++)
+            corrected[j] = jump(w, j);
+        if (w->options.joins == BATTEN_CORRECT_CURVATURE && w->report.corrected > 0)
+            status = bat_correction_join(w);
+    }
+    if (status == BATTEN_OK)
+        count_joins(w, corrected);
+    bat_release(corrected);
+    return status;
+}
+
+static batten_status check(const batten_curve *curve, const batten_correct_options *o)
+{
+    const int d = batten_curve_dimension(curve);
+    if (d < 2)
+        return bat_fail(BATTEN_UNSUPPORTED, "a function has no tangent lengths to correct");
+    if (!(o->within > 0 && o->within < 1) || !(o->tolerance >= 0 && o->tolerance < 1))
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "tangents are corrected to a part of %g, tolerance %g: the first must "
+                        "be in (0, 1), the second in [0, 1)",
+                        o->within, o->tolerance);
+    if (o->joins == BATTEN_CORRECT_CURVATURE && d != 2)
+        return bat_fail(BATTEN_UNSUPPORTED,
+                        "curvatures are brought together in the plane only");
+    return BATTEN_OK;
+}
+
+static batten_status begin(bat_correction *w, const batten_curve *curve)
+{
+    batten_curve *cubic = NULL, *bezier = NULL;
+    batten_status status =
+        batten_curve_classify(curve, w->options.tolerance, &w->count, &w->spans);
+    if (status == BATTEN_OK)
+        status = batten_curve_elevate(curve, 3 - batten_curve_degree(curve), &cubic);
+    if (status == BATTEN_OK)
+        status = batten_curve_to_bezier(cubic, &bezier);
+    const size_t n = (size_t)w->count, d = (size_t)w->dimension;
+    if (status == BATTEN_OK) {
+        w->points = bat_array3(3 * n + 1, d, sizeof *w->points);
+        w->breaks = bat_array(n + 1, sizeof *w->breaks);
+        w->changed = bat_array(n, sizeof *w->changed);
+        w->legs = bat_array(2 * n, sizeof *w->legs);
+        w->bends = bat_array(2 * n, sizeof *w->bends);
+        if (!w->points || !w->breaks || !w->changed || !w->legs || !w->bends)
+            status = BATTEN_OUT_OF_MEMORY;
+    }
+    if (status == BATTEN_OK) {
+        memcpy(w->points, batten_curve_points(bezier), (3 * n + 1) * d * sizeof *w->points);
+        for (int i = 0; i <= w->count; i++)
+            w->breaks[i] = i < w->count ? w->spans[i].from : w->spans[i - 1].to;
+    }
+    batten_curve_unref(bezier);
+    batten_curve_unref(cubic);
+    return status;
+}
+
+static batten_status hand_over(const bat_correction *w, const batten_curve *curve, int *changed,
+                               batten_correct_report *report, batten_curve **out)
+{
+    batten_status status = BATTEN_OK;
+    if (w->report.corrected == 0)
+        *out = batten_curve_ref(curve);
+    else
+        status = batten_curve_from_bezier(w->dimension, 3, w->count, w->points, NULL, w->breaks,
+                                          out);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; changed && i < w->count; i++)
+        changed[i] = w->changed[i] != 0;
+    if (report)
+        *report = w->report;
+    return BATTEN_OK;
+}
+
+batten_status batten_curve_correct_tangents(const batten_curve *curve,
+                                            const batten_correct_options *options, int *changed,
+                                            batten_correct_report *report, batten_curve **out)
+{
+    bat_correction w = {.options = options ? *options : batten_correct_defaults(),
+                        .dimension = batten_curve_dimension(curve),
+                        .closed = batten_curve_is_periodic(curve),
+                        .report = {.first_incurable = -1}};
+    batten_status status = check(curve, &w.options);
+    if (status == BATTEN_OK)
+        status = begin(&w, curve);
+    w.report.span_count = w.count;
+    if (status == BATTEN_OK)
+        status = correct(&w);
+    if (status == BATTEN_OK)
+        status = hand_over(&w, curve, changed, report, out);
+    bat_release(w.points);
+    bat_release(w.breaks);
+    bat_release(w.changed);
+    bat_release(w.legs);
+    bat_release(w.bends);
+    bat_release(w.spans);
+    return status;
+}

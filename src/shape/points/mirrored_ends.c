@@ -1,0 +1,121 @@
+#include "shape/points/mirrored_ends.h"
+#include "shape/shape.h"
+
+#include <string.h>
+
+static batten_status check(double alpha, const double *given, batten_phantoms kind)
+{
+    if ((int)kind < 0 || kind > BATTEN_PHANTOM_REPEAT)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "there is no rule %d for points beyond the ends",
+                        (int)kind);
+    if (!given && !(alpha >= 0 && alpha <= 1))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "alpha is %g; it must be in 0..1", alpha);
+    return BATTEN_OK;
+}
+
+batten_status bat_row_beyond_make(int dimension, int count, const double *points, double alpha,
+                                  const double *given, bool closed, batten_phantoms kind,
+                                  int degree, bat_row_beyond *row)
+{
+    *row = (bat_row_beyond){dimension, count, closed, kind, degree, points, NULL};
+    batten_status status = bat_points_check(dimension, count, points, closed ? 3 : 2);
+    if (status == BATTEN_OK)
+        status = check(alpha, given, kind);
+    if (status != BATTEN_OK)
+        return status;
+    row->degree = bat_min_int(degree, count - 1);
+    row->t = bat_array((size_t)count + closed, sizeof *row->t);
+    if (!row->t)
+        return BATTEN_OUT_OF_MEMORY;
+    if (!given)
+        return bat_parametrize_power(dimension, count, points, alpha, closed, row->t);
+    memcpy(row->t, given, ((size_t)count + closed) * sizeof *row->t);
+    return bat_parameters_check(count + closed, row->t);
+}
+
+/* What stands at index i of an open row is seen in mirrors at both ends: `sign` times what
+ * stands at `index` inside, plus twice the ends themselves, the first one `first` times and the
+ * last one `last` times. */
+typedef struct {
+    int index, first, last;
+    double sign;
+} mirrored;
+
+static mirrored mirror(int count, int i)
+{
+    mirrored m = {.sign = 1};
+    const int last = count - 1;
+    while (i < 0 || i > last) {
+        if (i < 0) {
+            m.first += (int)m.sign;
+            i = -i;
+        } else {
+            m.last += (int)m.sign;
+            i = 2 * last - i;
+        }
+        m.sign = -m.sign;
+    }
+    m.index = i;
+    return m;
+}
+
+/* How many whole periods i lies beyond the row, and its index inside. */
+static int periods(int count, int *i)
+{
+    const int turns = *i >= 0 ? *i / count : -((count - 1 - *i) / count);
+    *i -= turns * count;
+    return turns;
+}
+
+double bat_parameter_beyond(const bat_row_beyond *row, int i)
+{
+    const double *t = row->t;
+    if (row->closed) {
+        if (i == row->count)
+            return t[i];
+        const int turns = periods(row->count, &i);
+        return t[i] + turns * (t[row->count] - t[0]);
+    }
+    const mirrored m = mirror(row->count, i);
+    return m.sign * t[m.index] + 2 * (m.first * t[0] + m.last * t[row->count - 1]);
+}
+
+static const double *vertex(const bat_row_beyond *row, int i)
+{
+    return row->points + (size_t)i * (size_t)row->d;
+}
+
+/* Aitken and Neville: the polynomial through the points from `first` on, at u. */
+static void extrapolate(const bat_row_beyond *row, int first, double u, double *out)
+{
+    double level[BATTEN_MAX_DEGREE + 1][3];
+    const double *t = row->t + first;
+    const size_t d = (size_t)row->d;
+    for (int a = 0; a <= row->degree; a++)
+        memcpy(level[a], vertex(row, first + a), d * sizeof **level);
+    for (int l = 1; l <= row->degree; l++)
+        for (int a = 0; a + l <= row->degree; a++)
+            for (size_t k = 0; k < d; k++)
+                level[a][k] += (u - t[a]) / (t[a + l] - t[a]) * (level[a + 1][k] - level[a][k]);
+    memcpy(out, level[0], d * sizeof *out);
+}
+
+void bat_point_beyond(const bat_row_beyond *row, int i, double *out)
+{
+    const int last = row->count - 1;
+    const size_t d = (size_t)row->d;
+    if (row->closed)
+        periods(row->count, &i);
+    else if (row->kind == BATTEN_PHANTOM_REPEAT)
+        i = bat_max_int(0, bat_min_int(i, last));
+    if (i >= 0 && i <= last) {
+        memcpy(out, vertex(row, i), d * sizeof *out);
+    } else if (row->kind == BATTEN_PHANTOM_EXTRAPOLATE) {
+        extrapolate(row, i < 0 ? 0 : last - row->degree, bat_parameter_beyond(row, i), out);
+    } else {
+        const mirrored m = mirror(row->count, i);
+        for (size_t k = 0; k < d; k++)
+            out[k] = m.sign * vertex(row, m.index)[k] +
+                     2 * (m.first * vertex(row, 0)[k] + m.last * vertex(row, last)[k]);
+    }
+}

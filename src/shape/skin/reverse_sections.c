@@ -1,0 +1,271 @@
+/* Which way sections run, and where closed ones begin: by the least sum of squared distances
+ * from the section before. */
+#include "shape/skin/parts.h"
+
+#include <string.h>
+
+/* Points of a section at even parameters: the end is one of an open section, not of a closed
+ * one, whose start it is. */
+enum { SAMPLES = 32 };
+typedef struct {
+    int d;
+    double points[SAMPLES][3];
+} samples;
+
+/* Closed to 1e-9 of the size: as good as those who write curves make it. */
+batten_status bat_skin_closed(const batten_curve *curve, bool *closed, bool *point)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    const int d = batten_curve_dimension(curve), n = batten_curve_point_count(curve);
+    const double *P = batten_curve_points(curve);
+    double first[3], last[3], size = 0;
+    batten_status status = batten_curve_evaluate(curve, domain.a, 0, first);
+    if (status == BATTEN_OK)
+        status = batten_curve_evaluate_side(curve, domain.b, BATTEN_FROM_LEFT, 0, last);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < n; i++)
+        size = bat_max(size, bat_distance(d, P, P + (size_t)i * (size_t)d));
+    *point = size == 0;
+    *closed = batten_curve_is_periodic(curve) || bat_distance(d, first, last) <= 1e-9 * size;
+    return BATTEN_OK;
+}
+
+static batten_status sample(const batten_curve *curve, bool closed, double shift, samples *out)
+{
+    const batten_interval domain = batten_curve_domain(curve);
+    out->d = batten_curve_dimension(curve);
+    for (int i = 0; i < SAMPLES; i++) {
+        double s = (double)i / (closed ? SAMPLES : SAMPLES - 1) + shift;
+        s -= floor(s) * closed;
+        const batten_status status = batten_curve_evaluate(
+            curve, bat_min(domain.b, (1 - s) * domain.a + s * domain.b), 0, out->points[i]);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}
+
+/* The mean squared distance when the second begins `by` samples later, or runs backwards from
+ * there. */
+static double apart(const samples *a, const samples *b, int by, bool backwards)
+{
+    double sum = 0;
+    for (int i = 0; i < SAMPLES; i++) {
+        const int j = (backwards ? by - i + 2 * SAMPLES : by + i) % SAMPLES;
+        const double distance = bat_distance(a->d, a->points[i], b->points[j]);
+        sum += distance * distance / SAMPLES;
+    }
+    return sum;
+}
+
+/* The best of all starts that are samples; an open section has but one for each direction. The
+ * present one is kept where another is no better than rounding makes it. */
+static int best_start(const samples *a, const samples *b, bool closed, bool backwards,
+                      double *least)
+{
+    const int first = backwards && !closed ? SAMPLES - 1 : 0;
+    int best = first;
+    *least = apart(a, b, first, backwards);
+    for (int by = 1; by < SAMPLES && closed; by++) {
+        const double here = apart(a, b, by, backwards);
+        if (here < *least * (1 - 1e-9)) {
+            *least = here;
+            best = by;
+        }
+    }
+    return best;
+}
+
+static batten_status shifted(const samples *before, const batten_curve *curve, double shift,
+                             double *sum)
+{
+    samples here;
+    const batten_status status = sample(curve, true, shift, &here);
+    if (status == BATTEN_OK)
+        *sum = apart(before, &here, 0, false);
+    return status;
+}
+
+/* The least between the neighbours of the best sample, by golden sections. */
+static batten_status refine_start(const samples *before, const batten_curve *curve, int best,
+                                  double *shift)
+{
+    const double golden = (sqrt(5) - 1) / 2;
+    double a = (best - 1.0) / SAMPLES, b = (best + 1.0) / SAMPLES, low, high;
+    double x = b - golden * (b - a), y = a + golden * (b - a), at_best;
+    batten_status status = shifted(before, curve, x, &low);
+    if (status == BATTEN_OK)
+        status = shifted(before, curve, y, &high);
+    while (status == BATTEN_OK && b - a > 1e-9) {
+        if (low <= high) {
+            b = y, y = x, high = low;
+            x = b - golden * (b - a);
+            status = shifted(before, curve, x, &low);
+        } else {
+            a = x, x = y, low = high;
+            y = a + golden * (b - a);
+            status = shifted(before, curve, y, &high);
+        }
+    }
+    if (status == BATTEN_OK)
+        status = shifted(before, curve, (double)best / SAMPLES, &at_best);
+    if (status == BATTEN_OK)
+        *shift =
+            bat_min(low, high) < at_best * (1 - 1e-6) ? (a + b) / 2 : (double)best / SAMPLES;
+    return status;
+}
+
+/* ---- another start ---- */
+
+static batten_status turn_periodic(const batten_curve *curve, double u, batten_curve **out)
+{
+    const int p = batten_curve_degree(curve);
+    batten_curve *with = NULL;
+    const bool there = bat_knots_multiplicity(p, batten_curve_point_count(curve),
+                                              batten_curve_knots(curve), u) > 0;
+    batten_status status = there ? BATTEN_OK : batten_curve_insert_knot(curve, u, 1, &with);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_curve *from = there ? curve : with;
+    bat_spline unwrapped = {0};
+    status = bat_curve_unwrap(from, 1, &unwrapped);
+    if (status == BATTEN_OK)
+        status = bat_curve_wrap(from, &unwrapped, u, batten_curve_point_count(from) - p, out);
+    bat_spline_free(&unwrapped);
+    batten_curve_unref(with);
+    return status;
+}
+
+/* Cut at u and join the other way round; where the curve ran on smoothly over its old ends the
+ * knot there loses what multiplicity it can. */
+static batten_status turn_clamped(const batten_curve *curve, double u, batten_curve **out)
+{
+    batten_curve *low = NULL, *high = NULL, *joined = NULL;
+    batten_status status = batten_curve_split(curve, u, &low, &high);
+    double size = 0;
+    const int n = batten_curve_point_count(curve) * batten_curve_dimension(curve);
+    for (int i = 0; i < n; i++)
+        size = bat_max(size, fabs(batten_curve_points(curve)[i]));
+    if (status == BATTEN_OK)
+        status = batten_curve_join(high, low, 1e-8 * size, &joined);
+    if (status == BATTEN_OK)
+        status =
+            batten_curve_remove_knot(joined, batten_curve_domain(high).b,
+                                     batten_curve_degree(curve), 1e-13 * size, NULL, NULL, out);
+    batten_curve_unref(joined);
+    batten_curve_unref(high);
+    batten_curve_unref(low);
+    return status;
+}
+
+static batten_status turn_to(batten_curve **curve, double u)
+{
+    const batten_interval domain = batten_curve_domain(*curve);
+    const double far = 1e-9 * (domain.b - domain.a);
+    if (u - domain.a <= far || domain.b - u <= far)
+        return BATTEN_OK; /* it begins there */
+    batten_curve *turned = NULL;
+    const batten_status status = batten_curve_is_periodic(*curve)
+                                     ? turn_periodic(*curve, u, &turned)
+                                     : turn_clamped(*curve, u, &turned);
+    if (status == BATTEN_OK) {
+        batten_curve_unref(*curve);
+        *curve = turned;
+    }
+    return status;
+}
+
+/* ---- one section after another ---- */
+
+static batten_status reverse(bat_skin *t, int k)
+{
+    batten_curve *reversed = NULL;
+    const batten_status status = batten_curve_reverse(t->placed[k], &reversed);
+    if (status != BATTEN_OK)
+        return status;
+    batten_curve_unref(t->placed[k]);
+    t->placed[k] = reversed;
+    bat_fail(BATTEN_OK, "section %d was reversed, and %d before it", k,
+             t->found.reversed_count++);
+    return BATTEN_OK;
+}
+
+static batten_status turn(bat_skin *t, int k, const samples *before)
+{
+    samples here;
+    double least, shift = 0;
+    batten_status status = sample(t->placed[k], true, 0, &here);
+    if (status == BATTEN_OK)
+        status = refine_start(before, t->placed[k],
+                              best_start(before, &here, true, false, &least), &shift);
+    if (status != BATTEN_OK)
+        return status;
+    shift -= floor(shift);
+    const batten_interval domain = batten_curve_domain(t->placed[k]);
+    const batten_curve *was = t->placed[k];
+    status = turn_to(&t->placed[k], (1 - shift) * domain.a + shift * domain.b);
+    t->found.turned_count += t->placed[k] != was;
+    return status;
+}
+
+static batten_status fit_in(bat_skin *t, int k, const samples *before, bool closed)
+{
+    const batten_skin_options *o = t->options;
+    const bool free_start = closed && o->turn;
+    samples here;
+    batten_status status = sample(t->placed[k], closed, 0, &here);
+    if (status == BATTEN_OK && o->align) {
+        double along, against;
+        best_start(before, &here, free_start, false, &along);
+        if (closed && !o->turn) /* a closed section run backwards begins where it began */
+            against = apart(before, &here, 0, true);
+        else
+            best_start(before, &here, free_start, true, &against);
+        if (against < along)
+            status = reverse(t, k);
+    }
+    if (status == BATTEN_OK && free_start)
+        status = turn(t, k, before);
+    return status;
+}
+
+/* Starts that are given come first: they are parameters of the sections as they were. */
+static batten_status begin_at(bat_skin *t, int k, bool closed)
+{
+    const double *starts = t->options->starts;
+    if (!starts || t->point[k])
+        return BATTEN_OK;
+    const batten_interval domain = batten_curve_domain(t->placed[k]);
+    if (!(starts[k] >= domain.a && starts[k] <= domain.b))
+        return bat_fail(BATTEN_OUT_OF_DOMAIN,
+                        "section %d shall begin at %g, outside its domain [%g, %g]", k,
+                        starts[k], domain.a, domain.b);
+    if (!closed)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "section %d is open and cannot begin at another place", k);
+    const batten_curve *was = t->placed[k];
+    const batten_status status = turn_to(&t->placed[k], starts[k]);
+    t->found.turned_count += t->placed[k] != was;
+    return status;
+}
+
+batten_status bat_skin_align(bat_skin *t)
+{
+    const batten_skin_options *o = t->options;
+    if (!o->align && !o->turn && !o->starts)
+        return BATTEN_OK;
+    samples before;
+    bool any = false; /* a section that is no point was met */
+    for (int k = 0; k < t->count; k++) {
+        batten_status status = begin_at(t, k, t->closed);
+        if (status == BATTEN_OK && any && !t->point[k])
+            status = fit_in(t, k, &before, t->closed);
+        if (status == BATTEN_OK && !t->point[k])
+            status = sample(t->placed[k], t->closed, 0, &before);
+        any = any || !t->point[k];
+        if (status != BATTEN_OK)
+            return status;
+    }
+    return BATTEN_OK;
+}

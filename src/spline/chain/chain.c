@@ -1,0 +1,446 @@
+/* Making, keeping, evaluating and moving chains. */
+#include "spline/chain/chain.h"
+#include "numeric/vector.h"
+#include "spline/curve/curve.h"
+#include "spline/spline.h"
+
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
+/* ---- making ---- */
+
+static batten_status check_span(int dimension, const batten_span *span, int index)
+{
+    const bat_span_type *type = bat_span_type_of(span->kind);
+    if (!type)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has no kind that is known", index);
+    if (type->plane && dimension != 2)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "span %d is of kind %s, which is plane, not of %d "
+                        "dimensions",
+                        index, type->name, dimension);
+    const double *const fields[] = {&span->length,   span->start,   &span->angle,
+                                    span->curvature, &span->chord,  span->end,
+                                    span->bend[0],   span->bend[1], &span->tension};
+    static const size_t sizes[] = {1, 3, 1, 4, 1, 3, 3, 3, 1};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        if (bat_first_not_finite(fields[i], sizes[i]) < sizes[i])
+            return bat_fail(BATTEN_NOT_FINITE, "span %d has a number that is not finite",
+                            index);
+    if (!(span->length > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d is %g long; it must be above 0", index,
+                        span->length);
+    if (span->tension < 0)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "span %d has the tension %g, below 0", index,
+                        span->tension);
+    return type->check ? type->check(span, index) : BATTEN_OK;
+}
+
+static batten_status check_breaks(int count, const double *breaks)
+{
+    for (int i = 0; i <= count; i++) {
+        if (!isfinite(breaks[i]))
+            return bat_fail(BATTEN_NOT_FINITE, "break %d is %g", i, breaks[i]);
+        if (i > 0 && !(breaks[i] > breaks[i - 1]))
+            return bat_fail(BATTEN_NOT_INCREASING, "break %d is %g, not above %g before it", i,
+                            breaks[i], breaks[i - 1]);
+    }
+    if (!isfinite(breaks[count] - breaks[0]))
+        return bat_fail(BATTEN_OVERFLOW, "the breaks, from %g to %g, are too far apart",
+                        breaks[0], breaks[count]);
+    return BATTEN_OK;
+}
+
+static batten_status check_gaps(const batten_chain *chain, double tolerance)
+{
+    const int d = chain->dimension, n = chain->count;
+    for (int i = 0; i < n; i++) {
+        const batten_span *span = &chain->spans[i];
+        double end[(BAT_CHAIN_ORDER + 1) * 3];
+        bat_span_type_of(span->kind)->evaluate(d, span, span->length, 0, end);
+        if (bat_first_not_finite(end, (size_t)d) < (size_t)d)
+            return bat_fail(BATTEN_OVERFLOW, "span %d ends beyond the numbers", i);
+        if (i == n - 1 && !chain->closed)
+            break;
+        const double gap = bat_distance(d, end, chain->spans[(i + 1) % n].start);
+        if (!(gap <= tolerance))
+            return bat_fail(BATTEN_NOT_COMPATIBLE,
+                            "span %d ends %g from where span %d begins; the tolerance is %g", i,
+                            gap, (i + 1) % n, tolerance);
+    }
+    return BATTEN_OK;
+}
+
+/* A chain with room for its spans, by nobody else seen yet. */
+static batten_chain *make(int count)
+{
+    batten_chain *chain = bat_array(1, sizeof *chain);
+    if (!chain)
+        return NULL;
+    bat_references_begin(&chain->references);
+    chain->count = count;
+    chain->spans = bat_array((size_t)count, sizeof *chain->spans);
+    chain->breaks = bat_array((size_t)count + 1, sizeof *chain->breaks);
+    if (chain->spans && chain->breaks)
+        return chain;
+    batten_chain_unref(chain);
+    return NULL;
+}
+
+static batten_status fill(batten_chain *chain, const batten_span *spans, const double *breaks,
+                          double tolerance)
+{
+    const int n = chain->count;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < n && status == BATTEN_OK; i++)
+        status = check_span(chain->dimension, &spans[i], i);
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(chain->spans, spans, (size_t)n * sizeof *spans);
+    for (int i = 0; i < n && !breaks; i++)
+        chain->breaks[i + 1] = chain->breaks[i] + spans[i].length;
+    if (breaks)
+        memcpy(chain->breaks, breaks, ((size_t)n + 1) * sizeof *breaks);
+    status = check_breaks(n, chain->breaks);
+    if (status == BATTEN_OK)
+        status = check_gaps(chain, tolerance);
+    return status;
+}
+
+batten_status batten_chain_create(int dimension, int count, const batten_span *spans,
+                                  const double *breaks, bool closed, double tolerance,
+                                  batten_chain **out)
+{
+    assert(spans && out);
+    if (dimension < 1 || dimension > 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the dimension is %d; it must be 1, 2 or 3",
+                        dimension);
+    if (count < 1)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "a chain of %d spans", count);
+    if (count > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE, "%d spans; the limit is %d", count, BAT_MAX_POINTS);
+    if (!(tolerance >= 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or more", tolerance);
+    batten_chain *chain = make(count);
+    if (!chain)
+        return BATTEN_OUT_OF_MEMORY;
+    chain->dimension = dimension;
+    chain->closed = closed;
+    const batten_status status = fill(chain, spans, breaks, tolerance);
+    if (status == BATTEN_OK)
+        *out = chain;
+    else
+        batten_chain_unref(chain);
+    return status;
+}
+
+static batten_status copy(const batten_chain *chain, batten_chain **out)
+{
+    batten_chain *copied = make(chain->count);
+    if (!copied)
+        return BATTEN_OUT_OF_MEMORY;
+    copied->dimension = chain->dimension;
+    copied->closed = chain->closed;
+    copied->placed = chain->placed;
+    copied->frame = chain->frame;
+    copied->y = chain->y;
+    memcpy(copied->spans, chain->spans, (size_t)chain->count * sizeof *chain->spans);
+    memcpy(copied->breaks, chain->breaks, ((size_t)chain->count + 1) * sizeof *chain->breaks);
+    *out = copied;
+    return BATTEN_OK;
+}
+
+batten_status batten_chain_place(const batten_chain *chain, const batten_frame *frame,
+                                 batten_chain **out)
+{
+    assert(chain && frame && out);
+    batten_frame square;
+    batten_vec3 y;
+    batten_chain *placed = NULL;
+    if (chain->dimension != 2 || chain->placed)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "only a chain in the plane can be placed");
+    batten_status status = bat_frame_square(frame, &square, &y);
+    if (status == BATTEN_OK)
+        status = copy(chain, &placed);
+    if (status != BATTEN_OK)
+        return status;
+    placed->placed = true;
+    placed->frame = square;
+    placed->y = y;
+    *out = placed;
+    return BATTEN_OK;
+}
+
+batten_chain *batten_chain_ref(const batten_chain *chain)
+{
+    batten_chain *counted = (batten_chain *)(uintptr_t)chain;
+    bat_references_add(&counted->references);
+    return counted;
+}
+
+void batten_chain_unref(batten_chain *chain)
+{
+    if (!chain || !bat_references_drop(&chain->references))
+        return;
+    bat_release(chain->spans);
+    bat_release(chain->breaks);
+    bat_release(chain);
+}
+
+/* ---- properties ---- */
+
+int batten_chain_dimension(const batten_chain *chain)
+{
+    return chain->placed ? 3 : chain->dimension;
+}
+
+int batten_chain_span_count(const batten_chain *chain)
+{
+    return chain->count;
+}
+
+const batten_span *batten_chain_span(const batten_chain *chain, int index)
+{
+    assert(index >= 0 && index < chain->count);
+    return &chain->spans[index];
+}
+
+const double *batten_chain_breaks(const batten_chain *chain)
+{
+    return chain->breaks;
+}
+
+batten_interval batten_chain_domain(const batten_chain *chain)
+{
+    return (batten_interval){chain->breaks[0], chain->breaks[chain->count]};
+}
+
+bool batten_chain_is_closed(const batten_chain *chain)
+{
+    return chain->closed;
+}
+
+bool batten_chain_frame(const batten_chain *chain, batten_frame *frame)
+{
+    if (chain->placed)
+        *frame = chain->frame;
+    return chain->placed;
+}
+
+bool batten_chain_is_arcs(const batten_chain *chain)
+{
+    for (int i = 0; i < chain->count; i++)
+        if (chain->spans[i].kind != BATTEN_SPAN_ARC)
+            return false;
+    return true;
+}
+
+/* ---- evaluation ---- */
+
+/* The last break that is not above u (from the left: below u); by halving. */
+static int find_span(const batten_chain *chain, double u, batten_side side)
+{
+    int low = 0, high = chain->count;
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        const double at = chain->breaks[middle];
+        if (side == BATTEN_FROM_LEFT ? at < u : at <= u)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+batten_status bat_chain_locate(const batten_chain *chain, double u, batten_side side, int *span,
+                               double *t)
+{
+    const double a = chain->breaks[0], b = chain->breaks[chain->count];
+    if (chain->closed && isfinite(u) && (u < a || u >= b)) {
+        u = a + fmod(u - a, b - a);
+        if (u < a)
+            u += b - a;
+        if (!(u >= a && u < b))
+            u = a;
+    }
+    if (chain->closed && u == a && side == BATTEN_FROM_LEFT)
+        u = b;
+    const batten_status status = bat_knots_clip(a, b, &u);
+    if (status != BATTEN_OK)
+        return status;
+    const int i = find_span(chain, u, side);
+    const double low = chain->breaks[i], high = chain->breaks[i + 1];
+    *span = i;
+    /* The ends are exact. */
+    *t = u == high ? chain->spans[i].length : (u - low) / (high - low) * chain->spans[i].length;
+    return BATTEN_OK;
+}
+
+/* From the plane into space: the first row is a point, the others are directions. */
+static void put_in_frame(const batten_chain *chain, int order, const double *plane, double *out)
+{
+    const batten_vec3 o = chain->frame.origin, x = chain->frame.x, y = chain->y;
+    for (int k = 0; k <= order; k++) {
+        const double a = plane[2 * k], b = plane[2 * k + 1];
+        const double one = k == 0;
+        out[3 * k] = one * o.x + (a * x.x + b * y.x);
+        out[3 * k + 1] = one * o.y + (a * x.y + b * y.y);
+        out[3 * k + 2] = one * o.z + (a * x.z + b * y.z);
+    }
+}
+
+batten_status batten_chain_evaluate_side(const batten_chain *chain, double u, batten_side side,
+                                         int order, double *out)
+{
+    assert(chain && out);
+    if (order < 0 || order > BAT_CHAIN_ORDER)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "derivative %d of a chain; there are %d", order,
+                        BAT_CHAIN_ORDER);
+    int i = 0;
+    double t = 0, values[(BAT_CHAIN_ORDER + 1) * 3], placed[(BAT_CHAIN_ORDER + 1) * 3];
+    const batten_status status = bat_chain_locate(chain, u, side, &i, &t);
+    if (status != BATTEN_OK)
+        return status;
+    const int d = chain->dimension;
+    const batten_span *span = &chain->spans[i];
+    bat_span_type_of(span->kind)->evaluate(d, span, t, order, values);
+    /* One step of the chain's parameter may be several of the span's. */
+    const double pace = span->length / (chain->breaks[i + 1] - chain->breaks[i]);
+    double power = pace;
+    for (int k = 1; k <= order; k++, power *= pace)
+        for (int c = 0; c < d; c++)
+            values[k * d + c] *= power;
+    if (chain->placed)
+        put_in_frame(chain, order, values, placed);
+    const size_t count = ((size_t)order + 1) * (size_t)batten_chain_dimension(chain);
+    const double *result = chain->placed ? placed : values;
+    if (bat_first_not_finite(result, count) < count)
+        return bat_fail(BATTEN_OVERFLOW,
+                        "the point or a derivative at %.17g is too large for a number", u);
+    memcpy(out, result, count * sizeof *out);
+    return BATTEN_OK;
+}
+
+batten_status batten_chain_evaluate(const batten_chain *chain, double u, int order, double *out)
+{
+    return batten_chain_evaluate_side(chain, u, BATTEN_FROM_RIGHT, order, out);
+}
+
+/* ---- maps that keep shapes ---- */
+
+/* What a similarity of the plane or of space does: one scale, and whether it mirrors. */
+typedef struct {
+    double scale;
+    bool mirrors;
+} similarity;
+
+static batten_status find_similarity(const batten_affine *map, int d, similarity *out)
+{
+    batten_vec3 c[3];
+    const double s = bat_norm(
+        d, (const double[3]){map->m[0][0], d > 1 ? map->m[1][0] : 0, d > 2 ? map->m[2][0] : 0});
+    bool keeps = s > 0 && isfinite(s);
+    for (int k = 0; k < 3 && keeps; k++)
+        /* In units of the scale, and in the first d coordinates alone. */
+        c[k] = k < d ? (batten_vec3){map->m[0][k] / s, d > 1 ? map->m[1][k] / s : 0,
+                                     d > 2 ? map->m[2][k] / s : 0}
+                     : (batten_vec3){k == 0, k == 1, k == 2};
+    /* A rotation composed of others is square within some roundings. */
+    for (int k = 0; k < 3 && keeps; k++)
+        keeps = fabs(bat_vec3_norm(c[k]) - 1) <= 16 * DBL_EPSILON &&
+                fabs(bat_vec3_dot(c[k], c[(k + 1) % 3])) <= 16 * DBL_EPSILON;
+    if (!keeps)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the map changes shapes, which a chain cannot");
+    *out = (similarity){s, bat_vec3_dot(bat_vec3_cross(c[0], c[1]), c[2]) < 0};
+    return BATTEN_OK;
+}
+
+/* The first d coordinates; the others stay 0. */
+static void map_vector(const batten_affine *map, int d, double *v, bool is_point)
+{
+    double to[3] = {0, 0, 0};
+    for (int i = 0; i < d; i++)
+        to[i] = bat_dot(d, map->m[i], v) + (is_point ? map->t[i] : 0);
+    memcpy(v, to, sizeof to);
+}
+
+/* A direction of the plane, radians, after the map. */
+static double map_angle(const batten_affine *map, double angle)
+{
+    double v[3] = {cos(angle), sin(angle), 0};
+    map_vector(map, 2, v, false);
+    return atan2(v[1], v[0]);
+}
+
+/* Lengths grow by the scale, curvatures shrink by it; in a mirror they change their sign. */
+static void map_span(const batten_affine *map, int d, similarity by, batten_span *span)
+{
+    double factor = (by.mirrors ? -1 : 1) / by.scale;
+    map_vector(map, d, span->start, true);
+    if (!bat_span_type_of(span->kind)->plane) {
+        map_vector(map, d, span->end, true);
+        map_vector(map, d, span->bend[0], false);
+        map_vector(map, d, span->bend[1], false);
+        return;
+    }
+    span->angle = map_angle(map, span->angle);
+    if (span->kind == BATTEN_SPAN_GEOMETRIC)
+        span->chord = map_angle(map, span->chord);
+    span->length *= by.scale;
+    for (int k = 0; k < 4; k++, factor /= by.scale)
+        span->curvature[k] *= factor;
+}
+
+/* The map of the plane of a placed chain: by the scale alone; its frame does the rest. */
+static batten_status map_frame(const batten_affine *map, similarity by, batten_chain *chain)
+{
+    batten_frame moved = chain->frame;
+    double o[3] = {moved.origin.x, moved.origin.y, moved.origin.z};
+    double x[3] = {moved.x.x, moved.x.y, moved.x.z},
+           y[3] = {chain->y.x, chain->y.y, chain->y.z};
+    map_vector(map, 3, o, true);
+    map_vector(map, 3, x, false);
+    map_vector(map, 3, y, false);
+    moved.origin = (batten_vec3){o[0], o[1], o[2]};
+    moved.x = (batten_vec3){x[0], x[1], x[2]};
+    /* Seen from its own side a mirrored plane is as before: z goes by x and y. */
+    moved.z = bat_vec3_cross(moved.x, (batten_vec3){y[0], y[1], y[2]});
+    const batten_affine scaling = batten_affine_scaling(by.scale, by.scale, by.scale);
+    for (int i = 0; i < chain->count; i++)
+        map_span(&scaling, 2, (similarity){by.scale, false}, &chain->spans[i]);
+    return bat_frame_square(&moved, &chain->frame, &chain->y);
+}
+
+static batten_status map_spans(const batten_affine *map, batten_chain *chain)
+{
+    const int d = chain->placed ? 3 : chain->dimension;
+    similarity by = {1, false};
+    if (chain->dimension == 2 && !chain->placed && (map->m[2][0] != 0 || map->m[2][1] != 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the map takes the chain out of its plane");
+    batten_status status = find_similarity(map, d, &by);
+    if (status != BATTEN_OK)
+        return status;
+    if (chain->placed)
+        status = map_frame(map, by, chain);
+    for (int i = 0; i < chain->count && !chain->placed; i++)
+        map_span(map, d, by, &chain->spans[i]);
+    return status;
+}
+
+batten_status batten_chain_transform(const batten_chain *chain, const batten_affine *map,
+                                     batten_chain **out)
+{
+    assert(chain && map && out);
+    batten_chain *mapped = NULL;
+    batten_status status = copy(chain, &mapped);
+    if (status == BATTEN_OK)
+        status = map_spans(map, mapped);
+    for (int i = 0; status == BATTEN_OK && i < mapped->count; i++)
+        status = check_span(mapped->dimension, &mapped->spans[i], i);
+    if (status == BATTEN_OK)
+        *out = mapped;
+    else
+        batten_chain_unref(mapped);
+    return status;
+}

@@ -1,0 +1,36 @@
+#include "spline/data_check.h"
+
+#include "base/plural.h"
+#include "spline/curve/curve.h"
+
+batten_status bat_points_check(int dimension, int count, const double *points, int least)
+{
+    if (dimension < 1 || dimension > 3)
+        return bat_fail(BATTEN_BAD_ARGUMENT, "points have %d coordinates, not 1 to 3",
+                        dimension);
+    if (count < least)
+        return bat_fail(BATTEN_TOO_FEW_POINTS,
+                        "there %s %d point%s, and at least %d are needed",
+                        bat_one_or_many(count, "is", "are"), count, bat_plural(count), least);
+    if (count > BAT_MAX_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE, "there are %d points; the limit is %d", count,
+                        (int)BAT_MAX_POINTS);
+    const size_t n = (size_t)count * (size_t)dimension, bad = bat_first_not_finite(points, n);
+    if (bad < n)
+        return bat_fail(BATTEN_NOT_FINITE, "coordinate %zu of point %zu is %g",
+                        bad % (size_t)dimension, bad / (size_t)dimension, points[bad]);
+    return BATTEN_OK;
+}
+
+batten_status bat_parameters_check(int count, const double *parameters)
+{
+    for (int i = 0; i < count; i++) {
+        if (!isfinite(parameters[i]))
+            return bat_fail(BATTEN_NOT_FINITE, "parameter %d is %g", i, parameters[i]);
+        if (i > 0 && !(parameters[i] > parameters[i - 1]))
+            return bat_fail(BATTEN_NOT_INCREASING,
+                            "parameter %d is %.17g, not above the one before, %.17g", i,
+                            parameters[i], parameters[i - 1]);
+    }
+    return BATTEN_OK;
+}

@@ -1,0 +1,28 @@
+/*
+ * Changes of NURBS surfaces along one direction, written once for both: a surface is a spline
+ * whose rows hold a whole line of the net across that direction.
+ */
+#ifndef BAT_SURFACE_CHANGE_H
+#define BAT_SURFACE_CHANGE_H
+#include "spline/surface/surface.h"
+
+/* The surface as a spline along `direction`. A periodic direction becomes clamped. */
+batten_status bat_nurbs_to_spline(const bat_nurbs *nurbs, batten_direction direction,
+                                  bat_spline *out);
+/* The surface of a spline along `direction`, like `like` in all else; OVERFLOW when a row is
+ * not finite. */
+batten_status bat_nurbs_from_spline(const bat_nurbs *like, batten_direction direction,
+                                    const bat_spline *spline, batten_surface **out);
+
+/* Make a spline from a spline. */
+typedef batten_status (*bat_spline_change)(const bat_spline *spline, void *context,
+                                           bat_spline *out);
+/* The surface changed along `direction`. */
+batten_status bat_nurbs_change(const batten_surface *surface, batten_direction direction,
+                               bat_spline_change change, void *context, batten_surface **out);
+
+/* A copy with the same knots, points and weights, to be edited before bat_nurbs_finish;
+ * `rational` adds weights 1. */
+batten_status bat_nurbs_copy(const bat_nurbs *nurbs, bool rational, bat_nurbs **out);
+
+#endif

@@ -1,0 +1,224 @@
+#include "design/outputs/fairness.h"
+
+#include "support/test.h"
+
+#include <stdlib.h>
+
+TEST(visible_inflections_ignore_low_bulges)
+{
+    double points[2 * 101];
+    for (int i = 0; i <= 100; i++) {
+        points[2 * i] = i;
+        points[2 * i + 1] = sin(i * 0.2); /* 20 radians: 6 zeros inside (0, 20) */
+    }
+    CHECK_INT(bat_visible_inflections(101, points, 0.05), 6);
+    CHECK_INT(bat_visible_inflections(101, points, 3.0), 0);
+    for (int i = 0; i <= 100; i++)
+        points[2 * i + 1] = 1e-3 * i * i + 0.001 * (i % 2);
+    CHECK_INT(bat_visible_inflections(101, points, 0.01), 0);
+    CHECK(bat_visible_inflections(101, points, 0) > 10);
+    CHECK_INT(bat_visible_inflections(2, points, 0), 0);
+}
+
+/* A design with one output; its bytes, and what its JSON or text says. */
+static batten_status report(const char *design_text, char **out)
+{
+    batten_design *design = NULL;
+    size_t size;
+    batten_status status =
+        batten_design_parse(design_text, strlen(design_text), NULL, NULL, &design);
+    if (status == BATTEN_OK)
+        status = batten_design_output(design, 0, NULL, NULL, out, &size);
+    batten_design_free(design);
+    return status;
+}
+
+/* The first number after a key. */
+static double value_of(const char *json, const char *key)
+{
+    const char *at = strstr(json, key);
+    CHECK(at != NULL);
+    return atof(at + strlen(key));
+}
+
+#define CYLINDER                                                           \
+    "batten: 1\nfeatures:\n"                                               \
+    "  a: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"                  \
+    "  b: {arc: 1 m, angle: 180 deg, axis: x, from: y, at: [3 m, 0, 0]}\n" \
+    "  hull: {skin: [a, b]}\n"
+
+TEST(a_half_cylinder_closes_at_no_edge_but_its_keel)
+{
+    char *json = NULL;
+    CHECK_OK(report(CYLINDER "outputs:\n  r.json: {check: hull}\n", &json));
+    CHECK_CONTAINS(json, "\"ok\": true");
+    CHECK_CONTAINS(json, "\"name\": \"u low\", \"gap\": 1, \"at_centre\": false");
+    CHECK_CONTAINS(json, "\"joins\": []");
+    batten_release(json);
+}
+
+TEST(distance_from_the_points_given_is_measured)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
+        "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 "
+        "mm]}\n"
+        "outputs:\n  r.json: {check: high, within: 0.5 mm}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"ok\": false");
+    CHECK_CONTAINS(json, "\"from\": \"grid\", \"faired\": false, \"points\": 4");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0.001, 1e-12);
+    batten_release(json);
+}
+
+TEST(points_are_measured_from_the_nearest_of_the_surfaces_checked_together)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"
+        "  rows: {interpolate: grid}\n  flat: {skin: rows}\n"
+        "  left: {part: flat, from: 0, to: 0.5}\n  right: {part: flat, from: 0.5, to: 1}\n"
+        "  high: {move: right, by: [0, 0, 2 mm]}\n"
+        "outputs:\n  r.json: {check: [left, high], within: 3 mm}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"ok\": true");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0.002, 1e-12);
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"rms\": "), 0.002 / sqrt(2), 1e-12);
+    batten_release(json);
+}
+
+/* Two planes from two grids of points, one of them off by 0.5 at a point. */
+TEST(each_surface_is_measured_from_its_own_points)
+{
+    char *text = NULL;
+    CHECK_OK(
+        report("batten: 1\nunits: m\nfeatures:\n"
+               "  p: {points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0.5], "
+               "[2, 1, 0], [0, 2, 0], [1, 2, 0], [2, 2, 0]], columns: 3}\n"
+               "  q: {points: [[9, 0, 0], [10, 0, 0], [11, 0, 1], [9, 1, 0], [10, 1, 0], "
+               "[11, 1, 0], [9, 2, 0], [10, 2, 0], [11, 2, 0]], columns: 3}\n"
+               "  flat: {fit-grid: p, points-u: 2, points-v: 2, degree-u: 1, degree-v: 1}\n"
+               "  exact: {interpolate-grid: q}\n"
+               "outputs:\n  r.txt: {check: [flat, exact]}\n",
+               &text));
+    CHECK_CONTAINS(text, "from the 9 points given, 'p': at most 0.");
+    const char *second = strstr(text, "from the 9 points given, 'q'");
+    CHECK(second != NULL);
+    CHECK(strtod(strstr(second, "at most ") + 8, NULL) < 1e-12);
+    batten_release(text);
+}
+
+TEST(sections_of_a_fair_surface_are_fair)
+{
+    static const char text[] =
+        "batten: 1\nfeatures:\n"
+        "  grid:\n    points: [[0, 0, 0], [0, 1, 0.1], [0, 2, 0.4], [0, 3, 0.9],\n"
+        "             [1, 0, 0], [1, 1, 0.1], [1, 2, 0.4], [1, 3, 0.9],\n"
+        "             [2, 0, 0], [2, 1, 0.1], [2, 2, 0.4], [2, 3, 0.9]]\n    columns: 4\n"
+        "  rows: {interpolate: grid, ends: parabolic}\n  hull: {skin: rows}\n"
+        "outputs:\n  r.json: {check: hull}\n";
+    char *json = NULL;
+    CHECK_OK(report(text, &json));
+    CHECK_CONTAINS(json, "\"fair\": true");
+    CHECK_CONTAINS(
+        json,
+        "\"family\": \"station\", \"name\": \"row 2\", \"at\": 1, \"visible_inflections\": 0");
+    batten_release(json);
+}
+
+/* A design with one output: does it hold, and what notes are there? */
+static bool holds(const char *design_text, batten_notes *notes)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size;
+    CHECK_OK(batten_design_parse(design_text, strlen(design_text), NULL, notes, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, notes, &data, &size));
+    const bool held = design && batten_design_output_holds(design, 0);
+    batten_release(data);
+    batten_design_free(design);
+    return held;
+}
+
+#define MOVED                                                                               \
+    "batten: 1\nfeatures:\n"                                                                \
+    "  grid: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], columns: 2}\n"          \
+    "  rows: {interpolate: grid}\n  flat: {skin: rows}\n  high: {move: flat, by: [0, 0, 1 " \
+    "mm]}\noutputs:\n"
+
+TEST(an_output_whose_bound_is_not_met_says_so)
+{
+    CHECK(holds(MOVED "  r.json: {check: high, within: 2 mm}\n", NULL));
+    CHECK(!holds(MOVED "  r.json: {check: high, within: 0.5 mm}\n", NULL));
+    CHECK(!holds(MOVED "  r.txt: {check: high, within: 0.5 mm}\n", NULL));
+}
+
+TEST(sections_placed_along_a_spine_are_not_compared_with_their_points)
+{
+    batten_design *design = NULL;
+    char *data = NULL;
+    size_t size = 0;
+    static const char text[] = "batten: 1\nunits: m\nfeatures:\n"
+                               "  p: {points: [[1, 0], [0, 1], [-1, 0], [0, -1]]}\n"
+                               "  c: {interpolate: p}\n"
+                               "  q: {scale: c, by: 0.5}\n"
+                               "  path: {line: [[5, 0, 0], [5, 0, 3]]}\n"
+                               "  s: {skin: [c, q], spine: path}\n"
+                               "outputs:\n  r.txt: {check: s}\n";
+    CHECK_OK(batten_design_parse(text, sizeof text - 1, NULL, NULL, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
+    CHECK(strstr(data, "points given") == NULL);
+    batten_release(data);
+    batten_design_free(design);
+}
+
+TEST(a_bound_that_nothing_was_measured_against_is_not_met)
+{
+    batten_notes *notes = NULL;
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK(!holds("batten: 1\nfeatures:\n  s: {sphere: 1 m}\noutputs:\n  r.txt: {check: s, "
+                 "within: 1 mm}\n",
+                 notes));
+    /* A call that failed for want of memory says so, and speaks again when it is made again. */
+    const int count = batten_notes_count(notes), dropped = batten_notes_dropped(notes);
+    CHECK(count + dropped >= 1);
+    if (dropped == 0)
+        CHECK_CONTAINS(batten_notes_at(notes, count - 1)->text, "could not be checked");
+    batten_notes_free(notes);
+}
+
+TEST(a_curve_is_measured_against_the_points_it_was_made_from)
+{
+    static const char curve[] =
+        "batten: 1\nfeatures:\n  p: {points: [[0, 0], [1, 1], [2, 0], [3, 2]]}\n"
+        "  c: {interpolate: p}\noutputs:\n  r.json: {check: c, within: 1 um}\n";
+    char *json = NULL;
+    CHECK(holds(curve, NULL));
+    CHECK_OK(report(curve, &json));
+    CHECK_CONTAINS(json, "\"distances\": [{\"from\": ");
+    CHECK_NEAR(value_of(strstr(json, "distances"), "\"max\": "), 0, 1e-14);
+    batten_release(json);
+}
+
+TEST(the_messages_of_a_report_are_the_notes)
+{
+    batten_notes *notes = NULL;
+    batten_design *design = NULL;
+    char *json = NULL;
+    size_t size;
+    static const char text[] = MOVED "  r.json: {check: high, within: 0.5 mm}\n";
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_design_parse(text, strlen(text), NULL, notes, &design));
+    CHECK_OK(batten_design_output(design, 0, NULL, notes, &json, &size));
+    /* A note that found no memory is counted only. */
+    if (batten_notes_count(notes) == 1) {
+        CHECK_CONTAINS(json, "\"messages\": [\n    {\"file\": ");
+        CHECK_CONTAINS(json, "a point given lies farther than 0.0005 from the shape");
+    }
+    batten_release(json);
+    batten_design_free(design);
+    batten_notes_free(notes);
+}

@@ -1,0 +1,90 @@
+#include "picture/scenes.h"
+
+static batten_curve *bezier(const double *points)
+{
+    return scene_curve(2, 3, 4, points);
+}
+
+static scene_words words_of(const batten_model *model, const batten_cubic_plane_options *plane)
+{
+    batten_picture_options options = batten_picture_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    options.format = BATTEN_PICTURE_PDF;
+    options.width = 1100;
+    options.height = 1200;
+    CHECK_OK(batten_draw_cubic_plane(model, plane, &options, &data, &size));
+    char *copy = test_array(size, 1);
+    memcpy(copy, data, size);
+    batten_release(data);
+    return scene_read_pdf(copy, size);
+}
+
+TEST(the_plane_names_its_regions)
+{
+    const scene_words words = words_of(NULL, NULL);
+    CHECK(scene_find(&words, "loop") != NULL);
+    CHECK(scene_find(&words, "regular") != NULL);
+    CHECK(scene_find(&words, "S-shaped:") != NULL);
+    scene_check_words(&words, 1100, 1200);
+}
+
+TEST(spans_are_marked_where_they_lie)
+{
+    /* lambda = 0.5, mu = 2 of T = (0, 1): a mark with the number 1 */
+    const double points[8] = {0, 0, 0, 0.5, -1, 1, 1, 1};
+    const double parallel[8] = {0, 0, 0, 1, 2, 1, 2, 0},
+                 outside[8] = {0, 0, 0, 9, 0.5, 1, 1, 1};
+    batten_model *model = scene_empty();
+    scene_add_curve(model, "one", bezier(points));
+    scene_add_curve(model, "two", bezier(parallel));
+    scene_add_curve(model, "three", bezier(outside));
+    const scene_words words = words_of(model, NULL);
+    CHECK(scene_find(&words, "three") != NULL);
+    CHECK(scene_find(&words, "parallel") != NULL);
+    CHECK(scene_find(&words, "outside") != NULL);
+    batten_model_unref(model);
+}
+
+TEST(a_mark_has_the_colour_of_its_curve_at_its_place)
+{
+    /* in a square picture of lambda, mu from 0 to 1 the mark of (0.5, 0.5) is in its middle */
+    const double points[8] = {0, 0, 0, 0.5, 0.5, 1, 1, 1};
+    batten_model *model = scene_empty();
+    batten_picture_options options = batten_picture_defaults();
+    batten_cubic_plane_options plane = batten_cubic_plane_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    int marked = 0;
+    scene_add_curve(model, "one", bezier(points));
+    plane.low = -0.5;
+    plane.high = 1.5;
+    plane.glyphs = false;
+    CHECK_OK(batten_draw_cubic_plane(model, &plane, &options, &data, &size));
+    const scene_image image = scene_decode(data, size);
+    for (int y = 0; y < image.height * 8 / 10; y++)
+        for (int x = 0; x < image.width; x++)
+            marked += scene_pixel(&image, x, y) == 0xCC0073;
+    CHECK(marked > 10);
+    batten_release(data);
+    batten_model_unref(model);
+}
+
+TEST(n6_planes_that_cannot_be_shown_are_refused)
+{
+    const batten_picture_options options = batten_picture_defaults();
+    batten_cubic_plane_options plane = batten_cubic_plane_defaults();
+    char *data = NULL;
+    size_t size = 0;
+    plane.high = plane.low;
+    CHECK_STATUS(batten_draw_cubic_plane(NULL, &plane, &options, &data, &size),
+                 BATTEN_BAD_ARGUMENT);
+    plane.high = NAN;
+    CHECK_STATUS(batten_draw_cubic_plane(NULL, &plane, &options, &data, &size),
+                 BATTEN_NOT_FINITE);
+    batten_model *model = scene_empty();
+    scene_add_curve(model, "circle", scene_circle(1));
+    CHECK_STATUS(batten_draw_cubic_plane(model, NULL, &options, &data, &size),
+                 BATTEN_UNSUPPORTED);
+    batten_model_unref(model);
+}
