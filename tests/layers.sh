@@ -15,7 +15,7 @@ for folder in base numeric spline inspect shape body mesh model fair exchange; d
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
 for folder in picture design; do
-    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural)\.h\")")"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena)\.h\")")"
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue

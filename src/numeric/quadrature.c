@@ -1,5 +1,7 @@
 #include "numeric/quadrature.h"
 
+#include "base/list.h"
+
 #include <float.h>
 
 /* ---- Gauss ---- */
@@ -80,7 +82,7 @@ typedef struct {
 /* A heap of pieces: none has a larger error than the first. */
 typedef struct {
     piece *pieces;
-    size_t count, capacity;
+    size_t count, room;
 } heap;
 
 /* Values of f at centre - step and centre + step. */
@@ -126,14 +128,9 @@ static batten_status measure(bat_integrand f, void *context, piece *p)
 
 static batten_status push(heap *h, piece p)
 {
-    if (h->count == h->capacity) {
-        const size_t capacity = 2 * h->capacity + 16;
-        piece *grown = bat_resize(h->pieces, capacity, sizeof *grown);
-        if (!grown)
-            return BATTEN_OUT_OF_MEMORY;
-        h->pieces = grown;
-        h->capacity = capacity;
-    }
+    const batten_status status = BAT_LIST_GROW(h->pieces, h->count, h->room, 1);
+    if (status != BATTEN_OK)
+        return status;
     size_t i = h->count++;
     for (; i > 0 && h->pieces[(i - 1) / 2].error < p.error; i = (i - 1) / 2)
         h->pieces[i] = h->pieces[(i - 1) / 2];

@@ -79,8 +79,8 @@ static batten_status trace_objects(bat_check *check, const char *parameter)
 {
     const bat_argument *argument = bat_argument_of(check->run, parameter);
     bat_graph graph;
-    check->upstream = bat_pool_array(&check->pool, (size_t)check->run->document->feature_count,
-                                     sizeof *check->upstream);
+    check->upstream = bat_arena_array(
+        &check->arena, (size_t)check->run->document->feature_count, sizeof *check->upstream);
     if (!check->upstream)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status = bat_document_graph(check->run->document, &graph);
@@ -312,7 +312,7 @@ static batten_status add_section(void *context, const bat_row *row)
     if (row->count < 3 || axis < 0)
         return BATTEN_OK;
     bat_section *section = &c->checked->sections[c->checked->section_count++];
-    const char *name = bat_pool_copy(&c->check->pool, row->name, strlen(row->name));
+    const char *name = bat_arena_copy(&c->check->arena, row->name, strlen(row->name));
     if (!name)
         return BATTEN_OUT_OF_MEMORY;
     *section = (bat_section){.family = families[axis], .name = name, .at = row->points[axis]};
@@ -340,8 +340,8 @@ static batten_status add_sections(bat_check *check, bat_checked *checked)
     if (feature < 0)
         return BATTEN_OK;
     batten_status status = visit_rows(check, feature, true, count_section, &context);
-    checked->sections =
-        bat_pool_array(&check->pool, (size_t)checked->section_count, sizeof *checked->sections);
+    checked->sections = bat_arena_array(&check->arena, (size_t)checked->section_count,
+                                        sizeof *checked->sections);
     checked->section_count = 0;
     if (status == BATTEN_OK && !checked->sections)
         status = BATTEN_OUT_OF_MEMORY;
@@ -532,7 +532,7 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
     if (status != BATTEN_OK)
         return status;
     out->object_count = objects.count;
-    out->objects = bat_pool_array(&out->pool, (size_t)objects.count, sizeof *out->objects);
+    out->objects = bat_arena_array(&out->arena, (size_t)objects.count, sizeof *out->objects);
     if (!out->objects)
         status = BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < objects.count && status == BATTEN_OK; i++)
@@ -552,5 +552,5 @@ batten_status bat_check_all(const bat_run *run, const char *parameter, double wi
 void bat_check_release(bat_check *check)
 {
     bat_release(check->joins);
-    bat_pool_free(&check->pool);
+    bat_arena_free(&check->arena);
 }

@@ -67,7 +67,7 @@ typedef struct {
 
 typedef struct {
     const bat_run *run;
-    bat_pool pool;
+    bat_arena arena;
     bool *upstream; /* [feature_count] of any object */
     double within;  /* the bound, or infinity */
     int object_count;

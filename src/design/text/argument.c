@@ -321,7 +321,7 @@ static batten_status read_argument(reading *r, int node, bat_argument *out)
         complain_of(r, "needs at least one value");
         return BATTEN_OK;
     }
-    out->items = bat_pool_array(&d->pool, (size_t)count, sizeof *out->items);
+    out->items = bat_arena_array(&d->arena, (size_t)count, sizeof *out->items);
     if (!out->items)
         return BATTEN_OUT_OF_MEMORY;
     out->count = count;
@@ -339,7 +339,7 @@ static batten_status read_standard(reading *r, bat_argument *out)
     if (!r->parameter->standard)
         return BATTEN_OK;
     const bat_node node = {.kind = BAT_NODE_WORD, .word = r->parameter->standard};
-    out->items = bat_pool_array(&r->document->pool, 1, sizeof *out->items);
+    out->items = bat_arena_array(&r->document->arena, 1, sizeof *out->items);
     if (!out->items)
         return BATTEN_OUT_OF_MEMORY;
     out->count = 1;
@@ -392,7 +392,7 @@ batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
     const batten_feature *f = &entry->feature->shown;
     reading r = {.document = document, .entry = entry, .parameter = &f->parameters[0]};
     entry->arguments =
-        bat_pool_array(&document->pool, (size_t)f->parameter_count, sizeof *entry->arguments);
+        bat_arena_array(&document->arena, (size_t)f->parameter_count, sizeof *entry->arguments);
     if (!entry->arguments)
         return BATTEN_OUT_OF_MEMORY;
     const bool is_bare = document->tree.nodes[entry->node].kind != BAT_NODE_MAP;

@@ -300,7 +300,7 @@ static batten_status read_parameters(bat_document *d)
 {
     int count;
     const int node = section(d, "parameters", &count);
-    d->parameters = bat_pool_array(&d->pool, (size_t)count, sizeof *d->parameters);
+    d->parameters = bat_arena_array(&d->arena, (size_t)count, sizeof *d->parameters);
     if (!d->parameters)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = node < 0 ? -1 : d->tree.nodes[node].first; i >= 0; i = d->tree.nodes[i].next)
@@ -379,7 +379,7 @@ static batten_status list_entries(bat_document *d, const char *name, bat_entry *
     int count;
     const bool is_output = strcmp(name, "outputs") == 0;
     const int node = section(d, name, &count);
-    *entries = bat_pool_array(&d->pool, (size_t)count, sizeof **entries);
+    *entries = bat_arena_array(&d->arena, (size_t)count, sizeof **entries);
     if (!*entries)
         return BATTEN_OUT_OF_MEMORY;
     const bat_node *nodes = d->tree.nodes;
@@ -409,8 +409,8 @@ static int compare_names(const void *a, const void *b)
 static batten_status sort_names(bat_document *d)
 {
     const size_t count = (size_t)d->feature_count;
-    d->names = bat_pool_array(&d->pool, count, sizeof *d->names);
-    d->named = bat_pool_array(&d->pool, count, sizeof *d->named);
+    d->names = bat_arena_array(&d->arena, count, sizeof *d->names);
+    d->named = bat_arena_array(&d->arena, count, sizeof *d->named);
     named *sorted = bat_array(count, sizeof *sorted);
     if (!d->names || !d->named || !sorted) {
         bat_release(sorted);
@@ -447,9 +447,9 @@ static batten_status order_features(bat_document *d)
 {
     const size_t count = (size_t)d->feature_count;
     bat_graph graph = {0, NULL, NULL};
-    d->order = bat_pool_array(&d->pool, count, sizeof *d->order);
-    int *cycle = bat_pool_array(&d->pool, count + 1, sizeof *cycle);
-    const char **names = bat_pool_array(&d->pool, count + 1, sizeof *names);
+    d->order = bat_arena_array(&d->arena, count, sizeof *d->order);
+    int *cycle = bat_arena_array(&d->arena, count + 1, sizeof *cycle);
+    const char **names = bat_arena_array(&d->arena, count + 1, sizeof *names);
     batten_status status =
         d->order && cycle && names ? bat_document_graph(d, &graph) : BATTEN_OUT_OF_MEMORY;
     if (status != BATTEN_OK)
@@ -506,7 +506,7 @@ batten_status bat_document_parse(const char *text, size_t length,
     out->provided_file = options->provided ? options->provided_file : NULL;
     out->provided = options->provided;
     const char *file = options->file_name ? options->file_name : "";
-    out->file_name = complaints.file = bat_pool_copy(&out->pool, file, strlen(file));
+    out->file_name = complaints.file = bat_arena_copy(&out->arena, file, strlen(file));
     if (!out->file_name)
         return BATTEN_OUT_OF_MEMORY;
     batten_status status =
@@ -528,5 +528,5 @@ batten_status bat_document_parse(const char *text, size_t length,
 void bat_document_free(bat_document *document)
 {
     bat_tree_free(&document->tree);
-    bat_pool_free(&document->pool);
+    bat_arena_free(&document->arena);
 }

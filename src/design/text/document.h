@@ -36,7 +36,7 @@ typedef struct bat_document {
     const char *provided_file;
     const batten_model *provided;
     bat_tree tree;
-    bat_pool pool;
+    bat_arena arena;
     bat_complaints *complaints; /* while parsing */
     double unit_metres, tolerance;
     bool has_units; /* it names its unit */

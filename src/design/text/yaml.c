@@ -128,7 +128,7 @@ static batten_status take_word(builder *b, const yaml_event_t *event)
     const char *word = (const char *)event->data.scalar.value;
     if (memchr(word, 0, event->data.scalar.length))
         return refuse(b, &event->start_mark, "a word contains the character NUL");
-    node.word = bat_pool_copy(&b->tree->pool, word, event->data.scalar.length);
+    node.word = bat_arena_copy(&b->tree->arena, word, event->data.scalar.length);
     if (!node.word)
         return BATTEN_OUT_OF_MEMORY;
     int index;
@@ -307,7 +307,7 @@ static batten_status take_events(builder *b, yaml_parser_t *parser)
 batten_status bat_tree_parse(const char *text, size_t length, int nesting, bat_tree *tree,
                              bat_place *place)
 {
-    *tree = (bat_tree){{NULL}, NULL, 0};
+    *tree = (bat_tree){0};
     batten_status status = check_bytes(text, length, place);
     if (status != BATTEN_OK)
         return status;
@@ -334,9 +334,9 @@ batten_status bat_tree_parse(const char *text, size_t length, int nesting, bat_t
 
 void bat_tree_free(bat_tree *tree)
 {
-    bat_pool_free(&tree->pool);
+    bat_arena_free(&tree->arena);
     bat_release(tree->nodes);
-    *tree = (bat_tree){{NULL}, NULL, 0};
+    *tree = (bat_tree){0};
 }
 
 /* ---- finding ---- */

@@ -1,7 +1,7 @@
 /* The text of a design as a tree of nodes that know their bytes. */
 #ifndef BAT_DESIGN_YAML_H
 #define BAT_DESIGN_YAML_H
-#include "design/text/pool.h"
+#include "base/arena.h"
 
 typedef enum { BAT_NODE_WORD, BAT_NODE_LIST, BAT_NODE_MAP } bat_node_kind;
 
@@ -21,9 +21,9 @@ typedef struct {
     int after;
 } bat_node;
 
-/* Begin with {{NULL}, NULL, 0}. */
+/* Begin with {0}. */
 typedef struct {
-    bat_pool pool;
+    bat_arena arena;
     bat_node *nodes; /* nodes[0] is the root */
     int count;
 } bat_tree;
