@@ -1,15 +1,12 @@
 /* Batten on the workloads. */
 #include "bench.h"
 
-#include <batten/inspect.h>
+#include <batten/bent.h>
 #include <batten/interpolate.h>
 #include <batten/local.h>
-#include <batten/nonlinear.h>
+#include <batten/measure.h>
 #include <batten/scattered.h>
-#include <batten/scattered_triangles.h>
 #include <batten/skin.h>
-#include <batten/tension.h>
-#include <batten/weighted.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

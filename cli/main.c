@@ -1,6 +1,8 @@
 /* The program `batten`: one word chooses the command, a table knows them all. */
 #include "commands/method.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 
 #include "complain.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

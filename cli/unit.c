@@ -1,7 +1,6 @@
 #include "unit.h"
 
-#include <batten/number.h>
-#include <batten/units.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

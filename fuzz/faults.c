@@ -1,6 +1,6 @@
 #include "faults.h"
 
-#include <batten/job.h>
+#include <batten/base.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -9,6 +9,7 @@
 #include "promise.h"
 #include "survive.h"
 
+#include <batten/text.h>
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "survive.h"
 
+#include <batten/base.h>
 #include <batten/body.h>
-#include <batten/job.h>
 
 static void write_as(const batten_model *model, batten_format format, bool solids)
 {

@@ -1,6 +1,8 @@
 #define _XOPEN_SOURCE 700
 #include "commands/results.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

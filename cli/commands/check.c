@@ -1,6 +1,7 @@
 #include "commands/single.h"
 #include "formats.h"
 
+#include <batten/design.h>
 #include <string.h>
 #include <strings.h>
 

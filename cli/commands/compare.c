@@ -2,7 +2,9 @@
 #include "formats.h"
 #include "values.h"
 
+#include <batten/design.h>
 #include <batten/picture.h>
+#include <batten/text.h>
 #include <string.h>
 
 enum { MAX_METHODS = 64 };

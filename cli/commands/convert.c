@@ -2,6 +2,8 @@
 #include "formats.h"
 #include "unit.h"
 
+#include <batten/exchange.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 #include "formats.h"
 
-#include <batten/number.h>
+#include <batten/exchange.h>
+#include <batten/text.h>
 #include <string.h>
 
 enum { HIGHEST_ORDER = 10 };

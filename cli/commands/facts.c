@@ -1,5 +1,6 @@
 #include "commands/facts.h"
 
+#include <batten/model.h>
 #include <string.h>
 
 static double tolerance_in(batten_box box)

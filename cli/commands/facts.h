@@ -3,6 +3,8 @@
 #define CLI_FACTS_H
 #include "command.h"
 
+#include <batten/model.h>
+
 /* What is told of one object, whatever its kind; `directions` is 1 for curves, 2 for surfaces,
  * else 0. */
 typedef struct {

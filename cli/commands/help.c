@@ -1,6 +1,8 @@
 #include "commands/manual.h"
 #include "formats.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <string.h>
 
 static void add_option(batten_text *text, const option *o)

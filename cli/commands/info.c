@@ -3,6 +3,8 @@
 #include "formats.h"
 #include "unit.h"
 
+#include <batten/exchange.h>
+#include <batten/text.h>
 #include <math.h>
 #include <string.h>
 

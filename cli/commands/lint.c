@@ -1,6 +1,7 @@
 /* What is wrong, or odd, with objects: for 'info'. */
 #include "commands/facts.h"
 
+#include <batten/model.h>
 #include <math.h>
 #include <string.h>
 

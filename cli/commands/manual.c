@@ -1,5 +1,7 @@
 #include "commands/manual.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* Text as troff wants it: backslashes and leading dots made harmless. */

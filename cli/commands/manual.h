@@ -3,6 +3,8 @@
 #define CLI_MANUAL_H
 #include "command.h"
 
+#include <batten/text.h>
+
 void manual_page(batten_text *text);        /* batten(1) */
 void manual_design_page(batten_text *text); /* batten-design(5) */
 void manual_completion(batten_text *text);  /* for bash */

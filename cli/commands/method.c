@@ -2,6 +2,8 @@
 
 #include "values.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <string.h>
 
 static bool read_method(const char *word, size_t length, method *out)

@@ -1,5 +1,7 @@
 #include "commands/results.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <stdio.h>
 
 static void add_member(batten_text *text, const char *key, double value)

@@ -3,6 +3,9 @@
 #define CLI_RESULTS_H
 #include "command.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
+
 /* `outputs`: names of the files that were made. */
 void results_json(batten_text *text, const batten_design *design, int output_count,
                   const char *const *outputs, const batten_notes *notes);

@@ -2,6 +2,8 @@
 #include "formats.h"
 #include "values.h"
 
+#include <batten/design.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* The given options that are parameters of the operation. */

@@ -1,5 +1,7 @@
 #include "commands/tally.h"
 
+#include <batten/model.h>
+#include <batten/text.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,6 +3,9 @@
 #define CLI_TALLY_H
 #include "command.h"
 
+#include <batten/model.h>
+#include <batten/text.h>
+
 enum { TALLY_KINDS = BATTEN_OBJECT_INSTANCE + 1 };
 
 typedef struct {

@@ -7,6 +7,9 @@
  * Points are [count][dimension], dimension 1 to 3; dimension 1 is a function of its parameter.
  * Weights are finite and never negative; 0 leaves a point out. Points may coincide and
  * parameters may repeat: nothing is interpolated.
+ *
+ * All minimise the sum of squared distances at right angles to the shape, after a start that is
+ * found without iteration. Points on a shape give it back to rounding.
  */
 #include <batten/interpolate.h>
 
@@ -213,6 +216,243 @@ BATTEN_API batten_status batten_curve_p_spline(int dimension, int count, const d
                                                const batten_smooth_options *options,
                                                double *parameters, batten_fit_report *report,
                                                batten_curve **out);
+/** How the knots of a curve within a tolerance are found. */
+typedef enum batten_within_method {
+    BATTEN_WITHIN_FEWEST, /**< by insertion and by removal: whichever leaves fewer; of more than
+                               5000 points by insertion alone, where that does */
+    BATTEN_WITHIN_INSERT, /**< none at first, then one where a span is too far off */
+    BATTEN_WITHIN_REMOVE, /**< one for each datum at first */
+    BATTEN_WITHIN_BEZIER  /**< cubics with common tangents, divided where they are too far off:
+                               fast, local, about twice the control points; curvature jumps */
+} batten_within_method;
+
+typedef struct batten_within_options {
+    size_t size;
+    double tolerance;                  /**< model units, > 0; must be set */
+    batten_within_method method;       /**< BATTEN_WITHIN_FEWEST */
+    int degree;                        /**< 3; BEZIER: always 3 */
+    batten_parametrization parameters; /**< BATTEN_CHORD: where parameters begin; of curves they
+                                            are then moved to the feet of the data */
+    const double *given;               /**< [count], never decreasing; closed [count + 1] */
+    bool closed;   /**< the first point is also the last, and not repeated */
+    double corner; /**< radians: where the row of points turns by more, looked at over 4 times
+                        the tolerance, the curve has a corner; 0: nowhere */
+    int corner_count;   /**< besides: points that are corners */
+    const int *corners; /**< [corner_count], increasing */
+} batten_within_options;
+BATTEN_API batten_within_options batten_within_defaults(void);
+
+/** Distances at the parameters of the data, so no datum is farther from the curve. */
+typedef struct batten_within_report {
+    double max, rms;
+    int worst;    /**< index of the farthest datum */
+    double apart; /**< how far the curve leaves the polygon of the data: the largest distance of
+                       4 places of the curve between any two data from their chord */
+    int points;   /**< control points; of a periodic curve those of one period */
+    int corners;  /**< those inside, and of a closed curve all */
+    int fits;     /**< by least squares, that were tried */
+} batten_within_report;
+
+/**
+ * A B-spline curve with few control points that passes every point within a tolerance.
+ *
+ * Between corners the curve is a spline with simple knots, fitted by least squares with its
+ * parameters moved to the feet of the data. Knots are inserted at the weighted middle of spans
+ * that are too far off until all data are within the tolerance; then they go again in groups,
+ * those first that matter least, as far as the tolerance allows, each time with a new fit. The
+ * distances of the result are measured, not guessed. Corners and ends are met to rounding.
+ *
+ * @param points [count][dimension]; dimension 1: a function, whose parameters are given
+ * @param[out] parameters [count], of the points on the curve: not farther than the tolerance
+ *             there. Of a closed curve with corners they begin at a corner. May be NULL
+ * @param[out] report may be NULL
+ * @param[out] out clamped; periodic when closed without corners, but for BEZIER
+ * @return BATTEN_OK; BAD_ARGUMENT (tolerance, corners, a closed function, a function by
+ * BEZIER), BAD_DEGREE, NOT_FINITE, TOO_FEW_POINTS (2), COINCIDENT (all), NOT_INCREASING;
+ * TOLERANCE_NOT_MET with the best that was reached
+ * Cost: 64 log2(count) fits for each way at most, of more than 3000 points fewer, each linear
+ * in count; BEZIER count log(count) for rows that divide evenly. Source: [LM88] for removal,
+ * [Schneider90] for BEZIER, [Hoschek88] for parameters.
+ */
+BATTEN_API batten_status batten_curve_within(int dimension, int count, const double *points,
+                                             const batten_within_options *options,
+                                             double *parameters, batten_within_report *report,
+                                             batten_curve **out);
+
+/**
+ * A polynomial B-spline of a wanted degree, with few control points, near another curve: of a
+ * rational one, one of a high degree, one with many knots.
+ *
+ * The distance is that at equal parameters, and proved: it is a bound on the control points of
+ * the difference, halved until it is close to a value that is taken. A polynomial curve of this
+ * degree or a lower one loses knots (batten_curve_remove_knots); others, and periodic ones, are
+ * fitted to samples, with knots that come and go as for points. Both ends, and places where the
+ * first derivative jumps, are met to rounding; there knots stand `degree` times.
+ *
+ * @param curve     any; one that closes smoothly gives a periodic one when it has to be fitted
+ * @param degree    of the result, 1..25
+ * @param tolerance model units, > 0
+ * @param[out] error the bound; may be NULL
+ * @param[out] out  with the domain of the curve
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, BAD_DEGREE; TOLERANCE_NOT_MET with what was
+ * reached, or when the tolerance is below the rounding of the points
+ * Source: [LM88] for the strategy.
+ */
+BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int degree,
+                                                  double tolerance, double *error,
+                                                  batten_curve **out);
+/** The same for a chain, at equal parameters of the chain, so by arc length where it goes so.
+ * It is made a curve within a sixteenth of the tolerance first, whose bound, that of
+ * batten_chain_to_curve, is sampled and counts in the error. */
+BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
+                                                  double tolerance, double *error,
+                                                  batten_curve **out);
+typedef struct batten_even_speed_report {
+    double length;
+    double error; /**< 1.2 times the largest distance at equal arc length among 7 samples of
+                     each piece; 0 for polylines */
+    double speed; /**< the largest | |C'| - 1 | there */
+    int pieces;
+} batten_even_speed_report;
+
+/**
+ * Nearly the same curve with the arc length as its parameter: domain [0, length].
+ *
+ * Only straight lines are polynomials, or rational, of their arc length. All else is followed
+ * by quintics that have the point, the tangent and the curvature of the curve at their ends,
+ * halved until none is farther from the curve, at equal arc length, than `tolerance`. Polylines
+ * are exact. The result is clamped, C2 but at corners and where curvature jumps, and C0 there.
+ *
+ * @param curve     of 2 or 3 dimensions
+ * @param tolerance model units, > 0
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; BAD_ARGUMENT, UNSUPPORTED (a function), COINCIDENT (a curve that is a
+ * point), TOLERANCE_NOT_MET, TOO_LARGE
+ * Cost: linear in the pieces. Source: [PT97] for the inverse, [dBHS87] for the order, 6.
+ */
+BATTEN_API batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
+                                                 batten_even_speed_report *report,
+                                                 batten_curve **out);
+/** How near the points are. */
+typedef struct batten_primitive_report {
+    double max, rms; /**< largest distance, root of the mean square; model units */
+    int worst;       /**< index of the farthest point */
+    int rounds;      /**< of refinement */
+} batten_primitive_report;
+
+/** A line: its points are point + s * direction. */
+typedef struct batten_fitted_line {
+    double point[3];     /**< the mean of the data */
+    double direction[3]; /**< of length one, from the first datum towards the last */
+    double from, to;     /**< s of the outermost feet */
+} batten_fitted_line;
+
+/**
+ * The line in the plane or in space with the least sum of squared distances (total least
+ * squares, by the eigenvectors of the spread).
+ * @param points [count][dimension], dimension 2 or 3, count >= 2
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE; COINCIDENT when all points are
+ * one; SINGULAR_SYSTEM when they spread alike in several directions
+ */
+BATTEN_API batten_status batten_line_fit(int dimension, int count, const double *points,
+                                         batten_fitted_line *line,
+                                         batten_primitive_report *report);
+
+/** What a circle through points minimises. */
+typedef enum batten_circle_method {
+    BATTEN_CIRCLE_GEOMETRIC, /**< distances, by Gauss and Newton from Taubin's circle */
+    BATTEN_CIRCLE_TAUBIN,    /**< (x^2 + y^2 - r^2)^2 by its mean slope: nearly unbiased */
+    BATTEN_CIRCLE_PRATT,     /**< nearly the same; works for lines too */
+    BATTEN_CIRCLE_KASA       /**< (x^2 + y^2 - r^2)^2: linear; too small on short arcs */
+} batten_circle_method;
+
+/** A circle in the xy-plane of `frame`, about its origin; the data lie from `start` to
+ * `start + angle`, radians, as they go from the first to the last. */
+typedef struct batten_fitted_circle {
+    batten_frame frame;
+    double radius;
+    double start, angle; /**< angle in (0, 2 pi]: 2 pi when the data go all around */
+} batten_fitted_circle;
+
+/**
+ * The circle nearest to points of the plane, or in space within the plane nearest to them; the
+ * normal is such that the data run counter-clockwise.
+ * @param points [count][dimension], dimension 2 or 3, count >= 3
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE; SINGULAR_SYSTEM when the points
+ * lie on a line
+ * Cost: linear in count for each round. Source: [Taubin91], [Pratt87].
+ */
+BATTEN_API batten_status batten_circle_fit(int dimension, int count, const double *points,
+                                           batten_circle_method method,
+                                           batten_fitted_circle *circle,
+                                           batten_primitive_report *report);
+
+/** An ellipse in the plane: center + a cos(t) axis + b sin(t) (axis turned left), a >= b; the
+ * data lie from t = `start` to `start + angle`. */
+typedef struct batten_fitted_ellipse {
+    double center[2], axis[2];
+    double a, b;
+    double start, angle; /**< angle in (0, 2 pi], negative when the data run clockwise */
+} batten_fitted_ellipse;
+
+/**
+ * The ellipse nearest to points of the plane: Fitzgibbon's direct fit, which is always an
+ * ellipse, then the distances at right angles.
+ * @param points [count][2], count >= 5
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE; SINGULAR_SYSTEM when the points determine no
+ * ellipse (on a line, a parabola or a hyperbola)
+ * Source: [FPF99] in the stable form of [HF98].
+ */
+BATTEN_API batten_status batten_ellipse_fit(int count, const double *points,
+                                            batten_fitted_ellipse *ellipse,
+                                            batten_primitive_report *report);
+
+/**
+ * The clothoid nearest to points of the plane, given in their order along it: curvature linear
+ * in arc length. Lines and arcs are clothoids.
+ *
+ * @param points [count][2], count >= 4, neighbours apart; between neighbours the curve turns by
+ *               less than a right angle
+ * @param[out] span  BATTEN_SPAN_SPIRAL, from the foot of the first to that of the last
+ * @param[out] lengths [count], arc lengths of the feet from there; may be NULL
+ * @return BATTEN_OK, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT; TOLERANCE_NOT_MET when the first
+ * guess is too far off for rounds to converge
+ * Source: the distances at right angles as in [ARW01].
+ */
+BATTEN_API batten_status batten_clothoid_fit(int count, const double *points, batten_span *span,
+                                             double *lengths, batten_primitive_report *report);
+/** How far the points that went are from the polyline through those that stayed, each from the
+ * chord that stands for it; model units. */
+typedef struct batten_thin_report {
+    double max, rms; /**< the largest, root of the mean square over all points */
+    int worst;       /**< index of the farthest point */
+} batten_thin_report;
+
+/**
+ * The points of a row that are needed so that every other point lies within `tolerance` of the
+ * chord between its two kept neighbours.
+ *
+ * The distance is that of the points from the chords, not of the chords from the row: where a
+ * row runs to and fro, a chord may lie farther from it than `tolerance`. A row is split where
+ * it is farthest from its chord, so corners stay; the ends stay. Parts that would cost more
+ * than 32 log2(count) looks at each point that way are walked with chords as long as the
+ * tolerance allows, which keeps the bound.
+ *
+ * @param points    [count][dimension], dimension 2 or 3; neighbours may coincide
+ * @param tolerance model units, 0 or more; with 0 only points that lie on their chords to
+ *                  rounding go
+ * @param closed    the last point is followed by the first; then any point may go, but two stay
+ * @param[out] kept [count], indices of those that stay, increasing
+ * @param[out] kept_count
+ * @param[out] report may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS (none), NOT_FINITE, OVERFLOW
+ * (coordinates above 1e150)
+ *
+ * Cost: count log(count) at most, no recursion. Source: [Ramer72], [DP73].
+ */
+BATTEN_API batten_status batten_points_thin(int dimension, int count, const double *points,
+                                            double tolerance, bool closed, int *kept,
+                                            int *kept_count, batten_thin_report *report);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,7 @@
  */
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -108,6 +109,59 @@ BATTEN_API void *batten_resize(void *memory, size_t count, size_t size);
 
 /** Give back memory that the library handed over; NULL is welcome. */
 BATTEN_API void batten_release(void *memory);
+/**
+ * Passed to every routine whose work depends on data; NULL means one thread and no questions.
+ * The result has the same bits for any number of threads. The callbacks are called from the
+ * thread that made the call, and from no other.
+ */
+typedef struct batten_job {
+    size_t size;         /**< sizeof(batten_job), set by BATTEN_JOB */
+    int thread_count;    /**< 1, or more; 0 means as many as there are processors */
+    uint64_t work_limit; /**< 0 for none; else about this many elementary steps, then the
+                              routine ends with BATTEN_INCOMPLETE */
+    bool (*is_cancelled)(void *user); /**< may be NULL; true ends with BATTEN_CANCELLED */
+    void (*progress)(void *user, double fraction, const char *what); /**< may be NULL */
+    void *user;
+} batten_job;
+
+#ifdef __cplusplus
+#define BATTEN_JOB                                          \
+    batten_job                                              \
+    {                                                       \
+        sizeof(batten_job), 1, 0, nullptr, nullptr, nullptr \
+    }
+#else
+#define BATTEN_JOB ((batten_job){.size = sizeof(batten_job), .thread_count = 1})
+#endif
+typedef struct batten_note {
+    const char *file;   /**< may be "" */
+    int line;           /**< from 1; 0 when it has no place */
+    const char *entity; /**< "#317 B_SPLINE_CURVE", "station 4"; may be "" */
+    const char *text;   /**< what is wrong, with the numbers, and what was done */
+    bool is_remark;     /**< nothing is wrong: it says what was found or done */
+} batten_note;
+
+/** A list of notes, at most `limit`, then counted. */
+typedef struct batten_notes batten_notes;
+
+/** @param limit  how many are kept, 0 or more */
+BATTEN_API batten_status batten_notes_create(int limit, batten_notes **out);
+BATTEN_API void batten_notes_free(batten_notes *notes);
+
+/** Add one; NULL notes and lack of memory are borne silently (the latter is counted).
+ * @param file, entity  copied; NULL counts as "" */
+BATTEN_API void batten_notes_add(batten_notes *notes, const char *file, int line,
+                                 const char *entity, const char *format, ...)
+    BATTEN_PRINTF(5, 6);
+
+/** The same, as a remark: something worth knowing that is no warning. */
+BATTEN_API void batten_notes_remark(batten_notes *notes, const char *file, int line,
+                                    const char *entity, const char *format, ...)
+    BATTEN_PRINTF(5, 6);
+
+BATTEN_API int batten_notes_count(const batten_notes *notes);   /**< those that are kept */
+BATTEN_API int batten_notes_dropped(const batten_notes *notes); /**< those beyond the limit */
+BATTEN_API const batten_note *batten_notes_at(const batten_notes *notes, int index);
 
 #ifdef __cplusplus
 }

@@ -15,7 +15,6 @@
  *
  * A body is immutable and reference counted, as curves and surfaces are.
  */
-#include <batten/notes.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus

@@ -13,7 +13,6 @@
  * by a parameter of any unit.
  */
 #include <batten/curve.h>
-#include <batten/standard.h>
 
 #ifdef __cplusplus
 extern "C" {

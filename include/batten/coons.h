@@ -19,13 +19,68 @@
  * form is U M C Mt Wt, with both M; the patch of the second kind gives no continuity of
  * curvature; and the vector across a boundary is the cross-boundary tangent, not a normal.
  */
-#include <batten/interpolate.h>
-#include <batten/ribbon.h>
+#include <batten/grid.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** The four edges of a surface over a rectangle. */
+typedef enum batten_edge {
+    BATTEN_EDGE_V0, /**< v at its least; runs along u */
+    BATTEN_EDGE_U1, /**< u at its greatest; runs along v */
+    BATTEN_EDGE_V1,
+    BATTEN_EDGE_U0
+} batten_edge;
+
+/**
+ * A boundary curve C(t) and, as curves over the same domain, the derivatives of the surface
+ * across it, towards its inside: the vector that C gains for a unit of the parameter across.
+ * Only references: the maker keeps them alive.
+ */
+typedef struct batten_ribbon {
+    const batten_curve *curve;
+    const batten_curve *slope;     /**< first derivative across; NULL: none is wanted */
+    const batten_curve *curvature; /**< second derivative across, with `slope`; or NULL */
+} batten_ribbon;
+
+/**
+ * The ribbon of a surface's edge, as its neighbour needs it: slope (and curvature) continue the
+ * surface beyond the edge, so that a patch with this ribbon joins it with one tangent plane
+ * (and curvature). The curves run in the direction of the edge's parameter, over its domain,
+ * and are exact; a rational surface whose derivatives are of too high a degree is met within
+ * `tolerance`.
+ *
+ * @param order  1: slope; 2: and curvature
+ * @param[out] curves [order + 1] the curve, slope, curvature; give the references back
+ * @param[out] error  how far slope and curvature are from the truth, 0 when exact; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, TOLERANCE_NOT_MET, BAD_DEGREE ...
+ */
+BATTEN_API batten_status batten_edge_ribbon(const batten_surface *surface, batten_edge edge,
+                                            int order, double tolerance, batten_curve **curves,
+                                            double *error);
+
+/** One curve's place in a loop. */
+typedef struct batten_loop_place {
+    int curve;     /**< which of the given ones */
+    bool reversed; /**< it runs against the loop */
+    double gap;    /**< from its end to the start of the next one */
+} batten_loop_place;
+
+/**
+ * Put curves given in any order and direction end to end into one closed loop that begins with
+ * the first curve, in its direction; each next one is the nearest that is left.
+ *
+ * A chain whose corners are nearer than `tolerance` is a loop.
+ *
+ * @param curves [count], 2 or more, open, of one dimension
+ * @param[out] places [count]
+ * @return BATTEN_OK; NOT_COMPATIBLE naming the corner, both curves and the gap ("corner 2,
+ * between curves 4 and 1, is open by 0.12"); COINCIDENT for a curve without length or two that
+ * are the same; NOT_FINITE ...
+ */
+BATTEN_API batten_status batten_curves_loop(int count, const batten_curve *const *curves,
+                                            double tolerance, batten_loop_place *places);
 /* ---- blending functions ---- */
 
 /** Families of blending functions F0, F1, G0, G1, H0, H1 over [0, 1]. */
@@ -194,46 +249,6 @@ BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
                                              const double *ends, double tolerance,
                                              batten_curve **ribbon, double *misfit,
                                              double *error);
-
-/* ---- twists of nets ---- */
-
-typedef enum batten_twists {
-    BATTEN_TWISTS_ZERO,     /**< right for a(u) + b(v) alone: else flat spots */
-    BATTEN_TWISTS_BILINEAR, /**< mean of the twists of the adjoining quadrangles */
-    BATTEN_TWISTS_BESSEL,   /**< of the biquadratic through 3 x 3 points */
-    BATTEN_TWISTS_ADINI,    /**< of the bilinear Coons patch around the point */
-    BATTEN_TWISTS_SPLINE,   /**< those that make a bicubic net C2 */
-    BATTEN_TWISTS_ENERGY,   /**< least sum of integrals of S_uu^2 + 2 S_uv^2 + S_vv^2 */
-    BATTEN_TWISTS_SELESNICK /**< from curvatures; needs `shape` */
-} batten_twists;
-
-/** What Selesnick's twists need at each point: [count_u][count_v] of each. */
-typedef struct batten_twist_shape {
-    const double *suu, *svv; /**< [..][3] second derivatives along the net */
-    const double *gaussian;  /**< curvature, 1 / length^2 */
-} batten_twist_shape;
-
-/**
- * Twists at the points of a rectangular net.
- *
- * @param u, v    [count_u], [count_v], increasing; 2 or more of each
- * @param points, su, sv [count_u][count_v][d], the points and their derivatives
- * @param shape   with SELESNICK, and d = 3; else NULL
- * @param[out] twists [count_u][count_v][d]
- * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
- * nearest was taken; may be NULL
- * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_LARGE ...
- *
- * On the rim Adini takes the patches that are there, Bessel one-sided parabolas. Where S_u and
- * S_v are parallel Selesnick's is Adini's. Cost: linear; ENERGY factors a band matrix, count_u
- * count_v min(count_u, count_v)^2.
- * Source: [BFFH88], [AC61] for Adini's, [Selesnick81], [HS87].
- */
-BATTEN_API batten_status batten_net_twists(batten_twists method, int dimension, int count_u,
-                                           const double *u, int count_v, const double *v,
-                                           const double *points, const double *su,
-                                           const double *sv, const batten_twist_shape *shape,
-                                           double *twists, int *clamped);
 
 /* ---- networks ---- */
 

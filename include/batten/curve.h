@@ -13,13 +13,25 @@
  * periodic curve where that has a meaning, else the clamped form; each says which.
  */
 #include <batten/geometry.h>
-#include <batten/job.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct batten_curve batten_curve;
+
+/** Some curves, yours to release. */
+typedef struct batten_curves {
+    int count;
+    batten_curve **at;
+} batten_curves;
+BATTEN_API void batten_curves_release(batten_curves *curves);
+
+/** Found parameters, increasing; release `at` with batten_release. */
+typedef struct batten_parameters {
+    int count;
+    double *at;
+} batten_parameters;
 
 /** From which side a value is taken where a curve is not smooth. */
 typedef enum batten_side { BATTEN_FROM_RIGHT, BATTEN_FROM_LEFT } batten_side;

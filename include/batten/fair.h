@@ -5,8 +5,7 @@
  * How fair a curve is, and how to make it fairer without moving any point farther than allowed.
  */
 #include <batten/chain.h>
-#include <batten/curve.h>
-#include <batten/offsets.h>
+#include <batten/offset_table.h>
 
 #ifdef __cplusplus
 extern "C" {

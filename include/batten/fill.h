@@ -3,14 +3,148 @@
 /**
  * @file
  * Holes with any number of sides, filled smoothly by as many NURBS surfaces as there are sides.
+ *
+ * Gregory's square, the Coons patch of the second kind whose twists need not agree, is
+ * batten_surface_coons with BATTEN_TWIST_GREGORY.
  */
-#include <batten/job.h>
-#include <batten/ribbon.h>
+#include <batten/coons.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/**
+ * The derivative across a cubic edge that all patches along it share but for its sign, factor
+ * and part along the edge: its plane, with the edge, follows from the edge and the planes at
+ * its ends alone.
+ *
+ * With C' = sum c_i B2_i and unit normals n_j at the ends, g_0 = n_0 x c_0 / |n_0 x c_0|, g_2
+ * alike with c_2, g_1 = (g_0 + g_2) / 2; the derivative is k g + h C', k and h linear such that
+ * it is `across` at the ends.
+ *
+ * @param edge    [4][3] Bezier points; where end points coincide the next ones count
+ * @param across  [2][3] derivatives across at both ends, not along the edge
+ * @param normals [2][3] of the planes that the neighbours share at the ends; NULL: those of the
+ *                edge and `across`
+ * @param[out] field [4][3] Bezier points of the derivative across
+ * @return BATTEN_OK; SINGULAR_HERE for an edge without direction at an end, `across` along it,
+ * or an edge that turns half around between its ends (divide it); NOT_COMPATIBLE when the
+ * derivatives at the ends lie on different sides of the edge; NOT_FINITE
+ * Source: [CK83].
+ */
+BATTEN_API batten_status batten_gregory_field(const double *edge, const double *across,
+                                              const double *normals, double *field);
+
+/**
+ * The bicubic Gregory patch, of kind "gregory", over [0, 1] x [0, 1].
+ *
+ * @param points [4][4][3] Bezier points, i along u; the inner four are not looked at
+ * @param inner  [2][2][2][3] at (1 + i, 1 + j): the point as the edge v = j sees it, that as
+ * the edge u = i sees it; they are blended by the distances from both
+ * @return BATTEN_OK, NOT_FINITE
+ *
+ * Slopes are continuous everywhere; at a corner second derivatives depend on the direction of
+ * approach where its two points differ, and at the corner itself their mean counts.
+ * batten_surface_to_nurbs approximates: the exact rational form has weights 0 at its corners.
+ * Source: [CK83].
+ */
+BATTEN_API batten_status batten_surface_gregory(const double *points, const double *inner,
+                                                batten_surface **out);
+
+/**
+ * The quartic Gregory triangle, of kind "gregory-triangle", over [0, 1] x [0, 1]: at (u, v) the
+ * point with barycentric coordinates (1 - u, u (1 - v), u v), with a pole at u = 0.
+ *
+ * @param edges [3][5][3] Bezier points of the edges from corner 0 to 1, 1 to 2, 2 to 0
+ * @param inner [3][2][3] the points next to corner i: as the edge that leaves it sees it, as
+ * the edge that comes to it does
+ * @return BATTEN_OK, NOT_FINITE; NOT_COMPATIBLE when edges do not end where the next begins
+ * Source: [WM96], [LSNC09].
+ */
+BATTEN_API batten_status batten_surface_gregory_triangle(const double *edges,
+                                                         const double *inner,
+                                                         batten_surface **out);
+
+/**
+ * The Gregory patch between three or four cubic curves, all of its inner points from
+ * batten_gregory_field: patches made so along a common edge have a common tangent plane all
+ * along it when they have it at its ends.
+ *
+ * @param count     3 or 4
+ * @param curves    single cubics (or of lower degree) in any order and direction
+ * @param tolerance corners may be open so far; ends meet halfway
+ * @param[out] places [count], the loop; may be NULL
+ * @return as batten_curves_loop and batten_gregory_field, naming the curve; UNSUPPORTED for a
+ * side that is rational, of a higher degree or of more than one span
+ */
+BATTEN_API batten_status batten_surface_gregory_between(int count,
+                                                        const batten_curve *const *curves,
+                                                        double tolerance,
+                                                        batten_loop_place *places,
+                                                        batten_surface **out);
+
+/**
+ * A NURBS surface near another one, whose normals along the edges are near too, so that
+ * neighbours that are smooth together stay so. The tolerance is made smaller until they are.
+ *
+ * @param surface   of any kind, in space
+ * @param tolerance model units, > 0
+ * @param angle     radians, > 0
+ * @param[out] error   the deviation; may be NULL
+ * @param[out] reached the largest angle between the normals at 129 places of each edge; places
+ * without a normal (poles) do not count; may be NULL
+ * @return as batten_surface_to_nurbs; TOLERANCE_NOT_MET with the angle reached
+ */
+BATTEN_API batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface,
+                                                        double tolerance, double angle,
+                                                        batten_surface **out, double *error,
+                                                        double *reached);
+typedef enum batten_triangle_method {
+    /** Nielson: along the lines from each side to its opposite corner. With slopes of cubic
+     * precision. Kind "side-vertex". */
+    BATTEN_TRIANGLE_SIDE_VERTEX,
+    /** Barnhill, Birkhoff and Gordon: along parallels to the sides; half the sum of the three
+     * less the plane of the corners, or, with slopes, the mean of the six Boolean sums, whose
+     * twists are reconciled by rational terms. Kind "barnhill-birkhoff-gordon". */
+    BATTEN_TRIANGLE_PARALLELS,
+    /** Charrot and Gregory: Taylor expansions about both sides of each corner, blended. Kind
+     * "charrot-gregory". */
+    BATTEN_TRIANGLE_CORNERS
+} batten_triangle_method;
+
+/**
+ * The surface between three curves.
+ *
+ * It is seen over the unit square: barycentric coordinates (1 - u, u (1 - v), u v), where
+ * corner 0 is opposite the first curve and v runs along that curve; u = 0 is a pole. Corners
+ * and curves may come in any order: only the labels change, not the surface.
+ *
+ * Without slopes the surface meets the curves (C0). With one or more it has along each such
+ * curve the tangent planes that the curve and its slope span: to meet the other curves'
+ * tangents at the corners, the slope T becomes k(t) T + h(t) C', k and h linear. Curves without
+ * a slope take the linear blend of their neighbours' tangents. Curvatures of ribbons are not
+ * used.
+ *
+ * Derivatives at corners 1 and 2 (u = 1, v = 0 and 1), where second derivatives have no limit,
+ * and within 1e-6 of them in both parameters are those at that distance.
+ *
+ * @param ribbons   three curves of dimension 3 without kinks
+ * @param tolerance  of the corners, in model units; the loop may be open by so much there
+ * @param angle_tolerance  in radians: how far a curve may leave the tangent plane of its
+ * neighbour's ribbon at a corner
+ * @return BATTEN_OK; NOT_COMPATIBLE naming the corner and the gap, or the angle; COINCIDENT;
+ * SINGULAR_HERE where slopes are given and a curve has no tangent at a corner, or a ribbon no
+ * tangent plane; BAD_ARGUMENT for other dimensions or a curve with a kink
+ *
+ * Cost: 3 to 6 points of curves each, and some thousand multiplications, for a point with
+ * derivatives up to order 3.
+ * Source: [BarnhillBirkhoffGordon73], [Nielson79], [CharrotGregory80]. The mean of the sums,
+ * and the linear k and h, are ours: so that no order of the sides is preferred, and ribbons of
+ * any surface fit.
+ */
+BATTEN_API batten_status batten_triangle_patch(const batten_ribbon ribbons[3],
+                                               batten_triangle_method method, double tolerance,
+                                               double angle_tolerance, batten_surface **out);
 /** The most sides a hole may have. */
 #define BATTEN_FILL_SIDES 8
 

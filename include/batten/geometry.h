@@ -44,6 +44,19 @@ BATTEN_API batten_affine batten_affine_compose(batten_affine first, batten_affin
 BATTEN_API batten_vec3 batten_affine_apply(batten_affine map, batten_vec3 point);
 /** How volumes grow; below 0 for a map that mirrors, 0 for one that flattens. */
 BATTEN_API double batten_affine_determinant(batten_affine map);
+/** A place to stand: origin, and two directions that are made square and of length one; z keeps
+ * its direction. */
+typedef struct batten_frame {
+    batten_vec3 origin;
+    batten_vec3 x; /**< first axis, not zero */
+    batten_vec3 z; /**< normal, not parallel to x */
+} batten_frame;
+
+/** The world's own frame. */
+BATTEN_API batten_frame batten_frame_world(void);
+/** The plane on which coordinate `axis` (0, 1, 2) is `at`: its axes are the two that are left,
+ * in their order. */
+BATTEN_API batten_frame batten_frame_across(int axis, double at);
 
 #ifdef __cplusplus
 }

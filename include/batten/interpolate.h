@@ -2,9 +2,24 @@
 #define BATTEN_INTERPOLATE_H
 /**
  * @file
- * Curves through points, and surfaces through grids of points.
+ * Curves through points by one linear system: splines, nu-splines and weighted splines, quadratics,
+ * Beta-splines, splines under conditions and in tension.
+ *
+ * Among all curves through the points they make the sum over the spans of w times the integral
+ * of |P''|^2, plus the sum over the inner points of nu |P'|^2, least. A large w makes a span
+ * straighter, a large nu draws the bend into its point.
+ *
+ * Where their knots are decides about them. Knots midway between the data are sound; knots at
+ * the data are not: an error of the first slope goes on for ever with changing sign.
+ *
+ * At a joint P' after it is beta1 times P' before it, and P'' after it beta1^2 P'' + beta2 P'
+ * before it. With beta1 = 1 and beta2 = 0 they are the uniform cubic B-splines.
+ *
+ * Think of a batten that is pulled at its ends. Each span obeys P'''' = sigma^2 P''; first and
+ * second derivative go on over every point. Without tension it is the cubic spline, with very
+ * much the polygon, and on the way there the turns that the data do not have disappear.
  */
-#include <batten/surface.h>
+#include <batten/chain.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -126,68 +141,253 @@ typedef struct batten_convexity {
 BATTEN_API batten_status batten_spline_convexity(int count, const double *x, const double *y,
                                                  const batten_end *start, const batten_end *end,
                                                  batten_convexity *out);
+/** Where the weights of the spans come from. */
+typedef enum batten_weight_rule {
+    BATTEN_WEIGHTS_GIVEN, /**< those given, or 1 */
+    BATTEN_WEIGHTS_SLOPE  /**< (1 + slope^2)^-3 of each chord, after Salkauskas: for functions
+                               with steep places */
+} batten_weight_rule;
 
-/** What is known along the rim of a grid, for surfaces with knots at the data. */
-typedef struct batten_grid_options {
+typedef struct batten_weighted_options {
     size_t size;
-    int degree_u, degree_v;            /**< 3, 3 */
-    batten_parametrization parameters; /**< averaged over the rows; BATTEN_CENTRIPETAL */
-    const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
-    bool knots_at_data;                /**< false: averaged knots (the default) */
-    bool periodic_u, periodic_v;
-    batten_end_kind ends; /**< what holds on the rim when no derivatives are given */
-    const double *du; /**< [orders_u][2][count_v][d], Su (Suu ..) on the first and last row; or
-                           NULL */
-    const double *dv; /**< [orders_v][2][count_u][d], Sv (Svv ..) on the first and last column;
-                           or NULL */
-    const double *twists; /**< [orders_u][2][orders_v][2][d], Suv (Suuv ..) at the corners (u
-                             end first); or NULL */
-    int orders_u,
-        orders_v; /**< how many derivatives `du` and `dv` give; 0: one. Knots at the data
-                       take (degree - 1) / 2, averaged ones as many as the degree */
-    const double *weights; /**< [count_u][count_v], > 0, of the points of a rational surface; or
-                                NULL. Not with derivatives */
-    const bool *gaps; /**< [count_u][count_v], where there is no point: what stands there is not
-                           looked at; or NULL */
-} batten_grid_options;
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count] (closed: [count + 1]) with BATTEN_GIVEN */
+    bool closed;                       /**< closes smoothly; the first point is not repeated */
+    batten_end start, end; /**< NATURAL; also CLAMPED, DIRECTION, SECOND, PARABOLIC, BESSEL,
+                                CIRCLE */
+    double nu;             /**< at every point, times the mean step of the parameters, so that
+                                no unit matters. 0: none; 10: much */
+    const double *nus;     /**< [count] point by point, instead; or NULL. Those of the ends of
+                                an open curve say nothing */
+    batten_weight_rule rule;
+    const double *weights; /**< [spans], above 0; NULL: 1 */
+} batten_weighted_options;
 
-BATTEN_API batten_grid_options batten_grid_defaults(void);
-
-/** What a grid interpolation found out about its data. */
-typedef struct batten_grid_report {
-    double residual;           /**< largest distance from a data point */
-    double spread_u, spread_v; /**< largest |row parameter - average|, in steps; above 0.5
-                                  skinning is better */
-    int filled; /**< how many points were none, and stand where least energy puts them */
-} batten_grid_report;
+/** Chord parameters, natural ends, nu 0, all weights 1: the cubic spline. */
+BATTEN_API batten_weighted_options batten_weighted_defaults(void);
 
 /**
- * A surface through a grid of points.
+ * The weighted nu-spline through points: a cubic for each span, with a common tangent at the
+ * points.
  *
- * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point
- * are left out of their average, and a rim that is one stays one: a pole. Where both `du` and
- * `dv` are given, of one order, but not `twists`, the twists are estimated with Bessel's
- * parabolas. Few points lower a degree.
+ * There w P'' after the point less w P'' before it is nu P'. So equal weights give continuous
+ * curvature; unequal ones make it jump. With very large nu everywhere it becomes the polygon,
+ * with one large nu a point gets a corner, where P' comes to 0. Negative nu loosen the point
+ * and are allowed while there is a least. A closed curve comes back as a periodic one.
  *
- * With `weights` the points (w x, w y, w z, w) are interpolated; BAD_WEIGHT naming the control
- * point whose weight is not above 0 then. Gaps are filled first, with the points that make the
- * second differences over the grid, as sums for the integral of Suu^2 + 2 Suv^2 + Svv^2, least:
- * a plane with gaps stays plane. SINGULAR_SYSTEM when the others do not determine them.
+ * @param dimension  1..3
+ * @param points     [count][dimension], at least two; closed: at least three, each once
+ * @param options    NULL for the defaults
+ * @param[out] parameters [count], those of the points; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT (weights, ends), NOT_FINITE, TOO_FEW_POINTS, COINCIDENT,
+ * NOT_INCREASING, SINGULAR_SYSTEM (nu too negative), OVERFLOW, TOLERANCE_NOT_MET
  *
- * @param points [count_u][count_v][dimension]
- * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
- * @param[out] report may be NULL
- * @return as batten_curve_interpolate; the message names the direction
- *
- * Cost: linear in the number of points; each direction is factored once. Gaps: their number
- * times the square of those in two lines. Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
+ * Cost: linear in count. The equations are checked for the slopes found.
+ * Source: [Nielson74], [Salkauskas84], [Foley87].
  */
-BATTEN_API batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
-                                                    const double *points,
-                                                    const batten_grid_options *options,
-                                                    const batten_job *job, double *u, double *v,
-                                                    batten_grid_report *report,
-                                                    batten_surface **out);
+BATTEN_API batten_status batten_curve_weighted(int dimension, int count, const double *points,
+                                               const batten_weighted_options *options,
+                                               double *parameters, batten_curve **out);
+typedef enum batten_quadratic_kind {
+    BATTEN_QUADRATIC_BETWEEN,   /**< any data, knots midway between them, none in the two end
+                                     spans */
+    BATTEN_QUADRATIC_MIDPOINTS, /**< the data are the mid-points of the spans between knots, and
+                                     both ends */
+    BATTEN_QUADRATIC_SEQUENTIAL /**< knots at the data, one parabola after another */
+} batten_quadratic_kind;
+
+/** SEQUENTIAL: the one slope that is needed. */
+typedef enum batten_quadratic_slope {
+    BATTEN_QUADRATIC_BEST, /**< that which makes the sum of the squared jumps of P'' least */
+    BATTEN_QUADRATIC_AT_START, /**< P' at the first point is given */
+    BATTEN_QUADRATIC_AT_END    /**< P' at the last point is given */
+} batten_quadratic_slope;
+
+typedef struct batten_quadratic_options {
+    size_t size;
+    batten_quadratic_kind kind;        /**< BETWEEN */
+    batten_parametrization parameters; /**< BATTEN_CHORD; MIDPOINTS: UNIFORM or GIVEN, else they
+                                            are taken as uniform */
+    const double *given;               /**< [count] with BATTEN_GIVEN */
+    batten_quadratic_slope slope;      /**< BEST */
+    double vector[3];                  /**< AT_START, AT_END: P' */
+} batten_quadratic_options;
+
+/** Knots midway between the data, chord parameters. */
+BATTEN_API batten_quadratic_options batten_quadratic_defaults(void);
+
+/**
+ * A quadratic spline through points.
+ *
+ * MIDPOINTS: the knots k follow from the parameters t, k[0] = t[0], then k[i] = 2 t[i] - k[i -
+ * 1]; they must increase and end at the last parameter. With uniform parameters these are 0,
+ * 1/2, 3/2, 5/2 ... n. Its values at the knots are a dominant system. All three kinds reproduce
+ * parabolas; the error of BETWEEN and MIDPOINTS falls with the third power of the step, that of
+ * SEQUENTIAL does so only with the right slope. Two points give a line, three points of BETWEEN
+ * or MIDPOINTS the parabola (MIDPOINTS: through the middle one at its mid-parameter).
+ *
+ * @param points     [count][dimension], at least two; MIDPOINTS: three
+ * @param options    NULL for the defaults
+ * @param[out] parameters [count], those of the points; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, NOT_INCREASING,
+ * NOT_COMPATIBLE (parameters that are no mid-points, with the knot), OVERFLOW,
+ * TOLERANCE_NOT_MET (a point is missed by more than rounding)
+ *
+ * Cost: linear in count. Source: [Marsden74], [deBoor01] ch. VI.
+ */
+BATTEN_API batten_status batten_curve_quadratic(int dimension, int count, const double *points,
+                                                const batten_quadratic_options *options,
+                                                double *parameters, batten_curve **out);
+/** What the points are. */
+typedef enum batten_beta_use {
+    BATTEN_BETA_NEAR,   /**< control points: the curve is drawn to them, and passes the ends */
+    BATTEN_BETA_THROUGH /**< the joints: the curve passes all of them */
+} batten_beta_use;
+
+/**
+ * A Beta-spline near or through points, of one Bezier piece for each step from point to point;
+ * point i belongs to the parameter i. At the ends of an open curve there is no curvature; a
+ * closed one comes back as a periodic curve.
+ *
+ * Larger beta2 draws the curve to its polygon; beta1 above 1 makes it leave each joint faster
+ * than it comes, so that it leans to the later points, below 1 to the earlier ones: the
+ * reversed points with 1 / beta1 and beta2 / beta1^3 give the reversed curve. Through points,
+ * values far from 1 and 0 make large swings. For beta1 other than 1 the parameter has jumps of
+ * speed at the joints, the shape is smooth.
+ *
+ * @param points [count][dimension]; open: at least two; closed: at least three, each once
+ * @param beta1  above 0
+ * @param beta2  0 or more
+ * @return BATTEN_OK, BAD_ARGUMENT (the betas), NOT_FINITE, TOO_FEW_POINTS, OVERFLOW,
+ * SINGULAR_SYSTEM, TOLERANCE_NOT_MET (a joint that misses its point by more than rounding)
+ *
+ * Cost: linear in count. Source: [Barsky88].
+ */
+BATTEN_API batten_status batten_curve_beta(int dimension, int count, const double *points,
+                                           batten_beta_use use, double beta1, double beta2,
+                                           bool closed, batten_curve **out);
+typedef enum batten_constraint_kind {
+    BATTEN_CONSTRAINT_VALUE, /**< normal . P >= bound + rate u: the side of a line or plane */
+    BATTEN_CONSTRAINT_SLOPE, /**< normal . P' >= bound: never back, with bound 0 */
+    BATTEN_CONSTRAINT_BEND,  /**< normal . P'' >= bound: bent to one side, with bound 0 */
+    BATTEN_CONSTRAINT_DIRECTION, /**< at point `from` P' goes along `normal`, at least `bound`
+                                    times as fast as the polygon on average; in 1 dimension P'
+                                    is normal[0] */
+    BATTEN_CONSTRAINT_MEAN       /**< the mean of normal . P over the parameter is `bound` */
+} batten_constraint_kind;
+
+/** One constraint; inequalities hold everywhere between two points. */
+typedef struct batten_constraint {
+    batten_constraint_kind kind;
+    int from, to;     /**< indices of points, from < to; to = 0: the last one */
+    double normal[3]; /**< [dimension], not 0 */
+    double bound;
+    double rate; /**< VALUE: for each unit of the parameter, so that functions have lines too */
+} batten_constraint;
+
+typedef struct batten_constrained_options {
+    size_t size;
+    int degree;                        /**< 3, which suits order 2; 1..25 */
+    int pieces;                        /**< spans between neighbours among the points, 0..64; 0:
+                                            the whole is one Bezier curve; 4 */
+    int order;                         /**< of the derivative whose square is least, 1..5; 2 */
+    int checks;                        /**< parts of each span whose control points obey the
+                                            inequalities, 1..64; 4 */
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count] with BATTEN_GIVEN */
+    const double *weights;             /**< [count] above 0: near the points instead of through
+                                            them, infinity: through; NULL: through all */
+    int constraint_count;
+    const batten_constraint *constraints;
+} batten_constrained_options;
+BATTEN_API batten_constrained_options batten_constrained_defaults(void);
+
+typedef struct batten_constrained_report {
+    double energy; /**< the integral of the squared derivative */
+    int active;    /**< inequalities between control values that hold with equality and press */
+    int redundant; /**< equations that followed from others */
+    double error_max; /**< the largest distance from a point */
+} batten_constrained_report;
+
+/**
+ * The B-spline or Bezier curve through (or near) points, with the constraints, whose squared
+ * derivative has the least integral: half of it, plus half the sum of the weights times the
+ * squared distances.
+ *
+ * Inequalities are asked of the control points of `checks` parts of each span, so they hold at
+ * every parameter; more checks ask less of the curve than is needed, and it comes nearer to
+ * the best that there is.
+ *
+ * @param dimension 1 (a function of given parameters), 2 or 3
+ * @param points    [count][dimension], 2 or more
+ * @param options   NULL for the defaults
+ * @param[out] parameters [count], may be NULL
+ * @param[out] report     may be NULL
+ * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; NOT_COMPATIBLE
+ * naming the point or constraint that contradicts the others; SINGULAR_SYSTEM when the curve is
+ * not determined; TOO_LARGE beyond 1000 unknowns, dimension (count - 1) pieces or so;
+ * INCOMPLETE
+ *
+ * Cost: the cube of the number of unknowns, and for each constraint that presses the square of
+ * their number times the unknowns: for some dozens of points. Source: [Wielinga74]; [GI83].
+ */
+BATTEN_API batten_status batten_curve_constrained(
+    int dimension, int count, const double *points, const batten_constrained_options *options,
+    double *parameters, batten_constrained_report *report, batten_curve **out);
+/** What tension is added for, where the tension given is too little. */
+typedef enum batten_tension_rule {
+    BATTEN_TENSION_GIVEN,   /**< nothing */
+    BATTEN_TENSION_CONVEX,  /**< no inflection that the polygon of the points does not have */
+    BATTEN_TENSION_MONOTONE /**< each coordinate rises and falls only as the points do */
+} batten_tension_rule;
+
+typedef struct batten_tension_options {
+    size_t size;
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count] (closed: [count + 1]) with BATTEN_GIVEN */
+    bool closed;                       /**< closes smoothly; the first point is not repeated */
+    batten_end start, end;  /**< NATURAL; also CLAMPED, DIRECTION, SECOND, PARABOLIC, BESSEL,
+                                 CIRCLE */
+    double tension;         /**< of every span, 0 or more: sigma times the mean step of the
+                                 parameters, so that no unit matters. 0: none; 2: a little;
+                                 10: much */
+    const double *tensions; /**< [spans] the same span by span, instead; or NULL */
+    batten_tension_rule rule;
+    double slack; /**< above 0, for the rules: 0.01. See below */
+} batten_tension_options;
+
+/** Chord parameters, natural ends, tension 0, nothing automatic. */
+BATTEN_API batten_tension_options batten_tension_defaults(void);
+
+/**
+ * The spline in tension through points, as a chain of spans of kind TENSION.
+ *
+ * The rule CONVEX looks at the turns of the polygon. At a point where it turns the curve turns
+ * the same way, with no inflection between two points that turn alike; in space the turns are
+ * seen along the normals of the polygon's corners. A function (dimension 1) is taken as its
+ * graph: convex where the data are. At a point in line with its neighbours no smooth curve can
+ * keep still, if the polygon turns beside it; there the tangent leaves the line by at most
+ * `slack` times the turns beside it. MONOTONE looks at each coordinate: between two points it
+ * changes no direction, except near a point where the data do; over a level span the slope is
+ * at most `slack` of that beside it. The tension of the spans that fail is raised by halves,
+ * beginning with 1 by the length of the span, so long as it is too little somewhere.
+ *
+ * Two points give a line, or with given derivatives a span between them.
+ *
+ * @param dimension  1..3
+ * @param points     [count][dimension], at least two; closed: at least three, each once
+ * @param options    NULL for the defaults
+ * @param[out] parameters [count], those of the points; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT (tension, ends), NOT_FINITE, TOO_FEW_POINTS, COINCIDENT,
+ * NOT_INCREASING, OVERFLOW, TOLERANCE_NOT_MET (a rule that 100 rounds do not satisfy, naming
+ * the point; a slope that jumps)
+ *
+ * Cost: linear in count, for each round of a rule; rounds are mostly fewer than 20.
+ * Source: [Schweikert66], [Cline74]; [KK97] for turns in space.
+ */
+BATTEN_API batten_status batten_chain_tension(int dimension, int count, const double *points,
+                                              const batten_tension_options *options,
+                                              double *parameters, batten_chain **out);
 
 #ifdef __cplusplus
 }

@@ -2,10 +2,10 @@
 #define BATTEN_LOCAL_H
 /**
  * @file
- * Local interpolation: tangents and slopes from a few neighbours, and the curves made of them.
- * A point that moves changes only a few spans, nothing is solved, and nothing swings.
+ * Curves through points found locally: tangents, slopes and curvatures at the points, and the pieces
+ * between them.
  */
-#include <batten/curve.h>
+#include <batten/interpolate.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -221,6 +221,254 @@ BATTEN_API batten_status batten_curve_from_curvatures(int count, const double *p
  * @param points [count][2] @param[out] curvatures [count] */
 BATTEN_API batten_status batten_circle_curvatures(int count, const double *points, bool closed,
                                                   double *curvatures);
+/** What stands beyond the ends of an open row of points, where a local method asks for more
+ * points than there are. Their parameters go on in the mirror image of the steps. */
+typedef enum batten_phantoms {
+    BATTEN_PHANTOM_EXTRAPOLATE, /**< the polynomial through the end points goes on: of the
+                                     degree that the method reproduces, as points allow */
+    BATTEN_PHANTOM_REFLECT,     /**< the points beyond are those inside, mirrored in the end
+                                     point: the curve ends without bending where it is C2 */
+    BATTEN_PHANTOM_REPEAT       /**< the end point is repeated: the curve starts slowly */
+} batten_phantoms;
+
+typedef struct batten_catmull_rom_options {
+    size_t size;
+    int blend;    /**< degree of the B-splines that blend, k - 1: 1 or more; 2 */
+    int local;    /**< degree of the polynomials that are blended, m: 0 or more; 1 */
+    double alpha; /**< steps are chords to this power: 0 uniform, 1/2 centripetal, 1 chords; 0
+                       to 1; 0.5 */
+    const double *given;      /**< parameters [count], closed [count + 1], instead of alpha */
+    bool closed;              /**< the first point is not repeated */
+    batten_phantoms phantoms; /**< BATTEN_PHANTOM_EXTRAPOLATE */
+} batten_catmull_rom_options;
+BATTEN_API batten_catmull_rom_options batten_catmull_rom_defaults(void);
+
+typedef struct batten_catmull_rom_report {
+    int continuity; /**< derivatives that are continuous for all points: k - 2; from m = k on
+                         k - 1 */
+    bool through;   /**< does it pass the points: m >= k - 2 */
+    double off;     /**< largest distance of a point from the curve at its parameter */
+} batten_catmull_rom_report;
+
+/**
+ * The curve F(t) = sum L_j(t) N_j(t): N_j are the B-splines of order k with knots at the
+ * parameters of the points, L_j is the polynomial of degree m through the m + 1 points in the
+ * middle of the knots of N_j. Degree m + k - 1; it reproduces polynomials of degree max(m, k -
+ * 1) of the parameter.
+ *
+ * With k = 3, m = 1 this is the spline of Catmull and Rom, whose cubics have no cusps and do
+ * not cross themselves for alpha = 1/2. Of (k, m) and (k + 1, m - 1) with m = k both give the
+ * same curve. Where m - k is odd the middle falls between points: L_j then takes one more point
+ * after it than before, and reversed points give another curve.
+ *
+ * @param points  [count][dimension], dimension 1 to 3, 2 points, closed 3; neighbours apart
+ * unless alpha is 0
+ * @param options NULL for the defaults
+ * @param[out] parameters [count], closed [count + 1]; may be NULL
+ * @param[out] report may be NULL
+ * @param[out] out a B-spline curve with just so many knots at each parameter as its continuity
+ * asks for
+ * @return BATTEN_OK, BAD_ARGUMENT, BAD_DEGREE, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT or
+ * OVERFLOW naming the points, NOT_INCREASING, TOO_LARGE; TOLERANCE_NOT_MET when the curve
+ * misses a point by more than rounding
+ *
+ * A point that moves changes at most m + k spans. Cost: (m + k)^3 for a span.
+ * Source: [CR74], [BG88]; [YSK11] for alpha.
+ */
+BATTEN_API batten_status batten_curve_catmull_rom(
+    int dimension, int count, const double *points, const batten_catmull_rom_options *options,
+    double *parameters, batten_catmull_rom_report *report, batten_curve **out);
+
+typedef struct batten_kochanek_bartels_options {
+    size_t size;
+    const double *tension; /**< [count], NULL for 0: 1 halts at a point, below 0 is rounder */
+    const double *continuity; /**< [count], NULL for 0: -1 turns at a point as the chords do, 1
+                                   turns there the other way; not 0: a corner */
+    const double *bias;       /**< [count], NULL for 0: 1 leaves along the chord before the
+                                   point, -1 along the one after */
+    double alpha;             /**< as for batten_catmull_rom_options; 0 */
+    const double *given;
+    bool closed;
+    batten_phantoms phantoms;
+} batten_kochanek_bartels_options;
+BATTEN_API batten_kochanek_bartels_options batten_kochanek_bartels_defaults(void);
+
+/**
+ * Tangents of Kochanek and Bartels; with batten_curve_from_tangents they make the curve. With
+ * tension alone it is the cardinal spline, with zeros the cubic of Catmull and Rom.
+ *
+ * For uneven steps the two chords at a point weigh as in Bessel's parabola, so that zeros give
+ * the curve of Catmull and Rom for every alpha; the authors weigh them the other way round
+ * there.
+ *
+ * @param points [count][dimension], dimension 1 to 3, 2 points, closed 3
+ * @param options NULL for the defaults
+ * @param[out] parameters [count], closed [count + 1]
+ * @param[out] leaving, arriving [count][dimension]: derivatives after each point and before it,
+ * the same bits where continuity is 0
+ * @return as batten_curve_catmull_rom. Cost: linear in count. Source: [KB84].
+ */
+BATTEN_API batten_status
+batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
+                                 const batten_kochanek_bartels_options *options,
+                                 double *parameters, double *leaving, double *arriving);
+/* ---- no inflections in excess ---- */
+
+/**
+ * How long the derivatives at both ends of a plane cubic span may be.
+ *
+ * A span turns left by `alpha` from its start tangent to its chord and by `beta` from there to
+ * its end tangent (radians; both to the right: both negative). When both have one sign and less
+ * than a half circle together, it has no inflection, cusp or loop if and only if |P'(0)| and
+ * |P'(1)|, for a parameter from 0 to 1, are at most these limits.
+ *
+ * @param chord its length, above 0
+ * @return BATTEN_OK; NOT_COMPATIBLE when the angles have opposite signs (one inflection is then
+ * right) or turn by a half circle or more; NOT_FINITE, BAD_ARGUMENT
+ * Source: [SL] III.5.
+ */
+BATTEN_API batten_status batten_tangent_limits(double chord, double alpha, double beta,
+                                               double *start, double *end);
+
+/** What a correction leaves at the joins of the spans that it changes. */
+typedef enum batten_correct_joins {
+    BATTEN_CORRECT_TANGENT,  /**< directions stay: G1 */
+    BATTEN_CORRECT_CURVATURE /**< and lengths nearby are chosen anew, so that curvatures agree
+                                  at as many joins as possible: G2; in the plane. Where the
+                                  directions bend both sides oppositely there is none */
+} batten_correct_joins;
+
+typedef struct batten_correct_options {
+    size_t size;
+    double within;    /**< lambda and mu come down to this; above 0 and below 1; 0.95 */
+    double tolerance; /**< relative: nearer to 1 than this they are left as they are; 1e-9 */
+    batten_correct_joins joins; /**< BATTEN_CORRECT_TANGENT */
+} batten_correct_options;
+BATTEN_API batten_correct_options batten_correct_defaults(void);
+
+typedef struct batten_correct_report {
+    int span_count;
+    int corrected; /**< spans that had inflections in excess, a cusp or a loop, and have none */
+    int incurable; /**< spans that keep them: they turn by a half circle or more, run back along
+                        a line, or their tangents do not meet in front of them */
+    int first_incurable; /**< index of the first of these, or -1 */
+    int rejoined;        /**< joins whose curvatures were brought together again */
+    int broken;          /**< joins whose curvatures differ now by more than 1e-6 of the larger,
+                              and did not before */
+} batten_correct_report;
+
+/**
+ * Shorten the end tangents of those spans of a cubic curve that have inflections in excess, a
+ * cusp or a loop. Points at the knots and directions there stay; so do the knots.
+ *
+ * A span with lambda, mu (see cubic.h) above 0 gets both at most `within` when one is above 1;
+ * with one above 0 and the other below, where one inflection is right, the positive one. Spans
+ * that lie in no plane are left alone.
+ *
+ * @param curve   polynomial, of degree 3 at most and dimension 2 or 3
+ * @param options NULL for the defaults
+ * @param[out] changed [spans], 1 where a span was changed; may be NULL
+ * @param[out] report  may be NULL
+ * @param[out] out     with every knot three times: speeds differ at joins that were corrected.
+ *                     A curve without such spans comes back as it is
+ * @return BATTEN_OK, UNSUPPORTED (rational, higher degree, curvatures in space), BAD_ARGUMENT,
+ * ...
+ * Cost: linear; with CURVATURE about 200 quartic equations for each span near a corrected one,
+ * and the best choice for all joins together. Source: [SL] III.6; [dBHS87] for curvatures.
+ */
+BATTEN_API batten_status batten_curve_correct_tangents(const batten_curve *curve,
+                                                       const batten_correct_options *options,
+                                                       int *changed,
+                                                       batten_correct_report *report,
+                                                       batten_curve **out);
+
+/* ---- corners and straight runs ---- */
+
+/** How a curve passes into a straight run. */
+typedef enum batten_transition {
+    BATTEN_TRANSITION_TANGENT,  /**< with its direction */
+    BATTEN_TRANSITION_CURVATURE /**< and with curvature 0 */
+} batten_transition;
+
+typedef struct batten_cornered_options {
+    size_t size;
+    batten_parametrization parameters; /**< BATTEN_CHORD; not GIVEN */
+    int corner_count;
+    const int *corners; /**< rising indices of points where the direction may jump */
+    int line_count;
+    const int
+        *lines; /**< rising indices of points from which the curve is straight to the next */
+    batten_transition transition; /**< BATTEN_TRANSITION_TANGENT */
+    batten_end_kind ends;         /**< at corners and ends that are free: NOT_A_KNOT, NATURAL,
+                                     PARABOLIC,         BESSEL, CIRCLE or FAIR; NATURAL */
+} batten_cornered_options;
+BATTEN_API batten_cornered_options batten_cornered_defaults(void);
+
+/**
+ * A cubic spline through points with corners and straight runs: C2 on each smooth run, whose
+ * parts are made one by one.
+ *
+ * Where two straight runs meet there is a corner. A smooth run between two straight ones begins
+ * and ends with their directions. With curvature 0 there it has averaged knots
+ * instead of knots at its points, one more for each condition that is added; of `ends` only
+ * NATURAL then has a meaning for that run, the others leave its free end as it comes.
+ *
+ * @param points [count][dimension], dimension 2 or 3, count >= 2
+ * @param[out] parameters [count], those of the points; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT (indices outside, not rising), TOO_FEW_POINTS, COINCIDENT,
+ * ... Cost: linear. Source: [SL] III.7.
+ */
+BATTEN_API batten_status batten_curve_cornered(int dimension, int count, const double *points,
+                                               const batten_cornered_options *options,
+                                               double *parameters, batten_curve **out);
+
+/* ---- given directions ---- */
+
+/** The direction of a curve at one of its data points. */
+typedef struct batten_direction_at {
+    int index;
+    double vector[3]; /**< any length but 0 */
+} batten_direction_at;
+
+typedef struct batten_directed_options {
+    size_t size;
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given; /**< [count] with BATTEN_GIVEN: a free choice of spacing */
+    int direction_count;
+    const batten_direction_at *directions; /**< rising indices; their lengths are found */
+    const double *tension; /**< nu [count], 0 or more: P'' jumps by nu P' at a point, which
+                                stays G2; large: a sharp bend there. NULL for none */
+} batten_directed_options;
+BATTEN_API batten_directed_options batten_directed_defaults(void);
+
+typedef struct batten_directed_report {
+    int clamped;       /**< directions whose best length was not positive: the curve would run
+                            through them backwards. They got a tenth of the mean speed there */
+    int first_clamped; /**< index of the first such point, or -1 */
+    double energy;     /**< sum of the integrals of |P''|^2 and of nu |P'|^2 at the points */
+} batten_directed_report;
+
+/**
+ * The cubic spline through points with given directions at some of them, that has the least
+ * energy: the integral of |P''|^2, and nu |P'|^2 at points with tension.
+ *
+ * C1 everywhere. At points without direction it is also C2, or with tension G2; at those with
+ * a direction only across it. Ends without direction are natural. Whatever positive spacing is
+ * given, a curve that is C2 in it is G2: so spacing and tension are all the freedom that G2
+ * cubics have.
+ *
+ * @param points [count][dimension], dimension 1 to 3, count >= 2
+ * @param[out] parameters [count]; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT (indices, tension, a direction of length 0), COINCIDENT,
+ * NOT_INCREASING, TOO_FEW_POINTS, NOT_FINITE ...
+ * Cost: linear; once more for each round of clamping. Source: [SL] III.7, [Nielson74].
+ */
+BATTEN_API batten_status batten_curve_directed(int dimension, int count, const double *points,
+                                               const batten_directed_options *options,
+                                               double *parameters,
+                                               batten_directed_report *report,
+                                               batten_curve **out);
 
 #ifdef __cplusplus
 }

@@ -7,11 +7,7 @@
  */
 #include <batten/chain.h>
 #include <batten/mesh.h>
-#include <batten/notes.h>
-#include <batten/offsets.h>
-#include <batten/surface.h>
-#include <batten/triangles.h>
-#include <batten/units.h>
+#include <batten/offset_table.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -2,10 +2,11 @@
 #define BATTEN_POLYGON_H
 /**
  * @file
- * Curves from their polygons: Bezier's curves, also by the edges of UNISURF, and uniform
- * B-splines with every usual kind of end.
+ * Curves from control polygons, and operators that turn values straight into control points.
+ *
+ * Points are [count][dimension], dimension 1 to 3; dimension 1 is a function of its parameter.
  */
-#include <batten/curve.h>
+#include <batten/interpolate.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -59,6 +60,126 @@ BATTEN_API batten_status batten_curve_uniform(int dimension, int degree, int cou
  */
 BATTEN_API batten_status batten_curve_arc_cubic(double radius, double angle, double tolerance,
                                                 double *error, batten_curve **out);
+/** How far an approximation is from its data at their parameters, in model units. Of a function
+ * that is known everywhere, `max` and `rms` are those at 8 places of each span and at the
+ * knots. */
+typedef struct batten_operator_report {
+    double max, rms;
+    int worst; /**< index of the farthest datum; -1 without data */
+} batten_operator_report;
+
+typedef struct batten_operator_options {
+    size_t size;
+    int degree;                        /**< 3; lower where there are too few points */
+    batten_parametrization parameters; /**< BATTEN_CHORD */
+    const double *given;               /**< [count], increasing; periodic [count + 1] */
+    bool periodic;  /**< the curve closes smoothly; the first point is not repeated */
+    bool bernstein; /**< Schoenberg's operator without inner knots: Bernstein's; not periodic */
+} batten_operator_options;
+
+/** Cubic, by chords. */
+BATTEN_API batten_operator_options batten_operator_defaults(void);
+
+/**
+ * Schoenberg's variation diminishing spline of the polyline through points: its control points
+ * are those of the polyline at Greville's abscissae, its knots stand at the data.
+ *
+ * No line or plane meets it more often than the polyline, so it is convex, monotone, positive
+ * where that is; it ends in the end points and passes by the others at distances that shrink
+ * with the square of the spacing.
+ *
+ * @param options NULL for the defaults
+ * @param[out] parameters [count]; may be NULL
+ * @param[out] report may be NULL
+ * @return as batten_curve_interpolate; BAD_DEGREE outside 1..25
+ * Cost: linear in count. Source: [Schoenberg67].
+ */
+BATTEN_API batten_status batten_curve_schoenberg(int dimension, int count, const double *points,
+                                                 const batten_operator_options *options,
+                                                 double *parameters,
+                                                 batten_operator_report *report,
+                                                 batten_curve **out);
+
+/**
+ * The quasi-interpolant: each control point is the blossom, at its knots, of the polynomials of
+ * degree p through the p + 1 data around them (the mean of the two choices that are as near).
+ * Its knots stand at the data.
+ *
+ * Polynomials of degree p are reproduced; smooth data are met within O(h^(p + 1)), not exactly;
+ * a point bears on p + 2 control points and no farther. For equal steps and p = 3 the control
+ * points are (-q[i - 1] + 8 q[i] - q[i + 1]) / 6.
+ *
+ * @return as batten_curve_schoenberg; BAD_DEGREE outside 1..9: higher polynomials through data
+ * swing
+ * Cost: linear in count, p^3 for each. Source: [LS75].
+ */
+BATTEN_API batten_status batten_curve_quasi_interpolate(
+    int dimension, int count, const double *points, const batten_operator_options *options,
+    double *parameters, batten_operator_report *report, batten_curve **out);
+
+/** A function or curve that is known everywhere: its point and derivatives up to `order` at u,
+ * in out [order + 1][dimension]. */
+typedef batten_status (*batten_evaluator)(void *user, double u, int order, double *out);
+
+/** Schoenberg's operator on these clamped knots [point_count + degree + 1]; those without inner
+ * ones make it Bernstein's. */
+BATTEN_API batten_status batten_function_schoenberg(int dimension, int degree, int point_count,
+                                                    const double *knots,
+                                                    batten_evaluator function, void *user,
+                                                    batten_operator_report *report,
+                                                    batten_curve **out);
+
+/**
+ * The quasi-interpolant of de Boor and Fix on these clamped knots: each control point from the
+ * point and the derivatives up to p at one place, Greville's abscissa.
+ *
+ * Splines on the knots are reproduced; smooth functions are met within O(h^(p + 1)).
+ * Source: [BF73].
+ */
+BATTEN_API batten_status batten_function_de_boor_fix(int dimension, int degree, int point_count,
+                                                     const double *knots,
+                                                     batten_evaluator function, void *user,
+                                                     batten_operator_report *report,
+                                                     batten_curve **out);
+
+/* ---- least largest error ---- */
+
+typedef struct batten_minimax_report {
+    double error; /**< the largest; of a function known everywhere, as found by searching */
+    double bound; /**< no polynomial of this degree has a smaller one, after de la Vallee
+                     Poussin */
+    double rms;   /**< over the data, or the places where the function was looked at */
+    int exchanges;
+    double places[27]; /**< [degree + 2] where the error is `bound` or more, with signs that
+                            alternate */
+} batten_minimax_report;
+
+/**
+ * The polynomial of this degree whose largest distance from values at parameters is least.
+ *
+ * @param count at least degree + 2
+ * @param parameters [count], increasing
+ * @param[out] report may be NULL
+ * @return BATTEN_OK: `error` exceeds `bound` by rounding, which grows with the degree;
+ * BAD_DEGREE outside 0..25, TOO_FEW_POINTS, NOT_FINITE, NOT_INCREASING; INCOMPLETE when
+ * exchanges did not end
+ *
+ * The curve is a Bezier curve of dimension 1 over the parameters (degree 0: a line that is
+ * level). Cost: some degree exchanges of degree^3 + degree count. Source: [Remez34],
+ * [Stiefel59] for one point exchanged at a time.
+ */
+BATTEN_API batten_status batten_curve_minimax(int count, const double *parameters,
+                                              const double *values, int degree,
+                                              batten_minimax_report *report,
+                                              batten_curve **out);
+
+/** The same for a function that is continuous on a < b; `error` exceeds `bound` by no more than
+ * a millionth, or the status is INCOMPLETE. Peaks narrower than a 32nd of the distance of the
+ * polynomial's extrema may be missed. */
+BATTEN_API batten_status batten_function_minimax(double a, double b, int degree,
+                                                 batten_evaluator function, void *user,
+                                                 batten_minimax_report *report,
+                                                 batten_curve **out);
 
 #ifdef __cplusplus
 }

@@ -4,20 +4,12 @@
  * @file
  * Surfaces from curves: skinned, ruled, extruded.
  */
+#include <batten/curvature.h>
 #include <batten/interpolate.h>
-#include <batten/standard.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef enum batten_frame_kind {
-    BATTEN_FRAME_ROTATION_MINIMISING,
-    BATTEN_FRAME_FIXED,
-    BATTEN_FRAME_FRENET,
-    BATTEN_FRAME_CLOSING /**< minimising, and along a closed spine turned evenly by arc length
-                            so that the last frame is the first */
-} batten_frame_kind;
 
 /** Which points of the sections belong together. */
 typedef enum batten_skin_match {
@@ -169,46 +161,56 @@ BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
 /** curve(u) + v * along, v in [0, 1]. */
 BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
                                                  batten_surface **out);
+typedef struct batten_skin_rows_options {
+    size_t size;
+    int degree;                        /**< along the rows, 3 */
+    batten_parametrization parameters; /**< along them, each for itself; BATTEN_CENTRIPETAL */
+    const double *given; /**< one for each point, row after row, each from 0 to 1, with
+                            BATTEN_GIVEN */
+    double margin;       /**< a knot keeps away from the ends of the interval in which it is
+                              admissible by this share of its length, 0.25; below 0.5 */
+    const batten_skin_options *across; /**< NULL: the defaults; without a tolerance, a spine,
+                                          starts or matching */
+} batten_skin_rows_options;
+
+BATTEN_API batten_skin_rows_options batten_skin_rows_defaults(void);
+
+typedef struct batten_skin_rows_report {
+    int knot_count;          /**< distinct inner knots that all rows share */
+    int separate_knot_count; /**< those that the rows have together when each is interpolated
+                                  with averaged knots of its own */
+    int free_rows;     /**< rows with fewer points than control points: the rest is energy */
+    double span_ratio; /**< smallest span over median span along the rows */
+    double residual;   /**< largest distance of a point from the surface */
+} batten_skin_rows_report;
 
 /**
- * Frames along a spine, for those who place things themselves: orthonormal, axis z along the
- * tangent.
+ * The surface through rows of points, in each row as many as it needs.
  *
- * The first minimising or fixed frame stands at the start of the spine; its x is that axis of
- * the world which lies most across the tangent (x before y before z). A fixed frame keeps both
- * axes all along.
- * @param at [count] increasing, in the domain of the spine
- * @param[out] frames [count]
- * @return BATTEN_OK; SINGULAR_HERE without a tangent, or, Frenet, where the spine is straight;
- * NOT_COMPATIBLE, closing, where the spine does not close with one tangent; OUT_OF_DOMAIN,
- * NOT_INCREASING Source: [WJZL08], with 64 double reflections for each span of
- * the spine.
+ * A row can be interpolated with any knots that are admissible for its parameters (Schoenberg
+ * and Whitney). So each row, the longest first, takes those knots that other rows have already
+ * and that are admissible for it, and adds one where there is none. Then all rows have the
+ * knots of the surface, and no row is fitted and refitted. What a row's points leave open, for
+ * it has fewer than there are control points, makes the integral of the squared second
+ * derivative least (degree 1: of the first). The rows are then sections of a skin.
+ *
+ * @param counts [row_count], 2 or more in each row
+ * @param points row after row [counts[r]][dimension]
+ * @param[out] u one for each point; may be NULL
+ * @param[out] v [row_count]; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; TOO_FEW_POINTS, COINCIDENT, NOT_FINITE, NOT_INCREASING naming the row;
+ * BAD_DEGREE, BAD_ARGUMENT; TOO_LARGE before the work; TOLERANCE_NOT_MET when a point is missed
+ * by more than 1e-11 of the size; and as batten_surface_skin
+ * Cost: points n of a row that has fewer than the N control points: n N + n^3. Source: [PT00],
+ * [PK96].
  */
-BATTEN_API batten_status batten_curve_frames(const batten_curve *spine, int count,
-                                             const double *at, batten_frame_kind kind,
-                                             batten_frame *frames);
-
-/**
- * Rotation-minimising frames as exact as wanted: the double reflections of each span are
- * doubled until no frame turns by more than `tolerance`. As their error falls with the fourth
- * power of the step, the frames are then some fifteen times better than that.
- * @param tolerance radians, > 0
- * @param[out] error the last turn, radians; may be NULL
- * @return as batten_curve_frames; BAD_ARGUMENT; TOLERANCE_NOT_MET at 16384 steps for each span
- */
-BATTEN_API batten_status batten_curve_minimising_frames(const batten_curve *spine, int count,
-                                                        const double *at, double tolerance,
-                                                        batten_frame *frames, double *error);
-/**
- * By which angle a rotation-minimising frame is turned about the tangent after one round of a
- * closed curve, radians in (-pi, pi]. Where curvature never vanishes it is minus the total
- * torsion; on a sphere and in a plane it is 0.
- * @param tolerance, error as above
- * @return as batten_curve_minimising_frames; NOT_COMPATIBLE when the ends do not meet with one
- * tangent
- */
-BATTEN_API batten_status batten_curve_holonomy(const batten_curve *curve, double tolerance,
-                                               double *angle, double *error);
+BATTEN_API batten_status batten_surface_skin_rows(int dimension, int row_count,
+                                                  const int *counts, const double *points,
+                                                  const batten_skin_rows_options *options,
+                                                  const batten_job *job, double *u, double *v,
+                                                  batten_skin_rows_report *report,
+                                                  batten_surface **out);
 
 #ifdef __cplusplus
 }

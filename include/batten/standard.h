@@ -10,20 +10,6 @@
 extern "C" {
 #endif
 
-/** A place to stand: origin, and two directions that are made square and of length one; z keeps
- * its direction. */
-typedef struct batten_frame {
-    batten_vec3 origin;
-    batten_vec3 x; /**< first axis, not zero */
-    batten_vec3 z; /**< normal, not parallel to x */
-} batten_frame;
-
-/** The world's own frame. */
-BATTEN_API batten_frame batten_frame_world(void);
-/** The plane on which coordinate `axis` (0, 1, 2) is `at`: its axes are the two that are left,
- * in their order. */
-BATTEN_API batten_frame batten_frame_across(int axis, double at);
-
 /* ---- curves ---- */
 
 /** The segment from a to b, in `dimension` coordinates, degree 1, domain [0, 1]. */

@@ -5,7 +5,7 @@
  * Surfaces that a curve leaves when it is moved: translated, swung, swept along a spine or two
  * rails, screwed about an axis; and those of straight lines through a curve.
  */
-#include <batten/skin.h>
+#include <batten/curvature.h>
 
 #ifdef __cplusplus
 extern "C" {

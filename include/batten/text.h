@@ -2,7 +2,7 @@
 #define BATTEN_TEXT_H
 /**
  * @file
- * A text that grows: how files, reports and JSON are put together.
+ * Text: growing buffers, numbers and units as text, whole files.
  *
  * A text that could not grow stays `failed`, and batten_text_take reports it: so a writer
  * checks once, at its end.
@@ -13,6 +13,45 @@
 extern "C" {
 #endif
 
+/** Large enough for any number batten_number_write writes, with its final zero. */
+#define BATTEN_NUMBER_SIZE 32
+
+/**
+ * Write a finite number with the fewest digits that read back to the same bits; of several
+ * the nearest. From 1e-5 to below 1e17 it has no exponent.
+ *
+ * @param value  finite; NaN and infinities are written as "nan", "inf", "-inf"
+ * @param[out] text  [BATTEN_NUMBER_SIZE], ends with a zero byte
+ * @return the length without the zero: "0.1", "-2.5e-7", "1e22", "-0"
+ */
+BATTEN_API int batten_number_write(double value, char *text);
+
+/**
+ * Read a decimal number, correctly rounded (ties to even).
+ *
+ * Accepted: an optional sign, digits with an optional '.', at least one digit, an optional
+ * exponent `e` or `E`. No blanks, no hexadecimal, no "nan" or "inf".
+ *
+ * @param text    the characters; need not end with a zero
+ * @param length  how many there are
+ * @param[out] value  the number; a number too small for a double becomes 0 or denormal
+ * @param[out] used   how many characters belong to it; may be NULL, and then all must
+ * @return BATTEN_OK; BATTEN_BAD_FORMAT when no number stands there; BATTEN_OVERFLOW when it is
+ *         too large for a double
+ */
+BATTEN_API batten_status batten_number_read(const char *text, size_t length, double *value,
+                                            size_t *used);
+
+/**
+ * Read a whole number in decimal digits with an optional sign: no '.', no exponent, no blanks.
+ *
+ * @param low, high  what is allowed
+ * @param[out] used  how many characters belong to it; may be NULL, and then all must
+ * @return BATTEN_OK; BATTEN_BAD_FORMAT when no whole number stands there; BATTEN_OVERFLOW when
+ * it is outside low .. high
+ */
+BATTEN_API batten_status batten_integer_read(const char *text, size_t length, int64_t low,
+                                             int64_t high, int64_t *value, size_t *used);
 /** Begin with BATTEN_TEXT. */
 typedef struct batten_text {
     char *bytes; /**< ends with a zero byte; NULL while empty */
@@ -40,6 +79,39 @@ BATTEN_API void batten_text_json(batten_text *text, const char *value);
 /** Hand the bytes over (release with batten_release) and begin anew. */
 BATTEN_API batten_status batten_text_take(batten_text *text, char **bytes, size_t *length);
 BATTEN_API void batten_text_free(batten_text *text);
+/** @param name "m", "mm", "cm", "km", "um", "in", "ft", "yd", "mil", "mi", "uin", "dm", "dam",
+ * "hm", "nm", "angstrom" and their long names in lower case, singular or plural: "metre",
+ * "meters", "foot", "feet"; "usft", the US survey foot
+ * @return metres in one of them, or 0 when the name is unknown */
+BATTEN_API double batten_unit_metres(const char *name);
+
+/** The short name of a unit, to 4 units of the last place, or NULL when there is none. */
+BATTEN_API const char *batten_unit_name(double metres);
+/**
+ * A whole file in memory, with a zero byte after its end. Release with batten_release.
+ *
+ * @param path   a file, a device, or a pipe that somebody writes into: nobody is waited for
+ * @param limit  bytes allowed
+ * @return BATTEN_FILE_ERROR with the system's reason, or BATTEN_TOO_LARGE
+ */
+BATTEN_API batten_status batten_load_file(const char *path, size_t limit, char **data,
+                                          size_t *size);
+
+/**
+ * Put bytes into a file so that, whatever happens, either the old file or the new one is there,
+ * whole: written beside it, synchronised, renamed. A symlink's target is replaced, the mode is
+ * kept, a read-only file is refused. A pipe or device is written straight. What savings of the
+ * same file left beside it when their process was killed is removed.
+ *
+ * SIGINT, SIGTERM and SIGHUP wait in the calling thread while the file beside exists. One that
+ * arrives before the renaming ends the call with BATTEN_CANCELLED, the old file untouched; then
+ * the signal takes its course. So a programme need not clean up after its own end.
+ *
+ * @return BATTEN_FILE_ERROR naming the path and the system's reason; then no stray file
+ * remains. When only the directory could not be synchronised, the message says that the file
+ * was saved but may not survive a power loss. BATTEN_CANCELLED, as above.
+ */
+BATTEN_API batten_status batten_save_file(const char *path, const char *data, size_t size);
 
 #ifdef __cplusplus
 }

@@ -14,8 +14,6 @@
  * A set may lie over a triangulation of the plane, then it is a piecewise function of (x, y),
  * or a piecewise surface with (x, y) as parameters.
  */
-#include <batten/curve.h>
-#include <batten/job.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus

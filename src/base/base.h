@@ -3,6 +3,7 @@
 #define BAT_BASE_H
 #include <assert.h>
 #include <batten/base.h>
+#include <batten/text.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdatomic.h>

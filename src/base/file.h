@@ -4,7 +4,7 @@
  */
 #ifndef BAT_FILE_H
 #define BAT_FILE_H
-#include <batten/file.h>
+#include <batten/text.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 

@@ -1,5 +1,5 @@
 #include "base/base.h"
-#include <batten/notes.h>
+#include <batten/base.h>
 
 #include <limits.h>
 #include <string.h>

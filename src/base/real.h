@@ -1,7 +1,7 @@
 /* Numbers as STEP and IGES want them. */
 #ifndef BAT_REAL_H
 #define BAT_REAL_H
-#include <batten/number.h>
+#include <batten/text.h>
 
 #define BAT_REAL_SIZE BATTEN_NUMBER_SIZE
 #define BAT_INTEGER_SIZE 24

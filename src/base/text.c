@@ -1,6 +1,5 @@
 #define _XOPEN_SOURCE 700
 #include "base/base.h"
-#include <batten/number.h>
 #include <batten/text.h>
 
 #include <locale.h>

@@ -1,4 +1,4 @@
-#include <batten/units.h>
+#include <batten/text.h>
 
 #include <float.h>
 #include <math.h>

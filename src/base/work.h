@@ -2,7 +2,7 @@
 #ifndef BAT_WORK_H
 #define BAT_WORK_H
 #include "base/base.h"
-#include <batten/job.h>
+#include <batten/base.h>
 #include <pthread.h>
 
 /* Work on items begin .. end - 1. Chunks share nothing that they write. */

@@ -1,6 +1,6 @@
 #include "exchange/scan.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "exchange/words.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <string.h>
 
 void bat_words_begin(bat_words *words, bat_input *input)

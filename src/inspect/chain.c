@@ -3,6 +3,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
 
+#include <batten/measure.h>
 #include <float.h>
 
 /* ---- one point ---- */

@@ -3,8 +3,8 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include "spline/data_check.h"
-#include <batten/inspect.h>
-#include <batten/skin.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
 
 #include <float.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 
+#include <batten/nearest.h>
 #include <float.h>
 #include <string.h>
 

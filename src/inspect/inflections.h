@@ -3,7 +3,7 @@
 #ifndef BAT_INFLECTIONS_H
 #define BAT_INFLECTIONS_H
 #include "base/base.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 batten_status bat_curve_inflections(const batten_curve *curve, double uncertainty,
                                     batten_parameters *out);

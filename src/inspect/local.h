@@ -2,7 +2,7 @@
 #ifndef BAT_LOCAL_H
 #define BAT_LOCAL_H
 #include "spline/chain/chain.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* From the point and three derivatives [4][d] by any parameter; the first is not 0. */
 void bat_local_of(int d, const double *values, batten_side side, batten_curve_local *out);

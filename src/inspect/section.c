@@ -9,7 +9,7 @@
  */
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <float.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* When a derivative counts as 0. */
 #ifndef BAT_SINGULAR_H
 #define BAT_SINGULAR_H
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* The largest coordinate of the control points. */
 double bat_curve_size(const batten_curve *curve);

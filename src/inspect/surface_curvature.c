@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "base/work.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <float.h>
 

@@ -4,6 +4,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/measure.h>
+#include <batten/nearest.h>
 
 #include <string.h>
 

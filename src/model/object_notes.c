@@ -1,6 +1,6 @@
 #include "model/object_notes.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

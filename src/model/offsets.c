@@ -1,6 +1,6 @@
 #include "base/base.h"
 #include "base/plural.h"
-#include <batten/offsets.h>
+#include <batten/offset_table.h>
 
 #include <string.h>
 

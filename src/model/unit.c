@@ -1,7 +1,7 @@
 #include "model/change.h"
 #include "model/near_decimal.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include <batten/notes.h>
+#include <batten/base.h>
 
 #include "support/test.h"
 

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700
 #include "base/digits.h"
-#include <batten/number.h>
+#include <batten/text.h>
 
 #include "support/test.h"
 #include <locale.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_BODY_BY_HAND_H
 #define TESTS_BODY_BY_HAND_H
 #include "body/builder.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
 
 typedef struct {
     bat_builder builder;

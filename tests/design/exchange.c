@@ -1,6 +1,7 @@
 #include "design/evaluate.h"
 #include "support/process.h"
 #include <batten/exchange.h>
+#include <batten/text.h>
 
 static const char *in_folder(const char *text, batten_design **out)
 {

@@ -2,8 +2,8 @@
 #ifndef TESTS_PATHS_H
 #define TESTS_PATHS_H
 #include "support/test.h"
+#include <batten/blend.h>
 #include <batten/exchange.h>
-#include <batten/fillet.h>
 #include <batten/standard.h>
 
 /* A stadium, closed: two lines of 80 and two half circles of radius 10, counter-clockwise. */

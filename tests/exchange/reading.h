@@ -2,6 +2,7 @@
 #ifndef TESTS_EXCHANGE_READING_H
 #define TESTS_EXCHANGE_READING_H
 #include <batten/exchange.h>
+#include <batten/text.h>
 
 #include "support/test.h"
 

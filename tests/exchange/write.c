@@ -1,6 +1,8 @@
 #include "exchange/meshes.h"
 #include "exchange/shapes.h"
 
+#include <batten/standard.h>
+
 TEST(a_model_is_written_in_the_format_of_its_name)
 {
     const struct {

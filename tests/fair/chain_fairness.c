@@ -1,6 +1,6 @@
+#include <batten/bent.h>
 #include <batten/fair.h>
-#include <batten/inspect.h>
-#include <batten/nonlinear.h>
+#include <batten/measure.h>
 
 #include "support/test.h"
 

@@ -1,4 +1,5 @@
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
 
 #include "support/test.h"
 

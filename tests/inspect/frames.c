@@ -1,5 +1,6 @@
-#include <batten/inspect.h>
+#include <batten/measure.h>
 #include <batten/skin.h>
+#include <batten/standard.h>
 
 #include "support/test.h"
 

@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/nearest.h>
+
 /* Every point on the plane and on the surface at its parameters, and no two neighbours equal.
  */
 static void check_lines(const batten_surface *surface, batten_vec3 n, double offset,

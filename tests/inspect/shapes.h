@@ -2,7 +2,7 @@
 #ifndef TESTS_INSPECT_SHAPES_H
 #define TESTS_INSPECT_SHAPES_H
 #include "support/test.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <stdlib.h>
 
 #define PI 3.14159265358979323846

@@ -1,4 +1,4 @@
-#include <batten/offsets.h>
+#include <batten/offset_table.h>
 
 #include "support/test.h"
 

@@ -2,6 +2,8 @@
 
 #include "support/test.h"
 
+#include <batten/standard.h>
+
 TEST(a_frame_is_made_square_and_keeps_its_z_axis)
 {
     const batten_frame frame = {{1, 2, 3}, {0, 3, 1}, {0, 0, 2}};

@@ -1,4 +1,4 @@
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/polygon.h>
 
 #include "support/test.h"

@@ -1,7 +1,7 @@
 /* Three curves, with and without ribbons, for surfaces between them. */
 #ifndef TESTS_SUPPORT_TRIANGLE_FRAMES_H
 #define TESTS_SUPPORT_TRIANGLE_FRAMES_H
-#include <batten/ribbon.h>
+#include <batten/coons.h>
 
 #include "support/test.h"
 

@@ -2,7 +2,7 @@
 #include "body/check/parts.h"
 #include "body/measure/box.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 #include <stdio.h>
 #include <string.h>

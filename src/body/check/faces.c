@@ -1,7 +1,7 @@
 /* Whether edges lie on the surfaces of their faces; knots that nearly coincide. */
 #include "body/check/parts.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 /* As a share of the domain: nearer knots are rarely meant. */
 static const double CLOSE = 1e-6;

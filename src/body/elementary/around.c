@@ -1,6 +1,6 @@
 /* Do the loops of a face go around the surface that it lies on? */
 #include "body/elementary/parts.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* Steps of a span at first and at most: four times as many until none turns too far to be told.
  */

@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
+#include <batten/standard.h>
 #include <float.h>
 
 /* ---- points and feet ---- */

@@ -2,7 +2,7 @@
 #include "body/elementary/elementary.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 typedef struct {
     const batten_curve *curve;

@@ -2,7 +2,7 @@
  */
 #include "body/elementary/parts.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <string.h>
 

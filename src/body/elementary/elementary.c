@@ -2,9 +2,9 @@
 #include "body/elementary/parts.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
+#include <batten/offset.h>
 #include <batten/skin.h>
-#include <batten/surface_offset.h>
 
 #include <string.h>
 

@@ -5,7 +5,8 @@
 #ifndef BAT_ELEMENTARY_H
 #define BAT_ELEMENTARY_H
 #include "base/base.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
+#include <batten/surface.h>
 
 typedef enum {
     BAT_LINE,     /* origin + t x */

@@ -3,6 +3,8 @@
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
 
+#include <batten/standard.h>
+
 static const double MARGIN = 0.05; /* of the extent */
 
 /* u from 0 to 2 pi, v from `low` to `high`. */

@@ -4,7 +4,6 @@
  */
 #include "body/measure/extent.h"
 #include "numeric/box.h"
-#include <batten/divide.h>
 #include <batten/measure.h>
 
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <stdlib.h>
 #include <string.h>

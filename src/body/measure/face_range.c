@@ -3,7 +3,7 @@
 #include "body/trace/chart.h"
 #include "numeric/vector.h"
 
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <string.h>
 
 /* ---- loops in the parameters ---- */

@@ -7,7 +7,7 @@
 #include "body/trace/all.h"
 #include "numeric/box.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 #include <string.h>
 

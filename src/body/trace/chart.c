@@ -2,7 +2,7 @@
 #include "body/border.h"
 #include "numeric/vector.h"
 
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <float.h>
 #include <string.h>
 

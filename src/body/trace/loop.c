@@ -5,7 +5,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <stdint.h>
 #include <string.h>
 

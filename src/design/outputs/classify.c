@@ -1,6 +1,5 @@
 #include "base/plural.h"
 #include "design/feature.h"
-#include <batten/cubic.h>
 #include <batten/invariants.h>
 #include <batten/text.h>
 

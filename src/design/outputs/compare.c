@@ -1,8 +1,7 @@
 #include "design/shared/rows.h"
 #include "design/text/document.h"
 
-#include <batten/inspect.h>
-#include <batten/number.h>
+#include <batten/measure.h>
 #include <batten/text.h>
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #define BAT_DESIGN_CHECK_H
 #include "design/shared/solids.h"
 #include "design/text/document.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/text.h>
 
 /* How far the points of an earlier feature lie from a surface, or the nearest of those that

@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/gcode.h>
+#include <batten/exchange.h>
 
 typedef enum { CENTRES_RELATIVE, CENTRES_ABSOLUTE } centres;
 

@@ -1,6 +1,6 @@
 #include "design/shared/boundary.h"
 
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 static batten_status counts_of(const bat_run *run, int counts[4], const int **out)
 {

@@ -2,7 +2,7 @@
 #ifndef BAT_DESIGN_CONICS_H
 #define BAT_DESIGN_CONICS_H
 #include "design/shared/through.h"
-#include <batten/conic.h>
+#include <batten/arcs.h>
 
 #define BAT_CONIC_TANGENTS                                                                    \
     {                                                                                         \

@@ -2,7 +2,6 @@
 #ifndef BAT_DESIGN_LOCAL_H
 #define BAT_DESIGN_LOCAL_H
 #include "design/shared/through.h"
-#include <batten/catmull_rom.h>
 #include <batten/local.h>
 
 /* The words of batten_tangent_rule, in its order, without GIVEN. */

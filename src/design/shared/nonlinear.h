@@ -3,7 +3,7 @@
 #ifndef BAT_DESIGN_NONLINEAR_H
 #define BAT_DESIGN_NONLINEAR_H
 #include "design/shared/through.h"
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 #define BAT_NONLINEAR_WORDS "natural circular tangent curvature"
 

@@ -2,7 +2,7 @@
 #ifndef BAT_DESIGN_SURFACE_FIT_H
 #define BAT_DESIGN_SURFACE_FIT_H
 #include "design/feature.h"
-#include <batten/grid_fit.h>
+#include <batten/grid.h>
 
 #define BAT_SMOOTHNESS                                                   \
     {"rms",                                                              \

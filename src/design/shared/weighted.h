@@ -3,7 +3,7 @@
 #define BAT_DESIGN_WEIGHTED_H
 #include "design/shared/place.h"
 #include "design/shared/through.h"
-#include <batten/weighted.h>
+#include <batten/interpolate.h>
 
 /* Ends, parameters and 'closed' are taken from the run, the rest from the options. */
 static inline batten_status bat_make_weighted(const bat_run *run, const bat_data *data,

@@ -1,7 +1,7 @@
 #include "design/text/value.h"
 
 #include <batten/model.h>
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>

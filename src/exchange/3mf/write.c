@@ -2,7 +2,7 @@
 #include "model/definitions.h"
 #include "model/palette.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "exchange/csv/gather.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "exchange/csv/csv.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <string.h>
 
 /*

@@ -1,7 +1,7 @@
 #include "exchange/csv/separated.h"
 #include "base/plural.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,6 @@
 #include "exchange/csv/csv.h"
 
-#include <batten/number.h>
-#include <batten/units.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* Curves count as the points they were made from, when they have them. */

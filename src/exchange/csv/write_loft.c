@@ -2,7 +2,7 @@
 #include "exchange/csv/csv.h"
 #include "model/near_decimal.h"
 
-#include <batten/units.h>
+#include <batten/text.h>
 
 typedef struct {
     batten_text *text;

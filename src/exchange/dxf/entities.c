@@ -6,6 +6,7 @@
 #include "numeric/vector.h"
 
 #include <batten/interpolate.h>
+#include <batten/standard.h>
 
 static const batten_vec3 zero = {0, 0, 0};
 

@@ -1,6 +1,6 @@
 #include "exchange/dxf/pairs.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdint.h>
 #include <string.h>

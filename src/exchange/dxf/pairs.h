@@ -6,7 +6,7 @@
 #define BAT_DXF_PAIRS_H
 #include "exchange/census.h"
 #include "exchange/input.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
 
 typedef struct {
     int code, line; /* the line of the value */

@@ -5,7 +5,7 @@
 #include "exchange/ftm/ftm.h"
 #include "exchange/scan.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>

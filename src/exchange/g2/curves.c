@@ -2,6 +2,7 @@
 #include "exchange/g2/g2.h"
 #include "numeric/vector.h"
 
+#include <batten/standard.h>
 #include <string.h>
 
 batten_status bat_g2_divide_weights(bat_words *words, int dimension, size_t count,

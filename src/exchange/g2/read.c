@@ -1,6 +1,7 @@
 #include "exchange/g2/g2.h"
 
-#include <batten/number.h>
+#include <batten/standard.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -3,6 +3,8 @@
 #include "exchange/net.h"
 #include "numeric/vector.h"
 
+#include <batten/standard.h>
+
 static batten_status transpose(bat_words *words, const batten_axis axes[2], size_t width,
                                double **values)
 {

@@ -2,6 +2,7 @@
 #include "exchange/g2/g2.h"
 #include "exchange/prepare.h"
 
+#include <batten/standard.h>
 #include <stdio.h>
 
 typedef struct {

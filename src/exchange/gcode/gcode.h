@@ -2,7 +2,7 @@
 #ifndef BAT_GCODE_H
 #define BAT_GCODE_H
 #include "base/base.h"
-#include <batten/gcode.h>
+#include <batten/exchange.h>
 #include <batten/text.h>
 
 /* batten_write_gcode into a text. */

@@ -2,7 +2,7 @@
 #include "exchange/path.h"
 #include "numeric/vector.h"
 
-#include <batten/units.h>
+#include <batten/text.h>
 #include <string.h>
 
 batten_gcode_options batten_gcode_defaults(void)

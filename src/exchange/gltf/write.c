@@ -4,7 +4,7 @@
 #include "model/definitions.h"
 #include "model/palette.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <float.h>
 #include <limits.h>
 

@@ -2,7 +2,7 @@
 #include "exchange/facets.h"
 #include "exchange/ply/ply.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 
 /* All objects become one element of vertices and one of faces. */

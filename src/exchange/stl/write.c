@@ -2,7 +2,7 @@
 #include "exchange/facets.h"
 #include "exchange/stl/stl.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <float.h>
 
 enum { HEADER = 80, FACET = 50 };

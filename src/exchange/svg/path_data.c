@@ -1,7 +1,7 @@
 #include "exchange/svg/path_data.h"
 #include "base/plural.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <string.h>
 
 size_t bat_svg_past_separators(bat_span text, size_t at)

@@ -2,6 +2,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
+#include <batten/curvature.h>
 #include <batten/invariants.h>
 
 #include <string.h>

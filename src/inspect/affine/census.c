@@ -3,6 +3,7 @@
 #include "numeric/bernstein.h"
 #include "numeric/vector.h"
 #include <batten/invariants.h>
+#include <batten/nearest.h>
 
 #include <float.h>
 #include <string.h>

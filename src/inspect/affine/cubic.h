@@ -2,7 +2,7 @@
 #ifndef BAT_CUBIC_H
 #define BAT_CUBIC_H
 #include "numeric/exact.h"
-#include <batten/cubic.h>
+#include <batten/invariants.h>
 
 /* The forms: linear and quadratic in A, B, C. */
 typedef enum {

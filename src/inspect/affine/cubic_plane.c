@@ -1,6 +1,6 @@
 #include "numeric/exact.h"
 #include "numeric/vector.h"
-#include <batten/cubic.h>
+#include <batten/invariants.h>
 
 /* What lies in each region. */
 static const struct {

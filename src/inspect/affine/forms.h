@@ -11,7 +11,7 @@
 #ifndef BAT_FORMS_H
 #define BAT_FORMS_H
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* Coefficient k is that of Bernstein times binomial(degree, k): so a product is a convolution.
  */

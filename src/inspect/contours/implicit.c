@@ -1,6 +1,6 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/implicit.h>
+#include <batten/contours.h>
 
 #include <float.h>
 #include <string.h>

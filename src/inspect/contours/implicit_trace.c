@@ -6,7 +6,7 @@
  * cell with four such edges is read by the sign in its middle.
  */
 #include "numeric/vector.h"
-#include <batten/implicit.h>
+#include <batten/contours.h>
 
 #include <float.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "numeric/eigen.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/divide.h>
 #include <batten/measure.h>
+#include <batten/nearest.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/divide.h>
+#include <batten/measure.h>
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
  */
 #include "inspect/affine/forms.h"
 #include "numeric/vector.h"
-#include <batten/divide.h>
+#include <batten/measure.h>
 
 #include <float.h>
 #include <string.h>

@@ -3,7 +3,8 @@
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/divide.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
 
 #include <float.h>
 

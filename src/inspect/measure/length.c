@@ -2,7 +2,7 @@
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 #include <float.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "inspect/affine/forms.h"
 #include "numeric/vector.h"
 
+#include <batten/nearest.h>
 #include <float.h>
 #include <string.h>
 

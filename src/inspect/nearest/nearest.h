@@ -2,7 +2,7 @@
 #ifndef BAT_NEAREST_H
 #define BAT_NEAREST_H
 #include "base/base.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 typedef struct {
     double distance, at[2];

@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
+#include <batten/nearest.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef BAT_SELF_CROSSINGS_H
 #define BAT_SELF_CROSSINGS_H
 #include "base/base.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* Two passes through one point: curve and parameter of each, the earlier one first. */
 typedef struct {

@@ -1,6 +1,6 @@
 #include "mesh/faces/sides_triangles.h"
 
-#include <batten/triangulate.h>
+#include <batten/scattered.h>
 #include <string.h>
 
 static int corner_index(const bat_side_triangle *t, int vertex)

@@ -1,5 +1,5 @@
 #include "picture/sheet/sheet.h"
-#include <batten/cubic.h>
+#include <batten/invariants.h>
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #include "base/plural.h"
 
 #include "picture/sheet/sheet.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 #include "picture/shaded/tiles.h"
 
 #include "picture/lines/stroke.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* In each span, steps never exceed this; across the other direction so many lines are looked
  * at. */

@@ -4,7 +4,7 @@
 #include "picture/lines/stroke.h"
 #include "picture/sheet/sheet.h"
 #include "picture/sheet/view.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 /* One object of the model, made ready. */
 typedef struct {

@@ -2,7 +2,7 @@
 #ifndef BAT_SHEET_H
 #define BAT_SHEET_H
 #include "picture/sheet/canvas.h"
-#include <batten/number.h>
+#include <batten/text.h>
 
 /* The colours of everything that is not the drawing itself. */
 extern const bat_colour bat_ink, bat_grey, bat_pale;

@@ -5,7 +5,7 @@
 #ifndef BAT_BIARC_H
 #define BAT_BIARC_H
 #include "base/base.h"
-#include <batten/biarc.h>
+#include <batten/arcs.h>
 #include <float.h>
 
 /* One arc with its first point, by its chord: `half` is half of its turn, |half| < pi. */

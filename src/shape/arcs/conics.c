@@ -4,7 +4,7 @@
 #include "shape/linear/local.h"
 #include "shape/shape.h"
 #include "spline/chain/chain.h"
-#include <batten/conic.h>
+#include <batten/arcs.h>
 
 #include <string.h>
 

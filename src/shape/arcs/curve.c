@@ -3,7 +3,7 @@
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "shape/arcs/smooth_arcs.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <limits.h>
 

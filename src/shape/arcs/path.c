@@ -1,7 +1,7 @@
 /* A curve that arcs are to follow: its corners, samples of it, and how far arcs are from it. */
 #include "shape/arcs/path.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,9 +3,8 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/shape.h"
+#include <batten/bent.h>
 #include <batten/curve.h>
-#include <batten/nonlinear.h>
-#include <batten/spiro.h>
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #ifndef BAT_ENERGY_H
 #define BAT_ENERGY_H
 #include "base/base.h"
-#include <batten/energy.h>
+#include <batten/bent.h>
 
 /* ---- density ---- */
 

@@ -13,7 +13,7 @@
 #include "shape/arcs/biarc.h"
 #include "shape/shape.h"
 #include "spline/chain/chain.h"
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 enum { MOST_ARCS = 10000 };
 

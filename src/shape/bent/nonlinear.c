@@ -1,5 +1,5 @@
 /* Nonlinear splines: from points to the polygon's angles, and from tangents to a chain. */
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 #include "base/plural.h"
 #include "numeric/vector.h"

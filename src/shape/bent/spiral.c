@@ -2,7 +2,7 @@
 #include "numeric/fresnel.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 #include <float.h>
 

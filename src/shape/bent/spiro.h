@@ -8,7 +8,7 @@
 #ifndef BAT_SPIRO_H
 #define BAT_SPIRO_H
 #include "shape/points/chord_polygon.h"
-#include <batten/spiro.h>
+#include <batten/bent.h>
 
 enum { BAT_SPIRO_UNKNOWNS = 4 };
 

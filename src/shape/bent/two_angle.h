@@ -9,7 +9,7 @@
 #ifndef BAT_TWO_ANGLE_H
 #define BAT_TWO_ANGLE_H
 #include "base/base.h"
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 /* The curvatures at the ends, and how they change. */
 typedef struct {

@@ -11,7 +11,7 @@
 #include "spline/product.h"
 #include "spline/surface/surface.h"
 #include <batten/coons.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <float.h>
 

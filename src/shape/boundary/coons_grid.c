@@ -1,7 +1,7 @@
 /* A net of Coons patches over a grid of points. */
 #include "shape/shape.h"
 #include <batten/coons.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <string.h>
 

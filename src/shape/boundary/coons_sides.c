@@ -3,7 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/coons.h>
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 /* The part of the loop that is one side: curves first .. first + count - 1. */
 typedef struct {

@@ -1,7 +1,7 @@
 /* Boundary curves put end to end. */
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/ribbon.h>
+#include <batten/coons.h>
 
 enum { PROBES = 5 };
 

@@ -3,7 +3,7 @@
 #define BAT_GREGORY_H
 #include "numeric/jet.h"
 #include "shape/formula/formula.h"
-#include <batten/gregory.h>
+#include <batten/fill.h>
 
 /* a p + b q over a + b: halfway where both vanish. Numbers are parameters or barycentric
  * coordinates, none negative. */

@@ -2,7 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/boundary/ribbon_fit.h"
 #include "spline/surface/surface.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 enum { PROBES = 17 };
 

@@ -3,7 +3,7 @@
 #ifndef BAT_RIBBON_FIT_H
 #define BAT_RIBBON_FIT_H
 #include "base/base.h"
-#include <batten/ribbon.h>
+#include <batten/coons.h>
 
 /* Where an edge lies, and which way is out of the surface. */
 typedef struct {

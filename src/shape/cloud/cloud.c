@@ -4,7 +4,7 @@
 #include "shape/cloud/scattered.h"
 #include "spline/surface/surface.h"
 
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <float.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Gradients at the vertices of a triangulation, from the values there. */
 #include "numeric/dense.h"
 #include "spline/triangles/triangulate.h"
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include <stdlib.h>
 #include <string.h>

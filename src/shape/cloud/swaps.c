@@ -2,7 +2,7 @@
  */
 #include "base/base.h"
 
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include <float.h>
 #include <string.h>

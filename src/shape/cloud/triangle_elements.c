@@ -3,7 +3,7 @@
 #include "base/plural.h"
 #include "spline/curve/curve.h"
 #include "spline/triangles/triangles.h"
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* From scattered points to a smooth function: vertices, triangles, gradients, elements. */
 #include "base/base.h"
 
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include <float.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "shape/curve_change/corners.h"
 #include "shape/curve_change/extend.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 static batten_status check(const batten_curve *first, const batten_curve *second,
                            const double lengths[2], double tolerance)

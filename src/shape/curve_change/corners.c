@@ -3,7 +3,7 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 #include <batten/continuity.h>
-#include <batten/trim.h>
+#include <batten/extend.h>
 
 /* ---- where they are ---- */
 

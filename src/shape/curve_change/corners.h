@@ -1,7 +1,7 @@
 /* The corners of a curve, and how something else goes in their place. */
 #ifndef BAT_CORNERS_H
 #define BAT_CORNERS_H
-#include <batten/fillet.h>
+#include <batten/blend.h>
 
 typedef struct {
     int index; /* counted from 0 along the curve as it was given; the seam is the last */

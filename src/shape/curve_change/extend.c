@@ -3,6 +3,7 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
+#include <batten/measure.h>
 #include <float.h>
 
 /* ---- pieces ---- */

@@ -5,7 +5,7 @@
  */
 #include "shape/curve_change/extend.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include "shape/curve_change/corners.h"
 #include "shape/curve_change/extend.h"
 #include "spline/curve/curve.h"
-#include <batten/fillet.h>
+#include <batten/blend.h>
 
 #include <float.h>
 

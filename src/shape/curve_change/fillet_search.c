@@ -14,6 +14,7 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
+#include <batten/measure.h>
 #include <float.h>
 
 typedef struct {

@@ -4,7 +4,7 @@
 #define BAT_CURVE_OFFSET_H
 #include "base/base.h"
 #include "inspect/nearest/self_crossings.h"
-#include <batten/curve_offset.h>
+#include <batten/offset.h>
 
 /* A smooth part of the offset: a whole curve, that begins where the one before it ends unless
  * there is the inside of a corner between them. */

@@ -2,6 +2,8 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
+#include <batten/standard.h>
+
 /* A straight link through points [count][d]. */
 static batten_status add_polyline(bat_offset *o, int count, const double *points)
 {

@@ -16,6 +16,7 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
+#include <batten/standard.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>

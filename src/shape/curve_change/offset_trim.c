@@ -11,6 +11,7 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
+#include <batten/nearest.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>

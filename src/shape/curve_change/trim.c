@@ -1,7 +1,8 @@
 #include "inspect/singular.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
-#include <batten/trim.h>
+#include <batten/extend.h>
+#include <batten/nearest.h>
 
 #include <float.h>
 

@@ -2,7 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 #include "spline/curve/curve.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 /* Polynomial and clamped; *error grows by how far it moved. */
 static batten_status make_polynomial(double tolerance, double *error, batten_curve **curve)

@@ -7,7 +7,7 @@
 #define BAT_TRIANGLE_PATCH_H
 #include "numeric/jet.h"
 #include "shape/formula/formula.h"
-#include <batten/triangle_patch.h>
+#include <batten/fill.h>
 
 /* A point or vector in space as jets. */
 typedef struct {

@@ -1,6 +1,6 @@
 /* NURBS surfaces whose normals along their edges are near those of another one. */
 #include "numeric/vector.h"
-#include <batten/gregory.h>
+#include <batten/fill.h>
 
 enum { PLACES = 128, ROUNDS = 8 };
 

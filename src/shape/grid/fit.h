@@ -3,7 +3,7 @@
 #define BAT_GRID_FIT_H
 #include "base/work.h"
 #include "shape/near/approximate.h"
-#include <batten/grid_fit.h>
+#include <batten/grid.h>
 
 /* One fit to a grid on its way. Index 0 is u. */
 typedef struct {

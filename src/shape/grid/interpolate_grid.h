@@ -3,6 +3,8 @@
 #define BAT_INTERPOLATE_GRID_H
 #include "shape/shape.h"
 
+#include <batten/grid.h>
+
 /* How many derivatives the rims give. */
 static inline int bat_orders_u(const batten_grid_options *o)
 {

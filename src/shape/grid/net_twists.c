@@ -6,6 +6,7 @@
 #include "base/plural.h"
 
 #include "numeric/vector.h"
+#include <batten/grid.h>
 #include <batten/interpolate.h>
 
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef BAT_TENSOR_H
 #define BAT_TENSOR_H
 #include "shape/shape.h"
-#include <batten/tensor.h>
+#include <batten/grid.h>
 
 /* A grid of finite points, 2 x 2 at least, 3 along a closed direction. */
 batten_status bat_grid_check(int dimension, int count_u, int count_v, const double *points,

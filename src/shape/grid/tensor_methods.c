@@ -1,6 +1,6 @@
 /* Surfaces through grids by the methods that curves have. */
 #include "shape/grid/tensor.h"
-#include <batten/weighted.h>
+#include <batten/interpolate.h>
 
 #include <string.h>
 

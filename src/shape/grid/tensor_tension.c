@@ -10,7 +10,7 @@
 #include "shape/formula/formula.h"
 #include "shape/grid/tensor.h"
 #include "spline/chain/chain.h"
-#include <batten/tension.h>
+#include <batten/interpolate.h>
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Uniform Beta-splines, as Bezier pieces. */
 #include "numeric/vector.h"
 #include "shape/shape.h"
-#include <batten/beta.h>
+#include <batten/interpolate.h>
 
 #include <float.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * Unknown j d + c is coordinate c of control point j. What is asked of the curve over an
  * interval is asked of the Bernstein coefficients there, which are linear in the unknowns.
  */
-#include <batten/constrained.h>
+#include <batten/interpolate.h>
 
 #include "base/plural.h"
 #include "numeric/quadratic_program.h"

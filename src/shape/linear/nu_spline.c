@@ -2,7 +2,6 @@
 #include "numeric/vector.h"
 #include "shape/shape.h"
 #include <batten/local.h>
-#include <batten/weighted.h>
 
 #include <float.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Quadratic splines: with knots at the data, or the data midway between knots. */
 #include "numeric/vector.h"
 #include "shape/shape.h"
-#include <batten/quadratic.h>
+#include <batten/interpolate.h>
 
 #include <float.h>
 #include <string.h>

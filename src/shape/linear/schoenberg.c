@@ -4,7 +4,7 @@
 #include "shape/shape.h"
 #include "spline/curve/curve.h"
 #include "spline/spline.h"
-#include <batten/operators.h>
+#include <batten/polygon.h>
 
 #include <string.h>
 

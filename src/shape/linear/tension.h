@@ -4,7 +4,7 @@
 #define BAT_TENSION_H
 #include "numeric/vector.h"
 #include "shape/shape.h"
-#include <batten/tension.h>
+#include <batten/interpolate.h>
 
 typedef struct {
     int dimension, count, spans;

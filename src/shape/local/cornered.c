@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include <batten/cubic_spline.h>
+#include <batten/local.h>
 
 #include <string.h>
 

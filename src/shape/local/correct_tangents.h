@@ -2,8 +2,8 @@
 #ifndef BAT_CORRECT_H
 #define BAT_CORRECT_H
 #include "base/base.h"
-#include <batten/cubic.h>
-#include <batten/cubic_spline.h>
+#include <batten/invariants.h>
+#include <batten/local.h>
 
 typedef struct {
     batten_correct_options options;

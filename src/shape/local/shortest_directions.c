@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "numeric/banded.h"
 #include "numeric/vector.h"
-#include <batten/cubic_spline.h>
+#include <batten/local.h>
 
 #include <string.h>
 

@@ -5,6 +5,7 @@
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
+#include <batten/measure.h>
 #include <string.h>
 
 enum { DEPTH = 50, SAMPLES = 7, MOST_PIECES = 100000 };

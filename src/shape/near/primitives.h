@@ -2,7 +2,7 @@
 #ifndef BAT_PRIMITIVES_H
 #define BAT_PRIMITIVES_H
 #include "shape/shape.h"
-#include <batten/primitives.h>
+#include <batten/approximate.h>
 
 /* Data about their mean, by their size: all computing is with numbers near 1. */
 typedef struct {

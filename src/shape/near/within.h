@@ -5,7 +5,7 @@
 #ifndef BAT_WITHIN_H
 #define BAT_WITHIN_H
 #include "shape/near/approximate.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 /* One piece without corners. */
 typedef struct bat_within {

@@ -2,7 +2,7 @@
  * how far the guides are from what the profiles alone would make. */
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 /* ---- neighbours ---- */
 

@@ -7,7 +7,7 @@
  */
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
-#include <batten/skin.h>
+#include <batten/curvature.h>
 
 #include <stdlib.h>
 #include <string.h>

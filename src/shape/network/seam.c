@@ -1,7 +1,7 @@
 /* Which curves of a network are one curve, and which close. */
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 double bat_network_same(const bat_network *net, const bat_network_curve *a,
                         const bat_network_curve *b)

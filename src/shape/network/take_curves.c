@@ -3,7 +3,7 @@
 #include "shape/network/gordon.h"
 #include "shape/skin/skin.h"
 #include "spline/curve/curve.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 #include <float.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
-#include <batten/inspect.h>
 #include <batten/skin.h>
 
 enum { LOOKS = 65 };

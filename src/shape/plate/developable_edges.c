@@ -1,6 +1,6 @@
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 /* Directions on both sides of a knot that differ by more are a corner, radians. */
 static const double corner = 1e-6;

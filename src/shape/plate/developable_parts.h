@@ -6,7 +6,7 @@
 #ifndef BAT_DEVELOPABLE_PARTS_H
 #define BAT_DEVELOPABLE_PARTS_H
 #include "base/base.h"
-#include <batten/developable.h>
+#include <batten/plate.h>
 
 /* Steps of the lattice along each edge: a ruling is found where no two possible ones are nearer
  * than that. */

@@ -1,8 +1,8 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/plate/fold_parts.h"
-#include <batten/inspect.h>
 #include <batten/interpolate.h>
+#include <batten/measure.h>
 #include <batten/skin.h>
 
 #include <string.h>

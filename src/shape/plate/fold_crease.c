@@ -1,7 +1,8 @@
 #include "numeric/vector.h"
 #include "shape/plate/fold_parts.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/interpolate.h>
+#include <batten/measure.h>
 
 #include <string.h>
 

@@ -8,7 +8,7 @@
 #ifndef BAT_FOLD_PARTS_H
 #define BAT_FOLD_PARTS_H
 #include "base/base.h"
-#include <batten/fold.h>
+#include <batten/plate.h>
 
 /* What is known at one place of the crease. */
 typedef struct {

@@ -5,7 +5,7 @@
 #ifndef BAT_UNROLL_PARTS_H
 #define BAT_UNROLL_PARTS_H
 #include "base/base.h"
-#include <batten/unroll.h>
+#include <batten/plate.h>
 
 /* The surface between its two edges, with a common parameter. */
 typedef struct {

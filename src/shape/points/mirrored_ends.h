@@ -2,7 +2,7 @@
 #ifndef BAT_PHANTOM_H
 #define BAT_PHANTOM_H
 #include "base/base.h"
-#include <batten/catmull_rom.h>
+#include <batten/local.h>
 
 /* A row of points with parameters, which goes on beyond its ends. */
 typedef struct {

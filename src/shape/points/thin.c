@@ -1,7 +1,7 @@
 /* Rows of points thinned out. */
 #include "numeric/vector.h"
 #include "shape/shape.h"
-#include <batten/thin.h>
+#include <batten/approximate.h>
 
 #include <float.h>
 

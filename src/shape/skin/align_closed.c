@@ -1,8 +1,8 @@
 /* Sections with another parameter, so that what belongs together stands at equal ones. */
 #include "shape/skin/parts.h"
-#include <batten/even_speed.h>
-#include <batten/inspect.h>
+#include <batten/approximate.h>
 #include <batten/local.h>
+#include <batten/nearest.h>
 
 #include <stdlib.h>
 #include <string.h>

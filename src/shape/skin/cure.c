@@ -10,7 +10,7 @@
  */
 #include "shape/skin/parts.h"
 #include "spline/curve/curve.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  */
 #include "shape/formula/formula.h"
 #include "shape/skin/parts.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 #include <stdlib.h>
 #include <string.h>

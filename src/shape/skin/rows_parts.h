@@ -2,7 +2,7 @@
 #ifndef BAT_SKIN_ROWS_PARTS_H
 #define BAT_SKIN_ROWS_PARTS_H
 #include "base/base.h"
-#include <batten/skin_rows.h>
+#include <batten/skin.h>
 
 /* Knots that rows share: distinct, rising, inside (0, 1). */
 typedef struct {

@@ -2,7 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/skin/skin.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* What blends between surfaces are measured by. */
 #ifndef BAT_SURFACE_BLEND_H
 #define BAT_SURFACE_BLEND_H
-#include <batten/surface_blend.h>
+#include <batten/blend.h>
 
 /* A blend to be: between what, how, and the report on it. */
 typedef struct {

@@ -3,7 +3,7 @@
 
 #include "numeric/vector.h"
 #include "shape/boundary/ribbon_fit.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 enum { SAMPLES = 33 };
 

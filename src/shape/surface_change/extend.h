@@ -2,7 +2,7 @@
 #ifndef BAT_SURFACE_EXTEND_H
 #define BAT_SURFACE_EXTEND_H
 #include "spline/surface/surface.h"
-#include <batten/surface_extend.h>
+#include <batten/extend.h>
 
 /* Straight on until v = end + way; exact. */
 batten_status bat_surface_straight_on(const batten_surface *surface, double way,

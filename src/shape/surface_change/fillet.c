@@ -5,7 +5,7 @@
 
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/interpolate.h>
 
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef BAT_SURFACE_FILLET_H
 #define BAT_SURFACE_FILLET_H
 #include "numeric/vector.h"
-#include <batten/surface_fillet.h>
+#include <batten/blend.h>
 
 /* The ball in one place. */
 typedef struct {

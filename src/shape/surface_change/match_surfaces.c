@@ -1,13 +1,12 @@
 /* Joining a surface to another: its first rows of control points are laid anew. */
-#include <batten/surface_match.h>
+#include <batten/continuity.h>
+#include <batten/curvature.h>
 
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/boundary/ribbon_fit.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
-#include <batten/inspect.h>
-#include <batten/within.h>
 
 #include <string.h>
 

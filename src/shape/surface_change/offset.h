@@ -2,7 +2,7 @@
 #ifndef BAT_SURFACE_OFFSET_H
 #define BAT_SURFACE_OFFSET_H
 #include "spline/surface/surface.h"
-#include <batten/surface_offset.h>
+#include <batten/offset.h>
 
 /* The jets of the unit normal of a NURBS surface from its derivatives up to order 4, at
  * collapsed edges 5 (surface_offset_normal.c). `out` [BATTEN_SURFACE_DERIVATIVES(order)][3]:

@@ -3,7 +3,7 @@
 #include "shape/surface_change/offset.h"
 
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 
 enum { LEAST_SAMPLES = 4, MOST_SAMPLES = 400, HALVINGS = 30, MOST_MOVES = 400 };
 

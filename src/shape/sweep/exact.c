@@ -2,7 +2,8 @@
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
-#include <batten/even_speed.h>
+#include <batten/approximate.h>
+#include <batten/skin.h>
 #include <batten/sweep.h>
 
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "shape/sweep/motion_rails.h"
 #include "numeric/jet3.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <stdlib.h>
 #include <string.h>

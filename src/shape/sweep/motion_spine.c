@@ -2,7 +2,8 @@
  * what happens at corners. */
 #include "shape/sweep/motion_spine.h"
 #include "numeric/vector.h"
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
 
 #include <string.h>
 

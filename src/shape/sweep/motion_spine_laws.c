@@ -1,7 +1,7 @@
 /* Laws along a spine: twist, scale, and how sections lean at corners. */
 #include "shape/sweep/motion_spine.h"
 #include "spline/curve/curve.h"
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include <float.h>
 

@@ -3,7 +3,7 @@
 #include "shape/sweep/motion_rails.h"
 #include "shape/sweep/truth.h"
 #include "spline/curve/curve.h"
-#include <batten/even_speed.h>
+#include <batten/approximate.h>
 
 batten_rails_options batten_rails_defaults(void)
 {

@@ -3,6 +3,8 @@
 #include "shape/sweep/truth.h"
 #include "spline/curve/curve.h"
 
+#include <batten/skin.h>
+#include <batten/standard.h>
 #include <string.h>
 
 batten_sweep_options batten_sweep_defaults(void)

@@ -3,7 +3,7 @@
 #ifndef BAT_CURVE_H
 #define BAT_CURVE_H
 #include "spline/spline.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
 
 /* Limits of one object, and of one that is made by refining or joining others. */
 enum {

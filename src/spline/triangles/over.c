@@ -1,7 +1,7 @@
 /* A set of triangles over the plane as a function of (x, y). */
 #include "spline/triangles/triangles.h"
 #include "spline/triangles/triangulate.h"
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include <string.h>
 

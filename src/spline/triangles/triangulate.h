@@ -2,7 +2,7 @@
 #ifndef BAT_TRIANGULATE_H
 #define BAT_TRIANGULATE_H
 #include "base/base.h"
-#include <batten/triangulate.h>
+#include <batten/scattered.h>
 
 /* Triangles and who is beside whom, for finding places in them. */
 typedef struct {

@@ -2,7 +2,7 @@
 #include "support/bodies.h"
 #include "support/test.h"
 
-#include <batten/notes.h>
+#include <batten/base.h>
 #include <batten/standard.h>
 
 static batten_body_faults faults_of(const batten_body *body, double tolerance)

@@ -2,6 +2,8 @@
 #include "numeric/vector.h"
 #include "support/test.h"
 
+#include <batten/standard.h>
+
 static batten_curve *open_cubic(void)
 {
     static const double points[] = {0, 0, 0, 1, 2, 0, 3, 2, 1, 4, 0, 2, 6, 1, 0};

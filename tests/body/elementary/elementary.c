@@ -2,6 +2,8 @@
 #include "numeric/vector.h"
 #include "support/test.h"
 #include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/standard.h>
 
 static batten_frame tilted(void)
 {

@@ -4,6 +4,7 @@
 #include "support/test.h"
 
 #include <batten/mesh.h>
+#include <batten/standard.h>
 
 static batten_box box_of(const batten_body *body)
 {

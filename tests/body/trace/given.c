@@ -3,7 +3,7 @@
 #include "body/trace/traced.h"
 #include "support/bodies.h"
 #include "support/test.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
 #include <stdlib.h>
 
 TEST(a_box_is_traced_with_its_edges_shared)

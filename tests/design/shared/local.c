@@ -1,6 +1,6 @@
 #include "design/evaluate.h"
 
-#include <batten/notes.h>
+#include <batten/base.h>
 
 #define ALONG "[[1, 0], [1, 0], [1, 0], [1, 0], [1, 0]]"
 

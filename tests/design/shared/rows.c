@@ -2,6 +2,7 @@
 
 #include "support/test.h"
 
+#include <batten/standard.h>
 #include <string.h>
 
 TEST(a_flat_row_goes_into_its_plane_and_back)

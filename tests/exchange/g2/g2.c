@@ -1,7 +1,7 @@
 #include "exchange/reading.h"
 #include "support/bodies.h"
 
-#include <batten/standard.h>
+#include <batten/geometry.h>
 
 #define HEAD_CURVE "100 1 0 0\n"
 

@@ -1,6 +1,6 @@
 #include "exchange/paths.h"
 
-#include <batten/gcode.h>
+#include <batten/exchange.h>
 #include <stdlib.h>
 
 static const char *program(const batten_model *model, const batten_gcode_options *options)

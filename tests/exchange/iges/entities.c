@@ -1,7 +1,7 @@
 #include "exchange/iges/read/reading.h"
 #include "exchange/iges/text.h"
 
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 static void check_left_out(int type, const char *parameters, const char *words)
 {

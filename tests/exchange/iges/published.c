@@ -1,8 +1,8 @@
 /* Surfaces of IGES and STEP files against what Open CASCADE found on them: points, normals,
  * curvatures. */
 #include <batten/body.h>
+#include <batten/curvature.h>
 #include <batten/exchange.h>
-#include <batten/inspect.h>
 
 #include "support/json.h"
 #include "support/test.h"

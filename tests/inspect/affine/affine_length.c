@@ -1,5 +1,5 @@
-#include <batten/divide.h>
 #include <batten/invariants.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #include "inspect/shapes.h"

@@ -1,5 +1,5 @@
-#include <batten/cubic.h>
 #include <batten/invariants.h>
+#include <batten/standard.h>
 
 #include "inspect/shapes.h"
 #include "support/test.h"

@@ -1,5 +1,5 @@
 #include "inspect/shapes.h"
-#include <batten/cubic.h>
+#include <batten/invariants.h>
 
 static batten_cubic classify(const double *points)
 {

@@ -1,4 +1,5 @@
 #include <batten/invariants.h>
+#include <batten/standard.h>
 
 #include "inspect/shapes.h"
 #include "support/generate.h"

@@ -1,5 +1,6 @@
 #include "inspect/shapes.h"
 #include <batten/contours.h>
+#include <batten/standard.h>
 #include <string.h>
 
 /* The function f of x, y in [-1, 1]^2, of degree 2 in each: an exact biquadratic patch, from

@@ -1,5 +1,5 @@
 #include "inspect/shapes.h"
-#include <batten/implicit.h>
+#include <batten/contours.h>
 
 TEST(the_equation_of_a_parabola_and_of_a_circle_are_the_known_ones)
 {

@@ -1,5 +1,6 @@
 #include "inspect/shapes.h"
 #include <batten/measure.h>
+#include <batten/nearest.h>
 #include <batten/standard.h>
 
 TEST(a_box_is_as_tight_as_the_curve)

@@ -1,5 +1,5 @@
 #include "inspect/shapes.h"
-#include <batten/divide.h>
+#include <batten/measure.h>
 
 #include "support/generate.h"
 

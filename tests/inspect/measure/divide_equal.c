@@ -1,5 +1,5 @@
 #include "support/test.h"
-#include <batten/divide.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846

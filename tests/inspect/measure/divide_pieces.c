@@ -1,5 +1,4 @@
 #include "inspect/shapes.h"
-#include <batten/divide.h>
 #include <batten/measure.h>
 #include <batten/standard.h>
 

@@ -1,4 +1,5 @@
 #include "inspect/shapes.h"
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 TEST(a_circle_is_two_pi_long)

@@ -2,7 +2,6 @@
 
 #include <batten/coons.h>
 #include <batten/measure.h>
-#include <batten/ribbon.h>
 #include <string.h>
 
 TEST(areas_of_spheres_and_tori_are_those_of_the_formula)

@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/nearest.h>
+
 static void check_crossings(const batten_curve *curve, int axis, double value, int count,
                             const double *expected)
 {

@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/nearest.h>
+
 TEST(distances_from_a_circle_are_differences_of_radii)
 {
     test_random random = test_random_begin("circle");

@@ -1,4 +1,4 @@
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <batten/standard.h>
 
 #include "support/test.h"

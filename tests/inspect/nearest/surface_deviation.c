@@ -1,5 +1,7 @@
 #include "inspect/shapes.h"
 
+#include <batten/nearest.h>
+
 TEST(distances_from_sphere_and_torus_are_those_of_their_radii)
 {
     test_random random = test_random_begin("sphere and torus");

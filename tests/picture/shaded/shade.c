@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include <batten/job.h>
+#include <batten/base.h>
 
 static batten_picture_options small(batten_shading shading)
 {

@@ -1,5 +1,6 @@
-#include <batten/biarc.h>
-#include <batten/inspect.h>
+#include <batten/arcs.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
 
 #include "support/test.h"
 

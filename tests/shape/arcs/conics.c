@@ -1,6 +1,6 @@
-#include <batten/conic.h>
-#include <batten/inspect.h>
-#include <batten/standard.h>
+#include <batten/arcs.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
 
 #include "support/test.h"
 

@@ -1,6 +1,7 @@
 #include <batten/arcs.h>
-#include <batten/fillet.h>
-#include <batten/inspect.h>
+#include <batten/blend.h>
+#include <batten/nearest.h>
+#include <batten/standard.h>
 
 #include "support/test.h"
 

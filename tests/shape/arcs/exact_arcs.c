@@ -1,6 +1,6 @@
 #include "support/test.h"
+#include <batten/approximate.h>
 #include <batten/arcs.h>
-#include <batten/primitives.h>
 #include <batten/standard.h>
 
 static batten_chain *exact(const batten_curve *curve)

@@ -1,4 +1,4 @@
-#include <batten/biarc.h>
+#include <batten/arcs.h>
 
 #include "support/test.h"
 

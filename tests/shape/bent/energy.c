@@ -1,5 +1,4 @@
-#include <batten/energy.h>
-#include <batten/spiro.h>
+#include <batten/bent.h>
 
 #include "support/test.h"
 

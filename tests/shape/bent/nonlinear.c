@@ -1,4 +1,4 @@
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 #include "support/test.h"
 

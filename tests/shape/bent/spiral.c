@@ -1,5 +1,5 @@
 #include "shape/bent/spiral.h"
-#include <batten/nonlinear.h>
+#include <batten/bent.h>
 
 #include "support/test.h"
 

@@ -1,5 +1,4 @@
-#include <batten/nonlinear.h>
-#include <batten/spiro.h>
+#include <batten/bent.h>
 
 #include "support/test.h"
 

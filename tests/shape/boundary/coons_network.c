@@ -1,5 +1,6 @@
 #include "shape/boundary/coons.h"
 
+#include <batten/grid.h>
 #include <batten/interpolate.h>
 
 enum { N = 5, M = 4 };

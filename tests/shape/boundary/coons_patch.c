@@ -1,6 +1,6 @@
 #include "shape/boundary/coons.h"
 
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/standard.h>
 
 static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_CUBIC,

@@ -1,4 +1,4 @@
-#include <batten/ribbon.h>
+#include <batten/coons.h>
 
 #include "support/test.h"
 

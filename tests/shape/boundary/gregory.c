@@ -1,4 +1,4 @@
-#include <batten/gregory.h>
+#include <batten/fill.h>
 
 #include "support/test.h"
 

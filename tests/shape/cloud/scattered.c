@@ -1,6 +1,4 @@
-#include <batten/primitives.h>
 #include <batten/scattered.h>
-#include <batten/standard.h>
 
 #include "support/test.h"
 

@@ -1,4 +1,4 @@
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 #include "support/test.h"
 

@@ -1,6 +1,6 @@
 #include "support/test.h"
 #include <batten/extend.h>
-#include <batten/inspect.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846

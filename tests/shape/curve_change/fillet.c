@@ -1,7 +1,7 @@
 #include "support/test.h"
+#include <batten/blend.h>
 #include <batten/continuity.h>
-#include <batten/fillet.h>
-#include <batten/inspect.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846

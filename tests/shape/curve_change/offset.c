@@ -1,6 +1,7 @@
 #include "support/test.h"
-#include <batten/curve_offset.h>
-#include <batten/inspect.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/offset.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846

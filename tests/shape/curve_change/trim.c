@@ -1,6 +1,7 @@
 #include "support/test.h"
+#include <batten/extend.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
-#include <batten/trim.h>
 
 #define PI 3.14159265358979323846
 

@@ -1,6 +1,6 @@
 /* The loops that others have published for their own surfaces. */
 #include "shape/fill/loops.h"
-#include <batten/standard.h>
+#include <batten/geometry.h>
 
 /* Sides of a .lop file: degree, knots, control points of each. */
 static void read_loop(const char *path, hole *h)

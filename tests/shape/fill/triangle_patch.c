@@ -1,4 +1,4 @@
-#include <batten/triangle_patch.h>
+#include <batten/fill.h>
 
 #include "numeric/vector.h"
 #include "support/test.h"

@@ -1,4 +1,4 @@
-#include <batten/grid_fit.h>
+#include <batten/grid.h>
 #include <batten/interpolate.h>
 
 #include "support/test.h"

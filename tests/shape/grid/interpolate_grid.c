@@ -1,3 +1,4 @@
+#include <batten/grid.h>
 #include <batten/interpolate.h>
 
 #include "support/test.h"

@@ -1,4 +1,5 @@
 /* Grids with more than points: derivatives of several orders, weights, gaps. */
+#include <batten/grid.h>
 #include <batten/interpolate.h>
 
 #include "support/test.h"

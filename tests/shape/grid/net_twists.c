@@ -1,4 +1,4 @@
-#include <batten/coons.h>
+#include <batten/grid.h>
 
 #include "support/test.h"
 

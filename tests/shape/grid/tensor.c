@@ -1,7 +1,7 @@
-#include <batten/tensor.h>
+#include <batten/grid.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
-#include <batten/interpolate.h>
 
 enum { NU = 5, NV = 4 };
 

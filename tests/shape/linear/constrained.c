@@ -1,4 +1,4 @@
-#include <batten/constrained.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
 

@@ -1,8 +1,7 @@
 /* Interpolants of other programs: scipy and FITPACK, GSL, pySpline. */
-#include <batten/catmull_rom.h>
-#include <batten/inspect.h>
 #include <batten/interpolate.h>
 #include <batten/local.h>
+#include <batten/nearest.h>
 
 #include "shape/published.h"
 #include "support/json.h"

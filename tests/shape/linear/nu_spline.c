@@ -1,4 +1,4 @@
-#include <batten/weighted.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
 

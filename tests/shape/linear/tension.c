@@ -1,5 +1,5 @@
-#include <batten/inspect.h>
-#include <batten/tension.h>
+#include <batten/curvature.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
 

@@ -1,5 +1,5 @@
 /* The equations of splines in tension, and when all moments are of one sign. */
-#include <batten/tension.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
 

@@ -1,5 +1,4 @@
-#include <batten/catmull_rom.h>
-#include <batten/cubic.h>
+#include <batten/invariants.h>
 #include <batten/local.h>
 #include <stdlib.h>
 

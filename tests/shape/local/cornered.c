@@ -1,6 +1,7 @@
 #include "support/test.h"
-#include <batten/cubic_spline.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/local.h>
+#include <batten/measure.h>
 
 /* A key: an arch, a straight run, an arch. */
 static const double key[16] = {0, 0, 1, 1, 2, 1.2, 3, 1, 5, 0.5, 6, 0.6, 6.6, 1.2, 6.4, 2};

@@ -1,7 +1,7 @@
 #include "support/test.h"
-#include <batten/cubic.h>
-#include <batten/cubic_spline.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/invariants.h>
+#include <batten/local.h>
 #include <string.h>
 
 static batten_curve *spline(int count, const double *points, batten_parametrization kind)

@@ -1,4 +1,4 @@
-#include <batten/inspect.h>
+#include <batten/curvature.h>
 #include <batten/local.h>
 
 #include "support/test.h"

@@ -1,4 +1,3 @@
-#include <batten/catmull_rom.h>
 #include <batten/local.h>
 
 #include "support/test.h"

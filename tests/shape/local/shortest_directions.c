@@ -1,6 +1,6 @@
 #include "support/test.h"
-#include <batten/cubic_spline.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/local.h>
 #include <string.h>
 
 static void random_row(test_random *random, int count, double *points)

@@ -1,5 +1,5 @@
 #include <batten/approximate.h>
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 #include "shape/published.h"
 #include "support/generate.h"

@@ -1,6 +1,6 @@
 #include "support/test.h"
-#include <batten/even_speed.h>
-#include <batten/inspect.h>
+#include <batten/approximate.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #define PI 3.14159265358979323846

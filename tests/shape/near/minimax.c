@@ -1,4 +1,4 @@
-#include <batten/operators.h>
+#include <batten/polygon.h>
 
 #include "support/test.h"
 

@@ -1,4 +1,5 @@
-#include <batten/primitives.h>
+#include <batten/approximate.h>
+#include <batten/standard.h>
 
 #include "support/test.h"
 

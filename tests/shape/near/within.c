@@ -1,5 +1,5 @@
-#include <batten/inspect.h>
-#include <batten/within.h>
+#include <batten/approximate.h>
+#include <batten/nearest.h>
 
 #include "shape/published.h"
 

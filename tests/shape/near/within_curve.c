@@ -1,5 +1,5 @@
+#include <batten/approximate.h>
 #include <batten/standard.h>
-#include <batten/within.h>
 
 #include "support/generate.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/base.h"
 #include <batten/continuity.h>
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 

@@ -3,7 +3,7 @@
 
 #include "base/base.h"
 #include <batten/exchange.h>
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 
 typedef struct {
     const char *name;

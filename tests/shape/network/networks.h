@@ -2,10 +2,10 @@
 #ifndef TESTS_SHAPE_NETWORKS_H
 #define TESTS_SHAPE_NETWORKS_H
 #include <batten/gordon.h>
+#include <batten/interpolate.h>
 
 #include "support/test.h"
 
-#include <batten/interpolate.h>
 
 typedef void (*surface_at)(double u, double v, double *point);
 

@@ -1,8 +1,7 @@
-#include <batten/developable.h>
-
+#include <batten/plate.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
-#include <batten/unroll.h>
+
 
 #include "support/test.h"
 

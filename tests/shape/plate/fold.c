@@ -1,5 +1,6 @@
-#include <batten/fold.h>
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/measure.h>
+#include <batten/plate.h>
 #include <batten/standard.h>
 
 #include "support/test.h"

@@ -1,7 +1,6 @@
 /* The planks of a dory, between the lines of its table of offsets. */
-#include <batten/developable.h>
 #include <batten/interpolate.h>
-#include <batten/unroll.h>
+#include <batten/plate.h>
 
 #include "support/test.h"
 

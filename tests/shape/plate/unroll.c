@@ -1,9 +1,9 @@
-#include <batten/unroll.h>
-
-#include <batten/inspect.h>
+#include <batten/measure.h>
+#include <batten/plate.h>
 #include <batten/skin.h>
 #include <batten/standard.h>
 #include <batten/sweep.h>
+
 
 #include "support/test.h"
 

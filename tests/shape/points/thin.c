@@ -1,4 +1,4 @@
-#include <batten/thin.h>
+#include <batten/approximate.h>
 
 #include "shape/published.h"
 

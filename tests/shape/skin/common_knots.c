@@ -3,6 +3,8 @@
 #include "shape/skin/common_knots.h"
 #include "shape/skin/skin.h"
 
+#include <batten/standard.h>
+
 /* The farthest that a line of the surface is from its section, at the same parameters. */
 static double measured(int count, batten_curve **sections, const double *v,
                        const batten_surface *surface)

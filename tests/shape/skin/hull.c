@@ -1,7 +1,7 @@
 /* The sections of a cargo ship, written by another program beside the surface that they were
  * cut from. */
 #include <batten/exchange.h>
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <batten/skin.h>
 
 #include "support/test.h"

@@ -1,5 +1,7 @@
 #include "shape/sections.h"
 
+#include <batten/standard.h>
+
 typedef const batten_curve *const *curves;
 
 static double apart(const batten_surface *a, const batten_surface *b)

@@ -1,4 +1,4 @@
-#include <batten/skin_rows.h>
+#include <batten/skin.h>
 
 #include "shape/sections.h"
 #include "shape/skin/rows_parts.h"

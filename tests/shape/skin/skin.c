@@ -1,5 +1,8 @@
 #include "shape/sections.h"
 
+#include <batten/grid.h>
+#include <batten/standard.h>
+
 typedef const batten_curve *const *curves;
 
 static double distance_on(const batten_surface *a, const batten_surface *b)

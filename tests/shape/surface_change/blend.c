@@ -1,6 +1,6 @@
-#include <batten/inspect.h>
+#include <batten/blend.h>
+#include <batten/curvature.h>
 #include <batten/standard.h>
-#include <batten/surface_blend.h>
 
 #include "support/surfaces.h"
 

@@ -1,6 +1,6 @@
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/extend.h>
 #include <batten/standard.h>
-#include <batten/surface_extend.h>
 
 #include "support/surfaces.h"
 

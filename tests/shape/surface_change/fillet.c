@@ -1,5 +1,5 @@
+#include <batten/blend.h>
 #include <batten/standard.h>
-#include <batten/surface_fillet.h>
 
 #include "support/surfaces.h"
 

@@ -1,8 +1,7 @@
-#include <batten/surface_match.h>
+#include <batten/continuity.h>
+#include <batten/standard.h>
 
 #include "support/test.h"
-#include <batten/interpolate.h>
-#include <batten/standard.h>
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
-#include <batten/inspect.h>
+#include <batten/curvature.h>
+#include <batten/offset.h>
 #include <batten/standard.h>
-#include <batten/surface_offset.h>
 
 #include "support/surfaces.h"
 

@@ -1,6 +1,7 @@
 #include "support/test.h"
 
 #include <batten/measure.h>
+#include <batten/standard.h>
 #include <batten/sweep.h>
 
 static batten_curve *arc(double radius, double angle)

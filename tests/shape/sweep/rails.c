@@ -1,6 +1,8 @@
 #include "support/test.h"
 
-#include <batten/inspect.h>
+#include <batten/interpolate.h>
+#include <batten/measure.h>
+#include <batten/standard.h>
 #include <batten/sweep.h>
 
 static batten_curve *through(int count, const double *points)

@@ -1,6 +1,7 @@
 #include "support/test.h"
 
-#include <batten/inspect.h>
+#include <batten/interpolate.h>
+#include <batten/standard.h>
 #include <batten/sweep.h>
 #include <stdlib.h>
 

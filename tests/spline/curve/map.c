@@ -1,5 +1,4 @@
 #include <batten/curve.h>
-#include <batten/standard.h>
 
 #include "numeric/vector.h"
 #include "support/generate.h"

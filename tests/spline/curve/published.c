@@ -1,7 +1,7 @@
 /* Curves of other programs' tests: NURBS-Python, verb, tinyspline, pySpline, bezier, openNURBS.
  */
 #include <batten/curve.h>
-#include <batten/inspect.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 
 #include "spline/spline.h"

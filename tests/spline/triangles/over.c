@@ -1,5 +1,4 @@
-#include <batten/scattered_triangles.h>
-#include <batten/triangulate.h>
+#include <batten/scattered.h>
 
 #include "support/test.h"
 

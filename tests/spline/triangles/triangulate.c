@@ -1,4 +1,4 @@
-#include <batten/triangulate.h>
+#include <batten/scattered.h>
 
 #include "numeric/plane_signs.h"
 #include "support/test.h"

@@ -3,7 +3,7 @@
 #define BAT_FEATURES_ENERGY_H
 #include "design/shared/through.h"
 
-#include <batten/energy.h>
+#include <batten/bent.h>
 
 #define BAT_ENERGY_PARAMETERS                                                      \
     BAT_EACH, BAT_CLOSED,                                                          \

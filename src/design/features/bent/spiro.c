@@ -1,5 +1,5 @@
 #include "design/shared/through.h"
-#include <batten/spiro.h>
+#include <batten/bent.h>
 
 #define END_WORDS "free natural tangent curvature both"
 

@@ -1,7 +1,6 @@
 #include "design/shared/pair.h"
 
 #include <batten/blend.h>
-#include <batten/surface_blend.h>
 
 static const batten_parameter parameters[] = {
     {"blend", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "two curves, or two surfaces"},

@@ -1,6 +1,6 @@
 #include "design/shared/pair.h"
 
-#include <batten/fillet.h>
+#include <batten/blend.h>
 
 static const batten_parameter parameters[] = {
     {"chamfer", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

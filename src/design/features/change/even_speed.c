@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "design/feature.h"
 
-#include <batten/even_speed.h>
+#include <batten/approximate.h>
 
 static const batten_parameter parameters[] = {
     {"even-speed", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves"},

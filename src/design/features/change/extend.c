@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/surface_extend.h>
+#include <batten/extend.h>
 
 static const batten_parameter parameters[] = {
     {"extend", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves or surfaces"},

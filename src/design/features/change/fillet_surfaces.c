@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/surface_fillet.h>
+#include <batten/blend.h>
 #include <stdio.h>
 
 typedef enum { LEFT, RIGHT } side;

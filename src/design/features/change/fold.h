@@ -3,7 +3,7 @@
 #define BAT_FEATURES_FOLD_H
 #include "design/feature.h"
 
-#include <batten/fold.h>
+#include <batten/plate.h>
 
 #define BAT_FOLD_PARAMETERS                                                                 \
     {"angle",                                                                               \

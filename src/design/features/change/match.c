@@ -1,7 +1,6 @@
 #include "design/feature.h"
 
 #include <batten/continuity.h>
-#include <batten/surface_match.h>
 
 /* The words of 'continuity'. */
 static const struct {

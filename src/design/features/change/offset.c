@@ -1,7 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/curve_offset.h>
-#include <batten/surface_offset.h>
+#include <batten/offset.h>
 #include <stdio.h>
 
 typedef enum { LEFT, RIGHT } side;

@@ -1,6 +1,7 @@
 #include "design/shared/place.h"
 
-#include <batten/trim.h>
+#include <batten/extend.h>
+#include <batten/measure.h>
 #include <stdio.h>
 
 typedef enum { PLANE_X, PLANE_Y, PLANE_Z } plane;

@@ -1,9 +1,9 @@
 #include "design/feature.h"
 
-#include <batten/inspect.h>
 #include <batten/interpolate.h>
+#include <batten/nearest.h>
+#include <batten/plate.h>
 #include <batten/standard.h>
-#include <batten/unroll.h>
 
 #include <stdio.h>
 

@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"arc", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the radius"},
     {"start", BATTEN_VALUE_ANGLE, false, false, "0", NULL, "where it begins"},

@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"circle", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the radius"},
     {"form", BATTEN_VALUE_WORD, false, false, "square-9", "square-9 triangle-7 square-7",

@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"cone", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the radius at the bottom"},
     {"top", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "the radius at the top"},

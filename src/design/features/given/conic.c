@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"conic", BATTEN_VALUE_POINT, true, true, NULL, NULL,
      "start, where the end tangents meet, end; or five points on it, in order"},

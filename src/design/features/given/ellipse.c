@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"ellipse", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "the first half axis, along 'from'"},

@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"ellipsoid", BATTEN_VALUE_POINT, false, true, NULL, NULL, "the three half axes"},
     BAT_PLACE,

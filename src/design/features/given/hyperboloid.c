@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"hyperboloid", BATTEN_VALUE_POINT, false, true, NULL, NULL,
      "the half axes: both of the waist, and how fast it opens"},

@@ -1,7 +1,7 @@
 #include "design/shared/rows.h"
 
-#include <batten/divide.h>
-#include <batten/implicit.h>
+#include <batten/contours.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 #include <stdio.h>
 

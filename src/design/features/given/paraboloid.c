@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"paraboloid", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
      "the half axis of the rim along 'from'"},

@@ -1,5 +1,7 @@
 #include "design/shared/through.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"polyline", BATTEN_VALUE_POINTS, true, true, NULL, NULL,
      "the corners, in order; or features: a table of offsets, rows of points, or curves that "

@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"torus", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the radius of the ring"},
     {"minor", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,

@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "design/feature.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 static const batten_parameter parameters[] = {
     {"approximate", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the curves"},

@@ -1,5 +1,7 @@
 #include "design/features/near/primitive.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"fit-ellipse", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "points in a plane, or a table of offsets"},

@@ -1,5 +1,7 @@
 #include "design/features/near/primitive.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"fit-line", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "points, or a table of offsets"},
     BAT_EACH,

@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "design/shared/through.h"
-#include <batten/within.h>
+#include <batten/approximate.h>
 
 static const batten_parameter parameters[] = {
     {"fit-within", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

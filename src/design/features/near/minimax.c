@@ -1,5 +1,5 @@
 #include "design/shared/through.h"
-#include <batten/operators.h>
+#include <batten/polygon.h>
 
 #include <string.h>
 

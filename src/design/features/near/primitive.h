@@ -2,7 +2,7 @@
 #ifndef BAT_FEATURES_PRIMITIVE_H
 #define BAT_FEATURES_PRIMITIVE_H
 #include "design/shared/through.h"
-#include <batten/primitives.h>
+#include <batten/approximate.h>
 
 /* How much of a closed shape is drawn. */
 #define BAT_WHOLE                                                                        \

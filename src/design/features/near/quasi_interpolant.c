@@ -1,5 +1,5 @@
 #include "design/shared/through.h"
-#include <batten/operators.h>
+#include <batten/polygon.h>
 
 static const batten_parameter parameters[] = {
     {"quasi-interpolant", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

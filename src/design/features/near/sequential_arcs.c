@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "design/shared/through.h"
-#include <batten/biarc.h>
+#include <batten/arcs.h>
 
 static const batten_parameter parameters[] = {
     {"sequential-arcs", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

@@ -1,7 +1,7 @@
 #include "design/shared/rows.h"
 #include "design/shared/through.h"
+#include <batten/approximate.h>
 #include <batten/standard.h>
-#include <batten/thin.h>
 
 static const batten_parameter parameters[] = {
     {"thin-points", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -1,5 +1,7 @@
 #include "design/feature.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"bilinear", BATTEN_VALUE_POINT, true, true, NULL, NULL,
      "the four corners, one after the other around the patch"},

@@ -1,5 +1,5 @@
 #include "design/shared/grid.h"
-#include <batten/tensor.h>
+#include <batten/grid.h>
 
 static const batten_parameter parameters[] = {
     {"catmull-rom-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "design/shared/grid.h"
 
-#include <batten/coons.h>
+#include <batten/grid.h>
 #include <string.h>
 
 static const batten_parameter parameters[] = {

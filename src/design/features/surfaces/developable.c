@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/developable.h>
+#include <batten/plate.h>
 
 static const batten_parameter parameters[] = {
     {"developable", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -2,8 +2,7 @@
 #include "design/feature.h"
 
 #include <batten/fill.h>
-#include <batten/gregory.h>
-#include <batten/units.h>
+#include <batten/text.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/gregory.h>
+#include <batten/fill.h>
 
 static const batten_parameter parameters[] = {
     {"gregory", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -2,6 +2,8 @@
 #include "design/shared/place.h"
 #include "design/shared/through.h"
 
+#include <batten/grid.h>
+
 static const batten_parameter parameters[] = {
     {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "rows of points, each with as many, or a table of offsets without gaps"},

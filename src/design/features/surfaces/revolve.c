@@ -1,5 +1,7 @@
 #include "design/shared/place.h"
 
+#include <batten/standard.h>
+
 static const batten_parameter parameters[] = {
     {"revolve", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the profile curves"},
     {"at", BATTEN_VALUE_POINT, false, false, "origin", NULL, "a point on the axis"},

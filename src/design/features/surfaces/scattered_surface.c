@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "design/shared/rows.h"
 
-#include <batten/scattered_triangles.h>
+#include <batten/scattered.h>
 
 static const batten_parameter parameters[] = {
     {"scattered-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "design/shared/place.h"
 #include "design/shared/rows.h"
-#include <batten/skin_rows.h>
+#include <batten/skin.h>
 
 #include <string.h>
 

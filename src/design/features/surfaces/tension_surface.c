@@ -1,6 +1,6 @@
 #include "design/shared/grid.h"
 #include "design/shared/through.h"
-#include <batten/tensor.h>
+#include <batten/grid.h>
 
 static const batten_parameter parameters[] = {
     {"tension-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,

@@ -1,7 +1,7 @@
 #include "design/feature.h"
 
 #include <batten/coons.h>
-#include <batten/triangle_patch.h>
+#include <batten/fill.h>
 
 enum { MOST_NEIGHBOURS = 10000 };
 

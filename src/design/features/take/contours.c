@@ -1,6 +1,7 @@
 #include "design/shared/field.h"
 
-#include <batten/within.h>
+#include <batten/approximate.h>
+#include <batten/standard.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <stdio.h>
 
 static const batten_parameter parameters[] = {

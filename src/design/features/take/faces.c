@@ -1,6 +1,6 @@
 #include "design/feature.h"
 
-#include <batten/inspect.h>
+#include <batten/nearest.h>
 #include <stdio.h>
 
 static const batten_parameter parameters[] = {

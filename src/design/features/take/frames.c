@@ -1,7 +1,7 @@
 #include "design/features/take/frames.h"
 
-#include <batten/divide.h>
 #include <batten/interpolate.h>
+#include <batten/measure.h>
 #include <batten/standard.h>
 #include <stdio.h>
 

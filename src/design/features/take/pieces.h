@@ -3,7 +3,7 @@
 #define BAT_FEATURES_PIECES_H
 #include "design/feature.h"
 
-#include <batten/divide.h>
+#include <batten/measure.h>
 
 #define BAT_PIECES_PARAMETERS                                                               \
     {"pieces",                                                                              \

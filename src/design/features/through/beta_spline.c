@@ -1,5 +1,5 @@
 #include "design/shared/through.h"
-#include <batten/beta.h>
+#include <batten/interpolate.h>
 
 static const batten_parameter parameters[] = {
     {"beta-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

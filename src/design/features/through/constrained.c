@@ -1,5 +1,5 @@
 #include "design/shared/local.h"
-#include <batten/constrained.h>
+#include <batten/interpolate.h>
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 #include "design/shared/through.h"
-#include <batten/cubic_spline.h>
+#include <batten/local.h>
 
 static const batten_parameter parameters[] = {
     {"cornered-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "design/shared/rows.h"
-#include <batten/cubic_spline.h>
+#include <batten/local.h>
 
 typedef enum { TANGENT, CURVATURE } joins;
 

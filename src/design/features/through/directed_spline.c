@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "design/shared/through.h"
-#include <batten/cubic_spline.h>
+#include <batten/local.h>
 
 static const batten_parameter parameters[] = {
     {"directed-spline", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

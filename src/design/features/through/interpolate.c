@@ -3,6 +3,7 @@
 #include "design/shared/through.h"
 
 #include <batten/measure.h>
+#include <batten/standard.h>
 #include <float.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "design/shared/place.h"
 #include "design/shared/through.h"
-#include <batten/tension.h>
+#include <batten/interpolate.h>
 
 static const batten_parameter parameters[] = {
     {"tension", BATTEN_VALUE_MODEL, false, true, NULL, NULL,

@@ -2,7 +2,7 @@
 #include "base/plural.h"
 #include "exchange/iges/read/curves.h"
 
-#include <batten/curve_offset.h>
+#include <batten/offset.h>
 #include <string.h>
 
 /* The offset goes along V x T, which is to the left of the curve seen against V. */

@@ -5,8 +5,9 @@
 #include "shape/near/even_speed.h"
 #include "spline/surface/surface.h"
 
+#include <batten/offset.h>
 #include <batten/skin.h>
-#include <batten/surface_offset.h>
+#include <batten/standard.h>
 #include <string.h>
 
 /* ---- 128: B-spline surface ---- */

@@ -1,6 +1,6 @@
 #include "exchange/iges/text/parameters.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The sections of an IGES file put together, with what is said of the whole. */
 #include "exchange/iges/write/writing.h"
 
-#include <batten/units.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* "2026-11-21T10:25:00" as "20261121.102500"; another form gives the neutral date. */

@@ -3,7 +3,7 @@
 #include "body/trace/lift.h"
 #include "exchange/step/read/geometry.h"
 #include "numeric/vector.h"
-#include <batten/curve_offset.h>
+#include <batten/offset.h>
 
 /* ---- curves on surfaces ---- */
 

@@ -3,6 +3,7 @@
 #include "exchange/step/read/geometry.h"
 #include "numeric/vector.h"
 #include <batten/skin.h>
+#include <batten/standard.h>
 
 #include <string.h>
 

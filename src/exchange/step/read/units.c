@@ -1,7 +1,7 @@
 #include "exchange/step/read/units.h"
 #include "exchange/step/read/topology.h"
 
-#include <batten/units.h>
+#include <batten/text.h>
 #include <string.h>
 
 /* A unit that is so many of another, which is so many of a third ... */

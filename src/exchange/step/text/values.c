@@ -1,7 +1,7 @@
 #include "exchange/step/text/instances.h"
 
 #include "exchange/step/text/scan.h"
-#include <batten/number.h>
+#include <batten/text.h>
 #include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>

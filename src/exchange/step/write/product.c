@@ -1,7 +1,7 @@
 /* Contexts, units and products. */
 #include "exchange/step/write/writing.h"
 
-#include <batten/units.h>
+#include <batten/text.h>
 
 /* ---- units ---- */
 

@@ -1,6 +1,6 @@
 #include "design/evaluate.h"
 
-#include <batten/notes.h>
+#include <batten/base.h>
 
 /* A feature `a` evaluated after `before`. */
 static batten_status evaluate(const char *before, const char *feature, batten_design **out,

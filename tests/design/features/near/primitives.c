@@ -1,6 +1,6 @@
 #include "design/evaluate.h"
 
-#include <batten/notes.h>
+#include <batten/base.h>
 
 static const char rows_of_points[] =
     "  straight: {points: [[0, 0, 1], [1, 2, 3], [2, 4, 5], [4, 8, 9]]}\n"

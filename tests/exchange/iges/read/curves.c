@@ -3,7 +3,7 @@
 
 #include "exchange/iges/text.h"
 
-#include <batten/inspect.h>
+#include <batten/measure.h>
 
 static void point_at(const batten_curve *curve, double share, double p[3])
 {

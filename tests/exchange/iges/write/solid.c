@@ -4,6 +4,7 @@
 #include "support/bodies.h"
 #include "support/drilled_box.h"
 
+#include <batten/standard.h>
 #include <stdio.h>
 
 enum { MOST = 200 };

@@ -1,5 +1,5 @@
-#ifndef BATTEN_OFFSETS_H
-#define BATTEN_OFFSETS_H
+#ifndef BATTEN_OFFSET_TABLE_H
+#define BATTEN_OFFSET_TABLE_H
 /**
  * @file
  * A table of offsets: the half-breadths and heights of a hull at its stations.

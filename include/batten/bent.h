@@ -1,0 +1,263 @@
+#ifndef BATTEN_BENT_H
+#define BATTEN_BENT_H
+/**
+ * @file
+ * Curves bent like a batten: elastica, spirals, least energy, spiro.
+ */
+#include <batten/chain.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum batten_span_family {
+    BATTEN_FAMILY_LOCAL_CUBIC,   /**< a cubic function over each chord */
+    BATTEN_FAMILY_LOCAL_TENSION, /**< a function in tension over each chord */
+    BATTEN_FAMILY_GEOMETRIC,     /**< curvature linear in the abscissa along the chord */
+    BATTEN_FAMILY_EULER_SPIRAL,  /**< curvature linear in arc length: clothoids */
+    BATTEN_FAMILY_ARCS,          /**< one circular arc at each point */
+    BATTEN_FAMILY_ELASTICA,      /**< the thin beam held at the points: the mechanical spline */
+    BATTEN_FAMILY_HOBBY          /**< mock curvature and Hobby's velocities: cubics */
+} batten_span_family;
+
+/** What holds at one end. */
+typedef enum batten_nonlinear_end {
+    BATTEN_NONLINEAR_NATURAL,  /**< curvature 0 */
+    BATTEN_NONLINEAR_CIRCULAR, /**< the same curvature at both ends of the end span */
+    BATTEN_NONLINEAR_TANGENT,  /**< direction given, radians */
+    BATTEN_NONLINEAR_CURVATURE /**< curvature given, one by the unit of length */
+} batten_nonlinear_end;
+
+typedef struct batten_nonlinear_options {
+    size_t size;
+    batten_span_family family;       /**< BATTEN_FAMILY_EULER_SPIRAL */
+    batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
+    double start_value, end_value;   /**< of TANGENT and CURVATURE */
+    bool closed;            /**< the curve closes smoothly; the first point is not repeated */
+    const double *tensions; /**< LOCAL_TENSION: sigma l of each span [count - 1, closed: count];
+                                 NULL: as much as it takes that no span has an excess
+                               inflection, or as much as there can be: see inflections_added */
+    int max_steps;          /**< of Newton; 50 */
+} batten_nonlinear_options;
+BATTEN_API batten_nonlinear_options batten_nonlinear_defaults(void);
+
+typedef struct batten_nonlinear_report {
+    int steps;             /**< of Newton */
+    double residual;       /**< largest jump of curvature at a point */
+    double curvature;      /**< the largest */
+    int inflections_added; /**< spans bent to both sides where the points ask for one */
+    double turn;           /**< the largest that the polygon makes at a point, radians */
+    int turn_at; /**< there; beyond 120 degrees curves bulge, and some families fail */
+} batten_nonlinear_report;
+
+/**
+ * The spline of a family through points of the plane.
+ *
+ * @param points [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options NULL for the defaults
+ * @param[out] angles [count] directions at the points, radians; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; COINCIDENT; SINGULAR_HERE naming the point at which the polygon turns back
+ * on itself; TOLERANCE_NOT_MET naming the span that has no solution or bends more than the
+ * family allows, and what would work instead; SINGULAR_SYSTEM; INCOMPLETE when max_steps did
+ * not do
+ *
+ * Breaks of the chain: those of point i are found in `parameters` [count], may be NULL.
+ * Cost: linear in count for each step. Source: [SL] ch. VI; Euler spirals [BF15], HOBBY
+ * [Hobby86].
+ */
+BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
+                                                const batten_nonlinear_options *options,
+                                                double *angles, double *parameters,
+                                                batten_nonlinear_report *report,
+                                                batten_chain **out);
+
+typedef struct batten_mehlum_options {
+    size_t size;
+    batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
+    double start_value, end_value;   /**< of TANGENT and CURVATURE */
+    bool closed;      /**< the curve closes smoothly; the first point is not repeated */
+    int arcs;         /**< in each span, 2 or more; 4 */
+    double tolerance; /**< model units: more arcs, span by span, until none is farther from the
+                           elastica; 0: `arcs` everywhere */
+} batten_mehlum_options;
+BATTEN_API batten_mehlum_options batten_mehlum_defaults(void);
+
+typedef struct batten_mehlum_report {
+    int arcs;         /**< in all */
+    double deviation; /**< the largest distance from the elastica, of 8 places on each arc */
+    double at;        /**< there: span, counted from 0, and the share of it gone */
+    double jump;      /**< the largest of curvature from arc to arc */
+} batten_mehlum_report;
+
+/**
+ * Mehlum's curve: the mechanical spline through points (BATTEN_FAMILY_ELASTICA) as a chain of
+ * arcs, tangent to each other, with the directions of the elastica at the points.
+ *
+ * The arcs of a span are of equal length h; curvature goes in steps as that of the elastica.
+ * The deviation falls with the third power of h, the bending energy misses that of the elastica
+ * by the second.
+ *
+ * @param points  [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options NULL for the defaults
+ * @param[out] angles [count] directions at the points, radians; may be NULL
+ * @param[out] parameters [count], arc lengths from the start; may be NULL
+ * @param[out] report may be NULL
+ * @return as batten_chain_nonlinear; also BAD_ARGUMENT (arcs, tolerance), TOLERANCE_NOT_MET
+ * naming the span that so few arcs cannot follow, or that needs more than 10000
+ * Cost: that of the elastica, and some ten evaluations of it for each arc. Source: [Mehlum64],
+ * [Mehlum74]; the directions between the points, which make the order three, are our own.
+ */
+BATTEN_API batten_status batten_chain_mehlum(int count, const double *points,
+                                             const batten_mehlum_options *options,
+                                             double *angles, double *parameters,
+                                             batten_mehlum_report *report, batten_chain **out);
+
+/**
+ * The Euler spiral (clothoid, curvature linear in arc length) between two points with given
+ * directions, radians: the one that turns least.
+ *
+ * @param start, end [2], apart
+ * @param[out] steps of Newton; may be NULL
+ * @param[out] error distance at the end in point and, times the length, in direction, model
+ *             units; may be NULL
+ * @return BATTEN_OK, NOT_FINITE, COINCIDENT, OVERFLOW, or TOLERANCE_NOT_MET when both
+ * directions stand to the chord at more than 0.98 pi: there is then none that is near
+ * Source: [BF15].
+ */
+BATTEN_API batten_status batten_spiral_hermite(const double *start, double start_angle,
+                                               const double *end, double end_angle, int *steps,
+                                               double *error, batten_span *out);
+/** What is to be least, along arc length s. */
+typedef enum batten_energy {
+    BATTEN_ENERGY_BENDING,  /**< the integral of k^2: a thin elastic strip */
+    BATTEN_ENERGY_VARIATION /**< the integral of k'^2, in space of k'^2 + (k torsion)^2, which
+                               is the change of the curvature vector across the tangent: circles
+                                 have none */
+} batten_energy;
+
+typedef struct batten_energy_options {
+    size_t size;
+    batten_energy energy; /**< BATTEN_ENERGY_VARIATION */
+    bool scale_invariant; /**< times the length (BENDING), its cube (VARIATION): the number does
+                               not depend on the unit, and longer curves are no cheaper */
+    double tension;       /**< added for each unit of length, >= 0: the strip is pulled; 0 */
+    bool closed;          /**< the curve closes smoothly; the first point is not repeated */
+    int pieces;           /**< quintics between neighbours among the points, 1..16; 2 */
+    const double *start_tangent, *end_tangent;     /**< [dimension], any length; NULL: free */
+    const double *start_curvature, *end_curvature; /**< [dimension], the vector towards the
+                            centre, one by the unit; needs the tangent, to which it is square;
+                            NULL: free */
+    int max_steps;                                 /**< of Newton; 200 */
+} batten_energy_options;
+BATTEN_API batten_energy_options batten_energy_defaults(void);
+
+typedef struct batten_energy_report {
+    int steps;
+    double before, after; /**< the energy of the spline that was the start, and of the result */
+    double length;        /**< of the result */
+    double remaining;     /**< how much the energy would still fall, by its derivatives */
+} batten_energy_report;
+
+/**
+ * The curve of least energy through points, among curves of quintic pieces with continuous
+ * tangent and curvature.
+ *
+ * It is the least near a spline from which the search begins: in the plane the elastica (for
+ * bending) or the spline after Spiro (for variation), where these exist, else, and where that
+ * leads nowhere, the cubic spline. For bending there is none in the large, since loops can grow
+ * for ever; nor is there always one with free ends. Two points give the line; so do all on a
+ * line. Points of a circle give the circle of least variation within 2e-9 of its radius when
+ * they are a radian apart, with 4 pieces within 1e-10. Where a curve of least bending is known
+ * to exist, `batten_chain_nonlinear` with ELASTICA has it exactly; this one also knows space,
+ * tension and variation.
+ *
+ * @param dimension 2 or 3
+ * @param points    [count][dimension], 2 or more, 3 or more when closed; neighbours apart
+ * @param options   NULL for the defaults
+ * @param[out] parameters [count], all but arc lengths; closed: the curve ends at the first
+ * point again; may be NULL
+ * @param[out] report may be NULL
+ * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, BAD_ARGUMENT; INCOMPLETE when
+ * max_steps did not reach the least, or the curve grows without end: then give directions at
+ * the ends or a tension
+ *
+ * Cost: linear in count times pieces for each step, some 5 microseconds a piece; mostly 5 to 20
+ * steps. Source: [MS92], [Horn83].
+ */
+BATTEN_API batten_status batten_curve_minimum_energy(
+    int dimension, int count, const double *points, const batten_energy_options *options,
+    double *parameters, batten_energy_report *report, batten_curve **out);
+/** What a point asks of the curve; of the ends of an open curve the kind does not count. */
+typedef enum batten_spiro_kind {
+    BATTEN_SPIRO_SMOOTH, /**< direction, curvature and its first two derivatives by arc length
+                              continue: G4 */
+    BATTEN_SPIRO_CURVATURE, /**< direction and curvature continue, G2; the second derivative of
+                                 curvature is 0 at both sides, so that an Euler spiral stands
+                                 between two of these */
+    BATTEN_SPIRO_CORNER,    /**< both sides end freely */
+    BATTEN_SPIRO_LEFT,      /**< one way: what comes before ends freely, what follows takes its
+                                 direction and curvature */
+    BATTEN_SPIRO_RIGHT /**< one way: what follows begins freely, what comes before takes its
+                            direction and curvature */
+} batten_spiro_kind;
+
+/** What is given at one end; without a direction the second derivative of curvature is 0
+ * there, without a curvature the first: these are the natural ends of least variation. */
+typedef struct batten_spiro_end {
+    bool has_tangent, has_curvature;
+    double tangent;   /**< direction, radians */
+    double curvature; /**< one by the unit of length, above 0 to the left */
+} batten_spiro_end;
+
+typedef struct batten_spiro_options {
+    size_t size;
+    const batten_spiro_kind *kinds; /**< [count]; NULL: all SMOOTH */
+    batten_spiro_end start, end;    /**< free; of closed curves they do not count */
+    bool closed;                    /**< the first point is not repeated */
+    int max_steps;                  /**< of Newton; 200 */
+} batten_spiro_options;
+BATTEN_API batten_spiro_options batten_spiro_defaults(void);
+
+typedef struct batten_spiro_report {
+    int steps;        /**< of Newton */
+    double residual;  /**< the largest jump at a point of what shall continue: radians, or
+                           derivatives of the direction times powers of the chords about it */
+    double curvature; /**< the largest at a point */
+    double bending;   /**< the integral of the square of curvature */
+    double variation; /**< the integral of the square of its derivative by arc length */
+    int straight;     /**< spans between two free ends: lines */
+    double turn;      /**< the largest that the polygon makes at a point, radians */
+    int turn_at;      /**< there */
+} batten_spiro_report;
+
+/**
+ * The spline through points of the plane whose spans have curvature cubic in arc length.
+ *
+ * It is the least-variation curve as long as angles are small, and near it always. Points of a
+ * circle give the circle, and a point of the curve added as a smooth point changes nothing. A
+ * span between two free ends (of an open curve, at corners, on the leading side of one-way
+ * points) is a straight line: so a line is joined to a curve by a one-way point between them,
+ * LEFT where the line comes before, and the curve then begins along it with curvature 0.
+ *
+ * @param points  [count][2], 2 or more, 3 or more when closed; neighbours apart
+ * @param options NULL for the defaults
+ * @param[out] parameters [count] arc lengths of the points; may be NULL
+ * @param[out] report     may be NULL
+ * @return BATTEN_OK; NOT_FINITE, TOO_FEW_POINTS, COINCIDENT, OVERFLOW, BAD_ARGUMENT (a kind);
+ * SINGULAR_HERE naming a point, not a corner, at which the polygon turns back on itself;
+ * TOLERANCE_NOT_MET naming the span that cannot be bent so, and what would work instead;
+ * INCOMPLETE when max_steps did not do
+ *
+ * Cost: linear in count for each step, about 2 microseconds a point; mostly 7 to 15 steps.
+ * Source: the equations of [Levien09], ch. 8; solved by Newton's method from Euler spirals.
+ */
+BATTEN_API batten_status batten_chain_spiro(int count, const double *points,
+                                            const batten_spiro_options *options,
+                                            double *parameters, batten_spiro_report *report,
+                                            batten_chain **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

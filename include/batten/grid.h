@@ -1,0 +1,358 @@
+#ifndef BATTEN_GRID_H
+#define BATTEN_GRID_H
+/**
+ * @file
+ * Surfaces through and near grids of points.
+ *
+ * S(u, v) = sum P[i][j] L_i(u) M_j(v), where L_i is the curve of the method through the values
+ * 0, but 1 at i. So the surface passes through the points when the methods do, is as smooth
+ * along u as the one and along v as the other, and is the same whichever direction comes first.
+ */
+#include <batten/approximate.h>
+#include <batten/local.h>
+#include <batten/polygon.h>
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What is known along the rim of a grid, for surfaces with knots at the data. */
+typedef struct batten_grid_options {
+    size_t size;
+    int degree_u, degree_v;            /**< 3, 3 */
+    batten_parametrization parameters; /**< averaged over the rows; BATTEN_CENTRIPETAL */
+    const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
+    bool knots_at_data;                /**< false: averaged knots (the default) */
+    bool periodic_u, periodic_v;
+    batten_end_kind ends; /**< what holds on the rim when no derivatives are given */
+    const double *du; /**< [orders_u][2][count_v][d], Su (Suu ..) on the first and last row; or
+                           NULL */
+    const double *dv; /**< [orders_v][2][count_u][d], Sv (Svv ..) on the first and last column;
+                           or NULL */
+    const double *twists; /**< [orders_u][2][orders_v][2][d], Suv (Suuv ..) at the corners (u
+                             end first); or NULL */
+    int orders_u,
+        orders_v; /**< how many derivatives `du` and `dv` give; 0: one. Knots at the data
+                       take (degree - 1) / 2, averaged ones as many as the degree */
+    const double *weights; /**< [count_u][count_v], > 0, of the points of a rational surface; or
+                                NULL. Not with derivatives */
+    const bool *gaps; /**< [count_u][count_v], where there is no point: what stands there is not
+                           looked at; or NULL */
+} batten_grid_options;
+
+BATTEN_API batten_grid_options batten_grid_defaults(void);
+
+/** What a grid interpolation found out about its data. */
+typedef struct batten_grid_report {
+    double residual;           /**< largest distance from a data point */
+    double spread_u, spread_v; /**< largest |row parameter - average|, in steps; above 0.5
+                                  skinning is better */
+    int filled; /**< how many points were none, and stand where least energy puts them */
+} batten_grid_report;
+
+/**
+ * A surface through a grid of points.
+ *
+ * Parameters run from 0 to 1 unless they are given. Lines of the grid that are a single point
+ * are left out of their average, and a rim that is one stays one: a pole. Where both `du` and
+ * `dv` are given, of one order, but not `twists`, the twists are estimated with Bessel's
+ * parabolas. Few points lower a degree.
+ *
+ * With `weights` the points (w x, w y, w z, w) are interpolated; BAD_WEIGHT naming the control
+ * point whose weight is not above 0 then. Gaps are filled first, with the points that make the
+ * second differences over the grid, as sums for the integral of Suu^2 + 2 Suv^2 + Svv^2, least:
+ * a plane with gaps stays plane. SINGULAR_SYSTEM when the others do not determine them.
+ *
+ * @param points [count_u][count_v][dimension]
+ * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
+ * @param[out] report may be NULL
+ * @return as batten_curve_interpolate; the message names the direction
+ *
+ * Cost: linear in the number of points; each direction is factored once. Gaps: their number
+ * times the square of those in two lines. Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
+ */
+BATTEN_API batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
+                                                    const double *points,
+                                                    const batten_grid_options *options,
+                                                    const batten_job *job, double *u, double *v,
+                                                    batten_grid_report *report,
+                                                    batten_surface **out);
+
+/* ---- twists of nets ---- */
+
+typedef enum batten_twists {
+    BATTEN_TWISTS_ZERO,     /**< right for a(u) + b(v) alone: else flat spots */
+    BATTEN_TWISTS_BILINEAR, /**< mean of the twists of the adjoining quadrangles */
+    BATTEN_TWISTS_BESSEL,   /**< of the biquadratic through 3 x 3 points */
+    BATTEN_TWISTS_ADINI,    /**< of the bilinear Coons patch around the point */
+    BATTEN_TWISTS_SPLINE,   /**< those that make a bicubic net C2 */
+    BATTEN_TWISTS_ENERGY,   /**< least sum of integrals of S_uu^2 + 2 S_uv^2 + S_vv^2 */
+    BATTEN_TWISTS_SELESNICK /**< from curvatures; needs `shape` */
+} batten_twists;
+
+/** What Selesnick's twists need at each point: [count_u][count_v] of each. */
+typedef struct batten_twist_shape {
+    const double *suu, *svv; /**< [..][3] second derivatives along the net */
+    const double *gaussian;  /**< curvature, 1 / length^2 */
+} batten_twist_shape;
+
+/**
+ * Twists at the points of a rectangular net.
+ *
+ * @param u, v    [count_u], [count_v], increasing; 2 or more of each
+ * @param points, su, sv [count_u][count_v][d], the points and their derivatives
+ * @param shape   with SELESNICK, and d = 3; else NULL
+ * @param[out] twists [count_u][count_v][d]
+ * @param[out] clamped  SELESNICK: at how many points the curvature asked for cannot be, and the
+ * nearest was taken; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, NOT_FINITE, NOT_INCREASING, TOO_LARGE ...
+ *
+ * On the rim Adini takes the patches that are there, Bessel one-sided parabolas. Where S_u and
+ * S_v are parallel Selesnick's is Adini's. Cost: linear; ENERGY factors a band matrix, count_u
+ * count_v min(count_u, count_v)^2.
+ * Source: [BFFH88], [AC61] for Adini's, [Selesnick81], [HS87].
+ */
+BATTEN_API batten_status batten_net_twists(batten_twists method, int dimension, int count_u,
+                                           const double *u, int count_v, const double *v,
+                                           const double *points, const double *su,
+                                           const double *sv, const batten_twist_shape *shape,
+                                           double *twists, int *clamped);
+/** A method for curves: points [count][dimension], at increasing parameters [count] (closed:
+ * [count + 1]). Knots, degree and number of control points must depend on the parameters alone,
+ * control points linearly on the points. */
+typedef struct batten_line_method {
+    batten_status (*make)(void *user, int dimension, int count, const double *points,
+                          const double *parameters, batten_curve **out);
+    void *user;
+    bool closed; /**< the first point follows the last */
+} batten_line_method;
+
+/**
+ * Parameters for the lines of a grid: in each direction from 0 to 1, the average of those that
+ * its lines would have alone; lines that are a single point are left out.
+ *
+ * @param points [count_u][count_v][dimension]
+ * @param closed_u, closed_v  also give the step from the last line back to the first
+ * @param[out] u, v [count_u], [count_v]; closed: one more
+ * @param[out] spread [2] the largest |own - average| of a line of points, in steps, in u and in
+ * v; above 0.5 skinning is better; may be NULL
+ * @return BATTEN_OK, BAD_ARGUMENT, TOO_FEW_POINTS, NOT_FINITE, COINCIDENT naming the two lines
+ * Source: [PT97] 9.2.5.
+ */
+BATTEN_API batten_status batten_grid_parametrize(int dimension, int count_u, int count_v,
+                                                 const double *points,
+                                                 batten_parametrization kind, bool closed_u,
+                                                 bool closed_v, double *u, double *v,
+                                                 double *spread);
+
+/**
+ * The tensor product of two methods.
+ *
+ * @param points [count_u][count_v][dimension], finite
+ * @param u, v   parameters of the grid lines, increasing; closed: one more
+ * @param[out] off  the largest distance of a point from the surface at its parameters; may be
+ * NULL
+ * @return BATTEN_OK, what the methods report (naming the line), NOT_COMPATIBLE when the curves
+ * of a method have different knots, UNSUPPORTED when they are rational, TOO_LARGE ... Cost:
+ * count_v times the method along u, and for each control point that this gives once the method
+ * along v. Source: [deBoor01] ch. XVII.
+ */
+BATTEN_API batten_status batten_surface_tensor(
+    int dimension, int count_u, int count_v, const double *points, const double *u,
+    const double *v, const batten_line_method *along_u, const batten_line_method *along_v,
+    const batten_job *job, double *off, batten_surface **out);
+
+/** Nu-splines in both directions: bicubics that are drawn into chosen grid lines. */
+typedef struct batten_nu_surface_options {
+    size_t size;
+    bool closed_u, closed_v;
+    double nu_u, nu_v;   /**< of all lines, as nu of batten_weighted_options; 0 */
+    const double *nus_u; /**< [count_u] line by line, instead; or NULL */
+    const double *nus_v; /**< [count_v] */
+    const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths, averaged */
+} batten_nu_surface_options;
+BATTEN_API batten_nu_surface_options batten_nu_surface_defaults(void);
+
+/** The tensor product of nu-splines with natural ends: a bicubic surface, C1. Without nu the
+ * natural bicubic spline, C2. @return as batten_surface_tensor. Source: [Nielson74]. */
+BATTEN_API batten_status batten_surface_nu(int dimension, int count_u, int count_v,
+                                           const double *points,
+                                           const batten_nu_surface_options *options,
+                                           const batten_job *job, batten_surface **out);
+
+/**
+ * The tensor product of curves of the class of Catmull and Rom: local, no equations.
+ * @param u, v  parameters of the grid lines; NULL: centripetal, averaged
+ * @param along_u, along_v  their alpha and `given` are not used
+ * @param[out] off  the largest distance of a point from the surface; 0 but for rounding when
+ * both pass their points; may be NULL
+ * @return as batten_surface_tensor. Source: [CR74].
+ */
+BATTEN_API batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v,
+                                                    const double *points, const double *u,
+                                                    const double *v,
+                                                    const batten_catmull_rom_options *along_u,
+                                                    const batten_catmull_rom_options *along_v,
+                                                    const batten_job *job, double *off,
+                                                    batten_surface **out);
+
+/** The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
+ * direction.
+ * @param points [count_u][count_v][dimension] @return as batten_surface_tensor and
+ * batten_curve_uniform. Source: [Coons74], [Riesenfeld73]. */
+BATTEN_API batten_status batten_surface_uniform(int dimension, int count_u, int count_v,
+                                                const double *points, int degree_u,
+                                                int degree_v, batten_polygon_end ends_u,
+                                                batten_polygon_end ends_v,
+                                                batten_surface **out);
+
+/** Splines in tension in both directions. */
+typedef struct batten_tension_surface_options {
+    size_t size;
+    bool closed_u, closed_v;
+    double tension_u, tension_v; /**< of all strips, as in batten_tension_options; 0 */
+    const double *tensions_u;    /**< [strips along u] strip by strip, instead; or NULL */
+    const double *tensions_v;
+    const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths */
+} batten_tension_surface_options;
+BATTEN_API batten_tension_surface_options batten_tension_surface_defaults(void);
+
+/**
+ * The tensor product of splines in tension with natural ends: C2, of the kind "tension".
+ * Without tension it is the natural bicubic spline; with very much tension bilinear patches.
+ * Between the lines of the grid each strip has its own tension, so that single folds can be
+ * drawn tight.
+ *
+ * It is no NURBS; batten_surface_to_nurbs comes near it.
+ * @return BATTEN_OK, and as batten_chain_tension, naming the line
+ * Cost: linear in the number of points; a point of the surface 16 products for each coordinate.
+ * Source: [Schweikert66], [Cline74].
+ */
+BATTEN_API batten_status batten_surface_tension(int dimension, int count_u, int count_v,
+                                                const double *points,
+                                                const batten_tension_surface_options *options,
+                                                batten_surface **out);
+/** Why lattices were not halved again. */
+typedef enum batten_levels_end {
+    BATTEN_LEVELS_NONE,   /**< another method */
+    BATTEN_LEVELS_MET,    /**< the tolerance is met, or every datum */
+    BATTEN_LEVELS_MOST,   /**< as many levels as were wanted, or nine */
+    BATTEN_LEVELS_LARGE,  /**< the next would have too many control points */
+    BATTEN_LEVELS_FEW,    /**< the next would have more than eight control points for a datum */
+    BATTEN_LEVELS_NO_GAIN /**< the last brought the data nearer by less than a tenth */
+} batten_levels_end;
+
+/** What a surface near points reached. Distances are those of the data from the surface at
+ * their parameters, in model units, so no datum is farther from the surface; data of weight 0
+ * do not count. */
+typedef struct batten_surface_fit_report {
+    double max, rms;
+    double most;     /**< 95 of 100 data are not farther */
+    int worst;       /**< index of the farthest datum; of a grid i * count_v + j */
+    double at[2];    /**< its parameters */
+    double where[3]; /**< and the datum itself; of a function (u, v, value) */
+    double lambda;   /**< the weight of the penalty; 0 without one */
+    double freedom;  /**< how many of the data the surface follows: the trace of the matrix that
+                          turns data into values; of scattered data an estimate; 0: not asked */
+    int points_u, points_v;    /**< control points, those of one period */
+    double spread_u, spread_v; /**< of a grid: largest |row parameter - average|, in steps */
+    int rounds;                /**< of refinement, of levels */
+    int corrections;           /**< rounds of parameter correction */
+    int reweightings;          /**< rounds of a robust fit */
+    double threshold;          /**< the distance from which on a robust fit counts data less */
+    int empty;                 /**< of scattered data: cells between knots that hold none */
+    int iterations;            /**< of conjugate gradients; 0: solved directly */
+    double outside; /**< of scattered data: how far the surface leaves the box of the data,
+                         seen on a grid of places */
+    double outside_share;  /**< by the side of the box along which it does (at least a tenth of
+                                its longest) */
+    double outside_at[3];  /**< where on the surface; of a function (u, v, value) */
+    double layered;        /**< of a cloud: the share of points whose neighbour by parameters on
+                                the base is far away in space; above some tenths the cloud does
+                                not lie over its base once, as a closed body does not */
+    double layers_apart;   /**< how far, by the median */
+    batten_levels_end end; /**< of levels */
+} batten_surface_fit_report;
+
+/** What is made small beside the distances. */
+typedef enum batten_grid_penalty {
+    BATTEN_GRID_ENERGY,     /**< integrals of squares of the derivatives along u and along v */
+    BATTEN_GRID_DIFFERENCES /**< squares of the differences of control points along u and v,
+                               with even knots: P-splines */
+} batten_grid_penalty;
+
+typedef struct batten_grid_fit_options {
+    size_t size;
+    int degree_u, degree_v; /**< 3, 3 */
+    int points_u, points_v; /**< control points, periodic: of one period. 0: least squares one
+                                 for every four lines of the grid; smoothing up to 43, at most
+                                 one for every line */
+    batten_parametrization parameters; /**< averaged over the rows; BATTEN_CENTRIPETAL */
+    const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
+    const double *weights_u, *weights_v; /**< [count] of the lines of the grid: the weight of a
+                                              datum is their product; NULL: all 1 */
+    bool periodic_u, periodic_v;
+    bool hold_rims; /**< least squares: the surface passes the four corners, and its rims are
+                         the least squares of the rims' data alone; true */
+    batten_grid_penalty penalty; /**< smoothing: BATTEN_GRID_ENERGY */
+    int order;                   /**< of the derivatives or differences, 1..4; 2 */
+    batten_smooth_by by;         /**< BATTEN_SMOOTH_BY_VALIDATION */
+    double amount;               /**< lambda, or the rms */
+    double tolerance; /**< least squares: > 0: control points are added, from `points_u` by
+                           `points_v` (0: the fewest) on, along the direction that gains more,
+                           until no datum is farther; 0 */
+} batten_grid_fit_options;
+
+BATTEN_API batten_grid_fit_options batten_grid_fit_defaults(void);
+
+/**
+ * The surface with few control points and the least sum of squared distances from a grid.
+ *
+ * Curves are fitted along u to the data of each line, and then along v to their control points:
+ * with the weights of lines that is the least squares of the tensor product. Knots follow the
+ * data ([PT97] 9.69). With `hold_rims` the corners are met, and surfaces that share the data of
+ * a rim share the rim. With a tolerance the fewest control points are sought that meet it,
+ * TOLERANCE_NOT_MET when none do.
+ *
+ * @param points [count_u][count_v][dimension]
+ * @param options NULL for the defaults
+ * @param[out] u, v  parameters of the grid lines [count_u], [count_v]; may be NULL
+ * @param[out] report may be NULL
+ * @return as batten_curve_least_squares; the message names the direction; TOO_LARGE
+ * Cost: linear in the number of data. Source: [PT97] 9.4.4, [Dierckx93].
+ */
+BATTEN_API batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
+                                                 const double *points,
+                                                 const batten_grid_fit_options *options,
+                                                 const batten_job *job, double *u, double *v,
+                                                 batten_surface_fit_report *report,
+                                                 batten_surface **out);
+
+/**
+ * A smooth surface near a grid: least squares plus lambda times a penalty of roughness.
+ *
+ * With G the matrices of the data and R those of the penalty the least is sought of the squares
+ * and lambda (R_u x G_v + G_u x R_v): a penalty along the lines of the grid, which both
+ * directions can be solved for apart. lambda = 0 gives the least squares without held rims (the
+ * interpolating surface, with as many control points as data); infinity the polynomial of
+ * degree order - 1 in u and in v. The knots of BATTEN_GRID_ENERGY are averages of parameters,
+ * as for interpolation.
+ *
+ * Each direction may have 400 control points, and not more than lines of the grid.
+ *
+ * @return as batten_surface_fit_grid; BAD_ARGUMENT (order, amount), TOO_LARGE
+ * Cost: the cube of the control points of a direction to begin, then for each lambda their
+ * product. Source: [EM96], [Dierckx93], [CW79].
+ */
+BATTEN_API batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v,
+                                                    const double *points,
+                                                    const batten_grid_fit_options *options,
+                                                    const batten_job *job, double *u, double *v,
+                                                    batten_surface_fit_report *report,
+                                                    batten_surface **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
