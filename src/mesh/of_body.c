@@ -163,7 +163,7 @@ static batten_status finish(bat_meshing *m, batten_mesh **out)
         number[i] = count++;
     }
     for (int i = 0; i < m->triangle_count; i++) {
-        m->owners[i] = bat_meshing_name(m, m->owners[i]);
+        m->owners[i] = bat_meshing_number(m, m->owners[i]);
         for (int k = 0; k < 3; k++)
             m->corners[i][k] = number[m->corners[i][k]];
     }
@@ -180,9 +180,10 @@ static batten_status finish(bat_meshing *m, batten_mesh **out)
     return batten_mesh_create(&parts, out);
 }
 
-static batten_status mesh_traced(const batten_body *body, bat_meshing *m, batten_mesh **out)
+static batten_status mesh_traced(const bat_traced *traced, bat_meshing *m, batten_mesh **out)
 {
-    m->parts = batten_body_view(body);
+    m->traced = traced;
+    m->parts = batten_body_view(traced->body);
     batten_status status = make_lists(m);
     if (status == BATTEN_OK)
         status = bat_meshing_predict(m);
@@ -206,18 +207,15 @@ batten_status batten_mesh_of_body(const batten_body *body, const batten_mesh_opt
 {
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
     bat_meshing m = {.job = job, .notes = notes, .work = {.job = job}};
-    batten_body *traced = NULL;
-    int *names = NULL;
+    bat_traced traced = {0};
     assert(body && out);
     batten_status status = check_options(&chosen, body, &m);
     if (status == BATTEN_OK)
-        status = bat_meshing_trace(&m, body, &traced, &names);
-    m.names = names;
+        status = bat_meshing_trace(&m, body, &traced);
     if (status == BATTEN_OK)
-        status = mesh_traced(traced, &m, out);
+        status = mesh_traced(&traced, &m, out);
     if (status == BATTEN_OK && report)
         *report = m.report;
-    batten_body_unref(traced);
-    bat_release(names);
+    bat_traced_end(&traced);
     return status;
 }

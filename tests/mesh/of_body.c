@@ -325,6 +325,42 @@ TEST(a_face_that_crosses_itself_is_left_out_with_a_note)
     batten_body_unref(body);
 }
 
+/* The front of the box is far from its edges, so it cannot be traced: the triangles of the
+ * other five name them by their numbers in the given body. */
+TEST(triangles_name_the_faces_of_the_given_body)
+{
+    batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){1, 2, 3}), *body = NULL;
+    batten_body_parts parts = *batten_body_view(box);
+    batten_body_face faces[6];
+    batten_surface *away = NULL;
+    batten_mesh *mesh = NULL;
+    batten_mesh_report report;
+    batten_notes *notes = NULL;
+    const batten_affine lift = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 9, 0}};
+    int found[6] = {0};
+    for (int i = 0; i < 6; i++)
+        faces[i] = parts.faces[i];
+    CHECK_OK(batten_surface_transform(faces[2].surface, &lift, &away));
+    faces[2].surface = away;
+    parts.faces = faces;
+    CHECK_OK(batten_body_create(&parts, &body));
+    CHECK_OK(batten_notes_create(10, &notes));
+    CHECK_OK(batten_mesh_of_body(body, NULL, NULL, notes, &report, &mesh));
+    CHECK_INT(report.failed, 1);
+    if (batten_notes_count(notes))
+        CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "face 2, front");
+    const batten_mesh_parts *made = batten_mesh_view(mesh);
+    for (int i = 0; i < made->triangle_count; i++)
+        found[made->faces[i]]++;
+    for (int i = 0; i < 6; i++)
+        CHECK_INT(found[i], i == 2 ? 0 : 2);
+    batten_notes_free(notes);
+    batten_mesh_unref(mesh);
+    batten_surface_unref(away);
+    batten_body_unref(body);
+    batten_body_unref(box);
+}
+
 /* Two discs on one another share nothing but their rim, however alike their triangles are. */
 TEST(two_discs_with_one_rim_are_closed)
 {

@@ -1,7 +1,6 @@
+/* Faces traced round after round, those that fail each time more coarsely. */
 #include "body/trace/all.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 bool bat_is_traced(const batten_body_parts *parts)
@@ -12,101 +11,94 @@ bool bat_is_traced(const batten_body_parts *parts)
     return is;
 }
 
-/* ---- some faces of a body, named by their numbers ---- */
-
-enum { NAME = 16 };
+/* ---- some faces of a body ---- */
 
 typedef struct {
     batten_body_use *uses;
     batten_body_loop *loops;
     batten_body_face *faces;
-    char (*names)[NAME];
-} room;
+} part_lists;
 
-static batten_status make_room(const batten_body_parts *parts, room *r)
+static batten_status make_lists(const batten_body_parts *parts, part_lists *lists)
 {
-    r->uses = bat_array((size_t)parts->use_count + 1, sizeof *r->uses);
-    r->loops = bat_array((size_t)parts->loop_count + 1, sizeof *r->loops);
-    r->faces = bat_array((size_t)parts->face_count + 1, sizeof *r->faces);
-    r->names = bat_array((size_t)parts->face_count + 1, sizeof *r->names);
-    return r->uses && r->loops && r->faces && r->names ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    lists->uses = bat_array((size_t)parts->use_count + 1, sizeof *lists->uses);
+    lists->loops = bat_array((size_t)parts->loop_count + 1, sizeof *lists->loops);
+    lists->faces = bat_array((size_t)parts->face_count + 1, sizeof *lists->faces);
+    return lists->uses && lists->loops && lists->faces ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void end_room(room *r)
+static void release_lists(part_lists *lists)
 {
-    bat_release(r->uses);
-    bat_release(r->loops);
-    bat_release(r->faces);
-    bat_release(r->names);
+    bat_release(lists->uses);
+    bat_release(lists->loops);
+    bat_release(lists->faces);
 }
 
-static batten_status take_faces(const batten_body_parts *from, const bool *wanted,
+/* The wanted faces as a sheet, and their numbers in the given body. */
+static batten_status take_faces(const batten_body_parts *from, const bool *wanted, int *numbers,
                                 batten_body **out)
 {
     batten_body_parts some = *from;
-    room r = {0};
-    batten_status status = make_room(from, &r);
+    part_lists lists = {0};
+    batten_status status = make_lists(from, &lists);
     some.use_count = some.loop_count = some.face_count = 0;
     for (int f = 0; f < from->face_count && status == BATTEN_OK; f++) {
         const batten_body_face *face = &from->faces[f];
         if (!wanted[f])
             continue;
-        batten_body_face *made = &r.faces[some.face_count];
-        *made = *face;
-        made->first = some.loop_count;
-        snprintf(r.names[some.face_count], NAME, "%d", f);
-        made->name = r.names[some.face_count++];
+        numbers[some.face_count] = f;
+        lists.faces[some.face_count] = *face;
+        lists.faces[some.face_count++].first = some.loop_count;
         for (int l = face->first; l < face->first + face->count; l++) {
             const batten_body_loop loop = from->loops[l];
-            r.loops[some.loop_count++] = (batten_body_loop){some.use_count, loop.count};
-            memcpy(r.uses + some.use_count, from->uses + loop.first,
-                   (size_t)loop.count * sizeof *r.uses);
+            lists.loops[some.loop_count++] = (batten_body_loop){some.use_count, loop.count};
+            memcpy(lists.uses + some.use_count, from->uses + loop.first,
+                   (size_t)loop.count * sizeof *lists.uses);
             some.use_count += loop.count;
         }
     }
     const batten_body_shell shell = {0, some.face_count, false};
-    some.uses = r.uses;
-    some.loops = r.loops;
-    some.faces = r.faces;
+    some.uses = lists.uses;
+    some.loops = lists.loops;
+    some.faces = lists.faces;
     some.shells = &shell;
     some.shell_count = some.face_count > 0;
     some.is_solid = false;
     if (status == BATTEN_OK)
         status = batten_body_create(&some, out);
-    end_room(&r);
+    release_lists(&lists);
     return status;
 }
 
 /* ---- rounds ---- */
 
-/* Keep what was traced, with the numbers that the names are. */
-static batten_status keep(batten_body *traced, double tolerance, bat_traced_all *all)
+/* Keep what was traced of some faces; `numbers` are theirs in the given body. */
+static void keep_traced(bat_traced traced, const int *numbers, bat_traced_all *all)
 {
-    const batten_body_parts *parts = batten_body_view(traced);
-    int *numbers = bat_array((size_t)parts->face_count + 1, sizeof *numbers);
-    if (!numbers) {
-        batten_body_unref(traced);
-        return BATTEN_OUT_OF_MEMORY;
-    }
+    const batten_body_parts *parts = batten_body_view(traced.body);
     for (int f = 0; f < parts->face_count; f++) {
-        numbers[f] = (int)strtol(parts->faces[f].name, NULL, 10);
-        all->is_failed[numbers[f]] = false;
+        traced.numbers[f] = numbers[traced.numbers[f]];
+        all->is_failed[traced.numbers[f]] = false;
     }
-    all->at[all->count++] = (bat_traced){traced, numbers, tolerance};
-    return BATTEN_OK;
+    all->at[all->count++] = traced;
 }
 
 static batten_status trace_round(const batten_body_parts *from, double tolerance,
                                  const batten_job *job, bat_traced_all *all)
 {
-    batten_body *some = NULL, *traced = NULL;
+    batten_body *some = NULL;
+    bat_traced traced = {0};
     batten_trace_report report = {0};
-    batten_status status = take_faces(from, all->is_failed, &some);
+    int *numbers = bat_array((size_t)from->face_count + 1, sizeof *numbers);
+    batten_status status = numbers ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
-        status = batten_body_trace(some, tolerance, job, NULL, &report, &traced);
+        status = take_faces(from, all->is_failed, numbers, &some);
     if (status == BATTEN_OK)
-        status = keep(traced, tolerance, all);
+        status = bat_body_trace(some, tolerance, job, NULL, &report, &traced);
+    if (status == BATTEN_OK)
+        keep_traced(traced, numbers, all);
     batten_body_unref(some);
+    bat_release(numbers);
     all->rims += report.rims;
     all->failed = 0;
     for (int f = 0; f < from->face_count; f++)
@@ -141,10 +133,8 @@ batten_status bat_trace_all(const batten_body *body, double coarsest, const batt
 
 void bat_trace_all_end(bat_traced_all *all)
 {
-    for (int i = 0; i < all->count; i++) {
-        batten_body_unref(all->at[i].body);
-        bat_release(all->at[i].numbers);
-    }
+    for (int i = 0; i < all->count; i++)
+        bat_traced_end(&all->at[i]);
     bat_release(all->is_failed);
     *all = (bat_traced_all){0};
 }

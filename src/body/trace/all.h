@@ -7,15 +7,9 @@
 #ifndef BAT_TRACE_ALL_H
 #define BAT_TRACE_ALL_H
 #include "base/base.h"
-#include <batten/body.h>
+#include "body/trace/traced_body.h"
 
 enum { BAT_TRACE_ROUNDS = 12 };
-
-typedef struct {
-    batten_body *body; /* traced, with some of the faces */
-    int *numbers;      /* of its faces in the given body; NULL: the same */
-    double tolerance;  /* by which it was traced; 0 when it was given so */
-} bat_traced;
 
 typedef struct {
     int count;
@@ -31,10 +25,5 @@ bool bat_is_traced(const batten_body_parts *parts);
 batten_status bat_trace_all(const batten_body *body, double coarsest, const batten_job *job,
                             bat_traced_all *out);
 void bat_trace_all_end(bat_traced_all *all);
-/* The number in the given body of face `face` of part `part`. */
-static inline int bat_traced_number(const bat_traced *part, int face)
-{
-    return part->numbers ? part->numbers[face] : face;
-}
 
 #endif

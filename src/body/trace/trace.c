@@ -1,49 +1,14 @@
+/* The driver of tracing: takes the given body apart, leads all its faces through the steps of
+ * trace.h together, and builds the traced body, with the numbers of the faces it came from. */
 #include "body/trace/trace.h"
 #include "base/work.h"
-#include "body/border.h"
 #include "body/measure/box.h"
+#include "body/trace/traced_body.h"
 #include "numeric/vector.h"
 
 #include <stdint.h>
-#include <stdio.h>
-#include <string.h>
 
-/* ---- what is said ---- */
-
-static void entity_of(const bat_trace *trace, const bat_trace_face *face, char *entity,
-                      size_t size)
-{
-    const char *name = trace->from->faces[face->from].name;
-    char shown[BAT_SHOWN_SIZE];
-    if (name[0])
-        snprintf(entity, size, "face %d, %.80s", face->from,
-                 bat_shown(name, strlen(name), shown));
-    else
-        snprintf(entity, size, "face %d", face->from);
-}
-
-void bat_trace_note(bat_trace *trace, const bat_trace_face *face, const char *text)
-{
-    char entity[128];
-    entity_of(trace, face, entity, sizeof entity);
-    batten_notes_add(trace->notes, "", 0, entity, "%s", text);
-}
-
-bool bat_trace_fails(bat_trace *trace, bat_trace_face *face, batten_status status)
-{
-    if (status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
-        status == BATTEN_INCOMPLETE)
-        return false;
-    char entity[128];
-    entity_of(trace, face, entity, sizeof entity);
-    batten_notes_add(trace->notes, "", 0, entity, "left out: %s", batten_message());
-    face->failed = true;
-    trace->report.failed++;
-    bat_trace_end_loops(&face->loops);
-    return true;
-}
-
-/* ---- begin ---- */
+/* ---- the given body ---- */
 
 static batten_status copy_edges(bat_trace *trace)
 {
@@ -162,7 +127,9 @@ static batten_status cut_faces(bat_trace *trace)
     return status;
 }
 
-static batten_status put_faces(bat_trace *trace)
+/* A given face may become several, or none: ends[i] is the number of faces in the builder after
+ * face i was put. */
+static batten_status put_faces(bat_trace *trace, int *ends)
 {
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < trace->from->shell_count; i++) {
@@ -171,15 +138,31 @@ static batten_status put_faces(bat_trace *trace)
         for (int k = 0; status == BATTEN_OK && k < shell->count; k++) {
             bat_trace_face *face = &trace->faces[shell->first + k];
             const int mark = bat_builder_mark(&trace->builder);
-            if (face->failed)
-                continue;
-            status = bat_trace_put(trace, face);
+            if (!face->failed)
+                status = bat_trace_put(trace, face);
             if (status != BATTEN_OK && bat_trace_fails(trace, face, status)) {
                 bat_builder_back(&trace->builder, mark);
                 status = BATTEN_OK;
             }
+            ends[shell->first + k] = trace->builder.parts.face_count;
         }
     }
+    return status;
+}
+
+/* Put all faces, and list the given face that each came from. */
+static batten_status put_numbered(bat_trace *trace, int **numbers)
+{
+    int *ends = bat_array((size_t)trace->from->face_count, sizeof *ends);
+    batten_status status = ends ? put_faces(trace, ends) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        *numbers = bat_array((size_t)trace->builder.parts.face_count, sizeof **numbers);
+        status = *numbers ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    }
+    for (int i = 0, f = 0; status == BATTEN_OK && i < trace->from->face_count; i++)
+        while (f < ends[i])
+            (*numbers)[f++] = i;
+    bat_release(ends);
     return status;
 }
 
@@ -195,38 +178,67 @@ static void trace_end(bat_trace *trace)
     bat_builder_end(&trace->builder);
 }
 
-batten_status batten_body_trace(const batten_body *body, double tolerance,
-                                const batten_job *job, batten_notes *notes,
-                                batten_trace_report *report, batten_body **out)
+static batten_status trace_all_steps(bat_trace *trace, int **numbers)
+{
+    batten_status status = copy_edges(trace);
+    if (status == BATTEN_OK)
+        status = begin_faces(trace);
+    if (status == BATTEN_OK)
+        status = bat_trace_divide(trace);
+    if (status == BATTEN_OK)
+        status = for_faces(trace, trace_face, "tracing faces");
+    if (status == BATTEN_OK)
+        status = cut_faces(trace);
+    if (status == BATTEN_OK)
+        status = for_faces(trace, bat_trace_close, "closing loops");
+    if (status == BATTEN_OK)
+        status = put_numbered(trace, numbers);
+    return status;
+}
+
+batten_status bat_body_trace(const batten_body *body, double tolerance, const batten_job *job,
+                             batten_notes *notes, batten_trace_report *report, bat_traced *out)
 {
     const batten_body_parts *from = batten_body_view(body);
     if (!(tolerance > 0 && isfinite(tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", tolerance);
     bat_trace trace = {.from = from, .tolerance = tolerance, .job = job, .notes = notes};
     const batten_box box = bat_body_edge_box(body);
+    bat_traced made = {.tolerance = tolerance};
     trace.size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     bat_builder_begin(&trace.builder, from->tolerance);
-    batten_status status = copy_edges(&trace);
-    if (status == BATTEN_OK)
-        status = begin_faces(&trace);
-    if (status == BATTEN_OK)
-        status = bat_trace_divide(&trace);
-    if (status == BATTEN_OK)
-        status = for_faces(&trace, trace_face, "tracing faces");
-    if (status == BATTEN_OK)
-        status = cut_faces(&trace);
-    if (status == BATTEN_OK)
-        status = for_faces(&trace, bat_trace_close, "closing loops");
-    if (status == BATTEN_OK)
-        status = put_faces(&trace);
+    batten_status status = trace_all_steps(&trace, &made.numbers);
     if (status == BATTEN_OK) {
         trace.builder.parts.tolerance = bat_max(from->tolerance, trace.report.miss);
         trace.builder.parts.is_traced = true;
-        status = bat_builder_finish(&trace.builder, from->is_solid, out);
+        status = bat_builder_finish(&trace.builder, from->is_solid, &made.body);
     }
     trace.report.poles = bat_max_int(0, trace.report.poles);
     if (status == BATTEN_OK && report)
         *report = trace.report;
+    if (status == BATTEN_OK)
+        *out = made;
+    else
+        bat_traced_end(&made);
     trace_end(&trace);
+    return status;
+}
+
+void bat_traced_end(bat_traced *traced)
+{
+    batten_body_unref(traced->body);
+    bat_release(traced->numbers);
+    *traced = (bat_traced){0};
+}
+
+batten_status batten_body_trace(const batten_body *body, double tolerance,
+                                const batten_job *job, batten_notes *notes,
+                                batten_trace_report *report, batten_body **out)
+{
+    bat_traced traced = {0};
+    const batten_status status = bat_body_trace(body, tolerance, job, notes, report, &traced);
+    if (status == BATTEN_OK)
+        *out = batten_body_ref(traced.body);
+    bat_traced_end(&traced);
     return status;
 }

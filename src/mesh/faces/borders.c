@@ -77,10 +77,10 @@ bool bat_meshing_is_final(batten_status status)
 void bat_meshing_give_up(bat_meshing *m, int face, const char *why)
 {
     char entity[64];
-    snprintf(entity, sizeof entity, "face %d", bat_meshing_name(m, face));
+    snprintf(entity, sizeof entity, "face %d", bat_meshing_number(m, face));
     const char *name = m->parts->faces[face].name;
-    batten_notes_add(m->notes, "", 0, name && name[0] && !m->names ? name : entity,
-                     "face %d is left out of the mesh: %s", bat_meshing_name(m, face), why);
+    batten_notes_add(m->notes, "", 0, name && name[0] ? name : entity,
+                     "face %d is left out of the mesh: %s", bat_meshing_number(m, face), why);
     m->failed[face] = true;
     m->report.failed++;
 }

@@ -2,6 +2,7 @@
 #ifndef BAT_MESHING_H
 #define BAT_MESHING_H
 #include "base/work.h"
+#include "body/trace/traced_body.h"
 #include "mesh/faces/pairs.h"
 #include <batten/mesh.h>
 
@@ -44,8 +45,8 @@ typedef struct {
 
 typedef struct {
     const batten_body_parts *parts; /* traced */
-    const int *names; /* [face_count] the faces of the body that was given; NULL: the same */
-    double chord, angle, longest; /* longest: infinite for any */
+    const bat_traced *traced;       /* knows the given face of each */
+    double chord, angle, longest;   /* longest: infinite for any */
     double fine; /* what is aimed at within faces: less than the chord, as samples see less than
                     all */
     int most;
@@ -82,13 +83,12 @@ batten_status bat_meshing_triangle(bat_meshing *m, const int corners[3],
                                    const double normals[9], int face);
 
 /* The body with parameter curves, itself when it has them; faces that cannot have any are left
- * out and counted as failed, and then *names are the numbers of the others, to be released
- * (trace.c). */
-batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, batten_body **traced,
-                                int **names);
-static inline int bat_meshing_name(const bat_meshing *m, int face)
+ * out and counted as failed (trace.c). To be ended. */
+batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, bat_traced *traced);
+/* The face of the given body. */
+static inline int bat_meshing_number(const bat_meshing *m, int face)
 {
-    return m->names ? m->names[face] : face;
+    return bat_traced_number(m->traced, face);
 }
 
 /* TOO_LARGE when more triangles are to be expected than allowed (predict.c). */

@@ -249,7 +249,7 @@ static bool is_enough(bat_face_mesh *f)
 {
     if (f->sides.count <= f->enough)
         return false;
-    const int face = bat_meshing_name(f->m, f->face);
+    const int face = bat_meshing_number(f->m, f->face);
     char entity[32];
     snprintf(entity, sizeof entity, "face %d", face);
     if (!f->has_enough)

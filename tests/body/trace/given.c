@@ -1,6 +1,7 @@
 /* What comes with the body: parameter curves good and bad, sides, maps; and what cannot be. */
 #include "body/by_hand.h"
 #include "body/trace/traced.h"
+#include "body/trace/traced_body.h"
 #include "support/bodies.h"
 #include "support/test.h"
 #include <batten/geometry.h>
@@ -237,13 +238,12 @@ TEST(a_closed_spline_between_two_of_its_lines_gets_a_seam)
     }
 }
 
-/* A strip that goes around a cylinder two and a half times. */
-TEST(a_strip_that_winds_around_is_cut_into_faces)
+/* A strip that goes around a cylinder two and a half times, and its area. */
+static double winding_strip(hand *m)
 {
-    hand m = hand_begin();
-    batten_trace_report report;
     enum { COUNT = 121 };
     const double turns = 2.5, height = 6, width = 1;
+    const int first = m->builder.parts.edge_count;
     double t[COUNT], values[COUNT][2][3];
     for (int k = 0; k < 2; k++) {
         batten_curve *helix = NULL;
@@ -258,18 +258,54 @@ TEST(a_strip_that_winds_around_is_cut_into_faces)
             values[i][1][2] = height / (2 * acos(-1) * turns);
         }
         CHECK_OK(batten_curve_from_hermite(3, COUNT, 2, t, &values[0][0][0], &helix));
-        hand_edge(&m, helix);
+        hand_edge(m, helix);
     }
     const double a = 0.4, b = 2 * acos(-1) * turns + 0.4;
-    hand_line(&m, 2 * cos(a), 2 * sin(a), 1, 2 * cos(a), 2 * sin(a), 1 + width);
-    hand_line(&m, 2 * cos(b), 2 * sin(b), 1 + height, 2 * cos(b), 2 * sin(b),
+    hand_line(m, 2 * cos(a), 2 * sin(a), 1, 2 * cos(a), 2 * sin(a), 1 + width);
+    hand_line(m, 2 * cos(b), 2 * sin(b), 1 + height, 2 * cos(b), 2 * sin(b),
               1 + height + width);
-    hand_face(&m, hand_cylinder(2, 10), false);
-    HAND_LOOP(&m, 1, 4, -2, -3);
+    hand_face(m, hand_cylinder(2, 10), false);
+    HAND_LOOP(m, first + 1, first + 4, -first - 2, -first - 3);
+    return 2 * (b - a) * width;
+}
+
+TEST(a_strip_that_winds_around_is_cut_into_faces)
+{
+    hand m = hand_begin();
+    batten_trace_report report;
+    const double area = winding_strip(&m);
     batten_body *body = hand_trace(&m, 1e-4, &report);
     CHECK(batten_body_view(body)->face_count >= 3);
     CHECK_INT(report.failed, 0);
-    CHECK_NEAR(hand_area(body), 2 * (b - a) * width, 1e-2);
+    CHECK_NEAR(hand_area(body), area, 1e-2);
     CHECK_INT(hand_shared(body), report.seams);
+    batten_body_unref(body);
+}
+
+/* One that cannot be traced, one that becomes several, and one that stays itself. */
+TEST(every_traced_face_knows_the_given_face_it_came_from)
+{
+    hand m = hand_begin();
+    batten_body *body = NULL;
+    bat_traced traced = {0};
+    hand_line(&m, 0, 0, 20, 1, 0, 20);
+    hand_line(&m, 1, 0, 20, 0, 1, 20.1);
+    hand_line(&m, 0, 1, 20.1, 0, 0, 20);
+    hand_plate(&m, 0, 0, 1, 1, 20);
+    HAND_LOOP(&m, 1, 2, 3);
+    winding_strip(&m);
+    hand_line(&m, 0, 0, 30, 1, 0, 30);
+    hand_line(&m, 1, 0, 30, 0, 1, 30);
+    hand_line(&m, 0, 1, 30, 0, 0, 30);
+    hand_plate(&m, 0, 0, 1, 1, 30);
+    HAND_LOOP(&m, 8, 9, 10);
+    CHECK_OK(batten_body_create(&m.builder.parts, &body));
+    bat_builder_end(&m.builder);
+    CHECK_OK(bat_body_trace(body, 1e-4, NULL, NULL, NULL, &traced));
+    const batten_body_parts *parts = batten_body_view(traced.body);
+    CHECK(parts->face_count >= 4);
+    for (int i = 0; i < parts->face_count; i++)
+        CHECK_INT(bat_traced_number(&traced, i), i + 1 < parts->face_count ? 1 : 2);
+    bat_traced_end(&traced);
     batten_body_unref(body);
 }
