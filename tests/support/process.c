@@ -6,7 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static const char command[] = TESTS_BUILD "/cli/batten";
+/* The command that is tested: that of the build, or another that BATTEN_COMMAND names (dev
+ * mutants). */
+static const char *command_path(void)
+{
+    const char *other = getenv("BATTEN_COMMAND");
+    return other && *other ? other : TESTS_BUILD "/cli/batten";
+}
 
 const char *test_content(const char *path)
 {
@@ -51,12 +57,12 @@ test_process test_run(const char *input, const char *const *words)
     const char *in = test_scratch("stdin"), *out = test_scratch("stdout"),
                *errors = test_scratch("stderr");
     test_write(in, input ? input : "");
-    const char *program = strcmp(words[0], "batten") == 0 ? command : words[0];
+    const char *program = strcmp(words[0], "batten") == 0 ? command_path() : words[0];
     fflush(NULL);
     const pid_t child = fork();
     CHECK(child >= 0);
     if (child == 0) {
-        setenv("BATTEN", command, 1);
+        setenv("BATTEN", command_path(), 1);
         redirect(in, O_RDONLY, 0);
         redirect(out, O_WRONLY | O_CREAT | O_TRUNC, 1);
         redirect(errors, O_WRONLY | O_CREAT | O_TRUNC, 2);
