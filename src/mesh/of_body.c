@@ -6,33 +6,6 @@
 #include <limits.h>
 #include <string.h>
 
-batten_status bat_meshing_triangle(bat_meshing *m, const int corners[3],
-                                   const double normals[9], int face)
-{
-    if (m->triangle_count >= m->most)
-        return bat_fail(BATTEN_TOO_LARGE, "the body needs more than %d triangles", m->most);
-    if (m->triangle_count == m->triangle_room) {
-        const int room = bat_max_int(256, 2 * bat_min_int(m->triangle_room, INT_MAX / 2 - 1));
-        int(*all_corners)[3] = bat_resize(m->corners, (size_t)room, sizeof *all_corners);
-        if (!all_corners)
-            return BATTEN_OUT_OF_MEMORY;
-        m->corners = all_corners;
-        double(*all_normals)[9] = bat_resize(m->normals, (size_t)room, sizeof *all_normals);
-        if (!all_normals)
-            return BATTEN_OUT_OF_MEMORY;
-        m->normals = all_normals;
-        int *owners = bat_resize(m->owners, (size_t)room, sizeof *owners);
-        if (!owners)
-            return BATTEN_OUT_OF_MEMORY;
-        m->owners = owners;
-        m->triangle_room = room;
-    }
-    memcpy(m->corners[m->triangle_count], corners, sizeof *m->corners);
-    memcpy(m->normals[m->triangle_count], normals, sizeof *m->normals);
-    m->owners[m->triangle_count++] = face;
-    return BATTEN_OK;
-}
-
 /* ---- options ---- */
 
 static double size_of(const batten_box box)

@@ -14,17 +14,6 @@ typedef struct {
     int shell, in_shell; /* the shell looked at last, and how often that uses it */
 } edge_uses;
 
-const char *bat_check_face_name(const bat_check *check, int face, char name[BAT_CHECK_NAME])
-{
-    const int number = check->numbers ? check->numbers[face] : face;
-    const char *given = check->named->faces[number].name;
-    if (given[0])
-        snprintf(name, BAT_CHECK_NAME, "face %d \"%.64s\"", number, given);
-    else
-        snprintf(name, BAT_CHECK_NAME, "face %d", number);
-    return name;
-}
-
 static void note_edge(const bat_check *check, int edge, const edge_uses *uses, const char *what,
                       double number, const char *unit)
 {

@@ -11,17 +11,6 @@
 /* So much of its extent a surface reaches farther than its points. */
 static const double MARGIN = 0.05;
 
-batten_interval bat_stand_range(const bat_stand *stand, int axis)
-{
-    batten_interval range = {INFINITY, -INFINITY};
-    for (int i = 0; i < stand->count; i++) {
-        const double at = bat_stand_coordinate(stand, stand->points + 3 * (size_t)i, axis);
-        range.a = bat_min(range.a, at);
-        range.b = bat_max(range.b, at);
-    }
-    return range;
-}
-
 /* ---- planes ---- */
 
 static batten_status plane(const bat_stand *stand, batten_surface **out)
@@ -172,16 +161,6 @@ static batten_status check(const bat_elementary *elementary, int count, const do
         return bat_fail(BATTEN_BAD_ARGUMENT, "the %s is of a curve of dimension %d",
                         names[kind], batten_curve_dimension(elementary->curve));
     return BATTEN_OK;
-}
-
-batten_status bat_elementary_frame(const bat_elementary *elementary, batten_frame *square,
-                                   batten_vec3 *y)
-{
-    batten_frame frame = elementary->frame;
-    if (elementary->kind == BAT_EXTRUSION || elementary->kind == BAT_REVOLUTION)
-        frame.x = fabs(frame.z.x) <= 0.6 * bat_vec3_norm(frame.z) ? (batten_vec3){1, 0, 0}
-                                                                  : (batten_vec3){0, 1, 0};
-    return bat_frame_square(&frame, square, y);
 }
 
 static batten_status make(const bat_stand *stand, batten_surface **out)

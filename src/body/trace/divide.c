@@ -6,20 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-batten_status bat_trace_cut_at(bat_trace *trace, int edge, double t)
-{
-    if (trace->cut_count == trace->cut_room) {
-        const int room = bat_max_int(16, 2 * trace->cut_room);
-        bat_trace_cut *cuts = bat_resize(trace->cuts, (size_t)room, sizeof *cuts);
-        if (!cuts)
-            return BATTEN_OUT_OF_MEMORY;
-        trace->cuts = cuts;
-        trace->cut_room = room;
-    }
-    trace->cuts[trace->cut_count++] = (bat_trace_cut){edge, t};
-    return BATTEN_OK;
-}
-
 static int by_place(const void *a, const void *b)
 {
     const bat_trace_cut *x = a, *y = b;

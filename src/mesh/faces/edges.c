@@ -5,23 +5,6 @@
 #include <limits.h>
 #include <string.h>
 
-batten_status bat_meshing_point(bat_meshing *m, const double point[3], int *index)
-{
-    if (m->point_count == m->point_room) {
-        if (m->point_count > INT_MAX / 8)
-            return bat_fail(BATTEN_TOO_LARGE, "a mesh of %d vertices", m->point_count);
-        const int room = bat_max_int(256, 2 * m->point_room);
-        double(*points)[3] = bat_resize(m->points, (size_t)room, sizeof *points);
-        if (!points)
-            return BATTEN_OUT_OF_MEMORY;
-        m->points = points;
-        m->point_room = room;
-    }
-    memcpy(m->points[m->point_count], point, sizeof *m->points);
-    *index = m->point_count++;
-    return BATTEN_OK;
-}
-
 static batten_status grow_line(bat_polyline *line, int count)
 {
     if (count <= line->room)

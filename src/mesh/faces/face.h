@@ -40,6 +40,8 @@ static inline double bat_face_off(const bat_face_mesh *f, const bat_side_triangl
     return off;
 }
 
+/* The corners of the border, as its triangles have them, become the first vertices. */
+batten_status bat_face_take_rim(bat_face_mesh *f, const bat_rim *rim);
 /* Put a point in, when it is not too near to others; *added may be NULL. */
 batten_status bat_face_insert(bat_face_mesh *f, const double at[2], double widest,
                               double nearest, bool *added);

@@ -23,21 +23,6 @@ static batten_status take_edges(bat_meshing *m)
     return status;
 }
 
-batten_status bat_meshing_take(bat_meshing *m, int face, int a, int b)
-{
-    int index;
-    if (m->across_count == m->across_room) {
-        const int room = bat_max_int(256, 2 * bat_min_int(m->across_room, INT_MAX / 2 - 1));
-        bat_across *across = bat_resize(m->across, (size_t)room, sizeof *across);
-        if (!across)
-            return BATTEN_OUT_OF_MEMORY;
-        m->across = across;
-        m->across_room = room;
-    }
-    m->across[m->across_count++] = (bat_across){.face = face, .ends = {a, b}};
-    return bat_pairs_add(&m->taken, a, b, &index);
-}
-
 /* Without the triangles of the faces that are asked again. */
 static void forget(bat_meshing *m, const bool *ask)
 {
