@@ -11,6 +11,7 @@
 #include "exchange/off/off.h"
 #include "exchange/pcd/pcd.h"
 #include "exchange/ply/ply.h"
+#include "exchange/scan.h"
 #include "exchange/step/step.h"
 #include "exchange/stl/stl.h"
 #include "exchange/svg/svg.h"
@@ -248,20 +249,4 @@ batten_format batten_format_of_name(const char *path)
                 return formats[k].format;
         }
     return BATTEN_FORMAT_AUTO;
-}
-
-bool bat_begins(const bat_input *input, size_t at, const char *bytes)
-{
-    const size_t length = strlen(bytes);
-    return at <= input->size && input->size - at >= length &&
-           memcmp(input->data + at, bytes, length) == 0;
-}
-
-size_t bat_past_white(const bat_input *input)
-{
-    size_t at = bat_begins(input, 0, "\xef\xbb\xbf") ? 3 : 0;
-    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
-                                input->data[at] == '\r'))
-        at++;
-    return at;
 }

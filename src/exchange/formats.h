@@ -50,9 +50,4 @@ enum {
 
 #define BAT_HOLDS(kind) (1u << BATTEN_OBJECT_##kind)
 
-/* Do the bytes from `at` on begin so? */
-bool bat_begins(const bat_input *input, size_t at, const char *bytes);
-/* Where white space at the beginning, and a byte order mark, end. */
-size_t bat_past_white(const bat_input *input);
-
 #endif

@@ -105,3 +105,19 @@ void bat_word_copy(bat_span word, size_t size, char *copy)
         memcpy(copy, word.bytes, length);
     copy[length] = '\0';
 }
+
+bool bat_begins(const bat_input *input, size_t at, const char *bytes)
+{
+    const size_t length = strlen(bytes);
+    return at <= input->size && input->size - at >= length &&
+           memcmp(input->data + at, bytes, length) == 0;
+}
+
+size_t bat_past_white(const bat_input *input)
+{
+    size_t at = bat_begins(input, 0, "\xef\xbb\xbf") ? 3 : 0;
+    while (at < input->size && (bat_is_blank(input->data[at]) || input->data[at] == '\n' ||
+                                input->data[at] == '\r'))
+        at++;
+    return at;
+}

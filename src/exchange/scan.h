@@ -29,4 +29,9 @@ bool bat_word_integer(bat_span word, int64_t low, int64_t high, int64_t *value);
 /* A copy that ends with a zero byte, cut where it does not fit. */
 void bat_word_copy(bat_span word, size_t size, char *copy);
 
+/* Do these bytes stand at `at`? */
+bool bat_begins(const bat_input *input, size_t at, const char *bytes);
+/* The first byte after a byte order mark and leading white space. */
+size_t bat_past_white(const bat_input *input);
+
 #endif

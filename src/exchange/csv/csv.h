@@ -35,8 +35,6 @@ bool bat_are_aerofoil_counts(const double first[3], const double second[3]);
 
 batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
                                 batten_notes *notes, batten_text *text);
-/* A field in quotes, its own doubled; what would end the line becomes a blank. */
-void bat_put_quoted(batten_text *text, const char *field);
 /* In feet, inches and eighths, lines by stations; for options->eighths. */
 batten_status bat_write_loft(const batten_object *object, double unit_metres,
                              batten_notes *notes, batten_text *text);

@@ -287,3 +287,13 @@ bool bat_same_word(const char *a, const char *b)
     }
     return *a == *b;
 }
+
+void bat_put_quoted(batten_text *text, const char *field)
+{
+    batten_text_bytes(text, "\"", 1);
+    for (; *field; field++) {
+        const char c = *field == '\n' || *field == '\r' ? ' ' : *field;
+        batten_text_bytes(text, c == '"' ? "\"\"" : &c, c == '"' ? 2 : 1);
+    }
+    batten_text_bytes(text, "\"", 1);
+}

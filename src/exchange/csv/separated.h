@@ -7,6 +7,7 @@
 #ifndef BAT_SEPARATED_H
 #define BAT_SEPARATED_H
 #include "exchange/input.h"
+#include <batten/text.h>
 
 typedef struct {
     const char *text; /* ends with a zero byte */
@@ -52,6 +53,9 @@ bool bat_field_is_number(const bat_separated *table, int field);
 int bat_row_length(const bat_separated *table);
 /* Refuse a row that has not `count` fields; further ones must be empty. */
 batten_status bat_row_check(const bat_separated *table, int count);
+
+/* Write a field in quotes, its own quotes doubled; line ends become blanks. */
+void bat_put_quoted(batten_text *text, const char *field);
 
 /* Are two words the same but for the case of their letters A to Z? */
 bool bat_same_word(const char *a, const char *b);

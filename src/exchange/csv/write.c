@@ -67,16 +67,6 @@ static void note_unit(double metres, batten_notes *notes)
 
 /* ---- offsets ---- */
 
-void bat_put_quoted(batten_text *text, const char *field)
-{
-    batten_text_bytes(text, "\"", 1);
-    for (; *field; field++) {
-        const char c = *field == '\n' || *field == '\r' ? ' ' : *field;
-        batten_text_bytes(text, c == '"' ? "\"\"" : &c, c == '"' ? 2 : 1);
-    }
-    batten_text_bytes(text, "\"", 1);
-}
-
 /* Which of the columns that are not always there the table needs. */
 typedef struct {
     bool station, line, section;

@@ -1,7 +1,6 @@
 #include "base/plural.h"
 #include "exchange/census.h"
 #include "exchange/facets.h"
-#include "exchange/formats.h"
 #include "exchange/ftm/ftm.h"
 #include "exchange/scan.h"
 

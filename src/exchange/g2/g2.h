@@ -41,6 +41,10 @@ enum {
     BAT_G2_LINES = 410
 };
 
+/* What a class is called; NULL for one that is not known. */
+const char *bat_g2_class_name(int class);
+/* Is the last word the class at the start of a header? */
+bool bat_g2_is_header(bat_words words);
 /* Does another object begin with the next word, or the text end? */
 bool bat_g2_is_at_end(const bat_words *words);
 

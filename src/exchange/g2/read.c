@@ -5,79 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Classes and what they are called; those that are read are marked in read_object. */
-static const struct {
-    int class;
-    const char *name;
-} classes[] = {
-    {100, "spline curve"},
-    {110, "curve on a surface"},
-    {120, "line"},
-    {130, "circle"},
-    {140, "ellipse"},
-    {150, "bounded curve"},
-    {160, "hyperbola"},
-    {170, "parabola"},
-    {200, "spline surface"},
-    {210, "bounded surface"},
-    {240, "composite surface"},
-    {250, "plane"},
-    {260, "cylinder"},
-    {270, "sphere"},
-    {280, "cone"},
-    {290, "torus"},
-    {291, "surface of revolution"},
-    {292, "disc"},
-    {293, "locally refined surface"},
-    {310, "triangles"},
-    {400, "points"},
-    {410, "line segments"},
-    {700, "spline volume"},
-};
-
-static const char *name_of(int class)
-{
-    for (size_t k = 0; k < sizeof classes / sizeof classes[0]; k++)
-        if (classes[k].class == class)
-            return classes[k].name;
-    return NULL;
-}
-
-/* A header as far as it can be told: a known class at the beginning of a line, a version, and
- * none or four numbers to follow. */
-static bool is_header(bat_words words)
-{
-    double value[4] = {0};
-    const int line = words.line;
-    if (!words.begins_line)
-        return false;
-    for (int k = 0; k < 4; k++) {
-        if (k > 0 && (!bat_words_next(&words) || words.line != line))
-            return false;
-        if (batten_number_read(words.word.bytes, words.word.length, &value[k], NULL) !=
-            BATTEN_OK)
-            return false;
-    }
-    return value[0] == floor(value[0]) && value[0] >= 100 && value[0] < 1000 &&
-           name_of((int)value[0]) && (value[1] == 0 || value[1] == 1) &&
-           (value[3] == 0 || value[3] == 4);
-}
-
-bool bat_g2_is_at_end(const bat_words *words)
-{
-    bat_words next = *words;
-    return !bat_words_next(&next) || is_header(next);
-}
-
-batten_status bat_g2_recognise(const bat_input *input, bool *is_g2)
-{
-    bat_input copy = *input;
-    bat_words words;
-    bat_words_begin(&words, &copy);
-    *is_g2 = bat_words_next(&words) && is_header(words);
-    return BATTEN_OK;
-}
-
 /* ---- objects ---- */
 
 typedef struct {
@@ -150,7 +77,7 @@ static size_t words_left(const reading *r)
 {
     bat_words words = r->words;
     size_t count = 0;
-    while (bat_words_next(&words) && !is_header(words))
+    while (bat_words_next(&words) && !bat_g2_is_header(words))
         count++;
     return count;
 }
@@ -300,7 +227,7 @@ static batten_status read_object(reading *r, int number)
     head[0] = (int)class;
     for (int k = 1; status == BATTEN_OK && k < 4; k++)
         status = bat_words_integer(&r->words, "a number of the header", 0, 1000, &head[k]);
-    snprintf(r->name, sizeof r->name, "%s %d", name_of(head[0]), number);
+    snprintf(r->name, sizeof r->name, "%s %d", bat_g2_class_name(head[0]), number);
     r->look = (batten_object){.name = r->name};
     r->is_bad = false;
     if (status == BATTEN_OK)
@@ -310,14 +237,14 @@ static batten_status read_object(reading *r, int number)
     if (bat_input_ends(status))
         return status;
     if (status == BATTEN_OK)
-        return bat_census_read(r->input, &r->census, name_of(head[0]));
+        return bat_census_read(r->input, &r->census, bat_g2_class_name(head[0]));
     r->input->left_out++;
     r->is_bad = true;
     int place = 0;
     const char *reason = bat_input_reason(r->input, &place);
     batten_notes_add(r->input->notes, r->input->file, place ? place : line, r->name,
                      "%s; left out", reason);
-    return bat_census_leave(r->input, &r->census, name_of(head[0]));
+    return bat_census_leave(r->input, &r->census, bat_g2_class_name(head[0]));
 }
 
 /* Go to the next header, past what a bad object leaves over. */
@@ -325,7 +252,7 @@ static bool next_header(reading *r)
 {
     int skipped = 0, line = 0;
     while (bat_words_next(&r->words)) {
-        const bool found = is_header(r->words);
+        const bool found = bat_g2_is_header(r->words);
         if (!found && skipped++ == 0)
             line = r->words.line;
         if (found && skipped == 0)
@@ -348,13 +275,13 @@ static batten_status read_all(reading *r)
     bool more = status == BATTEN_OK && bat_words_next(&r->words);
     while (status == BATTEN_OK && more) {
         status = bat_input_step(r->input, (size_t)(r->words.scan.at - r->input->data));
-        if (status == BATTEN_OK && is_header(r->words))
+        if (status == BATTEN_OK && bat_g2_is_header(r->words))
             status = bat_input_limit(r->input, r->words.line, (size_t)number + 1,
                                      r->input->limits.entities, "objects");
         else if (status == BATTEN_OK && number == 0)
             status = bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->words.line,
                                     "no header of an object stands here");
-        if (status == BATTEN_OK && is_header(r->words))
+        if (status == BATTEN_OK && bat_g2_is_header(r->words))
             status = read_object(r, ++number);
         if (status == BATTEN_OK)
             more = next_header(r);

@@ -1,4 +1,3 @@
-#include "exchange/formats.h"
 #include "exchange/indexed.h"
 #include "exchange/off/off.h"
 #include "exchange/scan.h"

@@ -1,6 +1,5 @@
 #include "base/plural.h"
 #include "exchange/bytes.h"
-#include "exchange/formats.h"
 #include "exchange/pcd/pcd.h"
 #include "exchange/scan.h"
 

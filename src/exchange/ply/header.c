@@ -1,4 +1,4 @@
-#include "exchange/formats.h"
+#include "exchange/scan.h"
 #include "exchange/ply/ply.h"
 
 batten_status bat_ply_recognise(const bat_input *input, bool *is_such)

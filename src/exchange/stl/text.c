@@ -1,5 +1,4 @@
 /* The readable form: solid, facet normal, outer loop, three vertices, endloop, endfacet ... */
-#include "exchange/formats.h"
 #include "exchange/scan.h"
 #include "exchange/stl/stl.h"
 

@@ -1,5 +1,5 @@
 #include "exchange/census.h"
-#include "exchange/formats.h"
+#include "exchange/scan.h"
 #include "exchange/svg/shapes.h"
 #include "exchange/svg/svg.h"
 #include "exchange/svg/xml.h"

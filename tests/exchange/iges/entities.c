@@ -394,9 +394,10 @@ TEST(P4_entities_of_other_types_are_counted_by_name)
     iges_add(&file, 150, 0, 0, 0, "00000000", "150,1.,2.,3.;");
     iges_check_left_out(&file, "0 read, 1 left out");
     char name[BAT_IGES_TYPE_NAME];
-    bat_iges_name_of_type(150, name);
+    const bat_iges_reading reading = {.types = bat_iges_all_types()};
+    bat_iges_name_of_type(&reading, 150, name);
     CHECK_TEXT(name, "150 block");
-    bat_iges_name_of_type(5001, name);
+    bat_iges_name_of_type(&reading, 5001, name);
     CHECK_TEXT(name, "5001, a type that is not known");
     iges_text named = iges_begin();
     iges_add(&named, 158, 0, 0, 0, "00000000", "158,1.;");

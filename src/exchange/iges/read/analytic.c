@@ -175,6 +175,6 @@ batten_status bat_iges_elementary(bat_iges_reading *reading, const bat_iges_entr
         move_frame(&map, &out->frame);
     if (status == BATTEN_OK)
         status = bat_census_read(reading->input, &reading->census,
-                                 bat_iges_row_of(entry->type)->name);
+                                 bat_iges_row_of(reading, entry->type)->name);
     return status;
 }

@@ -139,11 +139,6 @@ static void right_loops(bat_iges_face *face, bool border)
 
 /* ---- edges and vertices ---- */
 
-double bat_iges_open_gap(const bat_iges_face *face)
-{
-    return bat_max(100 * face->ground.tolerance, 1e-3 * face->size);
-}
-
 /* How far apart two sides are, which may run as they like. */
 static batten_status gap_between(const bat_iges_side *side, const bat_iges_side *next,
                                  double *gap)

@@ -21,7 +21,8 @@ batten_status bat_iges_read_definition(bat_iges_item *item)
         status = bat_iges_integer(item->parameters, 4 + (size_t)k, &id);
         if (status == BATTEN_OK)
             status = bat_iges_find(reading, id, &member);
-        if (status == BATTEN_OK && bat_iges_row_of(member->type)->kind == BAT_IGES_AUXILIARY)
+        if (status == BATTEN_OK &&
+            bat_iges_row_of(reading, member->type)->kind == BAT_IGES_AUXILIARY)
             continue;
         if (status == BATTEN_OK)
             status = bat_iges_add(reading, member, item->definition);

@@ -180,3 +180,8 @@ batten_status bat_iges_sample(bat_iges_reading *reading, const batten_curve *cur
     }
     return status;
 }
+
+double bat_iges_open_gap(const bat_iges_face *face)
+{
+    return bat_max(100 * face->ground.tolerance, 1e-3 * face->size);
+}

@@ -11,12 +11,10 @@
 static batten_status leave_out(bat_iges_reading *reading, const bat_iges_entry *entry,
                                const char *why)
 {
-    char name[BAT_IGES_TYPE_NAME];
-    bat_iges_name_of_type(entry->type, name);
     if (why)
         bat_iges_note(reading, entry, "%.300s; left out", why);
     reading->input->left_out++;
-    return bat_census_leave(reading->input, &reading->census, name);
+    return bat_iges_count_left_out(reading, entry->type);
 }
 
 static batten_object_kind kind_of(const bat_iges_item *item)
@@ -69,7 +67,7 @@ batten_status bat_iges_add(bat_iges_reading *reading, const bat_iges_entry *entr
 {
     bat_iges_item item;
     bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
-    if (bat_iges_row_of(entry->type)->kind == BAT_IGES_PART)
+    if (bat_iges_row_of(reading, entry->type)->kind == BAT_IGES_PART)
         return leave_out(reading, entry, "it is no geometry by itself");
     if (shape->state == BAT_IGES_BUSY) {
         bat_fail(BATTEN_BAD_FORMAT, "it is a part of itself");
@@ -132,7 +130,7 @@ static batten_status leave_out_use(bat_iges_reading *reading, const bat_iges_ent
 static batten_status add_root(bat_iges_reading *reading, size_t place)
 {
     const bat_iges_entry *entry = bat_iges_entry_at(reading, place);
-    const bat_iges_row *row = bat_iges_row_of(entry->type);
+    const bat_iges_row *row = bat_iges_row_of(reading, entry->type);
     if (entry->is_broken)
         return leave_out(reading, entry, "its entry in the directory is damaged");
     if (row->kind == BAT_IGES_AUXILIARY || row->kind == BAT_IGES_PART ||
@@ -148,9 +146,9 @@ static batten_status add_root(bat_iges_reading *reading, size_t place)
 }
 
 /* Can an entity be a part of itself, over others? */
-static bool may_be_in_ring(const bat_iges_entry *entry)
+static bool may_be_in_ring(const bat_iges_reading *reading, const bat_iges_entry *entry)
 {
-    const bat_iges_row *row = bat_iges_row_of(entry->type);
+    const bat_iges_row *row = bat_iges_row_of(reading, entry->type);
     return !entry->is_broken && row->references &&
            (row->kind == BAT_IGES_CURVE || row->kind == BAT_IGES_SURFACE ||
             row->kind == BAT_IGES_BODY || row->kind == BAT_IGES_INSTANCE);
@@ -163,7 +161,7 @@ static batten_status look_for_rings(bat_iges_reading *reading)
     for (size_t k = 0; status == BATTEN_OK && k < reading->file.entries.count; k++) {
         const bat_iges_entry *entry = bat_iges_entry_at(reading, k);
         bat_iges_item item;
-        if (!may_be_in_ring(entry) || reading->shapes[k].state != BAT_IGES_NEW ||
+        if (!may_be_in_ring(reading, entry) || reading->shapes[k].state != BAT_IGES_NEW ||
             !reading->shapes[k].is_part || reading->shapes[k].is_met)
             continue;
         reading->shapes[k].state = BAT_IGES_BUSY;

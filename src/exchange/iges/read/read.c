@@ -280,7 +280,8 @@ static void end(bat_iges_reading *reading)
 
 batten_status bat_read_iges(bat_input *input, batten_model **out)
 {
-    bat_iges_reading reading = {.input = input, .frames = {.size = sizeof(void *)}};
+    bat_iges_reading reading = {
+        .input = input, .types = bat_iges_all_types(), .frames = {.size = sizeof(void *)}};
     bool is_iges = false;
     bat_iges_start_groups(&reading);
     bat_iges_start_levels(&reading);

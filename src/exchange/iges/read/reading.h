@@ -34,11 +34,13 @@ typedef struct {
     const char *references; /* where its parameters refer to geometry; see references.h */
 } bat_iges_row;
 
-/* The row of a type; one of the kind UNKNOWN when there is none. */
-const bat_iges_row *bat_iges_row_of(int type);
-enum { BAT_IGES_TYPE_NAME = 48 };
-/* "150 block"; a type without a row by its number. */
-void bat_iges_name_of_type(int type, char name[BAT_IGES_TYPE_NAME]);
+/* All types, with rising numbers. Their table names the readers, which lie above what they
+ * share; so it is handed in with the reading. */
+typedef struct {
+    const bat_iges_row *rows;
+    size_t count;
+} bat_iges_types;
+bat_iges_types bat_iges_all_types(void);
 
 typedef enum { BAT_IGES_NEW, BAT_IGES_BUSY, BAT_IGES_READ, BAT_IGES_BAD } bat_iges_state;
 
@@ -66,6 +68,7 @@ typedef struct {
 typedef struct {
     bat_iges_file file;
     bat_input *input;
+    bat_iges_types types;
     double unit_metres;
     double resolution, extent; /* global parameters 19 and 20; 0 when they say nothing */
     bat_census census;
@@ -101,6 +104,16 @@ struct bat_iges_item {
     batten_model *definition;
     batten_affine place;
 };
+
+/* The row of a type; one of the kind UNKNOWN when there is none. */
+const bat_iges_row *bat_iges_row_of(const bat_iges_reading *reading, int type);
+enum { BAT_IGES_TYPE_NAME = 48 };
+/* "150 block"; a type without a row by its number. */
+void bat_iges_name_of_type(const bat_iges_reading *reading, int type,
+                           char name[BAT_IGES_TYPE_NAME]);
+/* Count one entity of a type among those that were read, that were left out. */
+batten_status bat_iges_count_read(bat_iges_reading *reading, int type);
+batten_status bat_iges_count_left_out(bat_iges_reading *reading, int type);
 
 /* Read the parameters of an entry; to be closed also after a failure. */
 batten_status bat_iges_open(bat_iges_reading *reading, const bat_iges_entry *entry,

@@ -116,9 +116,7 @@ static batten_status read_loop(face_of_solid *face, int id)
     for (int k = 0; status == BATTEN_OK && k < count; k++)
         status = read_use(&item, face, &at);
     bat_iges_close(&item);
-    return status == BATTEN_OK ? bat_census_read(face->reading->input, &face->reading->census,
-                                                 bat_iges_row_of(508)->name)
-                               : status;
+    return status == BATTEN_OK ? bat_iges_count_read(face->reading, 508) : status;
 }
 
 /* ---- 510: faces ---- */
@@ -247,14 +245,15 @@ static batten_status add_face(bat_iges_reading *reading, int id, bool agrees,
         status = read_face(&item, agrees, builder);
     bat_iges_close(&item);
     if (status == BATTEN_OK)
-        return bat_census_read(reading->input, &reading->census, bat_iges_row_of(510)->name);
+        return bat_iges_count_read(reading, 510);
     if (!bat_iges_is_fault_of_data(status))
         return status;
     bat_builder_back(builder, mark);
     bat_iges_note(reading, entry, "%.300s; the face is left out", batten_message());
     reading->input->left_out++;
     *whole = false;
-    return bat_census_leave(reading->input, &reading->census, bat_iges_row_of(510)->name);
+    return bat_census_leave(reading->input, &reading->census,
+                            bat_iges_row_of(reading, 510)->name);
 }
 
 /* ---- 514: shells; 186: solids ---- */
@@ -336,9 +335,7 @@ static batten_status add_shell(bat_iges_reading *reading, int id, bool agrees,
     if (status == BATTEN_OK)
         status = read_faces(&item, agrees, builder, whole);
     bat_iges_close(&item);
-    return status == BATTEN_OK
-               ? bat_census_read(reading->input, &reading->census, bat_iges_row_of(514)->name)
-               : status;
+    return status == BATTEN_OK ? bat_iges_count_read(reading, 514) : status;
 }
 
 /* The box of all vertices and edges; without any, of the first face. */

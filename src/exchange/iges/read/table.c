@@ -4,8 +4,6 @@
 #include "exchange/iges/read/instances.h"
 #include "exchange/iges/read/surfaces.h"
 
-#include <stdio.h>
-
 #define ANY (-1000000), 1000000
 #define UNREAD BAT_IGES_UNKNOWN, ANY, NULL, NULL
 
@@ -86,27 +84,7 @@ static const bat_iges_row rows[] = {
     {514, "514 shell", BAT_IGES_BODY, 0, 2, bat_iges_read_shell, "n(p.)"},
 };
 
-const bat_iges_row *bat_iges_row_of(int type)
+bat_iges_types bat_iges_all_types(void)
 {
-    static const bat_iges_row unknown = {-1, "entity", BAT_IGES_UNKNOWN, 0, 0, NULL, NULL};
-    size_t low = 0, high = sizeof rows / sizeof rows[0];
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (rows[middle].type == type)
-            return &rows[middle];
-        if (rows[middle].type < type)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return &unknown;
-}
-
-void bat_iges_name_of_type(int type, char name[BAT_IGES_TYPE_NAME])
-{
-    const bat_iges_row *row = bat_iges_row_of(type);
-    if (row->type == type)
-        snprintf(name, BAT_IGES_TYPE_NAME, "%s", row->name);
-    else
-        snprintf(name, BAT_IGES_TYPE_NAME, "%d, a type that is not known", type);
+    return (bat_iges_types){rows, sizeof rows / sizeof rows[0]};
 }

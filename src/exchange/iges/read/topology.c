@@ -84,7 +84,7 @@ static batten_status read_table(bat_iges_reading *reading, const bat_iges_entry 
         status = bat_list_add(input, &reading->tables, &t);
     if (status == BATTEN_OK) {
         bat_iges_shape_of(reading, entry)->table = (int)reading->tables.count;
-        return bat_census_read(input, &reading->census, bat_iges_row_of(entry->type)->name);
+        return bat_iges_count_read(reading, entry->type);
     }
     bat_release(t.points);
     bat_release(t.edges);

@@ -36,8 +36,7 @@ static batten_status read_curve_on_surface(bat_iges_face *face, int id)
     if (status == BATTEN_OK)
         status = bat_iges_add_sides(face, &space, &flat, 0);
     if (status == BATTEN_OK)
-        status = bat_census_read(face->reading->input, &face->reading->census,
-                                 bat_iges_row_of(142)->name);
+        status = bat_iges_count_read(face->reading, 142);
     bat_iges_close(&item);
     bat_iges_curves_end(&flat);
     bat_iges_curves_end(&space);
@@ -95,8 +94,7 @@ static batten_status read_boundary(bat_iges_face *face, int id)
     for (int k = 0; status == BATTEN_OK && k < count; k++)
         status = read_boundary_curve(face, &item, &at);
     if (status == BATTEN_OK)
-        status = bat_census_read(face->reading->input, &face->reading->census,
-                                 bat_iges_row_of(141)->name);
+        status = bat_iges_count_read(face->reading, 141);
     bat_iges_close(&item);
     return status;
 }

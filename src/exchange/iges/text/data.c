@@ -1,9 +1,37 @@
 #include "exchange/iges/text/data.h"
 #include "base/digits.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* ---- records ---- */
+
+int bat_iges_sequence_number(bat_span record)
+{
+    int number = 0;
+    bool any = false;
+    for (size_t i = LETTER + 1; i < record.length && i < 80; i++) {
+        const char c = record.bytes[i];
+        if (c >= '0' && c <= '9') {
+            number = 10 * number + (c - '0');
+            any = true;
+        } else if (c != ' ' || any) {
+            return -1;
+        }
+    }
+    return any ? number : -1;
+}
+
+batten_status bat_iges_append(bat_input *input, bat_list *list, bat_span record, size_t columns)
+{
+    static const char blanks[GLOBAL_COLUMNS + 1] =
+        "                                                                        ";
+    const size_t filled = record.length < columns ? record.length : columns;
+    batten_status status = bat_list_append(input, list, record.bytes, filled);
+    if (status == BATTEN_OK && filled < columns)
+        status = bat_list_append(input, list, blanks, columns - filled);
+    return status;
+}
 
 /* "P" and a number in seven columns, as text, counted on; 0, which no text is, stays so. */
 static inline uint64_t next_tail(uint64_t tail)

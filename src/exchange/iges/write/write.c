@@ -5,112 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- colours, names, levels ---- */
-
-/* A colour in percent with 6 decimals, so that reading and writing again gives the same text.
- */
-static double percent(double part)
-{
-    return nearbyint(part * 1e8) / 1e6;
-}
-
-int bat_iges_put_colour(bat_iges_writing *w, const double colour[3])
-{
-    const double rgb[3] = {percent(colour[0]), percent(colour[1]), percent(colour[2])};
-    for (int k = 0; k < w->colour_count && k < BAT_IGES_COLOURS; k++)
-        if (memcmp(w->colours[k], rgb, sizeof rgb) == 0)
-            return -w->colour_ids[k];
-    const int id = bat_iges_begin_entity(w, 314);
-    for (int k = 0; k < 3; k++)
-        bat_iges_put_real(&w->data, rgb[k], k < 2 ? ',' : ';');
-    bat_iges_end_entity(w, &(bat_iges_look){.type = 314, .use = 2});
-    memcpy(w->colours[w->colour_count % BAT_IGES_COLOURS], rgb, sizeof rgb);
-    w->colour_ids[w->colour_count % BAT_IGES_COLOURS] = id;
-    w->colour_count++;
-    return -id;
-}
-
-int bat_iges_put_name(bat_iges_writing *w, const char *name)
-{
-    if (!name[0])
-        return 0;
-    const int id = bat_iges_begin_entity(w, 406);
-    bat_iges_put_integer(&w->data, 1, ',');
-    bat_iges_put_string(&w->data, name, ';');
-    bat_iges_end_entity(w,
-                        &(bat_iges_look){.type = 406, .form = 15, .is_part = true, .use = 3});
-    return id;
-}
-
-enum { HIGHEST_LEVEL = 9999999 };
-
-/* A layer that is a number is that level; 0 when it is none. */
-static int level_of_number(const char *layer)
-{
-    const bool number = strspn(layer, "0123456789") == strlen(layer) && strlen(layer) <= 7;
-    return number && layer[0] != '0' ? (int)strtol(layer, NULL, 10) : 0;
-}
-
-static batten_status add_layers(bat_members *list, const batten_model *model, int *highest)
-{
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++) {
-        const char *layer = batten_model_object(model, i)->layer;
-        *highest = bat_max_int(*highest, level_of_number(layer));
-        if (layer[0] && !level_of_number(layer))
-            status = bat_members_add(list, layer, 0);
-    }
-    return status;
-}
-
-/* Number the layers that have other names, beyond those that are numbers, and say which is
- * which: 406 form 3, whose level it is. */
-static batten_status put_layers(bat_iges_writing *w)
-{
-    bat_members *list = &w->layers;
-    int highest = 0, kept = 0;
-    batten_status status = BATTEN_OK;
-    for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
-        status = add_layers(list, w->definitions.models[i], &highest);
-    bat_members_sort(list);
-    for (int i = 0; status == BATTEN_OK && i < list->count; i += bat_members_same(list, i)) {
-        list->members[kept] = list->members[i];
-        list->members[kept].item = bat_min_int(++highest, HIGHEST_LEVEL);
-        const bat_member *layer = &list->members[kept++];
-        bat_iges_begin_entity(w, 406);
-        bat_iges_put_integer(&w->data, 2, ',');
-        bat_iges_put_integer(&w->data, layer->item, ',');
-        bat_iges_put_string(&w->data, layer->path, ';');
-        bat_iges_end_entity(
-            w, &(bat_iges_look){.type = 406, .form = 3, .level = layer->item, .use = 3});
-    }
-    list->count = kept;
-    return status;
-}
-
-static int level_of(bat_iges_writing *w, const char *layer)
-{
-    const int number = level_of_number(layer);
-    return number || !layer[0] ? number : bat_members_find(&w->layers, layer)->item;
-}
-
 /* ---- objects ---- */
-
-batten_status bat_iges_check_room(const bat_iges_writing *w)
-{
-    if (w->data.count <= 9000000 && w->directory_count <= 9000000)
-        return BATTEN_OK;
-    return bat_fail(BATTEN_TOO_LARGE, "IGES has room for 9999999 records in a section");
-}
-
-static bat_iges_look look_of(bat_iges_writing *w, const batten_object *object)
-{
-    return (bat_iges_look){.level = level_of(w, object->layer),
-                           .colour =
-                               object->has_colour ? bat_iges_put_colour(w, object->colour) : 0,
-                           .is_hidden = object->is_hidden,
-                           .is_part = w->is_inside};
-}
 
 /* What was written belongs to the definition at work, or to its group. Groups of parts of
  * definitions are not written: other programs take them for what they hold, once more. */
@@ -127,7 +22,7 @@ static batten_status write_curve(bat_iges_writing *w, const batten_object *objec
     batten_status status = bat_prepare_curve(object, &curve);
     if (status != BATTEN_OK)
         return status;
-    const bat_iges_look look = look_of(w, object);
+    const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_curve(w, curve, bat_iges_put_name(w, object->name), look);
     batten_curve_unref(curve);
     return keep(w, object->group, id);
@@ -139,7 +34,7 @@ static batten_status write_surface(bat_iges_writing *w, const batten_object *obj
     batten_status status = bat_prepare_surface(object, w->tolerance, w->notes, &surface);
     if (status != BATTEN_OK)
         return status;
-    const bat_iges_look look = look_of(w, object);
+    const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_surface(w, surface, bat_iges_put_name(w, object->name), look);
     batten_surface_unref(surface);
     return keep(w, object->group, id);
@@ -147,7 +42,7 @@ static batten_status write_surface(bat_iges_writing *w, const batten_object *obj
 
 static batten_status write_points(bat_iges_writing *w, const batten_object *object)
 {
-    const bat_iges_look look = look_of(w, object);
+    const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_points(w, object->points, object->point_count,
                                        bat_iges_put_name(w, object->name), look);
     return keep(w, object->group, id);
@@ -203,7 +98,7 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
             coloured.has_colour = true;
             memcpy(coloured.colour, face->colour, sizeof face->colour);
         }
-        const bat_iges_look look = look_of(w, &coloured);
+        const bat_iges_look look = bat_iges_look_of(w, &coloured);
         status = bat_iges_check_room(w);
         if (status == BATTEN_OK)
             status = put_face_name(w, object, parts->face_count, f, &name);
@@ -235,7 +130,7 @@ static batten_status keep_shell(void *context, int id)
 static batten_status write_solid(bat_iges_writing *w, const batten_object *object,
                                  const batten_body_parts *parts, const char *group)
 {
-    const bat_iges_look look = look_of(w, object);
+    const bat_iges_look look = bat_iges_look_of(w, object);
     keeping context = {w, group};
     return bat_iges_put_body(w, parts, object->name, &look, keep_shell, &context);
 }
@@ -279,7 +174,7 @@ static batten_status write_instance(bat_iges_writing *w, const batten_object *ob
 {
     const int subfigure =
         w->subfigures[bat_definitions_index(&w->definitions, object->definition)];
-    const bat_iges_look look = look_of(w, object);
+    const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_instance(w, subfigure, &object->place,
                                          bat_iges_put_name(w, object->name), look);
     return keep(w, object->group, id);
@@ -427,7 +322,7 @@ static batten_status write_whole(const batten_model *model, const batten_write_o
     bat_text_reserve(text, 100 * bat_count_points(model)); /* mostly enough */
     batten_status status = bat_definitions_find(model, &w.definitions);
     if (status == BATTEN_OK)
-        status = put_layers(&w);
+        status = bat_iges_put_layers(&w);
     if (status == BATTEN_OK)
         status = write_definitions(&w);
     if (status == BATTEN_OK)

@@ -70,12 +70,17 @@ void bat_iges_end_entity(bat_iges_writing *w, const bat_iges_look *look);
 /* The last parameters of an entity: no associativity, and its name, if any. */
 void bat_iges_put_properties(bat_iges_writing *w, int name);
 
-/* ---- what entities have (write.c) ---- */
+/* ---- what entities have beside geometry (attributes.c) ---- */
 
 /* The colour field: minus the id of an entity 314, which is written unless it just was. */
 int bat_iges_put_colour(bat_iges_writing *w, const double colour[3]);
 /* The id of a property with the name; 0 for an empty one. */
 int bat_iges_put_name(bat_iges_writing *w, const char *name);
+/* Number the layers that have other names, beyond those that are numbers, and write which is
+ * which: 406 form 3, whose level it is. */
+batten_status bat_iges_put_layers(bat_iges_writing *w);
+/* Level, colour and visibility of an object. */
+bat_iges_look bat_iges_look_of(bat_iges_writing *w, const batten_object *object);
 /* Sequence numbers have 7 columns; this keeps every record below them. */
 batten_status bat_iges_check_room(const bat_iges_writing *w);
 

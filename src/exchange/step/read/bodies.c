@@ -5,12 +5,6 @@
 
 #include <string.h>
 
-static batten_status leave_out(const bat_step_target *target, const bat_step_instance *item,
-                               batten_status reason)
-{
-    return bat_step_leave_out(&target->import->file, &target->import->census, item, reason);
-}
-
 /* The first that argument k refers to, be it a reference or a list of them. */
 static const bat_step_instance *first_of(const bat_step_file *file,
                                          const bat_step_record *record, int k)
@@ -105,7 +99,7 @@ static batten_status finish_body(const bat_step_target *target, const bat_step_i
         status = check_size(target, item, body);
     if (status != BATTEN_OK) {
         batten_body_unref(body);
-        return leave_out(target, item, status);
+        return bat_step_leave_item(target, item, status);
     }
     if (is_solid && !whole)
         bat_step_warn(&import->file, item,
@@ -142,17 +136,10 @@ static batten_status read_shells(const bat_step_target *target, const bat_step_r
         status = bat_step_body_shell(&import->topology, shell, false);
         if (status != BATTEN_OK) {
             import->topology.left_out++;
-            status = leave_out(target, shell, status);
+            status = bat_step_leave_item(target, shell, status);
         }
     }
     return status;
-}
-
-batten_status bat_step_give_up(const bat_step_target *target, const bat_step_instance *item,
-                               batten_status reason)
-{
-    bat_builder_end(&target->import->topology.builder);
-    return leave_out(target, item, reason);
 }
 
 /* In a complex instance the name stands in another part, so that arguments begin one sooner. */

@@ -1,46 +1,14 @@
-/* The curves of a STEP file. */
+/* Polylines, offsets, and curves in the parameters of a surface. */
 #include "base/plural.h"
 #include "body/trace/lift.h"
 #include "exchange/step/read/geometry.h"
 #include "numeric/vector.h"
 #include <batten/offset.h>
 
-/* ---- curves on surfaces ---- */
-
-static bool is_surface_curve(const bat_step_file *file, const bat_step_instance *instance,
-                             const bat_step_record **record)
-{
-    static const char *const keywords[] = {"SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE",
-                                           "BOUNDED_SURFACE_CURVE"};
-    for (size_t k = 0; k < sizeof keywords / sizeof keywords[0]; k++) {
-        *record = bat_step_as(file, instance, keywords[k]);
-        if (*record)
-            return true;
-    }
-    return false;
-}
-
-batten_status bat_step_resolve(const bat_step_reading *reading,
-                               const bat_step_instance **instance)
-{
-    const bat_step_record *record = NULL;
-    bat_step_reading inner = *reading, next;
-    batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && is_surface_curve(reading->file, *instance, &record)) {
-        status = bat_step_deeper(&inner, *instance, &next);
-        inner = next;
-        if (status == BATTEN_OK)
-            status = bat_step_get_reference(reading->file, record, 1, instance);
-    }
-    return status;
-}
-
-/* ---- other curves ---- */
-
 /* The parameter of a POLYLINE is 0, 1, 2 ... at its points. */
-static batten_status read_polyline(const bat_step_reading *reading,
-                                   const bat_step_instance *instance,
-                                   const bat_step_record *record, batten_curve **out)
+batten_status bat_step_polyline(const bat_step_reading *reading,
+                                const bat_step_instance *instance,
+                                const bat_step_record *record, batten_curve **out)
 {
     bat_input *input = reading->file->input;
     int count = 0;
@@ -76,9 +44,9 @@ static batten_status read_polyline(const bat_step_reading *reading,
 }
 
 /* OFFSET_CURVE_3D(name, basis, distance, self_intersect, V): along V x T. */
-static batten_status read_offset(const bat_step_reading *reading,
-                                 const bat_step_instance *instance,
-                                 const bat_step_record *record, batten_curve **out)
+batten_status bat_step_offset_curve(const bat_step_reading *reading,
+                                    const bat_step_instance *instance,
+                                    const bat_step_record *record, batten_curve **out)
 {
     const bat_step_instance *basis = NULL, *across = NULL;
     double distance = 0;
@@ -116,17 +84,16 @@ static batten_status read_offset(const bat_step_reading *reading,
 }
 
 /* A PCURVE as a curve in space; the parameters are known of B-spline surfaces alone. */
-static batten_status read_on_surface(const bat_step_reading *reading,
-                                     const bat_step_instance *instance,
-                                     const bat_step_record *record, batten_curve **out)
+batten_status bat_step_curve_on_surface(const bat_step_reading *reading,
+                                        const bat_step_instance *instance,
+                                        const bat_step_record *record, batten_curve **out)
 {
     const bat_step_instance *on = NULL;
     batten_curve *parameters = NULL;
     batten_surface *surface = NULL;
     batten_status status = bat_step_get_reference(reading->file, record, 1, &on);
     if (status == BATTEN_OK)
-        status =
-            bat_step_read_pcurve(reading->file, instance, on, &reading->scale, &parameters);
+        status = bat_step_pcurve_in(reading, instance, on, &parameters);
     if (status == BATTEN_OK && !parameters)
         status = bat_step_fail(reading->file, instance, BATTEN_UNSUPPORTED,
                                "a curve in the parameters of such a surface is not read");
@@ -139,118 +106,4 @@ static batten_status read_on_surface(const bat_step_reading *reading,
     batten_curve_unref(parameters);
     batten_surface_unref(surface);
     return status;
-}
-
-/* ---- any curve ---- */
-
-typedef batten_status read_curve(const bat_step_reading *reading,
-                                 const bat_step_instance *instance,
-                                 const bat_step_record *record, batten_curve **out);
-
-static const struct {
-    const char *keyword;
-    read_curve *read;
-    bool in_plane;
-} curves[] = {{"TRIMMED_CURVE", bat_step_trimmed, true},
-              {"POLYLINE", read_polyline, true},
-              {"COMPOSITE_CURVE", bat_step_composite, true},
-              {"COMPOSITE_CURVE_ON_SURFACE", bat_step_composite, false},
-              {"BOUNDARY_CURVE", bat_step_composite, false},
-              {"OUTER_BOUNDARY_CURVE", bat_step_composite, false},
-              {"OFFSET_CURVE_3D", read_offset, false},
-              {"PCURVE", read_on_surface, false}};
-
-batten_status bat_step_curve_in(const bat_step_reading *reading,
-                                const bat_step_instance *instance, batten_curve **out)
-{
-    bat_step_reading inner;
-    bat_conic conic;
-    bool is_it = false;
-    batten_status status = bat_step_deeper(reading, instance, &inner);
-    if (status == BATTEN_OK)
-        status = bat_step_resolve(&inner, &instance);
-    if (status == BATTEN_OK)
-        status = bat_step_spline_curve(&inner, instance, out, &is_it);
-    if (status != BATTEN_OK || is_it)
-        return status;
-    status = bat_step_conic_in(&inner, instance, &conic, &is_it);
-    if (status == BATTEN_OK && is_it)
-        status = bat_step_whole_conic(&inner, instance, &conic, out);
-    if (status != BATTEN_OK || is_it)
-        return status;
-    for (size_t k = 0; k < sizeof curves / sizeof curves[0]; k++) {
-        const bat_step_record *record = bat_step_as(reading->file, instance, curves[k].keyword);
-        if (record && (curves[k].in_plane || reading->dimension == 3))
-            return curves[k].read(&inner, instance, record, out);
-    }
-    return bat_step_fail(reading->file, instance, BATTEN_UNSUPPORTED,
-                         "it is no curve that is read");
-}
-
-/* ---- for other files ---- */
-
-batten_status bat_step_as_conic(const bat_step_file *file, const bat_step_instance *instance,
-                                const bat_step_scale *scale, bat_conic *conic, bool *is_conic)
-{
-    const bat_step_reading reading = bat_step_reading_of(file, scale);
-    return bat_step_conic_in(&reading, instance, conic, is_conic);
-}
-
-batten_status bat_step_read_curve(const bat_step_file *file, const bat_step_instance *instance,
-                                  const bat_step_scale *scale, batten_curve **out)
-{
-    const bat_step_reading reading = bat_step_reading_of(file, scale);
-    return bat_step_curve_in(&reading, instance, out);
-}
-
-/* The PCURVE on a surface that an instance is or has; NULL when there is none. */
-static batten_status find_pcurve(const bat_step_file *file, const bat_step_instance *instance,
-                                 const bat_step_instance *surface, const bat_step_record **out)
-{
-    const bat_step_record *record = bat_step_as(file, instance, "PCURVE"), *of = NULL;
-    const bat_step_instance *on = NULL, *item = instance;
-    int count = 1;
-    size_t at = 0;
-    batten_status status = BATTEN_OK;
-    *out = NULL;
-    if (!record && is_surface_curve(file, instance, &of))
-        status = bat_step_get_list(file, of, 2, &count, &at);
-    for (int i = 0; status == BATTEN_OK && i < count && !*out; i++) {
-        if (of)
-            status = bat_step_item_reference(file, of, &at, &item);
-        if (status != BATTEN_OK)
-            break;
-        record = bat_step_as(file, item, "PCURVE");
-        if (record)
-            status = bat_step_get_reference(file, record, 1, &on);
-        if (status == BATTEN_OK && record && on == surface)
-            *out = record;
-    }
-    return status;
-}
-
-batten_status bat_step_read_pcurve(const bat_step_file *file, const bat_step_instance *instance,
-                                   const bat_step_instance *surface,
-                                   const bat_step_scale *scale, batten_curve **out)
-{
-    bat_step_reading reading = bat_step_reading_of(file, scale);
-    const bat_step_record *pcurve = NULL, *definition = NULL;
-    const bat_step_instance *curve = NULL;
-    int count = 0;
-    size_t at = 0;
-    reading.dimension = 2;
-    reading.scale.length = 1;
-    if (!bat_step_is_spline_surface(file, surface))
-        return BATTEN_OK;
-    batten_status status = find_pcurve(file, instance, surface, &pcurve);
-    if (status != BATTEN_OK || !pcurve)
-        return status;
-    status = bat_step_get_record(file, pcurve, 2, "DEFINITIONAL_REPRESENTATION", &definition);
-    if (status == BATTEN_OK)
-        status = bat_step_get_list(file, definition, 1, &count, &at);
-    if (status == BATTEN_OK)
-        status = bat_step_item_reference(file, definition, &at, &curve);
-    if (status == BATTEN_OK)
-        status = bat_step_curve_in(&reading, curve, out);
-    return status == BATTEN_NOT_COMPATIBLE ? BATTEN_OK : status; /* a line has no ends */
 }

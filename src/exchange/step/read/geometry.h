@@ -5,12 +5,24 @@
 
 /* How geometry is read: in space, or in the parameters of a surface, where the unit of length
  * is 1 and there are 2 coordinates. */
+typedef struct bat_step_reading bat_step_reading;
+
+/* Who makes a curve or surface of any kind, for those that stand on others. Only shapes.c knows
+ * all kinds, and hands this in. */
 typedef struct {
+    batten_status (*curve)(const bat_step_reading *, const bat_step_instance *,
+                           batten_curve **);
+    batten_status (*surface)(const bat_step_reading *, const bat_step_instance *,
+                             batten_surface **);
+} bat_step_makers;
+
+struct bat_step_reading {
     const bat_step_file *file;
     bat_step_scale scale;
     int dimension;
-    int depth; /* of instances that stand on one another */
-} bat_step_reading;
+    int depth;                  /* of instances that stand on one another */
+    const bat_step_makers *any; /* NULL where only points and directions are read */
+};
 
 bat_step_reading bat_step_reading_of(const bat_step_file *file, const bat_step_scale *scale);
 /* One deeper; BAD_FORMAT for the instance when that is too deep, or a ring. */
@@ -27,7 +39,7 @@ batten_status bat_step_check_arguments(const bat_step_file *file, const bat_step
 batten_status bat_step_get_record(const bat_step_file *file, const bat_step_record *record,
                                   int k, const char *keyword, const bat_step_record **out);
 
-/* ---- points and directions (read_points.c) ---- */
+/* ---- points and directions (points.c) ---- */
 
 /* The third coordinate is 0 in the parameters of a surface. */
 batten_status bat_step_point_in(const bat_step_reading *reading,
@@ -45,7 +57,7 @@ batten_status bat_step_vector_in(const bat_step_reading *reading,
 batten_status bat_step_frame_in(const bat_step_reading *reading,
                                 const bat_step_instance *instance, batten_frame *frame);
 
-/* ---- B-splines (read_splines.c): *is_spline is false for others ---- */
+/* ---- B-splines (splines.c): *is_spline is false for others ---- */
 
 batten_status bat_step_spline_curve(const bat_step_reading *reading,
                                     const bat_step_instance *instance, batten_curve **out,
@@ -55,7 +67,7 @@ batten_status bat_step_spline_surface(const bat_step_reading *reading,
                                       const bat_step_instance *instance, batten_surface **out,
                                       bool *is_spline);
 
-/* ---- lines and conics (read_conics.c) ---- */
+/* ---- lines and conics (conics.c) ---- */
 
 batten_status bat_step_conic_in(const bat_step_reading *reading,
                                 const bat_step_instance *instance, bat_conic *conic,
@@ -72,13 +84,32 @@ batten_status bat_step_whole_conic(const bat_step_reading *reading,
                                    const bat_step_instance *instance, const bat_conic *conic,
                                    batten_curve **out);
 
-/* ---- curves (read_curves.c, read_parts.c, read_composite.c) ---- */
+/* ---- curves (surface_curve.c, curves.c, curve_parts.c, composite.c) ---- */
 
 /* A SURFACE_CURVE stands for its 3-D curve, which may be one again. */
 batten_status bat_step_resolve(const bat_step_reading *reading,
                                const bat_step_instance **instance);
-batten_status bat_step_curve_in(const bat_step_reading *reading,
-                                const bat_step_instance *instance, batten_curve **out);
+/* A curve of any kind that another one, or a surface, stands on. */
+static inline batten_status bat_step_curve_in(const bat_step_reading *reading,
+                                              const bat_step_instance *instance,
+                                              batten_curve **out)
+{
+    return reading->any->curve(reading, instance, out);
+}
+/* The curve in the parameters of a surface; see bat_step_read_pcurve. */
+batten_status bat_step_pcurve_in(const bat_step_reading *reading,
+                                 const bat_step_instance *instance,
+                                 const bat_step_instance *surface, batten_curve **out);
+batten_status bat_step_polyline(const bat_step_reading *reading,
+                                const bat_step_instance *instance,
+                                const bat_step_record *record, batten_curve **out);
+batten_status bat_step_offset_curve(const bat_step_reading *reading,
+                                    const bat_step_instance *instance,
+                                    const bat_step_record *record, batten_curve **out);
+/* A PCURVE as a curve in space. */
+batten_status bat_step_curve_on_surface(const bat_step_reading *reading,
+                                        const bat_step_instance *instance,
+                                        const bat_step_record *record, batten_curve **out);
 /* The part between two parameters of the file, running with the parameter when `forward`; of
  * closed curves also over their ends. */
 batten_status bat_step_curve_between(const bat_step_reading *reading,
@@ -92,7 +123,7 @@ batten_status bat_step_composite(const bat_step_reading *reading,
                                  const bat_step_instance *instance,
                                  const bat_step_record *record, batten_curve **out);
 
-/* ---- surfaces (read_surfaces.c, read_trimmed_surface.c) ---- */
+/* ---- surfaces (surfaces.c, trimmed_surface.c) ---- */
 
 /* Planes, cylinders, cones, spheres, tori. */
 batten_status bat_step_primitive_in(const bat_step_reading *reading,
@@ -111,8 +142,12 @@ batten_status bat_step_elementary_in(const bat_step_reading *reading,
                                      const bat_step_instance *instance,
                                      bat_elementary *elementary, bat_step_basis *basis,
                                      bool *is_elementary);
-batten_status bat_step_surface_in(const bat_step_reading *reading,
-                                  const bat_step_instance *instance, batten_surface **out);
+static inline batten_status bat_step_surface_in(const bat_step_reading *reading,
+                                                const bat_step_instance *instance,
+                                                batten_surface **out)
+{
+    return reading->any->surface(reading, instance, out);
+}
 batten_status bat_step_trimmed_surface(const bat_step_reading *reading,
                                        const bat_step_instance *instance,
                                        const bat_step_record *record, batten_surface **out);

@@ -37,7 +37,7 @@ typedef struct {
     int annotations; /* items of drawings, which are not read */
 } bat_step_import;
 
-/* ---- items.c ---- */
+/* ---- objects.c ---- */
 
 /* Where the objects of items go, and what holds for them all. */
 typedef struct {
@@ -48,8 +48,6 @@ typedef struct {
     bool is_hidden;
 } bat_step_target;
 
-/* The objects of an item of a representation. What cannot be read is noted. */
-batten_status bat_step_read_item(const bat_step_target *target, const bat_step_instance *item);
 /* The object's name, colour and layer, from the first of the instances that has them; NULLs are
  * skipped. The name is put into the buffer. */
 void bat_step_dress(const bat_step_target *target, int count,
@@ -59,6 +57,12 @@ void bat_step_dress(const bat_step_target *target, int count,
  * left out. */
 batten_status bat_step_add_object(const bat_step_target *target, const bat_step_instance *item,
                                   const batten_object *object);
+/* Note that an item is left out; a reason that is no fault of the data is handed on. */
+batten_status bat_step_leave_item(const bat_step_target *target, const bat_step_instance *item,
+                                  batten_status reason);
+/* End the body at work and leave its item out. */
+batten_status bat_step_give_up(const bat_step_target *target, const bat_step_instance *item,
+                               batten_status reason);
 /* The name that an item has; "" for none. */
 void bat_step_name_of(const bat_step_file *file, const bat_step_instance *instance,
                       char name[BAT_STEP_NAME]);
@@ -68,9 +72,6 @@ void bat_step_name_of(const bat_step_file *file, const bat_step_instance *instan
 /* Has it faces? Its body, then; or its surface, when it is the whole of one. */
 bool bat_step_is_body(const bat_step_file *file, const bat_step_instance *item);
 batten_status bat_step_read_body(const bat_step_target *target, const bat_step_instance *item);
-/* End the body at work and leave its item out. */
-batten_status bat_step_give_up(const bat_step_target *target, const bat_step_instance *item,
-                               batten_status reason);
 
 /* ---- tessellated.c ---- */
 
@@ -78,6 +79,11 @@ batten_status bat_step_give_up(const bat_step_target *target, const bat_step_ins
 bool bat_step_is_tessellated(const bat_step_file *file, const bat_step_instance *item);
 batten_status bat_step_read_tessellated(const bat_step_target *target,
                                         const bat_step_instance *item);
+
+/* ---- items.c ---- */
+
+/* The objects of an item of a representation. What cannot be read is noted. */
+batten_status bat_step_read_item(const bat_step_target *target, const bat_step_instance *item);
 
 /* ---- placing.c ---- */
 

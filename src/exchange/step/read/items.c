@@ -3,77 +3,6 @@
 
 #include <string.h>
 
-/* ---- what objects are called and look like ---- */
-
-void bat_step_name_of(const bat_step_file *file, const bat_step_instance *instance,
-                      char name[BAT_STEP_NAME])
-{
-    const bat_step_record *record = bat_step_as(file, instance, "REPRESENTATION_ITEM");
-    if (!record)
-        record = bat_step_first(file, instance);
-    name[0] = '\0';
-    if (bat_step_value_at(file, bat_step_argument(file, record, 0)).kind != BAT_STEP_STRING ||
-        bat_step_get_string(file, record, 0, BAT_STEP_NAME, name) != BATTEN_OK)
-        name[0] = '\0';
-}
-
-/* Curves take the colour of strokes, if there is one, other things that of fills. */
-static void colour(batten_object *object, const bat_step_colours *look)
-{
-    const bool is_line =
-        object->kind == BATTEN_OBJECT_CURVE || object->kind == BATTEN_OBJECT_POINTS;
-    if (object->has_colour || !look || !(look->has_fill || is_line))
-        return;
-    object->has_colour = true;
-    memcpy(object->colour, is_line && look->has_stroke ? look->stroke : look->fill,
-           sizeof object->colour);
-}
-
-void bat_step_dress(const bat_step_target *target, int count,
-                    const bat_step_instance *const *from, batten_object *object,
-                    char name[BAT_STEP_NAME])
-{
-    const bat_step_styles *styles = &target->import->styles;
-    name[0] = '\0';
-    object->name = name;
-    object->is_hidden = target->is_hidden;
-    for (int k = 0; k < count; k++) {
-        if (!from[k])
-            continue;
-        if (!name[0])
-            bat_step_name_of(&target->import->file, from[k], name);
-        if (!object->layer)
-            object->layer = bat_step_layer_of(styles, from[k]);
-        if (!object->group &&
-            bat_step_group_of(&target->import->groups, from[k], target->import->path))
-            object->group = target->import->path;
-        object->is_hidden |= bat_step_is_hidden(styles, from[k]);
-        colour(object, bat_step_colours_of(styles, from[k]));
-    }
-    if (!name[0])
-        object->name = target->product;
-}
-
-static batten_status leave_out(const bat_step_target *target, const bat_step_instance *item,
-                               batten_status reason)
-{
-    return bat_step_leave_out(&target->import->file, &target->import->census, item, reason);
-}
-
-batten_status bat_step_add_object(const bat_step_target *target, const bat_step_instance *item,
-                                  const batten_object *object)
-{
-    bat_step_import *import = target->import;
-    char keyword[BAT_STEP_KEYWORD_SIZE];
-    batten_status status = batten_model_add(target->model, object);
-    if (status == BATTEN_OK)
-        return bat_census_read(import->input, &import->census,
-                               bat_step_keyword(&import->file, item, keyword));
-    if (status != BATTEN_OUT_OF_MEMORY)
-        status = bat_step_fail(&import->file, item, status, "%.300s", batten_message());
-    return leave_out(target, item, status);
-}
-
 /* ---- curves, surfaces and points, alone or in a set ---- */
 
 static batten_status add_shape(const bat_step_target *target, const bat_step_instance *item,
@@ -92,7 +21,7 @@ static batten_status read_curve(const bat_step_target *target, const bat_step_in
     batten_status status =
         bat_step_read_curve(&target->import->file, item, &target->scale, &curve);
     if (status != BATTEN_OK)
-        return leave_out(target, item, status);
+        return bat_step_leave_item(target, item, status);
     batten_object object = {.kind = BATTEN_OBJECT_CURVE, .curve = curve};
     status = bat_step_spend(&target->import->topology, item,
                             (size_t)batten_curve_point_count(curve));
@@ -124,7 +53,7 @@ static batten_status read_surface(const bat_step_target *target, const bat_step_
         status = check_surface(target, item, surface);
     if (status != BATTEN_OK) {
         batten_surface_unref(surface);
-        return leave_out(target, item, status);
+        return bat_step_leave_item(target, item, status);
     }
     batten_object object = {.kind = BATTEN_OBJECT_SURFACE, .surface = surface};
     status = bat_step_spend(&target->import->topology, item,
@@ -157,7 +86,7 @@ static batten_status read_point(const bat_step_target *target, const bat_step_in
     batten_status status =
         bat_step_read_point(&target->import->file, item, &target->scale, point);
     if (status != BATTEN_OK)
-        return leave_out(target, item, status);
+        return bat_step_leave_item(target, item, status);
     return bat_list_add(target->import->input, points, point);
 }
 
@@ -215,7 +144,7 @@ static batten_status read_wires(const bat_step_target *target, const bat_step_in
                 status = read_edge(target, edge, item);
         }
     }
-    return status == BATTEN_OK ? status : leave_out(target, item, status);
+    return status == BATTEN_OK ? status : bat_step_leave_item(target, item, status);
 }
 
 /* ---- kinds ---- */
@@ -282,9 +211,9 @@ static batten_status refuse(const bat_step_target *target, const bat_step_instan
         target->import->annotations++;
         return BATTEN_OK;
     }
-    return leave_out(target, item,
-                     bat_step_fail(&target->import->file, item, BATTEN_UNSUPPORTED,
-                                   "it is not of a kind that is read"));
+    return bat_step_leave_item(target, item,
+                               bat_step_fail(&target->import->file, item, BATTEN_UNSUPPORTED,
+                                             "it is not of a kind that is read"));
 }
 
 static batten_status read_alone(const bat_step_target *target, const bat_step_instance *item,
@@ -315,12 +244,12 @@ static batten_status read_set(const bat_step_target *target, const bat_step_inst
     size_t at = 0;
     batten_status status = bat_step_get_list(&import->file, record, 1, &count, &at);
     if (status != BATTEN_OK)
-        return leave_out(target, set, status);
+        return bat_step_leave_item(target, set, status);
     for (int k = 0; status == BATTEN_OK && k < count; k++) {
         const bat_step_instance *item = NULL;
         status = bat_step_item_reference(&import->file, record, &at, &item);
         if (status != BATTEN_OK) {
-            status = leave_out(target, set, status);
+            status = bat_step_leave_item(target, set, status);
             continue;
         }
         if (family_of(&import->file, item) == POINT) {

@@ -289,54 +289,6 @@ batten_status bat_step_elementary_in(const bat_step_reading *reading,
     return status;
 }
 
-static batten_status whole_elementary(const bat_step_reading *reading,
-                                      const bat_step_instance *instance,
-                                      const bat_elementary *elementary, bool is_reversed,
-                                      batten_surface **out)
-{
-    const bat_input *input = reading->file->input;
-    batten_surface *made = NULL;
-    double error = 0;
-    batten_status status =
-        bat_elementary_surface(elementary, 0, NULL, reading->scale.tolerance, &made, &error);
-    if (status == BATTEN_OK && error > 0)
-        batten_notes_remark(input->notes, input->file,
-                            bat_step_line(reading->file, instance->at), "",
-                            "#%llu: offset within %g", (unsigned long long)instance->id, error);
-    if (status == BATTEN_OK && is_reversed)
-        status = batten_surface_reverse(made, BATTEN_U, out);
-    else if (status == BATTEN_OK)
-        *out = batten_surface_ref(made);
-    batten_surface_unref(made);
-    return bat_step_blame(reading->file, instance, status);
-}
-
-batten_status bat_step_surface_in(const bat_step_reading *reading,
-                                  const bat_step_instance *instance, batten_surface **out)
-{
-    bat_step_reading inner;
-    bat_elementary elementary;
-    bat_step_basis basis = {NULL, NULL, false};
-    bool is_it = false;
-    batten_status status = bat_step_deeper(reading, instance, &inner);
-    if (status == BATTEN_OK)
-        status = bat_step_spline_surface(&inner, instance, out, &is_it);
-    if (status != BATTEN_OK || is_it)
-        return status;
-    const bat_step_record *record =
-        bat_step_as(reading->file, instance, "RECTANGULAR_TRIMMED_SURFACE");
-    if (record)
-        return bat_step_trimmed_surface(&inner, instance, record, out);
-    status = bat_step_elementary_in(&inner, instance, &elementary, &basis, &is_it);
-    if (status == BATTEN_OK && is_it)
-        status = whole_elementary(&inner, instance, &elementary, basis.is_reversed, out);
-    else if (status == BATTEN_OK)
-        status = bat_step_fail(reading->file, instance, BATTEN_UNSUPPORTED,
-                               "it is no surface that is read");
-    bat_step_basis_end(&basis);
-    return status;
-}
-
 /* ---- for other files ---- */
 
 void bat_step_basis_end(bat_step_basis *basis)
@@ -344,21 +296,4 @@ void bat_step_basis_end(bat_step_basis *basis)
     batten_curve_unref(basis->curve);
     batten_surface_unref(basis->surface);
     *basis = (bat_step_basis){NULL, NULL, false};
-}
-
-batten_status bat_step_as_elementary(const bat_step_file *file,
-                                     const bat_step_instance *instance,
-                                     const bat_step_scale *scale, bat_elementary *elementary,
-                                     bat_step_basis *basis, bool *is_elementary)
-{
-    const bat_step_reading reading = bat_step_reading_of(file, scale);
-    return bat_step_elementary_in(&reading, instance, elementary, basis, is_elementary);
-}
-
-batten_status bat_step_read_surface(const bat_step_file *file,
-                                    const bat_step_instance *instance,
-                                    const bat_step_scale *scale, batten_surface **out)
-{
-    const bat_step_reading reading = bat_step_reading_of(file, scale);
-    return bat_step_surface_in(&reading, instance, out);
 }
