@@ -1,7 +1,7 @@
 /* The headers that begin each object of a .g2 file, and the classes that they name. */
 #include "exchange/g2/g2.h"
 
-#include <batten/number.h>
+#include <batten/text.h>
 
 /* Classes and what they are called; those that are read are marked in read_object. */
 static const struct {
