@@ -15,13 +15,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #define FILES 4096
 #define LARGEST 16384 /* seed that is damaged */
 #define MOST 65536    /* bytes of a damaged file */
-#define SECONDS 5     /* for one */
+#define SECONDS 5     /* of processor time for one: a loaded machine is no fault of the file */
 
 typedef struct {
     char *name;
@@ -118,6 +119,13 @@ static uint8_t *make_damaged(const seeds *all, size_t number, size_t *size)
     return exact;
 }
 
+/* SIGPROF ends the process after so much processor time; 0: never. */
+static void allow_seconds(int seconds)
+{
+    const struct itimerval limit = {.it_value = {.tv_sec = seconds}};
+    setitimer(ITIMER_PROF, &limit, NULL);
+}
+
 static void try_all(const seeds *all, size_t first, size_t count, volatile size_t *reached)
 {
     const batten_format format = format_of(FUZZ_NAME);
@@ -125,13 +133,13 @@ static void try_all(const seeds *all, size_t first, size_t count, volatile size_
         size_t size;
         *reached = i;
         uint8_t *damaged = make_damaged(all, i, &size);
-        alarm(SECONDS);
+        allow_seconds(SECONDS);
         LLVMFuzzerTestOneInput(damaged, size);
         if (format != BATTEN_FORMAT_AUTO)
             fuzz_survive(damaged, size, format);
         free(damaged);
     }
-    alarm(0);
+    allow_seconds(0);
 }
 
 /* Keep what a reader did not survive, and say how to come back to it. */
