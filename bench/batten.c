@@ -179,7 +179,7 @@ static void gather_surface(void *object, double *result)
 static void run_curve_through(void *object)
 {
     contest *c = object;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = c->work->u;
     batten_curve_unref(c->curve);
@@ -198,7 +198,7 @@ static void run_surface_through(void *object)
 {
     contest *c = object;
     const int n = (int)c->work->count;
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = c->work->u;
     options.given_v = c->work->v;
@@ -250,7 +250,7 @@ static void run_function(void *object)
     batten_curve_unref(c->curve);
     c->curve = NULL;
     if (c->work->method == NATURAL_CUBIC) {
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = BATTEN_GIVEN;
         options.given = x;
         options.start.kind = options.end.kind = BATTEN_END_NATURAL;
@@ -272,7 +272,7 @@ static void gather_function(void *object, double *result)
 
 static void run_nonlinear(contest *c, batten_span_family family)
 {
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = family;
     must(batten_chain_nonlinear((int)c->work->count, c->work->data, &options, NULL, c->uv, NULL,
                                 &c->chain));
@@ -287,11 +287,11 @@ static void run_plane(void *object)
     c->chain = NULL;
     c->curve = NULL;
     if (c->work->method == TENSION) {
-        batten_tension_options options = batten_tension_defaults();
+        batten_chain_tension_options options = batten_chain_tension_defaults();
         options.tension = 2;
         must(batten_chain_tension(2, n, c->work->data, &options, c->uv, &c->chain));
     } else if (c->work->method == NU_SPLINE) {
-        batten_weighted_options options = batten_weighted_defaults();
+        batten_curve_weighted_options options = batten_curve_weighted_defaults();
         must(batten_curve_weighted(2, n, c->work->data, &options, c->uv, &c->curve));
     } else {
         run_nonlinear(c, c->work->method == LOCAL_CUBIC    ? BATTEN_FAMILY_LOCAL_CUBIC
@@ -332,7 +332,7 @@ static void gather_length(void *object, double *result)
 static void run_scattered(void *object)
 {
     contest *c = object;
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     options.tolerance = 1e-3;
     batten_surface_unref(c->surface);
     c->surface = NULL;

@@ -176,24 +176,24 @@ static void add_offsets(batten_model *model, int n)
     enum { LINES = 20 };
     static const char *const names[LINES] = {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j",
                                              "k", "l", "m", "n", "o", "p", "q", "r", "s", "t"};
-    batten_offset_line lines[LINES];
-    batten_station *stations = room((size_t)n, sizeof *stations);
-    batten_offset_point *points = room((size_t)n * LINES, sizeof *points);
-    batten_offsets *offsets = NULL;
+    batten_table_line lines[LINES];
+    batten_table_station *stations = room((size_t)n, sizeof *stations);
+    batten_table_point *points = room((size_t)n * LINES, sizeof *points);
+    batten_offset_table *offsets = NULL;
     for (int j = 0; j < LINES; j++)
-        lines[j] = (batten_offset_line){.name = names[j]};
+        lines[j] = (batten_table_line){.name = names[j]};
     for (int i = 0; i < n; i++) {
-        stations[i] =
-            (batten_station){.x = 1.3 * i, .point_count = LINES, .points = &points[i * LINES]};
+        stations[i] = (batten_table_station){
+            .x = 1.3 * i, .point_count = LINES, .points = &points[i * LINES]};
         for (int j = 0; j < LINES; j++)
-            points[i * LINES + j] = (batten_offset_point){
+            points[i * LINES + j] = (batten_table_point){
                 .x = 1.3 * i, .y = 1 + j + wave(i) / 20, .z = 0.3 * j, .line = j};
     }
-    must(batten_offsets_create(1, LINES, lines, n, stations, &offsets));
-    must(batten_model_add(
-        model,
-        &(batten_object){.name = "hull", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
-    batten_offsets_unref(offsets);
+    must(batten_offset_table_create(1, LINES, lines, n, stations, &offsets));
+    must(batten_model_add(model, &(batten_object){.name = "hull",
+                                                  .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                                  .offsets = offsets}));
+    batten_offset_table_unref(offsets);
     free(stations);
     free(points);
 }

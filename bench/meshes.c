@@ -158,7 +158,7 @@ int main(int count, char **arguments)
     batten_body *body = make_body(&kinds[which]);
     batten_mesh_report report;
     batten_mesh *mesh = NULL;
-    must(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+    must(batten_mesh_from_body(body, &options, NULL, NULL, &report, &mesh));
     if (report.failed || report.beyond)
         return 1;
     printf("%d\n", batten_mesh_view(mesh)->triangle_count);

@@ -4,7 +4,7 @@
 
 /* What comes through, by format. */
 static const char *const kept[] = {
-    [BATTEN_FORMAT_OFFSETS] =
+    [BATTEN_FORMAT_OFFSET_TABLE] =
         "tables of offsets, with the names of stations and lines, no unit",
     [BATTEN_FORMAT_POINTS] =
         "points in rows; of curves those they were made from, of tables those of "

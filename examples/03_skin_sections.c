@@ -27,12 +27,12 @@ int main(void)
     }
 
     batten_surface *vase = NULL;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     must(batten_surface_skin(COUNT, (const batten_curve *const *)sections, NULL, NULL, NULL,
                              &report, &vase));
     printf("%d x %d control points, sections off by %.2g\n",
            batten_surface_point_count(vase, BATTEN_U),
-           batten_surface_point_count(vase, BATTEN_V), report.deviation);
+           batten_surface_point_count(vase, BATTEN_V), report.error);
 
     batten_model *model = NULL;
     must(batten_model_create(batten_unit_metres("mm"), &model));

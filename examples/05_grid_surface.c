@@ -26,10 +26,10 @@ int main(void)
         }
 
     batten_surface *surface = NULL;
-    batten_grid_report report;
+    batten_surface_interpolate_report report;
     must(batten_surface_interpolate(3, COUNT_U, COUNT_V, &points[0][0][0], NULL, NULL, NULL,
                                     NULL, &report, &surface));
-    printf("residual %.2g\n", report.residual);
+    printf("residual %.2g\n", report.error);
 
     for (int i = 0; i <= 4; i++) {
         batten_surface_local at;

@@ -27,7 +27,7 @@ int main(void)
                                                   .point_count = 6,
                                                   .points = &points[0][0]}));
 
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     options.format = BATTEN_PICTURE_SVG;
     options.title = "Six points, one cubic spline";
     options.comb = options.data_points = options.control_polygon = true;

@@ -40,7 +40,7 @@ int main(void)
     batten_ribbon sides[4];
     for (int e = 0; e < 4; e++)
         sides[e] = (batten_ribbon){.curve = edges[e]};
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     options.order = 2; /* with twists at the corners: no flat spots */
     options.blending_u = options.blending_v = BATTEN_BLENDING_COONS;
     batten_surface *patch = NULL, *spline = NULL;

@@ -22,7 +22,7 @@ static void write_pipe(const char *path)
         batten_surface *wall = NULL;
         batten_body *body = NULL;
         must(batten_surface_cylinder(&below, radii[i], length, &wall));
-        must(batten_body_of_surface(i ? "outside" : "inside", wall, 1e-6, &body));
+        must(batten_body_from_surface(i ? "outside" : "inside", wall, 1e-6, &body));
         const batten_object object = {
             .name = i ? "outside" : "inside", .kind = BATTEN_OBJECT_BODY, .body = body};
         must(batten_model_add(model, &object));

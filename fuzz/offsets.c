@@ -2,6 +2,6 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    fuzz_promise(data, size, BATTEN_FORMAT_OFFSETS, BATTEN_FORMAT_OFFSETS);
+    fuzz_promise(data, size, BATTEN_FORMAT_OFFSET_TABLE, BATTEN_FORMAT_OFFSET_TABLE);
     return 0;
 }

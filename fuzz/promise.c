@@ -70,18 +70,18 @@ static void same_surface(const batten_surface *a, const batten_surface *b, bool 
                  "weights of a surface");
 }
 
-static void same_offsets(const batten_offsets *a, const batten_offsets *b)
+static void same_offsets(const batten_offset_table *a, const batten_offset_table *b)
 {
-    const int count = batten_offsets_station_count(a);
-    demand(batten_offsets_station_count(b) == count, "a table keeps its stations");
+    const int count = batten_offset_table_station_count(a);
+    demand(batten_offset_table_station_count(b) == count, "a table keeps its stations");
     for (int i = 0; i < count; i++) {
-        const batten_station *s = batten_offsets_station(a, i),
-                             *t = batten_offsets_station(b, i);
+        const batten_table_station *s = batten_offset_table_station(a, i),
+                                   *t = batten_offset_table_station(b, i);
         demand(s->point_count == t->point_count && s->x == t->x &&
                    strcmp(s->name, t->name) == 0,
                "a station keeps its place, name and count of points");
         for (int k = 0; k < s->point_count; k++) {
-            const batten_offset_point *p = &s->points[k], *q = &t->points[k];
+            const batten_table_point *p = &s->points[k], *q = &t->points[k];
             demand_same(&p->x, &q->x, 1, "x of an offset");
             demand_same(&p->y, &q->y, 1, "y of an offset");
             demand_same(&p->z, &q->z, 1, "z of an offset");
@@ -170,8 +170,8 @@ static void same_object(const batten_object *p, const batten_object *q, bool wei
         same_surface(p->surface, q->surface, weighs);
     if (p->mesh)
         same_mesh(batten_mesh_view(p->mesh), batten_mesh_view(q->mesh));
-    if (p->offsets)
-        same_offsets(p->offsets, q->offsets);
+    if (p->offset_table)
+        same_offsets(p->offset_table, q->offset_table);
 }
 
 /* STEP has the surfaces of a model before its curves and points, each in their order. */
@@ -283,7 +283,7 @@ static int has_loose_faces(const batten_model *model)
     int loose = batten_model_flat(model, &flat) != BATTEN_OK;
     for (int i = 0; !loose && i < batten_model_count(flat); i++) {
         const batten_body *body = batten_model_object(flat, i)->body;
-        batten_trace_report report = {0};
+        batten_body_trace_report report = {0};
         batten_body *traced = NULL;
         if (!body)
             continue;

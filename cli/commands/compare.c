@@ -230,7 +230,7 @@ static int run(const arguments *given)
     batten_picture_format format;
     comparison c = {.given = given};
     if (!output ||
-        (strcmp(output, "-") != 0 && !batten_picture_format_of_name(output, &format))) {
+        (strcmp(output, "-") != 0 && !batten_picture_format_from_name(output, &format))) {
         complain("batten compare: -o PICTURE is needed, which ends in .png, .svg or .pdf; see "
                  "'batten help compare'");
         return EXIT_USAGE;

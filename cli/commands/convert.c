@@ -364,7 +364,7 @@ static batten_status to_inches(const batten_write_options *write, const outcome 
 {
     batten_write_options chosen = *write;
     batten_write_choose(o->output, *model, &chosen);
-    const bool is_loft = chosen.eighths && chosen.format == BATTEN_FORMAT_OFFSETS;
+    const bool is_loft = chosen.eighths && chosen.format == BATTEN_FORMAT_OFFSET_TABLE;
     return is_loft && batten_model_unit_metres(*model) > 0 ? to_unit(0.0254, model) : BATTEN_OK;
 }
 
@@ -372,7 +372,7 @@ static batten_status to_inches(const batten_write_options *write, const outcome 
 static void point_to_fit(const batten_model *model, batten_status status)
 {
     if (status != BATTEN_OUT_OF_MEMORY &&
-        tally_of(model, TALLY_BODIES).count[BATTEN_OBJECT_OFFSETS])
+        tally_of(model, TALLY_BODIES).count[BATTEN_OBJECT_OFFSET_TABLE])
         complain("'batten fit' and designs ('batten help build') make curves and surfaces of a "
                  "table of offsets; .csv keeps the table, .xyz its points");
 }
@@ -421,7 +421,7 @@ static int run(const arguments *given)
     if (!o.output)
         return EXIT_USAGE;
     if (write.format == BATTEN_FORMAT_AUTO &&
-        batten_format_of_name(o.output) == BATTEN_FORMAT_AUTO) {
+        batten_format_from_name(o.output) == BATTEN_FORMAT_AUTO) {
         complain("batten convert: the ending of '%s' names no format that can be written; "
                  "--format may",
                  o.output);

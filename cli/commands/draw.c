@@ -20,7 +20,7 @@ static int run(const arguments *given)
         complain("batten draw: -o PICTURE is missing; see 'batten help draw'");
         return EXIT_USAGE;
     }
-    if (strcmp(output, "-") != 0 && !batten_picture_format_of_name(output, &format)) {
+    if (strcmp(output, "-") != 0 && !batten_picture_format_from_name(output, &format)) {
         complain("batten draw: '%s' ends neither in .svg, .pdf nor .png", output);
         return EXIT_USAGE;
     }

@@ -133,13 +133,13 @@ static facts facts_without_tolerance(const batten_object *object)
         return curve_facts(object->curve);
     case BATTEN_OBJECT_SURFACE:
         return surface_facts(object->surface);
-    case BATTEN_OBJECT_OFFSETS:
+    case BATTEN_OBJECT_OFFSET_TABLE:
         return (facts){.type = "offsets",
                        .kind = "table",
                        .dimension = 3,
-                       .points = {batten_offsets_station_count(object->offsets),
-                                  batten_offsets_line_count(object->offsets)},
-                       .box = batten_offsets_box(object->offsets)};
+                       .points = {batten_offset_table_station_count(object->offset_table),
+                                  batten_offset_table_line_count(object->offset_table)},
+                       .box = batten_offset_table_box(object->offset_table)};
     case BATTEN_OBJECT_TRIANGLES:
         return triangles_facts(object->triangles);
     case BATTEN_OBJECT_BODY:

@@ -27,7 +27,8 @@ static int run(const arguments *given)
         .operation = "fair",
         .output = output,
         .output_ending = "fair.csv",
-        .output_operation = batten_picture_format_of_name(output, &picture) ? "picture" : NULL,
+        .output_operation =
+            batten_picture_format_from_name(output, &picture) ? "picture" : NULL,
     };
     return single_run(&s, given);
 }

@@ -34,7 +34,8 @@ static int run(const arguments *given)
         .choice = "method",
         .output = output,
         .output_ending = "fit.step",
-        .output_operation = batten_picture_format_of_name(output, &picture) ? "picture" : NULL,
+        .output_operation =
+            batten_picture_format_from_name(output, &picture) ? "picture" : NULL,
     };
     return single_run(&s, given);
 }

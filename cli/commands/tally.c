@@ -6,19 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const several[TALLY_KINDS] = {[BATTEN_OBJECT_POINTS] = "rows of points",
-                                                 [BATTEN_OBJECT_CURVE] = "curves",
-                                                 [BATTEN_OBJECT_SURFACE] = "surfaces",
-                                                 [BATTEN_OBJECT_OFFSETS] = "tables of offsets",
-                                                 [BATTEN_OBJECT_TRIANGLES] =
-                                                     "sets of Bezier triangles",
-                                                 [BATTEN_OBJECT_BODY] = "bodies",
-                                                 [BATTEN_OBJECT_MESH] = "meshes",
-                                                 [BATTEN_OBJECT_INSTANCE] = "instances"};
+static const char *const several[TALLY_KINDS] = {
+    [BATTEN_OBJECT_POINTS] = "rows of points",
+    [BATTEN_OBJECT_CURVE] = "curves",
+    [BATTEN_OBJECT_SURFACE] = "surfaces",
+    [BATTEN_OBJECT_OFFSET_TABLE] = "tables of offsets",
+    [BATTEN_OBJECT_TRIANGLES] = "sets of Bezier triangles",
+    [BATTEN_OBJECT_BODY] = "bodies",
+    [BATTEN_OBJECT_MESH] = "meshes",
+    [BATTEN_OBJECT_INSTANCE] = "instances"};
 
 static const char *const keys[TALLY_KINDS] = {
     [BATTEN_OBJECT_POINTS] = "points",       [BATTEN_OBJECT_CURVE] = "curves",
-    [BATTEN_OBJECT_SURFACE] = "surfaces",    [BATTEN_OBJECT_OFFSETS] = "offsets",
+    [BATTEN_OBJECT_SURFACE] = "surfaces",    [BATTEN_OBJECT_OFFSET_TABLE] = "offsets",
     [BATTEN_OBJECT_TRIANGLES] = "triangles", [BATTEN_OBJECT_BODY] = "bodies",
     [BATTEN_OBJECT_MESH] = "meshes",         [BATTEN_OBJECT_INSTANCE] = "instances"};
 

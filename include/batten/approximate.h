@@ -20,7 +20,7 @@ extern "C" {
 /** What a fit reached. Distances are those of the data from the curve at their parameters, in
  * model units; data of weight 0 do not count. */
 typedef struct batten_fit_report {
-    double max, rms;  /**< largest distance, root of the mean square */
+    double error, rms; /**< largest distance, root of the mean square */
     int worst;        /**< index of the farthest datum */
     double lambda;    /**< the weight of the penalty; 0 without one */
     double freedom;   /**< how many of the data the curve follows: the trace of the matrix that
@@ -81,7 +81,7 @@ typedef enum batten_robust {
                           is found is near the fit by BATTEN_ABSOLUTE */
 } batten_robust;
 
-typedef struct batten_least_squares_options {
+typedef struct batten_curve_least_squares_options {
     size_t size;
     int degree;                        /**< 3 */
     int point_count;                   /**< control points; periodic: of one period. 0: one for
@@ -91,7 +91,7 @@ typedef struct batten_least_squares_options {
     const double *weights;             /**< [count], or NULL */
     batten_knot_choice knots;
     const double *given_knots; /**< [point_count + degree + 1]; periodic [point_count + 1] */
-    bool periodic; /**< the curve closes smoothly; the first point is not repeated */
+    bool closed; /**< the curve closes smoothly; the first point is not repeated */
     bool hold_start, hold_end; /**< the curve begins, ends, in its first, last point */
     int corrections; /**< parameters are moved to the feet of the data and the curve fitted
                           anew at most so often, while rms falls by a thousandth; 0; not for
@@ -109,10 +109,10 @@ typedef struct batten_least_squares_options {
     double threshold;     /**< of BATTEN_HUBER and BATTEN_TUKEY; 0: 2 and 7 times the median
                                distance of the fit by BATTEN_ABSOLUTE, near the usual 1.345
                              and 4.685     standard deviations of normal errors */
-} batten_least_squares_options;
+} batten_curve_least_squares_options;
 
 /** Cubic, by chords, knots by data. */
-BATTEN_API batten_least_squares_options batten_least_squares_defaults(void);
+BATTEN_API batten_curve_least_squares_options batten_curve_least_squares_defaults(void);
 
 /**
  * The spline curve with the least sum of squared distances from points.
@@ -136,9 +136,10 @@ BATTEN_API batten_least_squares_options batten_least_squares_defaults(void);
  * unknowns, whose cube is the cost. Source: [deBoor01] ch. XIV, [PT97] 9.4, [Hoschek88] for
  * correction, [GI83] for conditions, [HW77] for weights.
  */
-BATTEN_API batten_status batten_curve_least_squares(
-    int dimension, int count, const double *points, const batten_least_squares_options *options,
-    double *parameters, batten_fit_report *report, batten_curve **out);
+BATTEN_API batten_status
+batten_curve_least_squares(int dimension, int count, const double *points,
+                           const batten_curve_least_squares_options *options,
+                           double *parameters, batten_fit_report *report, batten_curve **out);
 
 /**
  * The data that are much farther from a curve than most.
@@ -168,7 +169,7 @@ typedef enum batten_smooth_by {
                                       is at most `amount`, model units */
 } batten_smooth_by;
 
-typedef struct batten_smooth_options {
+typedef struct batten_curve_smooth_options {
     size_t size;
     batten_smooth_by by; /**< BATTEN_SMOOTH_BY_VALIDATION */
     double amount;
@@ -178,10 +179,10 @@ typedef struct batten_smooth_options {
     batten_parametrization parameters; /**< BATTEN_CHORD */
     const double *given;               /**< [count], never decreasing; periodic [count + 1] */
     const double *weights;             /**< [count], or NULL */
-    bool periodic;
-} batten_smooth_options;
+    bool closed;
+} batten_curve_smooth_options;
 
-BATTEN_API batten_smooth_options batten_smooth_defaults(void);
+BATTEN_API batten_curve_smooth_options batten_curve_smooth_defaults(void);
 
 /**
  * The smoothing spline: least sum of w |s(t) - q|^2 plus lambda times the integral of
@@ -199,7 +200,7 @@ BATTEN_API batten_smooth_options batten_smooth_defaults(void);
  * Source: [Reinsch67] for the target, [CW79] for validation, [HdH85] for its trace.
  */
 BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const double *points,
-                                             const batten_smooth_options *options,
+                                             const batten_curve_smooth_options *options,
                                              double *parameters, batten_fit_report *report,
                                              batten_curve **out);
 
@@ -213,7 +214,7 @@ BATTEN_API batten_status batten_curve_smooth(int dimension, int count, const dou
  * [EM96].
  */
 BATTEN_API batten_status batten_curve_p_spline(int dimension, int count, const double *points,
-                                               const batten_smooth_options *options,
+                                               const batten_curve_smooth_options *options,
                                                double *parameters, batten_fit_report *report,
                                                batten_curve **out);
 /** How the knots of a curve within a tolerance are found. */
@@ -226,7 +227,7 @@ typedef enum batten_within_method {
                                fast, local, about twice the control points; curvature jumps */
 } batten_within_method;
 
-typedef struct batten_within_options {
+typedef struct batten_curve_within_options {
     size_t size;
     double tolerance;                  /**< model units, > 0; must be set */
     batten_within_method method;       /**< BATTEN_WITHIN_FEWEST */
@@ -239,19 +240,19 @@ typedef struct batten_within_options {
                         the tolerance, the curve has a corner; 0: nowhere */
     int corner_count;   /**< besides: points that are corners */
     const int *corners; /**< [corner_count], increasing */
-} batten_within_options;
-BATTEN_API batten_within_options batten_within_defaults(void);
+} batten_curve_within_options;
+BATTEN_API batten_curve_within_options batten_curve_within_defaults(void);
 
 /** Distances at the parameters of the data, so no datum is farther from the curve. */
-typedef struct batten_within_report {
-    double max, rms;
+typedef struct batten_curve_within_report {
+    double error, rms;
     int worst;    /**< index of the farthest datum */
     double apart; /**< how far the curve leaves the polygon of the data: the largest distance of
                        4 places of the curve between any two data from their chord */
     int points;   /**< control points; of a periodic curve those of one period */
     int corners;  /**< those inside, and of a closed curve all */
     int fits;     /**< by least squares, that were tried */
-} batten_within_report;
+} batten_curve_within_report;
 
 /**
  * A B-spline curve with few control points that passes every point within a tolerance.
@@ -275,8 +276,9 @@ typedef struct batten_within_report {
  * [Schneider90] for BEZIER, [Hoschek88] for parameters.
  */
 BATTEN_API batten_status batten_curve_within(int dimension, int count, const double *points,
-                                             const batten_within_options *options,
-                                             double *parameters, batten_within_report *report,
+                                             const batten_curve_within_options *options,
+                                             double *parameters,
+                                             batten_curve_within_report *report,
                                              batten_curve **out);
 
 /**
@@ -307,13 +309,13 @@ BATTEN_API batten_status batten_curve_approximate(const batten_curve *curve, int
 BATTEN_API batten_status batten_chain_approximate(const batten_chain *chain, int degree,
                                                   double tolerance, double *error,
                                                   batten_curve **out);
-typedef struct batten_even_speed_report {
+typedef struct batten_curve_even_speed_report {
     double length;
     double error; /**< 1.2 times the largest distance at equal arc length among 7 samples of
                      each piece; 0 for polylines */
     double speed; /**< the largest | |C'| - 1 | there */
     int pieces;
-} batten_even_speed_report;
+} batten_curve_even_speed_report;
 
 /**
  * Nearly the same curve with the arc length as its parameter: domain [0, length].
@@ -331,11 +333,11 @@ typedef struct batten_even_speed_report {
  * Cost: linear in the pieces. Source: [PT97] for the inverse, [dBHS87] for the order, 6.
  */
 BATTEN_API batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
-                                                 batten_even_speed_report *report,
+                                                 batten_curve_even_speed_report *report,
                                                  batten_curve **out);
 /** How near the points are. */
 typedef struct batten_primitive_report {
-    double max, rms; /**< largest distance, root of the mean square; model units */
+    double error, rms; /**< largest distance, root of the mean square; model units */
     int worst;       /**< index of the farthest point */
     int rounds;      /**< of refinement */
 } batten_primitive_report;
@@ -423,10 +425,10 @@ BATTEN_API batten_status batten_clothoid_fit(int count, const double *points, ba
                                              double *lengths, batten_primitive_report *report);
 /** How far the points that went are from the polyline through those that stayed, each from the
  * chord that stands for it; model units. */
-typedef struct batten_thin_report {
-    double max, rms; /**< the largest, root of the mean square over all points */
+typedef struct batten_points_thin_report {
+    double error, rms; /**< the largest, root of the mean square over all points */
     int worst;       /**< index of the farthest point */
-} batten_thin_report;
+} batten_points_thin_report;
 
 /**
  * The points of a row that are needed so that every other point lies within `tolerance` of the
@@ -452,7 +454,7 @@ typedef struct batten_thin_report {
  */
 BATTEN_API batten_status batten_points_thin(int dimension, int count, const double *points,
                                             double tolerance, bool closed, int *kept,
-                                            int *kept_count, batten_thin_report *report);
+                                            int *kept_count, batten_points_thin_report *report);
 
 #ifdef __cplusplus
 }

@@ -90,24 +90,24 @@ BATTEN_API batten_status batten_curve_biarc(int dimension, const double *start,
                                             const double *end_direction, double ratio,
                                             batten_curve **out);
 
-typedef struct batten_biarcs_options {
+typedef struct batten_chain_biarcs_options {
     size_t size;
     batten_biarc_joint joint; /**< BATTEN_JOINT_AUTOMATIC */
     double place;             /**< of JOINT_GIVEN; 1/2 */
     const double *directions; /**< [count][dimension], not 0; NULL: those of the circles through
                                    three neighbours, whatever their distances */
     bool closed;              /**< the curve closes smoothly; the first point is not repeated */
-} batten_biarcs_options;
-BATTEN_API batten_biarcs_options batten_biarcs_defaults(void);
+} batten_chain_biarcs_options;
+BATTEN_API batten_chain_biarcs_options batten_chain_biarcs_defaults(void);
 
-typedef struct batten_biarcs_report {
+typedef struct batten_chain_biarcs_report {
     int arcs, lines;
     int long_arcs;       /**< those that turn by more than pi */
     double least_radius; /**< infinity when all are lines */
     double largest_jump; /**< of curvature, at joints and points */
-    double residual;     /**< largest distance from a point at which the chain is given by the
+    double error;        /**< largest distance from a point at which the chain is given by the
                               arcs before it */
-} batten_biarcs_report;
+} batten_chain_biarcs_report;
 
 /**
  * A chain of biarcs through points of the plane: smooth tangents, curvature in steps. Points on
@@ -124,8 +124,9 @@ typedef struct batten_biarcs_report {
  * Source: [Bolton75], [MW92], [SL] VI.4.
  */
 BATTEN_API batten_status batten_chain_biarcs(int count, const double *points,
-                                             const batten_biarcs_options *options,
-                                             double *parameters, batten_biarcs_report *report,
+                                             const batten_chain_biarcs_options *options,
+                                             double *parameters,
+                                             batten_chain_biarcs_report *report,
                                              batten_chain **out);
 
 /**
@@ -134,7 +135,7 @@ BATTEN_API batten_status batten_chain_biarcs(int count, const double *points,
  * refused with SINGULAR_HERE. @param[out] parameters as above, by arc length
  */
 BATTEN_API batten_status batten_curve_biarcs(int dimension, int count, const double *points,
-                                             const batten_biarcs_options *options,
+                                             const batten_chain_biarcs_options *options,
                                              double *parameters, batten_curve **out);
 
 /**
@@ -149,7 +150,7 @@ BATTEN_API batten_status batten_chain_merge_arcs(const batten_chain *chain, doub
 
 /* ---- arcs one after another ---- */
 
-typedef struct batten_sequential_report {
+typedef struct batten_chain_sequential_arcs_report {
     double start_angle; /**< direction at the start, radians */
     double jump;        /**< the largest jump of curvature at a point */
     double sensitivity; /**< by how much some curvature changes for each radian by which the
@@ -157,7 +158,7 @@ typedef struct batten_sequential_report {
                            by turns to the left and to the right: nothing is ever damped */
     int sensitive_at;   /**< the arc, counted from 0, whose curvature changes so much */
     int long_arcs;      /**< those that turn by more than pi */
-} batten_sequential_report;
+} batten_chain_sequential_arcs_report;
 
 /**
  * Arcs through points of the plane, one between two, each beginning in the direction in which
@@ -179,11 +180,9 @@ typedef struct batten_sequential_report {
  * circle, as its direction points back along the chord
  * Cost: 256 sums over the points without a start angle, then one. Source: [SL] VI.6.
  */
-BATTEN_API batten_status batten_chain_sequential_arcs(int count, const double *points,
-                                                      double start_angle, double *angles,
-                                                      double *parameters,
-                                                      batten_sequential_report *report,
-                                                      batten_chain **out);
+BATTEN_API batten_status batten_chain_sequential_arcs(
+    int count, const double *points, double start_angle, double *angles, double *parameters,
+    batten_chain_sequential_arcs_report *report, batten_chain **out);
 typedef enum batten_arcs_join {
     BATTEN_ARCS_SMOOTH, /**< the fewest that turn only at corners of the curve; of points
                              BIARCS */
@@ -219,7 +218,7 @@ BATTEN_API batten_arcs_options batten_arcs_defaults(void);
 
 typedef struct batten_arcs_report {
     int arcs, lines;
-    double deviation;    /**< the largest distance between curve and arcs: at all places where
+    double error;        /**< the largest distance between curve and arcs: at all places where
                               the distance has an extreme, or of points the largest */
     double left, right;  /**< the largest to either side of the curve, >= 0 */
     double at;           /**< parameter of the curve, or index of the point, of the largest */
@@ -240,7 +239,7 @@ typedef struct batten_arcs_report {
  * each arc, each biarc as long as the tolerance allows, within a thousandth; biarcs have the
  * directions of the curve at their ends, and 2 / (324 tolerance)^(1/3) stands in their number.
  * With one side allowed the tolerance counts by half. What is lines and arcs exactly from
- * corner to corner (see batten_arcs_exact) stays as it is, even where fewer arcs would do: a
+ * corner to corner (see batten_arcs_from_curve_exact) stays as it is, even where fewer arcs would do: a
  * circle is two arcs, a line one line, a polyline with round corners itself. Corners and ends
  * of the curve are kept exactly as points; SMOOTH and PLAIN turn there by a little more or less
  * than the curve. SMOOTH arcs of a closed curve without corners may begin anywhere on it.
@@ -260,9 +259,9 @@ typedef struct batten_arcs_report {
  * it takes biarcs. Source: [MW95], [Bolton75]; [DRS08] for the search from place to place; the
  * leans as its second coordinate and the measure of the error are our own.
  */
-BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
-                                              const batten_arcs_options *options,
-                                              batten_arcs_report *report, batten_chain **out);
+BATTEN_API batten_status batten_arcs_from_curve(const batten_curve *curve,
+                                                const batten_arcs_options *options,
+                                                batten_arcs_report *report, batten_chain **out);
 
 /**
  * The chain of arcs and lines that a curve is already, if it is one: every Bezier piece is a
@@ -280,13 +279,14 @@ BATTEN_API batten_status batten_arcs_of_curve(const batten_curve *curve,
  * Cost: 4 p + 1 evaluations for each piece of degree p, or 8 p + 2 when it is no line.
  * Source: the identity |C - c|^2 = r^2, of degree 2 p, at the places of [EZ64].
  */
-BATTEN_API batten_status batten_arcs_exact(const batten_curve *curve, batten_chain **out);
+BATTEN_API batten_status batten_arcs_from_curve_exact(const batten_curve *curve,
+                                                      batten_chain **out);
 
 /** The same for a plane chain that is not placed: it is converted within a hundredth of the
  * tolerance first, and the rest used for the arcs. `at` is a parameter of the chain. */
-BATTEN_API batten_status batten_arcs_of_chain(const batten_chain *chain,
-                                              const batten_arcs_options *options,
-                                              batten_arcs_report *report, batten_chain **out);
+BATTEN_API batten_status batten_arcs_from_chain(const batten_chain *chain,
+                                                const batten_arcs_options *options,
+                                                batten_arcs_report *report, batten_chain **out);
 
 /**
  * Few arcs that pass all points of a row within a tolerance; ends of arcs are points of the row
@@ -301,10 +301,10 @@ BATTEN_API batten_status batten_arcs_of_chain(const batten_chain *chain,
  * Cost: about count log(count) distances.
  * Source: [MW92] for biarcs within a band.
  */
-BATTEN_API batten_status batten_arcs_of_points(int count, const double *points,
-                                               const batten_arcs_options *options,
-                                               double *parameters, batten_arcs_report *report,
-                                               batten_chain **out);
+BATTEN_API batten_status batten_arcs_from_points(int count, const double *points,
+                                                 const batten_arcs_options *options,
+                                                 double *parameters, batten_arcs_report *report,
+                                                 batten_chain **out);
 /** What stands between two points whose tangents bend to one side, a C. */
 typedef enum batten_conics_kind {
     BATTEN_CONICS_PAIRS,     /**< two conics with the curvatures at both points; curvature is
@@ -314,7 +314,7 @@ typedef enum batten_conics_kind {
     BATTEN_CONICS_SINGLE     /**< one conic */
 } batten_conics_kind;
 
-typedef struct batten_conics_options {
+typedef struct batten_curve_conics_options {
     size_t size;
     batten_conics_kind kind;  /**< BATTEN_CONICS_PAIRS */
     bool closed;              /**< the curve closes smoothly; the first point is not repeated */
@@ -328,10 +328,10 @@ typedef struct batten_conics_options {
     double end_share;         /**< the same from the end */
     double weight; /**< of SINGLE: below 1 an ellipse, 1 a parabola, above 1 a hyperbola; 0:
                       chord / sum of the legs, which gives the circle where there is one */
-} batten_conics_options;
-BATTEN_API batten_conics_options batten_conics_defaults(void);
+} batten_curve_conics_options;
+BATTEN_API batten_curve_conics_options batten_curve_conics_defaults(void);
 
-typedef struct batten_conics_report {
+typedef struct batten_curve_conics_report {
     int inflections; /**< spans that bend to both sides, two conics that meet on the chord:
                           a conic has no inflection, so curvature jumps there */
     int arcs;        /**< spans that are biarcs instead: the tangents meet too far away, or
@@ -343,7 +343,7 @@ typedef struct batten_conics_report {
     int first_fallen_back; /**< the first of these, or -1 */
     double jump;           /**< the largest jump of curvature at a point */
     double least_weight, largest_weight;
-} batten_conics_report;
+} batten_curve_conics_report;
 
 /**
  * Conics through points of the plane with tangents, and for PAIRS curvatures.
@@ -367,8 +367,9 @@ typedef struct batten_conics_report {
  * Source: [SL] VI.5, [PT97] 9.3.3 for single conics; the shares from the data are our own.
  */
 BATTEN_API batten_status batten_curve_conics(int count, const double *points,
-                                             const batten_conics_options *options,
-                                             double *parameters, batten_conics_report *report,
+                                             const batten_curve_conics_options *options,
+                                             double *parameters,
+                                             batten_curve_conics_report *report,
                                              batten_curve **out);
 
 #ifdef __cplusplus

@@ -28,7 +28,7 @@ typedef enum batten_nonlinear_end {
     BATTEN_NONLINEAR_CURVATURE /**< curvature given, one by the unit of length */
 } batten_nonlinear_end;
 
-typedef struct batten_nonlinear_options {
+typedef struct batten_chain_nonlinear_options {
     size_t size;
     batten_span_family family;       /**< BATTEN_FAMILY_EULER_SPIRAL */
     batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
@@ -38,17 +38,17 @@ typedef struct batten_nonlinear_options {
                                  NULL: as much as it takes that no span has an excess
                                inflection, or as much as there can be: see inflections_added */
     int max_steps;          /**< of Newton; 50 */
-} batten_nonlinear_options;
-BATTEN_API batten_nonlinear_options batten_nonlinear_defaults(void);
+} batten_chain_nonlinear_options;
+BATTEN_API batten_chain_nonlinear_options batten_chain_nonlinear_defaults(void);
 
-typedef struct batten_nonlinear_report {
+typedef struct batten_chain_nonlinear_report {
     int steps;             /**< of Newton */
-    double residual;       /**< largest jump of curvature at a point */
+    double error;          /**< largest jump of curvature at a point */
     double curvature;      /**< the largest */
     int inflections_added; /**< spans bent to both sides where the points ask for one */
     double turn;           /**< the largest that the polygon makes at a point, radians */
     int turn_at; /**< there; beyond 120 degrees curves bulge, and some families fail */
-} batten_nonlinear_report;
+} batten_chain_nonlinear_report;
 
 /**
  * The spline of a family through points of the plane.
@@ -67,12 +67,12 @@ typedef struct batten_nonlinear_report {
  * [Hobby86].
  */
 BATTEN_API batten_status batten_chain_nonlinear(int count, const double *points,
-                                                const batten_nonlinear_options *options,
+                                                const batten_chain_nonlinear_options *options,
                                                 double *angles, double *parameters,
-                                                batten_nonlinear_report *report,
+                                                batten_chain_nonlinear_report *report,
                                                 batten_chain **out);
 
-typedef struct batten_mehlum_options {
+typedef struct batten_chain_mehlum_options {
     size_t size;
     batten_nonlinear_end start, end; /**< BATTEN_NONLINEAR_NATURAL */
     double start_value, end_value;   /**< of TANGENT and CURVATURE */
@@ -80,15 +80,15 @@ typedef struct batten_mehlum_options {
     int arcs;         /**< in each span, 2 or more; 4 */
     double tolerance; /**< model units: more arcs, span by span, until none is farther from the
                            elastica; 0: `arcs` everywhere */
-} batten_mehlum_options;
-BATTEN_API batten_mehlum_options batten_mehlum_defaults(void);
+} batten_chain_mehlum_options;
+BATTEN_API batten_chain_mehlum_options batten_chain_mehlum_defaults(void);
 
-typedef struct batten_mehlum_report {
+typedef struct batten_chain_mehlum_report {
     int arcs;         /**< in all */
-    double deviation; /**< the largest distance from the elastica, of 8 places on each arc */
+    double error;     /**< the largest distance from the elastica, of 8 places on each arc */
     double at;        /**< there: span, counted from 0, and the share of it gone */
     double jump;      /**< the largest of curvature from arc to arc */
-} batten_mehlum_report;
+} batten_chain_mehlum_report;
 
 /**
  * Mehlum's curve: the mechanical spline through points (BATTEN_FAMILY_ELASTICA) as a chain of
@@ -109,9 +109,10 @@ typedef struct batten_mehlum_report {
  * [Mehlum74]; the directions between the points, which make the order three, are our own.
  */
 BATTEN_API batten_status batten_chain_mehlum(int count, const double *points,
-                                             const batten_mehlum_options *options,
+                                             const batten_chain_mehlum_options *options,
                                              double *angles, double *parameters,
-                                             batten_mehlum_report *report, batten_chain **out);
+                                             batten_chain_mehlum_report *report,
+                                             batten_chain **out);
 
 /**
  * The Euler spiral (clothoid, curvature linear in arc length) between two points with given
@@ -136,7 +137,7 @@ typedef enum batten_energy {
                                  have none */
 } batten_energy;
 
-typedef struct batten_energy_options {
+typedef struct batten_curve_minimum_energy_options {
     size_t size;
     batten_energy energy; /**< BATTEN_ENERGY_VARIATION */
     bool scale_invariant; /**< times the length (BENDING), its cube (VARIATION): the number does
@@ -149,15 +150,15 @@ typedef struct batten_energy_options {
                             centre, one by the unit; needs the tangent, to which it is square;
                             NULL: free */
     int max_steps;                                 /**< of Newton; 200 */
-} batten_energy_options;
-BATTEN_API batten_energy_options batten_energy_defaults(void);
+} batten_curve_minimum_energy_options;
+BATTEN_API batten_curve_minimum_energy_options batten_curve_minimum_energy_defaults(void);
 
-typedef struct batten_energy_report {
+typedef struct batten_curve_minimum_energy_report {
     int steps;
     double before, after; /**< the energy of the spline that was the start, and of the result */
     double length;        /**< of the result */
     double remaining;     /**< how much the energy would still fall, by its derivatives */
-} batten_energy_report;
+} batten_curve_minimum_energy_report;
 
 /**
  * The curve of least energy through points, among curves of quintic pieces with continuous
@@ -186,8 +187,9 @@ typedef struct batten_energy_report {
  * steps. Source: [MS92], [Horn83].
  */
 BATTEN_API batten_status batten_curve_minimum_energy(
-    int dimension, int count, const double *points, const batten_energy_options *options,
-    double *parameters, batten_energy_report *report, batten_curve **out);
+    int dimension, int count, const double *points,
+    const batten_curve_minimum_energy_options *options, double *parameters,
+    batten_curve_minimum_energy_report *report, batten_curve **out);
 /** What a point asks of the curve; of the ends of an open curve the kind does not count. */
 typedef enum batten_spiro_kind {
     BATTEN_SPIRO_SMOOTH, /**< direction, curvature and its first two derivatives by arc length
@@ -210,18 +212,18 @@ typedef struct batten_spiro_end {
     double curvature; /**< one by the unit of length, above 0 to the left */
 } batten_spiro_end;
 
-typedef struct batten_spiro_options {
+typedef struct batten_chain_spiro_options {
     size_t size;
     const batten_spiro_kind *kinds; /**< [count]; NULL: all SMOOTH */
     batten_spiro_end start, end;    /**< free; of closed curves they do not count */
     bool closed;                    /**< the first point is not repeated */
     int max_steps;                  /**< of Newton; 200 */
-} batten_spiro_options;
-BATTEN_API batten_spiro_options batten_spiro_defaults(void);
+} batten_chain_spiro_options;
+BATTEN_API batten_chain_spiro_options batten_chain_spiro_defaults(void);
 
-typedef struct batten_spiro_report {
+typedef struct batten_chain_spiro_report {
     int steps;        /**< of Newton */
-    double residual;  /**< the largest jump at a point of what shall continue: radians, or
+    double error;     /**< the largest jump at a point of what shall continue: radians, or
                            derivatives of the direction times powers of the chords about it */
     double curvature; /**< the largest at a point */
     double bending;   /**< the integral of the square of curvature */
@@ -229,7 +231,7 @@ typedef struct batten_spiro_report {
     int straight;     /**< spans between two free ends: lines */
     double turn;      /**< the largest that the polygon makes at a point, radians */
     int turn_at;      /**< there */
-} batten_spiro_report;
+} batten_chain_spiro_report;
 
 /**
  * The spline through points of the plane whose spans have curvature cubic in arc length.
@@ -253,8 +255,9 @@ typedef struct batten_spiro_report {
  * Source: the equations of [Levien09], ch. 8; solved by Newton's method from Euler spirals.
  */
 BATTEN_API batten_status batten_chain_spiro(int count, const double *points,
-                                            const batten_spiro_options *options,
-                                            double *parameters, batten_spiro_report *report,
+                                            const batten_chain_spiro_options *options,
+                                            double *parameters,
+                                            batten_chain_spiro_report *report,
                                             batten_chain **out);
 
 #ifdef __cplusplus

@@ -21,11 +21,11 @@ typedef struct batten_blend_end {
                        farther along the curve before it turns */
 } batten_blend_end;
 
-typedef struct batten_blend_report {
+typedef struct batten_curves_blend_report {
     batten_continuity joins[2]; /**< with the first curve, with the second, as one runs from the
                                      one through the blend into the other */
     double speed[2];            /**< |C'| at both ends, over the domain [0, 1] */
-} batten_blend_report;
+} batten_curves_blend_report;
 
 /**
  * The ends of two curves that are nearest to each other; of several pairs the first of end and
@@ -54,11 +54,9 @@ BATTEN_API batten_status batten_curves_nearest_ends(const batten_curve *first,
  * is asked), TOLERANCE_NOT_MET when a join, measured, is not as asked
  * Source: [BD89] for the continuity.
  */
-BATTEN_API batten_status batten_curves_blend(const batten_curve *first,
-                                             const batten_blend_end *first_end,
-                                             const batten_curve *second,
-                                             const batten_blend_end *second_end,
-                                             batten_blend_report *report, batten_curve **out);
+BATTEN_API batten_status batten_curves_blend(
+    const batten_curve *first, const batten_blend_end *first_end, const batten_curve *second,
+    const batten_blend_end *second_end, batten_curves_blend_report *report, batten_curve **out);
 /** One side of a blend. */
 typedef struct batten_surface_blend_end {
     size_t size;
@@ -70,9 +68,9 @@ typedef struct batten_surface_blend_end {
                          is as far as the edges are apart */
 } batten_surface_blend_end;
 /** The whole edge, G2, bulge 1. */
-BATTEN_API batten_surface_blend_end batten_surface_blend_defaults(batten_edge edge);
+BATTEN_API batten_surface_blend_end batten_surfaces_blend_defaults(batten_edge edge);
 
-typedef struct batten_surface_blend_report {
+typedef struct batten_surfaces_blend_report {
     double error;        /**< how far the blend may be from the true one, 0 when exact */
     double gap[2];       /**< largest distance from either edge, */
     double angle[2];     /**< angle of the normals there, radians, */
@@ -82,7 +80,7 @@ typedef struct batten_surface_blend_report {
     bool folded;         /**< neighbouring normals of a 33 x 33 grid are more than a right angle
                               apart */
     double fold[2];      /**< where */
-} batten_surface_blend_report;
+} batten_surfaces_blend_report;
 
 /**
  * The surface that goes from an edge of one surface to an edge of another, and goes over into
@@ -108,10 +106,10 @@ typedef struct batten_surface_blend_report {
 BATTEN_API batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
                                                const batten_surface_blend_end ends[2],
                                                double tolerance,
-                                               batten_surface_blend_report *report,
+                                               batten_surfaces_blend_report *report,
                                                batten_surface **out);
 /** An arc between two curves. */
-typedef struct batten_fillet_report {
+typedef struct batten_curves_fillet_report {
     double u[2];        /**< where the first curve is left, and the second one reached */
     batten_vec3 center; /**< of the arc */
     double angle;       /**< by which it turns, radians, above 0 and up to pi */
@@ -119,7 +117,7 @@ typedef struct batten_fillet_report {
     int found;          /**< arcs of this radius that were found */
     bool complete; /**< these are all: so it is for straight curves. Of others arcs may have
                         been overlooked that hardly touch, and so may a nearer one */
-} batten_fillet_report;
+} batten_curves_fillet_report;
 
 /**
  * The arc of a radius that leaves the first curve and goes over into the second, both run
@@ -143,14 +141,15 @@ typedef struct batten_fillet_report {
  */
 BATTEN_API batten_status batten_curves_fillet(const batten_curve *first,
                                               const batten_curve *second, double radius,
-                                              double tolerance, batten_fillet_report *report,
+                                              double tolerance,
+                                              batten_curves_fillet_report *report,
                                               batten_curve **arc);
 
 /** What became of the corners of a curve. */
 typedef struct batten_corners_report {
     int corners; /**< that the curve has, the seam of a closed one among them */
     int cut;     /**< of these */
-    double gap;  /**< the largest of batten_fillet_report */
+    double gap;  /**< the largest of batten_curves_fillet_report */
     bool complete;
 } batten_corners_report;
 
@@ -174,7 +173,7 @@ BATTEN_API batten_status batten_curve_fillet(const batten_curve *curve, int radi
  * Cut off the corner between two curves by a line.
  * @param before, behind lengths along the curves that go, model units, > 0
  * @param tolerance for the gap between the curves, and for the lengths; > 0
- * @param[out] u as in batten_fillet_report; may be NULL
+ * @param[out] u as in batten_curves_fillet_report; may be NULL
  * @param[out] line from first(u[0]) to second(u[1])
  * @return BATTEN_OK; BAD_ARGUMENT; UNSUPPORTED; NOT_COMPATIBLE when the curves do not meet;
  * NOT_FOUND when one is too short; COINCIDENT when the line would be a point

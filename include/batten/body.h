@@ -111,23 +111,24 @@ BATTEN_API batten_status batten_body_transform(const batten_body *body,
  * that are the same curve are one edge (a seam), borders that are one point have no curve (a
  * pole). It is traced.
  * @param tolerance model units, > 0, for what is the same */
-BATTEN_API batten_status batten_body_of_surface(const char *name, const batten_surface *surface,
-                                                double tolerance, batten_body **out);
+BATTEN_API batten_status batten_body_from_surface(const char *name,
+                                                  const batten_surface *surface,
+                                                  double tolerance, batten_body **out);
 
 /* ---- parameter curves ---- */
 
-typedef struct batten_trace_report {
+typedef struct batten_body_trace_report {
     int kept;    /**< parameter curves that were good */
     int rebuilt; /**< missing, or too far off */
     int seams;   /**< edges put in where a face goes all around a closed surface */
     int poles;   /**< edges without a curve put in */
-    double miss; /**< the largest distance of an edge from its face, over all uses */
-    int loose; /**< faces whose edges are farther off than the tolerance: `miss` says how far */
+    double error; /**< the largest distance of an edge from its face, over all uses */
+    int loose; /**< faces whose edges are farther off than the tolerance: `error` says how far */
     int failed; /**< faces whose edges do not lie on them, or whose loops cannot be closed in
                      (u, v): they are not in the result */
     int rims;   /**< borders of surfaces put in as edges, for one loop only goes around a face:
                      free edges that the given body did not have */
-} batten_trace_report;
+} batten_body_trace_report;
 /**
  * The same body with everything that work in (u, v) needs: every use has a parameter curve B
  * with the domain of its edge's curve C, |S(B(t)) - C(t)| <= tolerance for all t (checked at
@@ -164,7 +165,7 @@ typedef struct batten_trace_report {
  */
 BATTEN_API batten_status batten_body_trace(const batten_body *body, double tolerance,
                                            const batten_job *job, batten_notes *notes,
-                                           batten_trace_report *report, batten_body **out);
+                                           batten_body_trace_report *report, batten_body **out);
 
 /* ---- measures ---- */
 

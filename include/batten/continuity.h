@@ -13,15 +13,15 @@ extern "C" {
 typedef enum batten_curve_end { BATTEN_CURVE_START, BATTEN_CURVE_END } batten_curve_end;
 
 /** What counts as equal. */
-typedef struct batten_continuity_options {
+typedef struct batten_curve_continuity_options {
     size_t size;
     double gap;        /**< model units; 0: a millionth of the size of the curves */
     double angle;      /**< between tangents, radians; 0.01 degrees */
     double curvature;  /**< difference of curvatures, or of their rates, over the larger; 0.01.
                             What bulges by less than `gap` over the size counts as straight */
     double derivative; /**< difference of derivatives over the larger; 1e-6 */
-} batten_continuity_options;
-BATTEN_API batten_continuity_options batten_continuity_defaults(void);
+} batten_curve_continuity_options;
+BATTEN_API batten_curve_continuity_options batten_curve_continuity_defaults(void);
 
 /**
  * What is true at a join, run through from the left piece L to the right piece R.
@@ -59,12 +59,10 @@ typedef struct batten_continuity {
  * @return BATTEN_OK; NOT_COMPATIBLE when their dimensions differ
  * Source: [BD89] for the beta form.
  */
-BATTEN_API batten_status batten_curves_continuity(const batten_curve *first,
-                                                  batten_curve_end first_end,
-                                                  const batten_curve *second,
-                                                  batten_curve_end second_end,
-                                                  const batten_continuity_options *options,
-                                                  batten_continuity *out);
+BATTEN_API batten_status batten_curves_continuity(
+    const batten_curve *first, batten_curve_end first_end, const batten_curve *second,
+    batten_curve_end second_end, const batten_curve_continuity_options *options,
+    batten_continuity *out);
 
 /** All joins of one curve: at its inner knots, in order, then, when its ends lie within the gap
  * allowed, at the seam. Release `at` with batten_release. */
@@ -73,7 +71,7 @@ typedef struct batten_continuities {
     batten_continuity *at;
 } batten_continuities;
 BATTEN_API batten_status batten_curve_continuity(const batten_curve *curve,
-                                                 const batten_continuity_options *options,
+                                                 const batten_curve_continuity_options *options,
                                                  batten_continuities *out);
 
 typedef enum batten_match_kind {
@@ -122,7 +120,7 @@ typedef struct batten_surface_match_report {
 BATTEN_API batten_status batten_surfaces_near_edges(const batten_surface *first,
                                                     const batten_surface *second,
                                                     batten_edge *first_edge,
-                                                    batten_edge *second_edge, double *apart);
+                                                    batten_edge *second_edge, double *gap);
 
 /**
  * Move the rows of control points of `first` next to an edge, so that the edge becomes the edge

@@ -141,11 +141,11 @@ typedef struct batten_implicit batten_implicit;
 
 /** How good an equation is. Where its gradient is small (at cusps and crossings it is 0) the
  * curve f = 0 is only known to `residual` / gradient. */
-typedef struct batten_implicit_report {
+typedef struct batten_implicit_from_curve_report {
     int degree;            /**< of f, as many times may a line meet the curve */
-    double residual;       /**< largest |f| at 8 degree + 1 places of the curve, model units */
+    double error;          /**< largest |f| at 8 degree + 1 places of the curve, model units */
     double least_gradient; /**< smallest |gradient| at these places; the largest is 1 */
-} batten_implicit_report;
+} batten_implicit_from_curve_report;
 
 /**
  * The implicit form of one plane Bezier curve, rational or not: f vanishes on the whole
@@ -164,9 +164,9 @@ typedef struct batten_implicit_report {
  *
  * Cost of a value: degree^3 / 3. Source: [SAG84], in the form of [BG04].
  */
-BATTEN_API batten_status batten_implicit_of_curve(const batten_curve *curve,
-                                                  batten_implicit_report *report,
-                                                  batten_implicit **out);
+BATTEN_API batten_status batten_implicit_from_curve(const batten_curve *curve,
+                                                    batten_implicit_from_curve_report *report,
+                                                    batten_implicit **out);
 /** NULL is welcome. */
 BATTEN_API void batten_implicit_free(batten_implicit *implicit);
 /** f at a point, in model units. @param[out] gradient [2], without a unit; or NULL */

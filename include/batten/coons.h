@@ -135,7 +135,7 @@ typedef enum batten_twist_policy {
                             order 3 they are refused */
 } batten_twist_policy;
 
-typedef struct batten_coons_options {
+typedef struct batten_surface_coons_options {
     size_t size;
     int order; /**< 1: the first kind, positions; 2: and slopes; 3: and curvatures */
     batten_blending blending_u, blending_v;
@@ -148,12 +148,12 @@ typedef struct batten_coons_options {
                                corner is corrected (F times the gap is added), not refused */
     const double *twists; /**< [2][2][d], corners (0,0), (0,1), (1,0), (1,1); where no slope
                              says what the twist is; NULL: that of the bilinear patch */
-} batten_coons_options;
+} batten_surface_coons_options;
 
 /** First kind, linear functions, tolerance 1e-6, Gregory's twists. */
-BATTEN_API batten_coons_options batten_coons_defaults(void);
+BATTEN_API batten_surface_coons_options batten_surface_coons_defaults(void);
 
-typedef struct batten_coons_report {
+typedef struct batten_surface_coons_report {
     double corner_gap, slope_gap, twist_gap, higher_gap; /**< the largest, model units; but for
                               corner_gap of vectors per unit of the parameters */
     int corner, slope_corner, twist_corner; /**< where: 1 (0,0), 2 (1,0), 3 (1,1), 4 (0,1) */
@@ -164,7 +164,7 @@ typedef struct batten_coons_report {
     double angle[4];     /**< [edge]: the largest between the tangent planes of the surface and
                               of the side, radians; 0 without a slope */
     bool exact;          /**< batten_surface_to_nurbs is exact */
-} batten_coons_report;
+} batten_surface_coons_report;
 
 /**
  * The Coons patch between four sides, a surface of kind "coons" over [0, 1] x [0, 1].
@@ -191,8 +191,8 @@ typedef struct batten_coons_report {
  * that. Cost of a point: one of each line and function. Source: [Coons67], [Coons74], [SL] V.2.
  */
 BATTEN_API batten_status batten_surface_coons(const batten_ribbon sides[4],
-                                              const batten_coons_options *options,
-                                              batten_coons_report *report,
+                                              const batten_surface_coons_options *options,
+                                              batten_surface_coons_report *report,
                                               batten_surface **out);
 
 /**
@@ -238,7 +238,7 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
  * beside it; NULL with order 0
  * @param[out] ribbon [order + 1] the edge as the surface has it, in the direction of the curve
  * and over [0, 1], and the derivatives across
- * @param[out] misfit [2] sine of the angle between ends and tangent plane; may be NULL
+ * @param[out] angle_error [2] sine of the angle between ends and tangent plane; may be NULL
  * @param[out] error  how far the derivatives are from the truth; may be NULL
  * @return BATTEN_OK; NOT_FOUND when no edge runs along the curve, with the distance of the
  * nearest; SINGULAR_HERE where the surface has no tangent plane at an end; NOT_COMPATIBLE when
@@ -247,12 +247,12 @@ BATTEN_API batten_status batten_boundary_sides(int count, const batten_curve *co
 BATTEN_API batten_status batten_ribbon_along(const batten_surface *surface,
                                              const batten_curve *curve, int order,
                                              const double *ends, double tolerance,
-                                             batten_curve **ribbon, double *misfit,
+                                             batten_curve **ribbon, double *angle_error,
                                              double *error);
 
 /* ---- networks ---- */
 
-typedef struct batten_network_options {
+typedef struct batten_surface_coons_network_options {
     size_t size;
     batten_blending blending; /**< LINEAR: C0; CUBIC: C1; COONS or QUINTIC: C2 when the curves
                                    are */
@@ -261,10 +261,10 @@ typedef struct batten_network_options {
     double tolerance;         /**< of the curves at their crossings, 1e-6 */
     batten_parametrization parameters; /**< of a grid of points, averaged; CENTRIPETAL */
     batten_end_kind ends;              /**< of the splines through a grid; NOT_A_KNOT */
-} batten_network_options;
+} batten_surface_coons_network_options;
 
 /** Coons' functions, Adini's twists. */
-BATTEN_API batten_network_options batten_network_defaults(void);
+BATTEN_API batten_surface_coons_network_options batten_surface_coons_network_defaults(void);
 
 /**
  * The net of Coons patches over a grid of curves, as one B-spline surface.
@@ -282,12 +282,10 @@ BATTEN_API batten_network_options batten_network_defaults(void);
  * Interior knots stand p - 1 times (C1) or p - 2 times (C2), p the degree, unless the curves
  * themselves are less smooth. Cost: linear in the number of control points.
  */
-BATTEN_API batten_status batten_surface_coons_network(int count_u, const double *u, int count_v,
-                                                      const double *v,
-                                                      const batten_curve *const *along_u,
-                                                      const batten_curve *const *along_v,
-                                                      const batten_network_options *options,
-                                                      double *gap, batten_surface **out);
+BATTEN_API batten_status batten_surface_coons_network(
+    int count_u, const double *u, int count_v, const double *v,
+    const batten_curve *const *along_u, const batten_curve *const *along_v,
+    const batten_surface_coons_network_options *options, double *gap, batten_surface **out);
 
 /**
  * The same over a grid of points: its curves are the cubic splines through the rows and through
@@ -298,10 +296,10 @@ BATTEN_API batten_status batten_surface_coons_network(int count_u, const double 
  * @param[out] u, v parameters of the grid lines, 0 .. 1; may be NULL
  * @return also COINCIDENT, naming the line of the grid
  */
-BATTEN_API batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
-                                                   const double *points,
-                                                   const batten_network_options *options,
-                                                   double *u, double *v, batten_surface **out);
+BATTEN_API batten_status
+batten_surface_coons_grid(int dimension, int count_u, int count_v, const double *points,
+                          const batten_surface_coons_network_options *options, double *u,
+                          double *v, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -296,7 +296,8 @@ BATTEN_API batten_status batten_curve_from_power(int dimension, int degree, int 
                                                  batten_curve **out);
 /** The graph (u, f(u)) of a polynomial curve of one dimension, in the plane; clamped.
  * @return BATTEN_BAD_ARGUMENT for other dimensions, UNSUPPORTED for rational curves */
-BATTEN_API batten_status batten_curve_graph(const batten_curve *function, batten_curve **out);
+BATTEN_API batten_status batten_curve_from_function(const batten_curve *function,
+                                                    batten_curve **out);
 /** The reverse, for a polynomial curve. Count the pieces with batten_curve_spans() - 1.
  * @param[out] coefficients [pieces][p + 1][d] */
 BATTEN_API batten_status batten_curve_to_power(const batten_curve *curve, double *coefficients);

@@ -161,7 +161,7 @@ typedef struct batten_feature_result {
     double move_max; /**< of fairing */
     int moved_count;
     const batten_fair_report *fairing; /**< or NULL */
-    const batten_skin_report *skin;    /**< or NULL */
+    const batten_surface_skin_report *skin; /**< or NULL */
 } batten_feature_result;
 
 /**

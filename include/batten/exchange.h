@@ -11,12 +11,12 @@ extern "C" {
 #endif
 
 typedef enum batten_format {
-    BATTEN_FORMAT_AUTO,     /**< by content when reading, by the name's ending when writing */
-    BATTEN_FORMAT_OFFSETS,  /**< a table of offsets: .csv, .tsv, .txt */
-    BATTEN_FORMAT_POINTS,   /**< x y z in lines: .xyz; .csv, .tsv, .txt without offsets */
-    BATTEN_FORMAT_AEROFOIL, /**< .dat, Selig or Lednicer order */
-    BATTEN_FORMAT_IGES,     /**< .igs, .iges */
-    BATTEN_FORMAT_STEP,     /**< .stp, .step; AP203, AP214, AP242 */
+    BATTEN_FORMAT_AUTO, /**< by content when reading, by the name's ending when writing */
+    BATTEN_FORMAT_OFFSET_TABLE, /**< a table of offsets: .csv, .tsv, .txt */
+    BATTEN_FORMAT_POINTS,       /**< x y z in lines: .xyz; .csv, .tsv, .txt without offsets */
+    BATTEN_FORMAT_AEROFOIL,     /**< .dat, Selig or Lednicer order */
+    BATTEN_FORMAT_IGES,         /**< .igs, .iges */
+    BATTEN_FORMAT_STEP,         /**< .stp, .step; AP203, AP214, AP242 */
     BATTEN_FORMAT_DXF,   /**< .dxf; written as release 2000: points, curves, arcs as bulges */
     BATTEN_FORMAT_SVG,   /**< .svg at true scale, for cutting; written: curves seen along z */
     BATTEN_FORMAT_GCODE, /**< .nc, .ngc, .gcode, .tap; written: see gcode.h */
@@ -43,7 +43,7 @@ typedef struct batten_format_facts {
 /** False when there is no such format. */
 BATTEN_API bool batten_format_about(batten_format format, batten_format_facts *out);
 /** By the ending of a file name; BATTEN_FORMAT_AUTO when it says nothing. */
-BATTEN_API batten_format batten_format_of_name(const char *path);
+BATTEN_API batten_format batten_format_from_name(const char *path);
 
 /** What a reader may use; over a limit: BATTEN_TOO_LARGE, naming it. */
 typedef struct batten_limits {
@@ -119,7 +119,7 @@ BATTEN_API bool batten_write_choose(const char *path, const batten_model *model,
  * hold; the writers of tables, points and G-code choose themselves.
  * @param notes what was approximated or left out; may be NULL
  * @return BATTEN_OK; UNSUPPORTED when nothing of the model would be in the file, or the format
- * is not written; as batten_mesh_of_body */
+ * is not written; as batten_mesh_from_body */
 BATTEN_API batten_status batten_write_prepare(const batten_model *model,
                                               const batten_write_options *options,
                                               batten_notes *notes, batten_model **out);
@@ -132,7 +132,7 @@ BATTEN_API batten_status batten_write_memory(const batten_model *model,
 BATTEN_API batten_status batten_write_file(const batten_model *model, const char *path,
                                            const batten_write_options *options,
                                            batten_notes *notes);
-typedef struct batten_gcode_options {
+typedef struct batten_write_gcode_options {
     size_t size;
     bool absolute_centres; /**< I and J are the centre itself (G90.1); false: from the start of
                                 the arc (G91.1), as most controls expect */
@@ -143,15 +143,15 @@ typedef struct batten_gcode_options {
     double clearance;    /**< how far above the highest path the tool travels; 0: 5 mm */
     int decimals;        /**< 0..9; -1: 4 for millimetres, 5 for inches */
     double greatest_radius; /**< of an arc, which the control takes; infinity: any; 0: 10 m */
-} batten_gcode_options;
-BATTEN_API batten_gcode_options batten_gcode_defaults(void);
+} batten_write_gcode_options;
+BATTEN_API batten_write_gcode_options batten_write_gcode_defaults(void);
 
 /**
  * The program that follows the paths of a model in their order: G0 above, G1 down, then G1, G2
  * and G3.
  *
  * Paths are chains of arcs and lines, polylines, and NURBS curves that are arcs and lines
- * exactly (batten_arcs_exact), each in a plane z = constant; other curves are left out with a
+ * exactly (batten_arcs_from_curve_exact), each in a plane z = constant; other curves are left out with a
  * note (make arcs of them first). Inches (G20) when the unit of the model
  * is the inch, else millimetres (G21), into which other units are converted. Coordinates are
  * rounded to `decimals`; centres are computed from the rounded ends, so that both ends of an
@@ -167,7 +167,7 @@ BATTEN_API batten_gcode_options batten_gcode_defaults(void);
  * Source: ISO 6983-1 for the words.
  */
 BATTEN_API batten_status batten_write_gcode(const batten_model *model,
-                                            const batten_gcode_options *options,
+                                            const batten_write_gcode_options *options,
                                             batten_notes *notes, char **data, size_t *size);
 
 #ifdef __cplusplus

@@ -21,13 +21,13 @@ typedef enum batten_extension {
                              no new join at all; far out it may go anywhere */
 } batten_extension;
 
-typedef struct batten_extend_report {
+typedef struct batten_curve_extend_report {
     batten_continuity join; /**< of the given curve with what was added, in the direction away
                                  from the curve */
     double length;          /**< of what was added */
     double error; /**< how far what was added may be from what it should be: 1.2 times the
                        largest among samples of a SPIRAL, else 0 */
-} batten_extend_report;
+} batten_curve_extend_report;
 
 /**
  * Make a curve longer by an arc length.
@@ -51,7 +51,8 @@ typedef struct batten_extend_report {
  */
 BATTEN_API batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end end,
                                              batten_extension extension, double length,
-                                             double tolerance, batten_extend_report *report,
+                                             double tolerance,
+                                             batten_curve_extend_report *report,
                                              batten_curve **out);
 /**
  * The same to a parameter outside the domain, which becomes the new end. A LINE, ARC or SPIRAL
@@ -60,7 +61,8 @@ BATTEN_API batten_status batten_curve_extend(const batten_curve *curve, batten_c
  */
 BATTEN_API batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
                                                 batten_extension extension, double u,
-                                                double tolerance, batten_extend_report *report,
+                                                double tolerance,
+                                                batten_curve_extend_report *report,
                                                 batten_curve **out);
 typedef struct batten_surface_extend_report {
     double to;          /**< the parameter at which the longer surface ends */
@@ -115,16 +117,16 @@ BATTEN_API batten_status batten_curve_trim(const batten_curve *curve, double a, 
                                            double tolerance, batten_curve **out);
 
 /**
- * The parts on the side of the plane `normal . x = offset` to which the normal points, in their
+ * The parts on the side of the plane `normal . x = distance` to which the normal points, in their
  * order along the curve; of a curve in the plane, of a line. What lies in the plane belongs to
  * the part beside it. The parts of a closed curve go over its seam.
- * @param normal of any length but 0; `offset` in its measure
+ * @param normal of any length but 0; `distance` in its measure
  * @param tolerance as above
  * @param[out] out release with batten_curves_release; no curve when nothing is on that side
  * @return as batten_curve_plane_crossings and batten_curve_trim
  */
 BATTEN_API batten_status batten_curve_trim_plane(const batten_curve *curve, batten_vec3 normal,
-                                                 double offset, double tolerance,
+                                                 double distance, double tolerance,
                                                  batten_curves *out);
 
 #ifdef __cplusplus

@@ -173,11 +173,12 @@ typedef enum batten_fair_families {
  *
  * Moves and suspects of the report name station and point; from and to are (x, y, z).
  */
-BATTEN_API batten_status batten_fair_offsets(const batten_offsets *offsets,
-                                             batten_fair_families families,
-                                             const batten_fair_options *options,
-                                             const batten_job *job, batten_fair_report *report,
-                                             batten_offsets **out);
+BATTEN_API batten_status batten_fair_offset_table(const batten_offset_table *offsets,
+                                                  batten_fair_families families,
+                                                  const batten_fair_options *options,
+                                                  const batten_job *job,
+                                                  batten_fair_report *report,
+                                                  batten_offset_table **out);
 
 #ifdef __cplusplus
 }

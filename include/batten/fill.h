@@ -91,14 +91,14 @@ BATTEN_API batten_status batten_surface_gregory_between(int count,
  * @param tolerance model units, > 0
  * @param angle     radians, > 0
  * @param[out] error   the deviation; may be NULL
- * @param[out] reached the largest angle between the normals at 129 places of each edge; places
+ * @param[out] angle_error the largest angle between the normals at 129 places of each edge; places
  * without a normal (poles) do not count; may be NULL
  * @return as batten_surface_to_nurbs; TOLERANCE_NOT_MET with the angle reached
  */
 BATTEN_API batten_status batten_surface_to_smooth_nurbs(const batten_surface *surface,
                                                         double tolerance, double angle,
                                                         batten_surface **out, double *error,
-                                                        double *reached);
+                                                        double *angle_error);
 typedef enum batten_triangle_method {
     /** Nielson: along the lines from each side to its opposite corner. With slopes of cubic
      * precision. Kind "side-vertex". */
@@ -159,7 +159,7 @@ typedef enum batten_fill_form {
                                      distances from the sides that do not meet there */
 } batten_fill_form;
 
-typedef struct batten_fill_options {
+typedef struct batten_surface_fill_options {
     size_t size;
     double tolerance; /**< corners of the loop may be open so far, and rational sides are met a
                            thousand times better; model units; 0: a millionth of the size */
@@ -168,8 +168,8 @@ typedef struct batten_fill_options {
     bool curvature;   /**< along ribbons that give a curvature take it over, too */
     batten_fill_form form; /**< BATTEN_FILL_SPLIT */
     bool may_fold;         /**< a fill that folds over is given, too; false */
-} batten_fill_options;
-BATTEN_API batten_fill_options batten_fill_defaults(void);
+} batten_surface_fill_options;
+BATTEN_API batten_surface_fill_options batten_surface_fill_defaults(void);
 
 /** What a fill reached along one edge: measured on the surfaces, at 17 places of each span. */
 typedef struct batten_fill_edge {
@@ -185,7 +185,7 @@ typedef struct batten_fill_edge {
     double gap_at[3], angle_at[3], curvature_at[3]; /**< where, in space */
 } batten_fill_edge;
 
-typedef struct batten_fill_report {
+typedef struct batten_surface_fill_report {
     int count; /**< of the surfaces: as many as sides, after those with corners are divided */
     batten_fill_edge outer[BATTEN_FILL_SIDES]; /**< [count], round the loop */
     batten_fill_edge inner[BATTEN_FILL_SIDES]; /**< [count], between surface i and the next */
@@ -208,7 +208,7 @@ typedef struct batten_fill_report {
     bool folded;           /**< normals of neighbouring points turn back, or those along a side
                                 against its ribbon: the fill overlaps */
     double fold_at[3];     /**< where it does first */
-} batten_fill_report;
+} batten_surface_fill_report;
 
 /**
  * Fill a hole: the fairest surfaces with one tangent plane along all edges.
@@ -261,8 +261,9 @@ typedef struct batten_fill_report {
  * [CG84].
  */
 BATTEN_API batten_status batten_surface_fill(int count, const batten_ribbon *sides,
-                                             const batten_fill_options *options,
-                                             batten_fill_report *report, batten_surface **out);
+                                             const batten_surface_fill_options *options,
+                                             batten_surface_fill_report *report,
+                                             batten_surface **out);
 
 /**
  * The ribbon of the surface that lies beside a curve: one of whose edges the curve runs along,

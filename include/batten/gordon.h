@@ -17,7 +17,7 @@ typedef enum batten_gordon_blend {
     BATTEN_GORDON_LAGRANGE /**< polynomials: smooth, and they swing; at most 12 curves */
 } batten_gordon_blend;
 
-typedef struct batten_gordon_options {
+typedef struct batten_surface_gordon_options {
     size_t size;
     double tolerance; /**< model units, > 0; must be set: how far the surface may be from a
                            curve */
@@ -30,8 +30,8 @@ typedef struct batten_gordon_options {
                    Else they are refused */
     const char *const *profile_names; /**< [profile_count] for messages, or NULL */
     const char *const *guide_names;   /**< [guide_count], or NULL */
-} batten_gordon_options;
-BATTEN_API batten_gordon_options batten_gordon_defaults(void);
+} batten_surface_gordon_options;
+BATTEN_API batten_surface_gordon_options batten_surface_gordon_defaults(void);
 
 /** Two curves of a family that are one, at the seam of closed ones: the first is used. */
 typedef struct batten_gordon_repeated {
@@ -41,10 +41,10 @@ typedef struct batten_gordon_repeated {
 } batten_gordon_repeated;
 enum { BATTEN_GORDON_REPEATED = 4 };
 
-typedef struct batten_gordon_report {
+typedef struct batten_surface_gordon_report {
     double gap; /**< the widest between a profile and a guide, model units */
     int gap_profile, gap_guide;
-    double deviation; /**< the largest distance of a curve from its line on the surface, at
+    double error; /**< the largest distance of a curve from its line on the surface, at
                          equal parameters: at all knots and 8 places between any two, with what
                            making it polynomial cost */
     bool worst_is_guide;
@@ -66,18 +66,18 @@ typedef struct batten_gordon_report {
                        one of the other; HUGE_VAL when there are no two */
     bool nearest_is_guide;
     int nearest_curves[2];
-    double guides_off; /**< the largest distance of a guide from the skin of the profiles
+    double guide_error; /**< the largest distance of a guide from the skin of the profiles
                           alone: what the guides do between them; at 2 to 8 places between
                           any two profiles */
-    int guide_off;     /**< that guide, and the place */
-    batten_vec3 guide_off_at;
+    int guide_worst;    /**< that guide, and the place */
+    batten_vec3 guide_worst_at;
     int pole_count;          /**< points in which one family ends */
     bool closed_u, closed_v; /**< the profiles close; the guides close */
     bool smooth_u, smooth_v; /**< and do so smoothly */
     bool exact_u, exact_v;   /**< profiles, guides are met exactly, with all their knots */
     int points_u, points_v;  /**< control points of the surface; of a period */
     int exact_knots_u, exact_knots_v; /**< inner knots that all curves have together */
-} batten_gordon_report;
+} batten_surface_gordon_report;
 
 /**
  * Gordon's surface: u runs along the profiles, v along the guides, both over [0, 1].
@@ -116,8 +116,8 @@ typedef struct batten_gordon_report {
  */
 BATTEN_API batten_status batten_surface_gordon(
     int profile_count, const batten_curve *const *profiles, int guide_count,
-    const batten_curve *const *guides, const batten_gordon_options *options,
-    const batten_job *job, batten_gordon_report *report, batten_surface **out);
+    const batten_curve *const *guides, const batten_surface_gordon_options *options,
+    const batten_job *job, batten_surface_gordon_report *report, batten_surface **out);
 
 /** The diagonal of the box round the control points of all curves. @param count 1 or more */
 BATTEN_API double batten_network_size(int count, const batten_curve *const *curves);

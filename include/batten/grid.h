@@ -18,13 +18,13 @@ extern "C" {
 #endif
 
 /** What is known along the rim of a grid, for surfaces with knots at the data. */
-typedef struct batten_grid_options {
+typedef struct batten_surface_interpolate_options {
     size_t size;
     int degree_u, degree_v;            /**< 3, 3 */
     batten_parametrization parameters; /**< averaged over the rows; BATTEN_CENTRIPETAL */
     const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
     bool knots_at_data;                /**< false: averaged knots (the default) */
-    bool periodic_u, periodic_v;
+    bool closed_u, closed_v;
     batten_end_kind ends; /**< what holds on the rim when no derivatives are given */
     const double *du; /**< [orders_u][2][count_v][d], Su (Suu ..) on the first and last row; or
                            NULL */
@@ -39,17 +39,17 @@ typedef struct batten_grid_options {
                                 NULL. Not with derivatives */
     const bool *gaps; /**< [count_u][count_v], where there is no point: what stands there is not
                            looked at; or NULL */
-} batten_grid_options;
+} batten_surface_interpolate_options;
 
-BATTEN_API batten_grid_options batten_grid_defaults(void);
+BATTEN_API batten_surface_interpolate_options batten_surface_interpolate_defaults(void);
 
 /** What a grid interpolation found out about its data. */
-typedef struct batten_grid_report {
-    double residual;           /**< largest distance from a data point */
+typedef struct batten_surface_interpolate_report {
+    double error;              /**< largest distance from a data point */
     double spread_u, spread_v; /**< largest |row parameter - average|, in steps; above 0.5
                                   skinning is better */
     int filled; /**< how many points were none, and stand where least energy puts them */
-} batten_grid_report;
+} batten_surface_interpolate_report;
 
 /**
  * A surface through a grid of points.
@@ -72,12 +72,10 @@ typedef struct batten_grid_report {
  * Cost: linear in the number of points; each direction is factored once. Gaps: their number
  * times the square of those in two lines. Source: [deBoor01] ch. XVII, [PT97] 9.2.5.
  */
-BATTEN_API batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
-                                                    const double *points,
-                                                    const batten_grid_options *options,
-                                                    const batten_job *job, double *u, double *v,
-                                                    batten_grid_report *report,
-                                                    batten_surface **out);
+BATTEN_API batten_status batten_surface_interpolate(
+    int dimension, int count_u, int count_v, const double *points,
+    const batten_surface_interpolate_options *options, const batten_job *job, double *u,
+    double *v, batten_surface_interpolate_report *report, batten_surface **out);
 
 /* ---- twists of nets ---- */
 
@@ -151,7 +149,7 @@ BATTEN_API batten_status batten_grid_parametrize(int dimension, int count_u, int
  *
  * @param points [count_u][count_v][dimension], finite
  * @param u, v   parameters of the grid lines, increasing; closed: one more
- * @param[out] off  the largest distance of a point from the surface at its parameters; may be
+ * @param[out] error  the largest distance of a point from the surface at its parameters; may be
  * NULL
  * @return BATTEN_OK, what the methods report (naming the line), NOT_COMPATIBLE when the curves
  * of a method have different knots, UNSUPPORTED when they are rational, TOO_LARGE ... Cost:
@@ -161,41 +159,39 @@ BATTEN_API batten_status batten_grid_parametrize(int dimension, int count_u, int
 BATTEN_API batten_status batten_surface_tensor(
     int dimension, int count_u, int count_v, const double *points, const double *u,
     const double *v, const batten_line_method *along_u, const batten_line_method *along_v,
-    const batten_job *job, double *off, batten_surface **out);
+    const batten_job *job, double *error, batten_surface **out);
 
 /** Nu-splines in both directions: bicubics that are drawn into chosen grid lines. */
-typedef struct batten_nu_surface_options {
+typedef struct batten_surface_nu_options {
     size_t size;
     bool closed_u, closed_v;
-    double nu_u, nu_v;   /**< of all lines, as nu of batten_weighted_options; 0 */
+    double nu_u, nu_v;   /**< of all lines, as nu of batten_curve_weighted_options; 0 */
     const double *nus_u; /**< [count_u] line by line, instead; or NULL */
     const double *nus_v; /**< [count_v] */
     const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths, averaged */
-} batten_nu_surface_options;
-BATTEN_API batten_nu_surface_options batten_nu_surface_defaults(void);
+} batten_surface_nu_options;
+BATTEN_API batten_surface_nu_options batten_surface_nu_defaults(void);
 
 /** The tensor product of nu-splines with natural ends: a bicubic surface, C1. Without nu the
  * natural bicubic spline, C2. @return as batten_surface_tensor. Source: [Nielson74]. */
 BATTEN_API batten_status batten_surface_nu(int dimension, int count_u, int count_v,
                                            const double *points,
-                                           const batten_nu_surface_options *options,
+                                           const batten_surface_nu_options *options,
                                            const batten_job *job, batten_surface **out);
 
 /**
  * The tensor product of curves of the class of Catmull and Rom: local, no equations.
  * @param u, v  parameters of the grid lines; NULL: centripetal, averaged
  * @param along_u, along_v  their alpha and `given` are not used
- * @param[out] off  the largest distance of a point from the surface; 0 but for rounding when
+ * @param[out] error  the largest distance of a point from the surface; 0 but for rounding when
  * both pass their points; may be NULL
  * @return as batten_surface_tensor. Source: [CR74].
  */
-BATTEN_API batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v,
-                                                    const double *points, const double *u,
-                                                    const double *v,
-                                                    const batten_catmull_rom_options *along_u,
-                                                    const batten_catmull_rom_options *along_v,
-                                                    const batten_job *job, double *off,
-                                                    batten_surface **out);
+BATTEN_API batten_status batten_surface_catmull_rom(
+    int dimension, int count_u, int count_v, const double *points, const double *u,
+    const double *v, const batten_curve_catmull_rom_options *along_u,
+    const batten_curve_catmull_rom_options *along_v, const batten_job *job, double *error,
+    batten_surface **out);
 
 /** The uniform B-spline surface of a net, with the ends of batten_curve_uniform in each
  * direction.
@@ -208,15 +204,15 @@ BATTEN_API batten_status batten_surface_uniform(int dimension, int count_u, int 
                                                 batten_surface **out);
 
 /** Splines in tension in both directions. */
-typedef struct batten_tension_surface_options {
+typedef struct batten_surface_tension_options {
     size_t size;
     bool closed_u, closed_v;
-    double tension_u, tension_v; /**< of all strips, as in batten_tension_options; 0 */
+    double tension_u, tension_v; /**< of all strips, as in batten_chain_tension_options; 0 */
     const double *tensions_u;    /**< [strips along u] strip by strip, instead; or NULL */
     const double *tensions_v;
     const double *u, *v; /**< parameters of the grid lines; NULL: chord lengths */
-} batten_tension_surface_options;
-BATTEN_API batten_tension_surface_options batten_tension_surface_defaults(void);
+} batten_surface_tension_options;
+BATTEN_API batten_surface_tension_options batten_surface_tension_defaults(void);
 
 /**
  * The tensor product of splines in tension with natural ends: C2, of the kind "tension".
@@ -231,7 +227,7 @@ BATTEN_API batten_tension_surface_options batten_tension_surface_defaults(void);
  */
 BATTEN_API batten_status batten_surface_tension(int dimension, int count_u, int count_v,
                                                 const double *points,
-                                                const batten_tension_surface_options *options,
+                                                const batten_surface_tension_options *options,
                                                 batten_surface **out);
 /** Why lattices were not halved again. */
 typedef enum batten_levels_end {
@@ -247,7 +243,7 @@ typedef enum batten_levels_end {
  * their parameters, in model units, so no datum is farther from the surface; data of weight 0
  * do not count. */
 typedef struct batten_surface_fit_report {
-    double max, rms;
+    double error, rms;
     double most;     /**< 95 of 100 data are not farther */
     int worst;       /**< index of the farthest datum; of a grid i * count_v + j */
     double at[2];    /**< its parameters */
@@ -282,7 +278,7 @@ typedef enum batten_grid_penalty {
                                with even knots: P-splines */
 } batten_grid_penalty;
 
-typedef struct batten_grid_fit_options {
+typedef struct batten_surface_fit_grid_options {
     size_t size;
     int degree_u, degree_v; /**< 3, 3 */
     int points_u, points_v; /**< control points, periodic: of one period. 0: least squares one
@@ -292,7 +288,7 @@ typedef struct batten_grid_fit_options {
     const double *given_u, *given_v;   /**< [count] (periodic [count + 1]) with BATTEN_GIVEN */
     const double *weights_u, *weights_v; /**< [count] of the lines of the grid: the weight of a
                                               datum is their product; NULL: all 1 */
-    bool periodic_u, periodic_v;
+    bool closed_u, closed_v;
     bool hold_rims; /**< least squares: the surface passes the four corners, and its rims are
                          the least squares of the rims' data alone; true */
     batten_grid_penalty penalty; /**< smoothing: BATTEN_GRID_ENERGY */
@@ -302,9 +298,9 @@ typedef struct batten_grid_fit_options {
     double tolerance; /**< least squares: > 0: control points are added, from `points_u` by
                            `points_v` (0: the fewest) on, along the direction that gains more,
                            until no datum is farther; 0 */
-} batten_grid_fit_options;
+} batten_surface_fit_grid_options;
 
-BATTEN_API batten_grid_fit_options batten_grid_fit_defaults(void);
+BATTEN_API batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void);
 
 /**
  * The surface with few control points and the least sum of squared distances from a grid.
@@ -324,7 +320,7 @@ BATTEN_API batten_grid_fit_options batten_grid_fit_defaults(void);
  */
 BATTEN_API batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
                                                  const double *points,
-                                                 const batten_grid_fit_options *options,
+                                                 const batten_surface_fit_grid_options *options,
                                                  const batten_job *job, double *u, double *v,
                                                  batten_surface_fit_report *report,
                                                  batten_surface **out);
@@ -345,12 +341,10 @@ BATTEN_API batten_status batten_surface_fit_grid(int dimension, int count_u, int
  * Cost: the cube of the control points of a direction to begin, then for each lambda their
  * product. Source: [EM96], [Dierckx93], [CW79].
  */
-BATTEN_API batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v,
-                                                    const double *points,
-                                                    const batten_grid_fit_options *options,
-                                                    const batten_job *job, double *u, double *v,
-                                                    batten_surface_fit_report *report,
-                                                    batten_surface **out);
+BATTEN_API batten_status batten_surface_smooth_grid(
+    int dimension, int count_u, int count_v, const double *points,
+    const batten_surface_fit_grid_options *options, const batten_job *job, double *u, double *v,
+    batten_surface_fit_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -76,7 +76,7 @@ typedef struct batten_derivative {
     double value[3];
 } batten_derivative;
 
-typedef struct batten_interpolate_options {
+typedef struct batten_curve_interpolate_options {
     size_t size;
     int degree;                        /**< 3 */
     batten_parametrization parameters; /**< BATTEN_CENTRIPETAL */
@@ -85,14 +85,14 @@ typedef struct batten_interpolate_options {
                                 ends (degree 3, or odd degrees with `derivatives`);
                                 false: averaged knots, no end conditions needed */
     batten_end start, end; /**< used with knots at the data */
-    bool periodic;         /**< the curve closes smoothly; the first point is not repeated */
+    bool closed;           /**< the curve closes smoothly; the first point is not repeated */
     int derivative_count;
     const batten_derivative
         *derivatives; /**< further conditions, at any data point (averaged knots) */
-} batten_interpolate_options;
+} batten_curve_interpolate_options;
 
 /** Cubic, centripetal, knots at the data, not-a-knot ends. */
-BATTEN_API batten_interpolate_options batten_interpolate_defaults(void);
+BATTEN_API batten_curve_interpolate_options batten_curve_interpolate_defaults(void);
 
 /**
  * A curve through points.
@@ -114,10 +114,9 @@ BATTEN_API batten_interpolate_options batten_interpolate_defaults(void);
  * largest coordinate of data and control points, else TOLERANCE_NOT_MET. Source: [deBoor01] ch.
  * IV, XIII; [PT97] 9.2; [Xin77] for fair ends.
  */
-BATTEN_API batten_status batten_curve_interpolate(int dimension, int count,
-                                                  const double *points,
-                                                  const batten_interpolate_options *options,
-                                                  double *parameters, batten_curve **out);
+BATTEN_API batten_status batten_curve_interpolate(
+    int dimension, int count, const double *points,
+    const batten_curve_interpolate_options *options, double *parameters, batten_curve **out);
 
 /** What the points of a function say about its cubic spline. */
 typedef struct batten_convexity {
@@ -148,7 +147,7 @@ typedef enum batten_weight_rule {
                                with steep places */
 } batten_weight_rule;
 
-typedef struct batten_weighted_options {
+typedef struct batten_curve_weighted_options {
     size_t size;
     batten_parametrization parameters; /**< BATTEN_CHORD */
     const double *given;               /**< [count] (closed: [count + 1]) with BATTEN_GIVEN */
@@ -161,10 +160,10 @@ typedef struct batten_weighted_options {
                                 an open curve say nothing */
     batten_weight_rule rule;
     const double *weights; /**< [spans], above 0; NULL: 1 */
-} batten_weighted_options;
+} batten_curve_weighted_options;
 
 /** Chord parameters, natural ends, nu 0, all weights 1: the cubic spline. */
-BATTEN_API batten_weighted_options batten_weighted_defaults(void);
+BATTEN_API batten_curve_weighted_options batten_curve_weighted_defaults(void);
 
 /**
  * The weighted nu-spline through points: a cubic for each span, with a common tangent at the
@@ -186,7 +185,7 @@ BATTEN_API batten_weighted_options batten_weighted_defaults(void);
  * Source: [Nielson74], [Salkauskas84], [Foley87].
  */
 BATTEN_API batten_status batten_curve_weighted(int dimension, int count, const double *points,
-                                               const batten_weighted_options *options,
+                                               const batten_curve_weighted_options *options,
                                                double *parameters, batten_curve **out);
 typedef enum batten_quadratic_kind {
     BATTEN_QUADRATIC_BETWEEN,   /**< any data, knots midway between them, none in the two end
@@ -203,7 +202,7 @@ typedef enum batten_quadratic_slope {
     BATTEN_QUADRATIC_AT_END    /**< P' at the last point is given */
 } batten_quadratic_slope;
 
-typedef struct batten_quadratic_options {
+typedef struct batten_curve_quadratic_options {
     size_t size;
     batten_quadratic_kind kind;        /**< BETWEEN */
     batten_parametrization parameters; /**< BATTEN_CHORD; MIDPOINTS: UNIFORM or GIVEN, else they
@@ -211,10 +210,10 @@ typedef struct batten_quadratic_options {
     const double *given;               /**< [count] with BATTEN_GIVEN */
     batten_quadratic_slope slope;      /**< BEST */
     double vector[3];                  /**< AT_START, AT_END: P' */
-} batten_quadratic_options;
+} batten_curve_quadratic_options;
 
 /** Knots midway between the data, chord parameters. */
-BATTEN_API batten_quadratic_options batten_quadratic_defaults(void);
+BATTEN_API batten_curve_quadratic_options batten_curve_quadratic_defaults(void);
 
 /**
  * A quadratic spline through points.
@@ -236,7 +235,7 @@ BATTEN_API batten_quadratic_options batten_quadratic_defaults(void);
  * Cost: linear in count. Source: [Marsden74], [deBoor01] ch. VI.
  */
 BATTEN_API batten_status batten_curve_quadratic(int dimension, int count, const double *points,
-                                                const batten_quadratic_options *options,
+                                                const batten_curve_quadratic_options *options,
                                                 double *parameters, batten_curve **out);
 /** What the points are. */
 typedef enum batten_beta_use {
@@ -285,7 +284,7 @@ typedef struct batten_constraint {
     double rate; /**< VALUE: for each unit of the parameter, so that functions have lines too */
 } batten_constraint;
 
-typedef struct batten_constrained_options {
+typedef struct batten_curve_constrained_options {
     size_t size;
     int degree;                        /**< 3, which suits order 2; 1..25 */
     int pieces;                        /**< spans between neighbours among the points, 0..64; 0:
@@ -299,15 +298,15 @@ typedef struct batten_constrained_options {
                                             them, infinity: through; NULL: through all */
     int constraint_count;
     const batten_constraint *constraints;
-} batten_constrained_options;
-BATTEN_API batten_constrained_options batten_constrained_defaults(void);
+} batten_curve_constrained_options;
+BATTEN_API batten_curve_constrained_options batten_curve_constrained_defaults(void);
 
-typedef struct batten_constrained_report {
+typedef struct batten_curve_constrained_report {
     double energy; /**< the integral of the squared derivative */
     int active;    /**< inequalities between control values that hold with equality and press */
     int redundant; /**< equations that followed from others */
     double error_max; /**< the largest distance from a point */
-} batten_constrained_report;
+} batten_curve_constrained_report;
 
 /**
  * The B-spline or Bezier curve through (or near) points, with the constraints, whose squared
@@ -331,9 +330,10 @@ typedef struct batten_constrained_report {
  * Cost: the cube of the number of unknowns, and for each constraint that presses the square of
  * their number times the unknowns: for some dozens of points. Source: [Wielinga74]; [GI83].
  */
-BATTEN_API batten_status batten_curve_constrained(
-    int dimension, int count, const double *points, const batten_constrained_options *options,
-    double *parameters, batten_constrained_report *report, batten_curve **out);
+BATTEN_API batten_status
+batten_curve_constrained(int dimension, int count, const double *points,
+                         const batten_curve_constrained_options *options, double *parameters,
+                         batten_curve_constrained_report *report, batten_curve **out);
 /** What tension is added for, where the tension given is too little. */
 typedef enum batten_tension_rule {
     BATTEN_TENSION_GIVEN,   /**< nothing */
@@ -341,7 +341,7 @@ typedef enum batten_tension_rule {
     BATTEN_TENSION_MONOTONE /**< each coordinate rises and falls only as the points do */
 } batten_tension_rule;
 
-typedef struct batten_tension_options {
+typedef struct batten_chain_tension_options {
     size_t size;
     batten_parametrization parameters; /**< BATTEN_CHORD */
     const double *given;               /**< [count] (closed: [count + 1]) with BATTEN_GIVEN */
@@ -354,10 +354,10 @@ typedef struct batten_tension_options {
     const double *tensions; /**< [spans] the same span by span, instead; or NULL */
     batten_tension_rule rule;
     double slack; /**< above 0, for the rules: 0.01. See below */
-} batten_tension_options;
+} batten_chain_tension_options;
 
 /** Chord parameters, natural ends, tension 0, nothing automatic. */
-BATTEN_API batten_tension_options batten_tension_defaults(void);
+BATTEN_API batten_chain_tension_options batten_chain_tension_defaults(void);
 
 /**
  * The spline in tension through points, as a chain of spans of kind TENSION.
@@ -386,7 +386,7 @@ BATTEN_API batten_tension_options batten_tension_defaults(void);
  * Source: [Schweikert66], [Cline74]; [KK97] for turns in space.
  */
 BATTEN_API batten_status batten_chain_tension(int dimension, int count, const double *points,
-                                              const batten_tension_options *options,
+                                              const batten_chain_tension_options *options,
                                               double *parameters, batten_chain **out);
 
 #ifdef __cplusplus

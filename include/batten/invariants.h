@@ -147,7 +147,7 @@ BATTEN_API batten_status batten_cubic_look_up(double lambda, double mu,
                                               batten_cubic_place *out);
 /** The cubic of (lambda, mu) with P0 = (0, 0), T = (0, 1), P3 = (1, 1): Bezier points [4][2].
  */
-BATTEN_API void batten_cubic_of_lengths(double lambda, double mu, double *points);
+BATTEN_API void batten_cubic_from_lengths(double lambda, double mu, double *points);
 /**
  * The form of Stone and DeRose: the affine map that takes P0, P1, P2 to (0, 0), (0, 1), (1, 1)
  * takes P3 to (x, y), which alone decides.

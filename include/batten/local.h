@@ -42,22 +42,22 @@ typedef enum batten_corner {
     BATTEN_CORNER_KEEP   /**< each run keeps its own tangent */
 } batten_corner;
 
-typedef struct batten_tangent_options {
+typedef struct batten_tangents_options {
     size_t size;
     batten_tangent_rule rule;     /**< BATTEN_TANGENT_CIRCLE */
     batten_tangent_length length; /**< BATTEN_LENGTH_CHORD */
     batten_corner corners;        /**< BATTEN_CORNER_ROUND */
     bool closed;                  /**< the first point is not repeated */
     const double *given;          /**< [count][dimension], with BATTEN_TANGENT_GIVEN */
-} batten_tangent_options;
-BATTEN_API batten_tangent_options batten_tangent_defaults(void);
+} batten_tangents_options;
+BATTEN_API batten_tangents_options batten_tangents_defaults(void);
 
-typedef struct batten_tangent_report {
+typedef struct batten_tangents_report {
     int turned_back;       /**< points where the polygon turns back on itself: no direction is
                                 defined there, and one at right angles to it was taken */
     int first_turned_back; /**< the first of these, or -1 */
     int corners;           /**< points that keep two tangents */
-} batten_tangent_report;
+} batten_tangents_report;
 
 /**
  * Parameters and tangents for points of the plane or of space.
@@ -77,9 +77,9 @@ typedef struct batten_tangent_report {
  * 9.3.1, [SL] VI.8.
  */
 BATTEN_API batten_status batten_tangents(int dimension, int count, const double *points,
-                                         const batten_tangent_options *options,
+                                         const batten_tangents_options *options,
                                          double *parameters, double *leaving, double *arriving,
-                                         batten_tangent_report *report);
+                                         batten_tangents_report *report);
 
 /**
  * The cubic through points with the given tangents, or slopes: C1; at points whose two tangents
@@ -180,13 +180,13 @@ BATTEN_API batten_status batten_curve_rational_monotone(int count, const double 
 
 /* ---- tangents and curvatures both given ---- */
 
-typedef struct batten_curvature_report {
+typedef struct batten_curve_from_curvatures_report {
     int several;           /**< spans with two or three solutions */
     int fallen_back;       /**< spans without a solution, which keep the tangents only */
     int first_fallen_back; /**< the first of these, or -1 */
-    double off;            /**< largest curvature error at the ends of the other spans, times
+    double error;          /**< largest curvature error at the ends of the other spans, times
                                 their chord */
-} batten_curvature_report;
+} batten_curve_from_curvatures_report;
 
 /**
  * The plane cubic spline with given directions and curvatures at its points: curvature is
@@ -209,12 +209,10 @@ typedef struct batten_curvature_report {
  * The curve has triple knots: direction and curvature are continuous, the speed is not.
  * Cost: linear in count. Source: [dBHS87].
  */
-BATTEN_API batten_status batten_curve_from_curvatures(int count, const double *points,
-                                                      const double *tangents,
-                                                      const double *curvatures, bool closed,
-                                                      double *parameters, int *solutions,
-                                                      batten_curvature_report *report,
-                                                      batten_curve **out);
+BATTEN_API batten_status batten_curve_from_curvatures(
+    int count, const double *points, const double *tangents, const double *curvatures,
+    bool closed, double *parameters, int *solutions,
+    batten_curve_from_curvatures_report *report, batten_curve **out);
 
 /** Signed curvatures of the circles through each point and its neighbours; at an end that of
  * the first three points. Two points: 0.
@@ -231,7 +229,7 @@ typedef enum batten_phantoms {
     BATTEN_PHANTOM_REPEAT       /**< the end point is repeated: the curve starts slowly */
 } batten_phantoms;
 
-typedef struct batten_catmull_rom_options {
+typedef struct batten_curve_catmull_rom_options {
     size_t size;
     int blend;    /**< degree of the B-splines that blend, k - 1: 1 or more; 2 */
     int local;    /**< degree of the polynomials that are blended, m: 0 or more; 1 */
@@ -240,15 +238,15 @@ typedef struct batten_catmull_rom_options {
     const double *given;      /**< parameters [count], closed [count + 1], instead of alpha */
     bool closed;              /**< the first point is not repeated */
     batten_phantoms phantoms; /**< BATTEN_PHANTOM_EXTRAPOLATE */
-} batten_catmull_rom_options;
-BATTEN_API batten_catmull_rom_options batten_catmull_rom_defaults(void);
+} batten_curve_catmull_rom_options;
+BATTEN_API batten_curve_catmull_rom_options batten_curve_catmull_rom_defaults(void);
 
-typedef struct batten_catmull_rom_report {
+typedef struct batten_curve_catmull_rom_report {
     int continuity; /**< derivatives that are continuous for all points: k - 2; from m = k on
                          k - 1 */
     bool through;   /**< does it pass the points: m >= k - 2 */
-    double off;     /**< largest distance of a point from the curve at its parameter */
-} batten_catmull_rom_report;
+    double error;   /**< largest distance of a point from the curve at its parameter */
+} batten_curve_catmull_rom_report;
 
 /**
  * The curve F(t) = sum L_j(t) N_j(t): N_j are the B-splines of order k with knots at the
@@ -275,23 +273,25 @@ typedef struct batten_catmull_rom_report {
  * A point that moves changes at most m + k spans. Cost: (m + k)^3 for a span.
  * Source: [CR74], [BG88]; [YSK11] for alpha.
  */
-BATTEN_API batten_status batten_curve_catmull_rom(
-    int dimension, int count, const double *points, const batten_catmull_rom_options *options,
-    double *parameters, batten_catmull_rom_report *report, batten_curve **out);
+BATTEN_API batten_status
+batten_curve_catmull_rom(int dimension, int count, const double *points,
+                         const batten_curve_catmull_rom_options *options, double *parameters,
+                         batten_curve_catmull_rom_report *report, batten_curve **out);
 
-typedef struct batten_kochanek_bartels_options {
+typedef struct batten_tangents_kochanek_bartels_options {
     size_t size;
     const double *tension; /**< [count], NULL for 0: 1 halts at a point, below 0 is rounder */
     const double *continuity; /**< [count], NULL for 0: -1 turns at a point as the chords do, 1
                                    turns there the other way; not 0: a corner */
     const double *bias;       /**< [count], NULL for 0: 1 leaves along the chord before the
                                    point, -1 along the one after */
-    double alpha;             /**< as for batten_catmull_rom_options; 0 */
+    double alpha;             /**< as for batten_curve_catmull_rom_options; 0 */
     const double *given;
     bool closed;
     batten_phantoms phantoms;
-} batten_kochanek_bartels_options;
-BATTEN_API batten_kochanek_bartels_options batten_kochanek_bartels_defaults(void);
+} batten_tangents_kochanek_bartels_options;
+BATTEN_API batten_tangents_kochanek_bartels_options
+batten_tangents_kochanek_bartels_defaults(void);
 
 /**
  * Tangents of Kochanek and Bartels; with batten_curve_from_tangents they make the curve. With
@@ -310,7 +310,7 @@ BATTEN_API batten_kochanek_bartels_options batten_kochanek_bartels_defaults(void
  */
 BATTEN_API batten_status
 batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
-                                 const batten_kochanek_bartels_options *options,
+                                 const batten_tangents_kochanek_bartels_options *options,
                                  double *parameters, double *leaving, double *arriving);
 /* ---- no inflections in excess ---- */
 
@@ -338,15 +338,15 @@ typedef enum batten_correct_joins {
                                   directions bend both sides oppositely there is none */
 } batten_correct_joins;
 
-typedef struct batten_correct_options {
+typedef struct batten_curve_correct_tangents_options {
     size_t size;
     double within;    /**< lambda and mu come down to this; above 0 and below 1; 0.95 */
     double tolerance; /**< relative: nearer to 1 than this they are left as they are; 1e-9 */
     batten_correct_joins joins; /**< BATTEN_CORRECT_TANGENT */
-} batten_correct_options;
-BATTEN_API batten_correct_options batten_correct_defaults(void);
+} batten_curve_correct_tangents_options;
+BATTEN_API batten_curve_correct_tangents_options batten_curve_correct_tangents_defaults(void);
 
-typedef struct batten_correct_report {
+typedef struct batten_curve_correct_tangents_report {
     int span_count;
     int corrected; /**< spans that had inflections in excess, a cusp or a loop, and have none */
     int incurable; /**< spans that keep them: they turn by a half circle or more, run back along
@@ -355,7 +355,7 @@ typedef struct batten_correct_report {
     int rejoined;        /**< joins whose curvatures were brought together again */
     int broken;          /**< joins whose curvatures differ now by more than 1e-6 of the larger,
                               and did not before */
-} batten_correct_report;
+} batten_curve_correct_tangents_report;
 
 /**
  * Shorten the end tangents of those spans of a cubic curve that have inflections in excess, a
@@ -376,11 +376,9 @@ typedef struct batten_correct_report {
  * Cost: linear; with CURVATURE about 200 quartic equations for each span near a corrected one,
  * and the best choice for all joins together. Source: [SL] III.6; [dBHS87] for curvatures.
  */
-BATTEN_API batten_status batten_curve_correct_tangents(const batten_curve *curve,
-                                                       const batten_correct_options *options,
-                                                       int *changed,
-                                                       batten_correct_report *report,
-                                                       batten_curve **out);
+BATTEN_API batten_status batten_curve_correct_tangents(
+    const batten_curve *curve, const batten_curve_correct_tangents_options *options,
+    int *changed, batten_curve_correct_tangents_report *report, batten_curve **out);
 
 /* ---- corners and straight runs ---- */
 
@@ -390,7 +388,7 @@ typedef enum batten_transition {
     BATTEN_TRANSITION_CURVATURE /**< and with curvature 0 */
 } batten_transition;
 
-typedef struct batten_cornered_options {
+typedef struct batten_curve_cornered_options {
     size_t size;
     batten_parametrization parameters; /**< BATTEN_CHORD; not GIVEN */
     int corner_count;
@@ -401,8 +399,8 @@ typedef struct batten_cornered_options {
     batten_transition transition; /**< BATTEN_TRANSITION_TANGENT */
     batten_end_kind ends;         /**< at corners and ends that are free: NOT_A_KNOT, NATURAL,
                                      PARABOLIC,         BESSEL, CIRCLE or FAIR; NATURAL */
-} batten_cornered_options;
-BATTEN_API batten_cornered_options batten_cornered_defaults(void);
+} batten_curve_cornered_options;
+BATTEN_API batten_curve_cornered_options batten_curve_cornered_defaults(void);
 
 /**
  * A cubic spline through points with corners and straight runs: C2 on each smooth run, whose
@@ -419,7 +417,7 @@ BATTEN_API batten_cornered_options batten_cornered_defaults(void);
  * ... Cost: linear. Source: [SL] III.7.
  */
 BATTEN_API batten_status batten_curve_cornered(int dimension, int count, const double *points,
-                                               const batten_cornered_options *options,
+                                               const batten_curve_cornered_options *options,
                                                double *parameters, batten_curve **out);
 
 /* ---- given directions ---- */
@@ -430,7 +428,7 @@ typedef struct batten_direction_at {
     double vector[3]; /**< any length but 0 */
 } batten_direction_at;
 
-typedef struct batten_directed_options {
+typedef struct batten_curve_directed_options {
     size_t size;
     batten_parametrization parameters; /**< BATTEN_CHORD */
     const double *given; /**< [count] with BATTEN_GIVEN: a free choice of spacing */
@@ -438,15 +436,15 @@ typedef struct batten_directed_options {
     const batten_direction_at *directions; /**< rising indices; their lengths are found */
     const double *tension; /**< nu [count], 0 or more: P'' jumps by nu P' at a point, which
                                 stays G2; large: a sharp bend there. NULL for none */
-} batten_directed_options;
-BATTEN_API batten_directed_options batten_directed_defaults(void);
+} batten_curve_directed_options;
+BATTEN_API batten_curve_directed_options batten_curve_directed_defaults(void);
 
-typedef struct batten_directed_report {
+typedef struct batten_curve_directed_report {
     int clamped;       /**< directions whose best length was not positive: the curve would run
                             through them backwards. They got a tenth of the mean speed there */
     int first_clamped; /**< index of the first such point, or -1 */
     double energy;     /**< sum of the integrals of |P''|^2 and of nu |P'|^2 at the points */
-} batten_directed_report;
+} batten_curve_directed_report;
 
 /**
  * The cubic spline through points with given directions at some of them, that has the least
@@ -465,9 +463,9 @@ typedef struct batten_directed_report {
  * Cost: linear; once more for each round of clamping. Source: [SL] III.7, [Nielson74].
  */
 BATTEN_API batten_status batten_curve_directed(int dimension, int count, const double *points,
-                                               const batten_directed_options *options,
+                                               const batten_curve_directed_options *options,
                                                double *parameters,
-                                               batten_directed_report *report,
+                                               batten_curve_directed_report *report,
                                                batten_curve **out);
 
 #ifdef __cplusplus

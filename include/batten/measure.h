@@ -35,17 +35,17 @@ BATTEN_API batten_status batten_curve_bounds(const batten_curve *curve, batten_b
 
 /**
  * The tight axis-parallel box of a surface: it holds the surface, and each side is at most
- * `slack` from a point of it. Bezier patches are halved where they may reach beyond what is
+ * `error` from a point of it. Bezier patches are halved where they may reach beyond what is
  * known to be reached (branch and bound); in 2 dimensions z is 0.
  *
  * @param tolerance model units, > 0; also for a formula that only a NURBS surface near it tells
- * @param[out] slack above the tolerance where 20,000 halvings for a side do not do, as may be
+ * @param[out] error above the tolerance where 20,000 halvings for a side do not do, as may be
  * where the surface runs level along a curve; may be NULL
  * @return BATTEN_OK; BAD_ARGUMENT; what batten_surface_to_nurbs returns
  * Cost: the Bezier patches of all spans are made; some tens of halvings for each side.
  */
 BATTEN_API batten_status batten_surface_bounds(const batten_surface *surface, double tolerance,
-                                               batten_box *out, double *slack);
+                                               batten_box *out, double *error);
 
 /** A box at any angle; its axes are square to each other, of length one, and right-handed. */
 typedef struct batten_oriented_box {
@@ -86,30 +86,31 @@ typedef struct batten_region {
  * Area and moments by Green's theorem. Polynomial curves are integrated exactly but for
  * rounding, rational ones by halving until `precision` is met.
  *
- * @param closed    model units: ends that are no farther apart are joined by a line
+ * @param closing_tolerance    model units: ends that are no farther apart are joined by a line
  * @param precision relative, > 0; `error` says what was reached
  * @return BATTEN_OK; NOT_COMPATIBLE when the curve is not closed or not plane; BAD_ARGUMENT;
  * COINCIDENT when the area is 0 to rounding, as of a curve run there and back;
  * TOLERANCE_NOT_MET
  */
-BATTEN_API batten_status batten_curve_region(const batten_curve *curve, double closed,
-                                             double precision, batten_region *out);
+BATTEN_API batten_status batten_curve_region(const batten_curve *curve,
+                                             double closing_tolerance, double precision,
+                                             batten_region *out);
 
 /** How often a closed plane curve runs around a point, counterclockwise counted positive: by
  * crossings of a ray with pieces that run one way.
- * @param closed as batten_curve_region
+ * @param closing_tolerance as batten_curve_region
  * @return NOT_COMPATIBLE; SINGULAR_HERE when the point is on the curve, to 1e-12 of its size */
 BATTEN_API batten_status batten_curve_winding(const batten_curve *curve, const double *point,
-                                              double closed, int *out);
+                                              double closing_tolerance, int *out);
 /**
  * By how many full turns the tangent of a plane curve turns from start to end, corners and,
- * when the ends meet within `closed`, that in the closing point included: a whole number for a
+ * when the ends meet within `closing_tolerance`, that in the closing point included: a whole number for a
  * closed curve, 1 or -1 when it does not cross itself.
  * @return SINGULAR_HERE at a cusp, where the tangent turns back and neither way is the right
  * one; NOT_COMPATIBLE for other dimensions
  */
-BATTEN_API batten_status batten_curve_turning(const batten_curve *curve, double closed,
-                                              double *out);
+BATTEN_API batten_status batten_curve_turning(const batten_curve *curve,
+                                              double closing_tolerance, double *out);
 
 /**
  * The area of a surface of any kind, of 2 or 3 dimensions: what it covers twice counts twice.

@@ -83,7 +83,7 @@ typedef struct batten_mesh_report {
     int failed;   /**< faces left out; each has a note */
     double asked; /**< the chord asked for, or chosen where that was 0 */
     int beyond;   /**< triangles that are farther from the surface than that */
-    double off;   /**< how far the edges at those are from their faces, at most: triangles at
+    double error; /**< how far the edges at those are from their faces, at most: triangles at
                        an edge cannot be nearer to both of its faces than it is itself */
 } batten_mesh_report;
 
@@ -108,27 +108,28 @@ typedef struct batten_mesh_report {
  * for n triangles; 200,000 of a bicubic surface in half a second. Source: [FMM86] for the
  * bound, [Bowyer81] and [Sloan93] for the triangles.
  */
-BATTEN_API batten_status batten_mesh_of_body(const batten_body *body,
-                                             const batten_mesh_options *options,
-                                             const batten_job *job, batten_notes *notes,
-                                             batten_mesh_report *report, batten_mesh **out);
+BATTEN_API batten_status batten_mesh_from_body(const batten_body *body,
+                                               const batten_mesh_options *options,
+                                               const batten_job *job, batten_notes *notes,
+                                               batten_mesh_report *report, batten_mesh **out);
 /** The same of a whole surface of any kind. */
-BATTEN_API batten_status batten_mesh_of_surface(const batten_surface *surface,
-                                                const batten_mesh_options *options,
-                                                const batten_job *job,
-                                                batten_mesh_report *report, batten_mesh **out);
-
-/**
- * The same of Bezier triangles in space: all are divided alike, and those that share an edge by
- * the same control points share the vertices on it.
- * @return as batten_mesh_of_body; where normals jump the angle cannot be reached, which the
- * report says
- */
-BATTEN_API batten_status batten_mesh_of_triangles(const batten_triangles *triangles,
+BATTEN_API batten_status batten_mesh_from_surface(const batten_surface *surface,
                                                   const batten_mesh_options *options,
                                                   const batten_job *job,
                                                   batten_mesh_report *report,
                                                   batten_mesh **out);
+
+/**
+ * The same of Bezier triangles in space: all are divided alike, and those that share an edge by
+ * the same control points share the vertices on it.
+ * @return as batten_mesh_from_body; where normals jump the angle cannot be reached, which the
+ * report says
+ */
+BATTEN_API batten_status batten_mesh_from_triangles(const batten_triangles *triangles,
+                                                    const batten_mesh_options *options,
+                                                    const batten_job *job,
+                                                    batten_mesh_report *report,
+                                                    batten_mesh **out);
 
 #ifdef __cplusplus
 }

@@ -17,9 +17,9 @@ typedef enum batten_object_kind {
     BATTEN_OBJECT_POINTS, /**< a row of points, in order */
     BATTEN_OBJECT_CURVE,
     BATTEN_OBJECT_SURFACE,
-    BATTEN_OBJECT_OFFSETS,   /**< a table of offsets */
-    BATTEN_OBJECT_TRIANGLES, /**< Bezier triangles, in space */
-    BATTEN_OBJECT_BODY,      /**< trimmed faces, shells, a solid */
+    BATTEN_OBJECT_OFFSET_TABLE, /**< a table of offsets */
+    BATTEN_OBJECT_TRIANGLES,    /**< Bezier triangles, in space */
+    BATTEN_OBJECT_BODY,         /**< trimmed faces, shells, a solid */
     BATTEN_OBJECT_MESH,
     BATTEN_OBJECT_INSTANCE /**< another model, placed */
 } batten_object_kind;
@@ -42,7 +42,7 @@ typedef struct batten_object {
     const batten_chain *chain; /**< of a CURVE: what it truly is, when that is no NURBS; `curve`
                                     is then near to it */
     const batten_surface *surface;
-    const batten_offsets *offsets;
+    const batten_offset_table *offset_table;
     const batten_triangles *triangles;
     const batten_body *body;
     const batten_mesh *mesh;
@@ -122,7 +122,7 @@ BATTEN_API batten_status batten_model_with_patches(const batten_model *model,
  * @param options NULL for the defaults; `most` is for all objects together
  * @param notes faces that were left out, and chords that are not met, each with its object; may
  * be NULL
- * @return BATTEN_OK, as batten_mesh_of_body, also when faces were left out
+ * @return BATTEN_OK, as batten_mesh_from_body, also when faces were left out
  */
 BATTEN_API batten_status batten_model_meshed(const batten_model *model,
                                              const batten_mesh_options *options,

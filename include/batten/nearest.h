@@ -21,10 +21,10 @@ BATTEN_API batten_status batten_curve_turns(const batten_curve *curve, batten_ve
 BATTEN_API batten_status batten_curve_crossings(const batten_curve *curve, int axis,
                                                 double value, batten_parameters *out);
 
-/** All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = offset`, in the
+/** All u at which a curve of 2 or 3 dimensions meets the plane `normal . x = distance`, in the
  * same way. @return also BAD_ARGUMENT for a normal of 0, UNSUPPORTED for a function */
 BATTEN_API batten_status batten_curve_plane_crossings(const batten_curve *curve,
-                                                      batten_vec3 normal, double offset,
+                                                      batten_vec3 normal, double distance,
                                                       batten_parameters *out);
 
 /** Where a plane curve crosses itself: parameters in pairs u < v, so `at` is [count / 2][2].
@@ -75,7 +75,7 @@ typedef struct batten_polylines {
     batten_polyline *lines;
 } batten_polylines;
 /**
- * Where a surface meets the plane `normal . x = offset`, found along isoparametric lines on a
+ * Where a surface meets the plane `normal . x = distance`, found along isoparametric lines on a
  * `cells_u` x `cells_v` grid (every point is on the surface, and on the plane to
  * rounding, coarser only where knots nearly coincide; loops
  * smaller than a cell can be missed). Across the seam of a closed surface a line goes on, and
@@ -83,8 +83,9 @@ typedef struct batten_polylines {
  * line in its inside where the plane only touches does not.
  */
 BATTEN_API batten_status batten_surface_section(const batten_surface *surface,
-                                                batten_vec3 normal, double offset, int cells_u,
-                                                int cells_v, batten_polylines *out);
+                                                batten_vec3 normal, double distance,
+                                                int cells_u, int cells_v,
+                                                batten_polylines *out);
 BATTEN_API void batten_polylines_release(batten_polylines *lines);
 
 #ifdef __cplusplus

@@ -23,7 +23,7 @@ typedef enum batten_loops {
     BATTEN_LOOPS_KEEP /**< the offset of every point, with its cusps and loops, in one piece */
 } batten_loops;
 
-typedef struct batten_offset_options {
+typedef struct batten_curve_offset_options {
     size_t size;
     double tolerance; /**< model units, > 0: how far from the true offset; 1e-4 */
     batten_offset_corner corners;
@@ -32,16 +32,16 @@ typedef struct batten_offset_options {
     batten_vec3 normal; /**< of a curve in space: the offset goes across this direction and the
                              tangent; (0, 0, 1) */
     int most_pieces;    /**< of one run between corners; more are TOLERANCE_NOT_MET. 100,000 */
-} batten_offset_options;
-BATTEN_API batten_offset_options batten_offset_defaults(void);
+} batten_curve_offset_options;
+BATTEN_API batten_curve_offset_options batten_curve_offset_defaults(void);
 
-typedef struct batten_offset_report {
+typedef struct batten_curve_offset_report {
     double error;  /**< 1.2 times the largest distance from the true offset among 7 samples of
                         each piece, at equal parameters; 0 when all is lines and arcs */
     int cusps;     /**< places where curvature times distance is 1 */
     int crossings; /**< of the offset with itself, before loops were removed */
     int removed;   /**< parts that were nearer to the curve than asked */
-} batten_offset_report;
+} batten_curve_offset_report;
 
 /**
  * The offset of a curve: P + distance * normal, where the normal points to the left.
@@ -66,8 +66,9 @@ typedef struct batten_offset_report {
  * n log n for crossings. Source: [TH84], [EK91].
  */
 BATTEN_API batten_status batten_curve_offset(const batten_curve *curve, double distance,
-                                             const batten_offset_options *options,
-                                             batten_offset_report *report, batten_curves *out);
+                                             const batten_curve_offset_options *options,
+                                             batten_curve_offset_report *report,
+                                             batten_curves *out);
 typedef struct batten_surface_offset_options {
     size_t size;
     double tolerance; /**< model units: how far from the true offset; 0: the true one, of the

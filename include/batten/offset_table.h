@@ -13,52 +13,52 @@
 extern "C" {
 #endif
 
-typedef struct batten_offsets batten_offsets;
+typedef struct batten_offset_table batten_offset_table;
 
 /** A line that runs along the hull through the stations. */
-typedef struct batten_offset_line {
+typedef struct batten_table_line {
     const char *name;  /**< "z=0.5", "sheer" */
     bool is_waterline; /**< all its points have the same height */
     double z;          /**< that height; 0 for others */
-} batten_offset_line;
+} batten_table_line;
 
-typedef struct batten_offset_point {
+typedef struct batten_table_point {
     double x; /**< that of the station, or its own where the end of the hull is raked */
     double y; /**< half-breadth, >= 0 as a rule */
     double z; /**< height */
     int line; /**< which line it is on; -1 for none */
-} batten_offset_point;
+} batten_table_point;
 
 /** A section across the hull; its points in order, from the keel up as a rule. */
-typedef struct batten_station {
+typedef struct batten_table_station {
     const char *name; /**< as in the table, or its x */
     double x;
     int point_count;
-    const batten_offset_point *points;
-} batten_station;
+    const batten_table_point *points;
+} batten_table_station;
 
 /** Everything is copied; a name that is NULL becomes "". There is a station, stations have
  * increasing x and a point each; a point's line must exist. `unit_metres`: how many metres one
  * unit of the numbers is; 0 when the table does not say. */
-BATTEN_API batten_status batten_offsets_create(double unit_metres, int line_count,
-                                               const batten_offset_line *lines,
-                                               int station_count,
-                                               const batten_station *stations,
-                                               batten_offsets **out);
-BATTEN_API batten_offsets *batten_offsets_ref(const batten_offsets *offsets);
-BATTEN_API void batten_offsets_unref(batten_offsets *offsets);
+BATTEN_API batten_status batten_offset_table_create(double unit_metres, int line_count,
+                                                    const batten_table_line *lines,
+                                                    int station_count,
+                                                    const batten_table_station *stations,
+                                                    batten_offset_table **out);
+BATTEN_API batten_offset_table *batten_offset_table_ref(const batten_offset_table *offsets);
+BATTEN_API void batten_offset_table_unref(batten_offset_table *offsets);
 
-BATTEN_API double batten_offsets_unit_metres(const batten_offsets *offsets);
-BATTEN_API int batten_offsets_line_count(const batten_offsets *offsets);
-BATTEN_API const batten_offset_line *batten_offsets_line(const batten_offsets *offsets,
-                                                         int line);
-BATTEN_API int batten_offsets_station_count(const batten_offsets *offsets);
-BATTEN_API const batten_station *batten_offsets_station(const batten_offsets *offsets,
-                                                        int station);
-BATTEN_API batten_box batten_offsets_box(const batten_offsets *offsets);
+BATTEN_API double batten_offset_table_unit_metres(const batten_offset_table *offsets);
+BATTEN_API int batten_offset_table_line_count(const batten_offset_table *offsets);
+BATTEN_API const batten_table_line *batten_offset_table_line(const batten_offset_table *offsets,
+                                                             int line);
+BATTEN_API int batten_offset_table_station_count(const batten_offset_table *offsets);
+BATTEN_API const batten_table_station *
+batten_offset_table_station(const batten_offset_table *offsets, int station);
+BATTEN_API batten_box batten_offset_table_box(const batten_offset_table *offsets);
 
 /** A part of a table, in other numbers: what a design's `read` can ask for. */
-typedef struct batten_offsets_selection {
+typedef struct batten_offset_table_selection {
     size_t size;
     double scale;       /**< all numbers are multiplied by this; 1 */
     double unit_metres; /**< the unit afterwards; 0 keeps it */
@@ -68,13 +68,13 @@ typedef struct batten_offsets_selection {
         z;            /**< keep the points inside, in the new numbers; infinite by default */
     bool trim_centre; /**< of a run of points on the centre line at the lower end of a station
                            keep only the highest: what is below is keel or air */
-} batten_offsets_selection;
-BATTEN_API batten_offsets_selection batten_offsets_everything(void);
+} batten_offset_table_selection;
+BATTEN_API batten_offset_table_selection batten_offset_table_everything(void);
 /** Stations and lines that are left without points are left out. NOT_FOUND when nothing is
  * left. */
-BATTEN_API batten_status batten_offsets_select(const batten_offsets *offsets,
-                                               const batten_offsets_selection *selection,
-                                               batten_offsets **out);
+BATTEN_API batten_status batten_offset_table_select(
+    const batten_offset_table *offsets, const batten_offset_table_selection *selection,
+    batten_offset_table **out);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,8 @@ typedef enum batten_picture_format {
 } batten_picture_format;
 
 /** By the ending of a file name. @return false when it is none of them */
-BATTEN_API bool batten_picture_format_of_name(const char *path, batten_picture_format *format);
+BATTEN_API bool batten_picture_format_from_name(const char *path,
+                                                batten_picture_format *format);
 
 typedef enum batten_view {
     BATTEN_VIEW_AUTO,  /**< curves in a plane: that plane; else axonometric */
@@ -55,7 +56,7 @@ typedef enum batten_shading {
                                 from facing the light to facing away from it */
 } batten_shading;
 
-typedef struct batten_picture_options {
+typedef struct batten_draw_options {
     size_t size;
     batten_picture_format format; /**< PNG; shaded pictures can be nothing else */
     int width, height; /**< pixels, or points of 1/72 inch, 64..16384; 1200 x 800. A lines
@@ -82,8 +83,8 @@ typedef struct batten_picture_options {
                                  perspective in line drawings; 0: parallel projection */
     double stereo_angle;    /**< between both eyes, radians; 5 degrees */
     batten_notes *notes;    /**< receives faces of bodies that cannot be drawn; NULL */
-} batten_picture_options;
-BATTEN_API batten_picture_options batten_picture_defaults(void);
+} batten_draw_options;
+BATTEN_API batten_draw_options batten_draw_defaults(void);
 
 /**
  * Draw points, offsets, curves, the isoparametric lines of surfaces, the edges of bodies and
@@ -94,7 +95,7 @@ BATTEN_API batten_picture_options batten_picture_defaults(void);
  * OUT_OF_MEMORY
  */
 BATTEN_API batten_status batten_draw(const batten_model *model,
-                                     const batten_picture_options *options, char **data,
+                                     const batten_draw_options *options, char **data,
                                      size_t *size);
 
 /**
@@ -113,7 +114,7 @@ BATTEN_API batten_status batten_draw(const batten_model *model,
  * Source: [Appel67] for the silhouette and edges that change visibility.
  */
 BATTEN_API batten_status batten_draw_surface_lines(const batten_model *model,
-                                                   const batten_picture_options *options,
+                                                   const batten_draw_options *options,
                                                    const batten_job *job, char **data,
                                                    size_t *size);
 
@@ -135,10 +136,10 @@ typedef struct batten_panel {
  * @return as batten_draw
  */
 BATTEN_API batten_status batten_draw_panels(int count, const batten_panel *panels,
-                                            const batten_picture_options *options, char **data,
+                                            const batten_draw_options *options, char **data,
                                             size_t *size);
 
-typedef struct batten_lines_plan_options {
+typedef struct batten_draw_lines_plan_options {
     size_t size;
     double stations;          /**< spacing; 0: eleven over the length */
     double waterlines;        /**< spacing; 0: chosen */
@@ -147,8 +148,8 @@ typedef struct batten_lines_plan_options {
     int station_count;
     double design_waterline;  /**< height; NaN for none */
     const batten_model *data; /**< given points, drawn as crosses; or NULL */
-} batten_lines_plan_options;
-BATTEN_API batten_lines_plan_options batten_lines_plan_defaults(void);
+} batten_draw_lines_plan_options;
+BATTEN_API batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void);
 
 /**
  * A lines drawing of a half hull (x along, y >= 0 to the side, z up): profile, half-breadth
@@ -165,8 +166,8 @@ BATTEN_API batten_lines_plan_options batten_lines_plan_defaults(void);
  * report
  */
 BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
-                                                const batten_lines_plan_options *plan,
-                                                const batten_picture_options *options,
+                                                const batten_draw_lines_plan_options *plan,
+                                                const batten_draw_options *options,
                                                 batten_notes *notes, char **data, size_t *size);
 
 /**
@@ -181,16 +182,16 @@ BATTEN_API batten_status batten_draw_lines_plan(const batten_model *model,
  * Cost: about 1/3 s for 1200 x 800. Nine samples for each pixel.
  */
 BATTEN_API batten_status batten_draw_shaded(const batten_model *model,
-                                            const batten_picture_options *options,
+                                            const batten_draw_options *options,
                                             const batten_job *job, char **data, size_t *size);
 
-typedef struct batten_cubic_plane_options {
+typedef struct batten_draw_cubic_plane_options {
     size_t size;
     double low, high; /**< what is shown of both axes; -2 and 3.6 */
     double tolerance; /**< relative, for batten_curve_classify; 1e-9 */
     bool glyphs;      /**< small curves that show what lies in each region; true */
-} batten_cubic_plane_options;
-BATTEN_API batten_cubic_plane_options batten_cubic_plane_defaults(void);
+} batten_draw_cubic_plane_options;
+BATTEN_API batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void);
 
 /**
  * Draw the plane of (lambda, mu), the lengths of the end tangents of a cubic in units of the
@@ -207,8 +208,8 @@ BATTEN_API batten_cubic_plane_options batten_cubic_plane_defaults(void);
  * Source: [SL] III.3, [Liu81].
  */
 BATTEN_API batten_status batten_draw_cubic_plane(const batten_model *model,
-                                                 const batten_cubic_plane_options *plane,
-                                                 const batten_picture_options *options,
+                                                 const batten_draw_cubic_plane_options *plane,
+                                                 const batten_draw_options *options,
                                                  char **data, size_t *size);
 
 #ifdef __cplusplus

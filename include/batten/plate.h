@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-typedef struct batten_developable_options {
+typedef struct batten_surface_developable_options {
     size_t size;
     bool keep_matching;   /**< points of equal parameter are joined, exactly; only the warp is
                                looked at. Else rulings are found; false */
@@ -27,8 +27,8 @@ typedef struct batten_developable_options {
     double warp;          /**< largest of a surface called developable, radians; 0.5 degrees */
     bool keep_regression; /**< an edge of regression between the edges is reported, not refused;
                                false */
-} batten_developable_options;
-BATTEN_API batten_developable_options batten_developable_defaults(void);
+} batten_surface_developable_options;
+BATTEN_API batten_surface_developable_options batten_surface_developable_defaults(void);
 
 /** One ruling of the surface. */
 typedef struct batten_ruling {
@@ -78,10 +78,9 @@ typedef struct batten_developable {
  * Cost: about 40000 evaluations of the warp, and some for each ruling.
  * Source: [PW01] 6; [Aumann91] for the condition.
  */
-BATTEN_API batten_status batten_surface_developable(const batten_curve *first,
-                                                    const batten_curve *second,
-                                                    const batten_developable_options *options,
-                                                    batten_developable *out);
+BATTEN_API batten_status batten_surface_developable(
+    const batten_curve *first, const batten_curve *second,
+    const batten_surface_developable_options *options, batten_developable *out);
 BATTEN_API void batten_developable_release(batten_developable *developable);
 
 /**
@@ -103,13 +102,13 @@ typedef enum batten_straight {
     BATTEN_STRAIGHT_U
 } batten_straight;
 
-typedef struct batten_unroll_options {
+typedef struct batten_surface_unroll_options {
     size_t size;
     batten_straight straight; /**< BATTEN_STRAIGHT_FIND */
     double tolerance; /**< of the flat outline, and of how straight the rulings are; model
                            units, > 0 */
-} batten_unroll_options;
-BATTEN_API batten_unroll_options batten_unroll_defaults(void);
+} batten_surface_unroll_options;
+BATTEN_API batten_surface_unroll_options batten_surface_unroll_defaults(void);
 
 /** A surface laid flat. The first edge is where the rulings begin; it starts at (0, 0), and the
  * first ruling points along y. */
@@ -159,7 +158,7 @@ typedef struct batten_unrolled {
  * [PW01] 6.
  */
 BATTEN_API batten_status batten_surface_unroll(const batten_surface *surface,
-                                               const batten_unroll_options *options,
+                                               const batten_surface_unroll_options *options,
                                                batten_unrolled *out);
 BATTEN_API void batten_unrolled_release(batten_unrolled *unrolled);
 
@@ -178,7 +177,7 @@ typedef enum batten_fold_given {
                           curve that it becomes: k = flat curvature / cos a */
 } batten_fold_given;
 
-typedef struct batten_fold_options {
+typedef struct batten_fold_create_options {
     size_t size;
     batten_fold_given given; /**< BATTEN_FOLD_ANGLE */
     int count;               /**< of the values */
@@ -189,9 +188,9 @@ typedef struct batten_fold_options {
     double left, right;     /**< widths of the sheets, at right angles to the crease */
     double tolerance;       /**< of the surfaces and of the lengths of edges in space and flat;
                                  model units, > 0 */
-} batten_fold_options;
+} batten_fold_create_options;
 /** One angle of 30 degrees must still be put in its place: `values` is NULL. */
-BATTEN_API batten_fold_options batten_fold_defaults(void);
+BATTEN_API batten_fold_create_options batten_fold_create_defaults(void);
 
 /** One side of the crease. */
 typedef struct batten_fold_sheet {
@@ -235,7 +234,7 @@ typedef struct batten_fold {
  * [FuchsTabachnikov99].
  */
 BATTEN_API batten_status batten_fold_create(const batten_curve *crease,
-                                            const batten_fold_options *options,
+                                            const batten_fold_create_options *options,
                                             batten_fold *out);
 BATTEN_API void batten_fold_release(batten_fold *fold);
 

@@ -24,8 +24,8 @@ BATTEN_API batten_status batten_curve_from_edges(int dimension, int degree, cons
                                                  const double *edges, batten_curve **out);
 /** The reverse, for a clamped polynomial curve of one span.
  * @param[out] start [dimension], edges [degree][dimension] */
-BATTEN_API batten_status batten_curve_edges(const batten_curve *curve, double *start,
-                                            double *edges);
+BATTEN_API batten_status batten_curve_to_edges(const batten_curve *curve, double *start,
+                                               double *edges);
 
 /** How a uniform B-spline ends. */
 typedef enum batten_polygon_end {
@@ -63,22 +63,22 @@ BATTEN_API batten_status batten_curve_arc_cubic(double radius, double angle, dou
 /** How far an approximation is from its data at their parameters, in model units. Of a function
  * that is known everywhere, `max` and `rms` are those at 8 places of each span and at the
  * knots. */
-typedef struct batten_operator_report {
-    double max, rms;
+typedef struct batten_curve_schoenberg_report {
+    double error, rms;
     int worst; /**< index of the farthest datum; -1 without data */
-} batten_operator_report;
+} batten_curve_schoenberg_report;
 
-typedef struct batten_operator_options {
+typedef struct batten_curve_schoenberg_options {
     size_t size;
     int degree;                        /**< 3; lower where there are too few points */
     batten_parametrization parameters; /**< BATTEN_CHORD */
     const double *given;               /**< [count], increasing; periodic [count + 1] */
-    bool periodic;  /**< the curve closes smoothly; the first point is not repeated */
+    bool closed;    /**< the curve closes smoothly; the first point is not repeated */
     bool bernstein; /**< Schoenberg's operator without inner knots: Bernstein's; not periodic */
-} batten_operator_options;
+} batten_curve_schoenberg_options;
 
 /** Cubic, by chords. */
-BATTEN_API batten_operator_options batten_operator_defaults(void);
+BATTEN_API batten_curve_schoenberg_options batten_curve_schoenberg_defaults(void);
 
 /**
  * Schoenberg's variation diminishing spline of the polyline through points: its control points
@@ -95,9 +95,9 @@ BATTEN_API batten_operator_options batten_operator_defaults(void);
  * Cost: linear in count. Source: [Schoenberg67].
  */
 BATTEN_API batten_status batten_curve_schoenberg(int dimension, int count, const double *points,
-                                                 const batten_operator_options *options,
+                                                 const batten_curve_schoenberg_options *options,
                                                  double *parameters,
-                                                 batten_operator_report *report,
+                                                 batten_curve_schoenberg_report *report,
                                                  batten_curve **out);
 
 /**
@@ -114,8 +114,9 @@ BATTEN_API batten_status batten_curve_schoenberg(int dimension, int count, const
  * Cost: linear in count, p^3 for each. Source: [LS75].
  */
 BATTEN_API batten_status batten_curve_quasi_interpolate(
-    int dimension, int count, const double *points, const batten_operator_options *options,
-    double *parameters, batten_operator_report *report, batten_curve **out);
+    int dimension, int count, const double *points,
+    const batten_curve_schoenberg_options *options, double *parameters,
+    batten_curve_schoenberg_report *report, batten_curve **out);
 
 /** A function or curve that is known everywhere: its point and derivatives up to `order` at u,
  * in out [order + 1][dimension]. */
@@ -126,7 +127,7 @@ typedef batten_status (*batten_evaluator)(void *user, double u, int order, doubl
 BATTEN_API batten_status batten_function_schoenberg(int dimension, int degree, int point_count,
                                                     const double *knots,
                                                     batten_evaluator function, void *user,
-                                                    batten_operator_report *report,
+                                                    batten_curve_schoenberg_report *report,
                                                     batten_curve **out);
 
 /**
@@ -139,12 +140,12 @@ BATTEN_API batten_status batten_function_schoenberg(int dimension, int degree, i
 BATTEN_API batten_status batten_function_de_boor_fix(int dimension, int degree, int point_count,
                                                      const double *knots,
                                                      batten_evaluator function, void *user,
-                                                     batten_operator_report *report,
+                                                     batten_curve_schoenberg_report *report,
                                                      batten_curve **out);
 
 /* ---- least largest error ---- */
 
-typedef struct batten_minimax_report {
+typedef struct batten_curve_minimax_report {
     double error; /**< the largest; of a function known everywhere, as found by searching */
     double bound; /**< no polynomial of this degree has a smaller one, after de la Vallee
                      Poussin */
@@ -152,7 +153,7 @@ typedef struct batten_minimax_report {
     int exchanges;
     double places[27]; /**< [degree + 2] where the error is `bound` or more, with signs that
                             alternate */
-} batten_minimax_report;
+} batten_curve_minimax_report;
 
 /**
  * The polynomial of this degree whose largest distance from values at parameters is least.
@@ -170,7 +171,7 @@ typedef struct batten_minimax_report {
  */
 BATTEN_API batten_status batten_curve_minimax(int count, const double *parameters,
                                               const double *values, int degree,
-                                              batten_minimax_report *report,
+                                              batten_curve_minimax_report *report,
                                               batten_curve **out);
 
 /** The same for a function that is continuous on a < b; `error` exceeds `bound` by no more than
@@ -178,7 +179,7 @@ BATTEN_API batten_status batten_curve_minimax(int count, const double *parameter
  * polynomial's extrema may be missed. */
 BATTEN_API batten_status batten_function_minimax(double a, double b, int degree,
                                                  batten_evaluator function, void *user,
-                                                 batten_minimax_report *report,
+                                                 batten_curve_minimax_report *report,
                                                  batten_curve **out);
 
 #ifdef __cplusplus

@@ -74,7 +74,7 @@ typedef enum batten_scattered_method {
                                      what is left: fast, local, no least squares */
 } batten_scattered_method;
 
-typedef struct batten_scattered_options {
+typedef struct batten_surface_scattered_options {
     size_t size;
     batten_scattered_method method;
     int degree_u, degree_v; /**< 3, 3; 2 to 9. MULTILEVEL: always 3 */
@@ -94,9 +94,9 @@ typedef struct batten_scattered_options {
                      in proportion */
     double threshold; /**< 0: 1.345 standard deviations, found from the median distance */
     int corrections;  /**< of clouds: how often parameters are moved to the feet at most; 20 */
-} batten_scattered_options;
+} batten_surface_scattered_options;
 
-BATTEN_API batten_scattered_options batten_scattered_defaults(void);
+BATTEN_API batten_surface_scattered_options batten_surface_scattered_defaults(void);
 
 /**
  * A tensor product spline near values at scattered parameters.
@@ -131,12 +131,10 @@ BATTEN_API batten_scattered_options batten_scattered_defaults(void);
  * times the square of those of the shorter direction; memory linear in data and control points.
  * Source: [HH74], [Dierckx93], [LWS97], [Hutchinson89] for the trace.
  */
-BATTEN_API batten_status batten_surface_scattered(int dimension, int count, const double *uv,
-                                                  const double *values,
-                                                  const batten_scattered_options *options,
-                                                  const batten_job *job,
-                                                  batten_surface_fit_report *report,
-                                                  batten_surface **out);
+BATTEN_API batten_status
+batten_surface_scattered(int dimension, int count, const double *uv, const double *values,
+                         const batten_surface_scattered_options *options, const batten_job *job,
+                         batten_surface_fit_report *report, batten_surface **out);
 
 /**
  * A surface near a cloud of points, whose parameters are their feet on a base surface, then on
@@ -156,19 +154,20 @@ BATTEN_API batten_status batten_surface_scattered(int dimension, int count, cons
  */
 BATTEN_API batten_status batten_surface_cloud(int count, const double *points,
                                               const batten_surface *base,
-                                              const batten_scattered_options *options,
+                                              const batten_surface_scattered_options *options,
                                               const batten_job *job, double *uv,
                                               batten_surface_fit_report *report,
                                               batten_surface **out);
 
 /** The bilinear surface of four corners: a base for clouds. @param corners (0, 0), (1, 0), (0,
  * 1), (1, 1) [4][3] */
-BATTEN_API batten_status batten_surface_of_corners(const double *corners, batten_surface **out);
+BATTEN_API batten_status batten_surface_from_corners(const double *corners,
+                                                     batten_surface **out);
 
 /** The graph (u, v, f(u, v)) of a polynomial surface of one dimension, in space; clamped.
  * @return BATTEN_OK, BAD_ARGUMENT when it is none */
-BATTEN_API batten_status batten_surface_graph(const batten_surface *function,
-                                              batten_surface **out);
+BATTEN_API batten_status batten_surface_from_function(const batten_surface *function,
+                                                      batten_surface **out);
 /* ---- elements: polynomial sets of dimension 1 over a finer domain ---- */
 
 /** The plane over each triangle; continuous. @param values [vertex_count] */
@@ -261,18 +260,18 @@ typedef enum batten_triangle_element {
     BATTEN_ELEMENT_LINEAR
 } batten_triangle_element;
 
-typedef struct batten_scattered_triangles_options {
+typedef struct batten_triangles_scattered_options {
     size_t size;
     batten_triangle_element element;
     bool network;        /**< gradients of the least bending network, not local ones */
     bool data_dependent; /**< swap edges after Delaunay */
     double tolerance;    /**< as of batten_triangulate; 0 */
     double sliver;       /**< the same; 1e-3 */
-} batten_scattered_triangles_options;
+} batten_triangles_scattered_options;
 
-BATTEN_API batten_scattered_triangles_options batten_scattered_triangles_defaults(void);
+BATTEN_API batten_triangles_scattered_options batten_triangles_scattered_defaults(void);
 
-typedef struct batten_scattered_triangles_report {
+typedef struct batten_triangles_scattered_report {
     int vertices, triangles, pieces;
     int merged;      /**< points that share the vertex of an earlier one: their mean is met */
     double conflict; /**< the largest difference of values at one vertex; 0 */
@@ -282,10 +281,10 @@ typedef struct batten_scattered_triangles_report {
     int planes;      /**< vertices whose gradient is that of a plane */
     int iterations;  /**< of the network */
     double thinnest; /**< of Powell and Sabin, as there; else 0.5 */
-    double max, rms; /**< the largest distance of a value from the function: at vertices of
+    double error, rms; /**< the largest distance of a value from the function: at vertices of
                           several points half of the conflict and more, else 0 */
     int worst;       /**< the point where it is; -1 when max is 0 */
-} batten_scattered_triangles_report;
+} batten_triangles_scattered_report;
 
 /**
  * A function of dimension 1 over the hull of scattered points, through their values.
@@ -300,8 +299,8 @@ typedef struct batten_scattered_triangles_report {
  */
 BATTEN_API batten_status batten_triangles_scattered(
     int count, const double *xy, const double *values,
-    const batten_scattered_triangles_options *options, const batten_job *job,
-    batten_scattered_triangles_report *report, batten_triangles **out);
+    const batten_triangles_scattered_options *options, const batten_job *job,
+    batten_triangles_scattered_report *report, batten_triangles **out);
 
 /* ---- values at (x, y) ---- */
 

@@ -37,13 +37,13 @@ typedef enum batten_skin_cure {
     BATTEN_CURE_POLYNOMIAL /**< rational sections replaced within a quarter of the tolerance */
 } batten_skin_cure;
 
-typedef struct batten_skin_options {
+typedef struct batten_surface_skin_options {
     size_t size;
     int degree; /**< across the sections, 3; lowered when there are too few */
     batten_parametrization parameters; /**< across; BATTEN_CENTRIPETAL */
     const double *given;               /**< [count] across, with BATTEN_GIVEN */
     batten_end start, end; /**< natural, clamped (vector: the common tangent), ... */
-    bool periodic;         /**< the last section is followed by the first */
+    bool closed;           /**< the last section is followed by the first */
     bool align;       /**< reverse sections that run against the first; a message says which */
     double tolerance; /**< 0: exact union of all knots. Else few common knots are found
                            so that no section moves farther than this */
@@ -62,12 +62,12 @@ typedef struct batten_skin_options {
     const double *marks; /**< [count][mark_count] increasing, inside the domain of each section
                               as given, before it is aligned or turned */
     batten_skin_creases creases;
-} batten_skin_options;
+} batten_surface_skin_options;
 
-BATTEN_API batten_skin_options batten_skin_defaults(void);
+BATTEN_API batten_surface_skin_options batten_surface_skin_defaults(void);
 
-typedef struct batten_skin_report {
-    double deviation;  /**< how far a section moved at most; without a tolerance, what rounding
+typedef struct batten_surface_skin_report {
+    double error;      /**< how far a section moved at most; without a tolerance, what rounding
                           left */
     int worst_section; /**< which one */
     int exact_knot_count; /**< distinct inner knots that the exact union has */
@@ -84,7 +84,7 @@ typedef struct batten_skin_report {
     int crossing;       /**< the first section that crosses its successor, or -1 */
     int disorder_count; /**< neighbours nearer in the other order */
     int disorder;       /**< the first section that should rather follow its successor, or -1 */
-} batten_skin_report;
+} batten_surface_skin_report;
 
 /**
  * The surface through sections: u runs along a section over [0, 1], v across them.
@@ -127,9 +127,10 @@ typedef struct batten_skin_report {
  * [Woodward88]; [HB91] for creases.
  */
 BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *const *sections,
-                                             const batten_skin_options *options,
+                                             const batten_surface_skin_options *options,
                                              const batten_job *job, double *v,
-                                             batten_skin_report *report, batten_surface **out);
+                                             batten_surface_skin_report *report,
+                                             batten_surface **out);
 
 /**
  * The procedural skin: S(u, v) = sum of L_k(v) C_k(u), with the cardinal splines L_k of the
@@ -150,10 +151,9 @@ BATTEN_API batten_status batten_surface_skin(int count, const batten_curve *cons
  * @return as batten_surface_skin
  * Cost: a point costs as many evaluations of sections as there are. Source: [FB89].
  */
-BATTEN_API batten_status batten_surface_skin_procedural(int count,
-                                                        const batten_curve *const *sections,
-                                                        const batten_skin_options *options,
-                                                        double *v, batten_surface **out);
+BATTEN_API batten_status batten_surface_skin_procedural(
+    int count, const batten_curve *const *sections, const batten_surface_skin_options *options,
+    double *v, batten_surface **out);
 
 /** (1 - v) first(u) + v second(u), after unifying; u and v in [0, 1]. */
 BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
@@ -161,7 +161,7 @@ BATTEN_API batten_status batten_surface_ruled(const batten_curve *first,
 /** curve(u) + v * along, v in [0, 1]. */
 BATTEN_API batten_status batten_surface_extruded(const batten_curve *curve, batten_vec3 along,
                                                  batten_surface **out);
-typedef struct batten_skin_rows_options {
+typedef struct batten_surface_skin_rows_options {
     size_t size;
     int degree;                        /**< along the rows, 3 */
     batten_parametrization parameters; /**< along them, each for itself; BATTEN_CENTRIPETAL */
@@ -169,20 +169,21 @@ typedef struct batten_skin_rows_options {
                             BATTEN_GIVEN */
     double margin;       /**< a knot keeps away from the ends of the interval in which it is
                               admissible by this share of its length, 0.25; below 0.5 */
-    const batten_skin_options *across; /**< NULL: the defaults; without a tolerance, a spine,
+    const batten_surface_skin_options
+        *across; /**< NULL: the defaults; without a tolerance, a spine,
                                           starts or matching */
-} batten_skin_rows_options;
+} batten_surface_skin_rows_options;
 
-BATTEN_API batten_skin_rows_options batten_skin_rows_defaults(void);
+BATTEN_API batten_surface_skin_rows_options batten_surface_skin_rows_defaults(void);
 
-typedef struct batten_skin_rows_report {
+typedef struct batten_surface_skin_rows_report {
     int knot_count;          /**< distinct inner knots that all rows share */
     int separate_knot_count; /**< those that the rows have together when each is interpolated
                                   with averaged knots of its own */
     int free_rows;     /**< rows with fewer points than control points: the rest is energy */
     double span_ratio; /**< smallest span over median span along the rows */
-    double residual;   /**< largest distance of a point from the surface */
-} batten_skin_rows_report;
+    double error;      /**< largest distance of a point from the surface */
+} batten_surface_skin_rows_report;
 
 /**
  * The surface through rows of points, in each row as many as it needs.
@@ -205,12 +206,10 @@ typedef struct batten_skin_rows_report {
  * Cost: points n of a row that has fewer than the N control points: n N + n^3. Source: [PT00],
  * [PK96].
  */
-BATTEN_API batten_status batten_surface_skin_rows(int dimension, int row_count,
-                                                  const int *counts, const double *points,
-                                                  const batten_skin_rows_options *options,
-                                                  const batten_job *job, double *u, double *v,
-                                                  batten_skin_rows_report *report,
-                                                  batten_surface **out);
+BATTEN_API batten_status batten_surface_skin_rows(
+    int dimension, int row_count, const int *counts, const double *points,
+    const batten_surface_skin_rows_options *options, const batten_job *job, double *u,
+    double *v, batten_surface_skin_rows_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -30,12 +30,12 @@ BATTEN_API batten_status batten_surface_translational(const batten_curve *curve,
 
 /** What a swing found: the surface cuts through itself where the profile passes the axis, or
  * the trajectory the origin; it has a pole where one of them touches it. */
-typedef struct batten_swing_report {
+typedef struct batten_surface_swung_report {
     double least_x,
         largest_x;       /**< how far the profile's control points reach across the axis */
     double least_radius; /**< the least distance of the trajectory from the axis, of 65
                               points of each span */
-} batten_swing_report;
+} batten_surface_swung_report;
 
 /**
  * Swing a profile P(u) of the xz-plane along a trajectory T(v) of the xy-plane:
@@ -54,7 +54,7 @@ typedef struct batten_swing_report {
  */
 BATTEN_API batten_status batten_surface_swung(const batten_curve *profile,
                                               const batten_curve *trajectory, double factor,
-                                              batten_swing_report *report,
+                                              batten_surface_swung_report *report,
                                               batten_surface **out);
 
 /**
@@ -72,7 +72,7 @@ BATTEN_API batten_status batten_surface_tabulated(const batten_curve *curve,
  * @return BATTEN_OK; COINCIDENT when the curve is a point or lies on a line through the apex: a
  * surface without area; NOT_FINITE
  */
-BATTEN_API batten_status batten_surface_cone_to(const batten_curve *curve, batten_vec3 apex,
+BATTEN_API batten_status batten_surface_conical(const batten_curve *curve, batten_vec3 apex,
                                                 batten_surface **out);
 
 /**
@@ -99,7 +99,7 @@ typedef enum batten_corner_kind {
                             meet */
 } batten_corner_kind;
 
-typedef struct batten_sweep_options {
+typedef struct batten_surface_sweep_options {
     size_t size;
     double tolerance; /**< model units, > 0: how far the surface may be from the true sweep */
     int degree;       /**< along the path, 3 */
@@ -117,12 +117,12 @@ typedef struct batten_sweep_options {
     const double *at; /**< [section count] shares of the length at which sections stand, rising
                            from 0 to 1; NULL: evenly */
     bool allow_folds; /**< do not refuse where sections run into each other */
-} batten_sweep_options;
+} batten_surface_sweep_options;
 
 /** Rotation-minimising frames, degree 3, the tolerance 1e-6 units. */
-BATTEN_API batten_sweep_options batten_sweep_defaults(void);
+BATTEN_API batten_surface_sweep_options batten_surface_sweep_defaults(void);
 
-typedef struct batten_sweep_report {
+typedef struct batten_surface_sweep_report {
     double error; /**< largest measured distance from the true sweep, of control points of the
                        section: a bound for its points; at 11 places between all knots, at
                        63 where it is largest, with a margin */
@@ -132,7 +132,7 @@ typedef struct batten_sweep_report {
     double clearance; /**< least of 1 - curvature times reach of the section: not above 0 where
                            sections run into each other; 1 for frames that do not turn */
     double clearance_at; /**< where, parameter of the spine */
-} batten_sweep_report;
+} batten_surface_sweep_report;
 
 /**
  * Sweep a section along a spine: S(u, v) = spine(v) + x(u) X(v) + y(u) Y(v) + z(u) Z(v), where
@@ -164,26 +164,24 @@ typedef struct batten_sweep_report {
  */
 BATTEN_API batten_status batten_surface_sweep(int count, const batten_curve *const *sections,
                                               const batten_curve *spine,
-                                              const batten_sweep_options *options,
+                                              const batten_surface_sweep_options *options,
                                               const batten_job *job,
-                                              batten_sweep_report *report,
+                                              batten_surface_sweep_report *report,
                                               batten_surface **out);
 /** The same with as many surfaces as there are parts between corners that split.
  * @param[out] surfaces [*surface_count] in the order of the spine, yours to unref; release the
  * array with batten_release */
 BATTEN_API batten_status batten_surfaces_sweep(int count, const batten_curve *const *sections,
                                                const batten_curve *spine,
-                                               const batten_sweep_options *options,
+                                               const batten_surface_sweep_options *options,
                                                const batten_job *job,
-                                               batten_sweep_report *report, int *surface_count,
-                                               batten_surface ***surfaces);
+                                               batten_surface_sweep_report *report,
+                                               int *surface_count, batten_surface ***surfaces);
 /** The true sweep, a surface of kind "sweep": exact but for the frames, 1e-10 radians.
  * Corners cannot split. */
-BATTEN_API batten_status batten_surface_true_sweep(int count,
-                                                   const batten_curve *const *sections,
-                                                   const batten_curve *spine,
-                                                   const batten_sweep_options *options,
-                                                   batten_surface **out);
+BATTEN_API batten_status batten_surface_sweep_procedural(
+    int count, const batten_curve *const *sections, const batten_curve *spine,
+    const batten_surface_sweep_options *options, batten_surface **out);
 
 /**
  * A pipe: the sweep of a circle of this radius around the spine; rational, with the weights of
@@ -192,10 +190,10 @@ BATTEN_API batten_status batten_surface_true_sweep(int count,
  * @return also BAD_ARGUMENT (radius); NOT_COMPATIBLE where radius times curvature is 1 or more
  */
 BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
-                                              const batten_sweep_options *options,
+                                              const batten_surface_sweep_options *options,
                                               const batten_job *job,
-                                              batten_sweep_report *report, int *surface_count,
-                                              batten_surface ***surfaces);
+                                              batten_surface_sweep_report *report,
+                                              int *surface_count, batten_surface ***surfaces);
 
 /* ---- about an axis ---- */
 
@@ -210,7 +208,7 @@ BATTEN_API batten_status batten_surfaces_pipe(double radius, const batten_curve 
 BATTEN_API batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
                                                 batten_vec3 axis, double pitch, double angle,
                                                 double tolerance, const batten_job *job,
-                                                batten_sweep_report *report,
+                                                batten_surface_sweep_report *report,
                                                 batten_surface **out);
 
 /* ---- along two rails ---- */
@@ -223,7 +221,7 @@ typedef enum batten_rail_match {
     BATTEN_RAILS_BY_PLANES  /**< those in one plane square to `across` */
 } batten_rail_match;
 
-typedef struct batten_rails_options {
+typedef struct batten_surface_two_rails_options {
     size_t size;
     double tolerance; /**< model units, > 0 */
     int degree;       /**< along the rails, 3 */
@@ -231,9 +229,9 @@ typedef struct batten_rails_options {
     batten_vec3 across; /**< of BATTEN_RAILS_BY_PLANES; both rails rise along it */
     bool fixed_height;  /**< y (and z) of the section keep their size; else the section is
                              scaled as a whole with the distance of the rails */
-} batten_rails_options;
+} batten_surface_two_rails_options;
 
-BATTEN_API batten_rails_options batten_rails_defaults(void);
+BATTEN_API batten_surface_two_rails_options batten_surface_two_rails_defaults(void);
 
 /**
  * Sweep a section along two rails: its start runs on the first, its end on the second. The
@@ -250,8 +248,8 @@ BATTEN_API batten_rails_options batten_rails_defaults(void);
  */
 BATTEN_API batten_status batten_surface_two_rails(
     const batten_curve *section, const batten_curve *first, const batten_curve *second,
-    const batten_rails_options *options, const batten_job *job, batten_sweep_report *report,
-    batten_surface **out);
+    const batten_surface_two_rails_options *options, const batten_job *job,
+    batten_surface_sweep_report *report, batten_surface **out);
 
 #ifdef __cplusplus
 }

@@ -134,8 +134,8 @@ BATTEN_API batten_status batten_triangles_together(const batten_triangles *first
                                                    batten_triangles **out);
 /** The graph (x, y, f) of a polynomial set of dimension 1 over a domain; it keeps the domain.
  * BAD_ARGUMENT for others. */
-BATTEN_API batten_status batten_triangles_graph(const batten_triangles *triangles,
-                                                batten_triangles **out);
+BATTEN_API batten_status batten_triangles_from_function(const batten_triangles *triangles,
+                                                        batten_triangles **out);
 
 /* ---- joining: how triangles meet is found by batten_triangles_joins ---- */
 

@@ -200,8 +200,8 @@ batten_status bat_border_loop(bat_builder *builder, const batten_surface *surfac
     return status;
 }
 
-batten_status batten_body_of_surface(const char *name, const batten_surface *surface,
-                                     double tolerance, batten_body **out)
+batten_status batten_body_from_surface(const char *name, const batten_surface *surface,
+                                       double tolerance, batten_body **out)
 {
     batten_surface *nurbs = NULL;
     bat_border_count count = {0};

@@ -25,9 +25,9 @@ typedef struct {
     batten_feature_result shown;
     batten_model *value;
     batten_fair_report fairing;
-    batten_skin_report skin;
+    batten_surface_skin_report skin;
     bool has_fit; /* the curves were interpolated with these options */
-    batten_interpolate_options fit;
+    batten_curve_interpolate_options fit;
 } bat_result;
 
 typedef struct bat_run bat_run;
@@ -108,7 +108,7 @@ batten_status bat_merge(const bat_run *run, const char *parameter, batten_model 
 #define BAT_POINTS (1u << BATTEN_OBJECT_POINTS)
 #define BAT_CURVES (1u << BATTEN_OBJECT_CURVE)
 #define BAT_SURFACES (1u << BATTEN_OBJECT_SURFACE)
-#define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSETS)
+#define BAT_OFFSETS (1u << BATTEN_OBJECT_OFFSET_TABLE)
 #define BAT_TRIANGLES (1u << BATTEN_OBJECT_TRIANGLES)
 #define BAT_BODIES (1u << BATTEN_OBJECT_BODY)
 #define BAT_MESHES (1u << BATTEN_OBJECT_MESH)

@@ -46,7 +46,7 @@ static batten_status recognise_step(const bat_input *input, bool *is_such)
 static const bat_format_row formats[] = {
     {.format = BATTEN_FORMAT_AUTO, .name = "auto", .title = "auto"},
 
-    {.format = BATTEN_FORMAT_OFFSETS,
+    {.format = BATTEN_FORMAT_OFFSET_TABLE,
      .name = "offsets",
      .title = "offsets",
      .endings = {".csv", ".tsv", ".txt"},
@@ -239,7 +239,7 @@ bool batten_format_about(batten_format format, batten_format_facts *out)
     return true;
 }
 
-batten_format batten_format_of_name(const char *path)
+batten_format batten_format_from_name(const char *path)
 {
     const size_t length = strlen(path);
     for (size_t k = 0; k < FORMATS; k++)

@@ -116,7 +116,7 @@ batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *
     batten_chain *exact = NULL;
     batten_status status = BATTEN_OK;
     if (object->curve && !object->chain)
-        status = batten_arcs_exact(object->curve, &exact);
+        status = batten_arcs_from_curve_exact(object->curve, &exact);
     *is_path = exact != NULL;
     if (status == BATTEN_OK && exact)
         status = path_of_chain(exact, out);

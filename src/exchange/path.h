@@ -20,7 +20,7 @@ typedef struct {
 } bat_path;
 
 /* The path of a curve that is one: a chain of arcs and lines, a polyline in a plane
- * z = constant, or a NURBS curve that batten_arcs_exact finds to be arcs and lines. *is_path is
+ * z = constant, or a NURBS curve that batten_arcs_from_curve_exact finds to be arcs and lines. *is_path is
  * false, and nothing is made, for other objects. */
 batten_status bat_path_of(const batten_object *object, bool *is_path, bat_path *out);
 void bat_path_release(bat_path *path);

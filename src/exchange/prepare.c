@@ -60,7 +60,7 @@ batten_status bat_prepare_surface(const batten_object *object, double tolerance,
 
 /* What is said of faces is said of the object. */
 static batten_status trace_faces(const batten_object *object, double unit_metres,
-                                 batten_notes *notes, batten_trace_report *report,
+                                 batten_notes *notes, batten_body_trace_report *report,
                                  batten_body **out)
 {
     batten_notes *said = NULL;
@@ -79,7 +79,7 @@ static batten_status trace(const batten_object *object, double unit_metres, batt
 {
     const batten_body_parts *parts = batten_body_view(object->body);
     batten_body *traced = NULL;
-    batten_trace_report report = {.failed = 0};
+    batten_body_trace_report report = {.failed = 0};
     if (parts->is_traced) {
         *out = batten_body_ref(object->body);
         return BATTEN_OK;
@@ -106,7 +106,7 @@ batten_status bat_prepare_body(const batten_object *object, double tolerance,
         return trace(object, unit_metres, notes, out);
     batten_status status = bat_prepare_surface(object, tolerance, notes, &surface);
     if (status == BATTEN_OK)
-        status = batten_body_of_surface(object->name, surface, tolerance, out);
+        status = batten_body_from_surface(object->name, surface, tolerance, out);
     batten_surface_unref(surface);
     return status;
 }

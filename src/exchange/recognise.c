@@ -95,7 +95,7 @@ static batten_status recognise_rows(bat_separated *table, batten_format *format)
     if (is_number_row(table, &count))
         return recognise_numbers(table, count, format);
     if (bat_is_offsets_header(table)) {
-        *format = BATTEN_FORMAT_OFFSETS;
+        *format = BATTEN_FORMAT_OFFSET_TABLE;
         return BATTEN_OK;
     }
     if (bat_is_points_header(table)) {

@@ -318,8 +318,9 @@ bool batten_write_choose(const char *path, const batten_model *model,
                          batten_write_options *options)
 {
     if (options->format == BATTEN_FORMAT_AUTO) {
-        options->format = batten_format_of_name(path);
-        if (options->format == BATTEN_FORMAT_OFFSETS && !has_kind(model, BATTEN_OBJECT_OFFSETS))
+        options->format = batten_format_from_name(path);
+        if (options->format == BATTEN_FORMAT_OFFSET_TABLE &&
+            !has_kind(model, BATTEN_OBJECT_OFFSET_TABLE))
             options->format = BATTEN_FORMAT_POINTS;
     }
     options->commas |= ends(path, ".csv");

@@ -244,19 +244,19 @@ static batten_status tally_net(const bat_net *net, workspace *w, bat_fair_tally 
     return status;
 }
 
-static batten_status rebuild(const batten_offsets *offsets, const bat_net *net,
-                             batten_offsets **out)
+static batten_status rebuild(const batten_offset_table *offsets, const bat_net *net,
+                             batten_offset_table **out)
 {
-    const int lines = batten_offsets_line_count(offsets);
-    const int count = batten_offsets_station_count(offsets);
-    batten_offset_line *line = bat_array((size_t)lines, sizeof *line);
-    batten_station *stations = bat_array((size_t)count, sizeof *stations);
-    batten_offset_point *points = bat_array((size_t)net->node_count, sizeof *points);
+    const int lines = batten_offset_table_line_count(offsets);
+    const int count = batten_offset_table_station_count(offsets);
+    batten_table_line *line = bat_array((size_t)lines, sizeof *line);
+    batten_table_station *stations = bat_array((size_t)count, sizeof *stations);
+    batten_table_point *points = bat_array((size_t)net->node_count, sizeof *points);
     batten_status status = line && stations && points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int l = 0; status == BATTEN_OK && l < lines; l++)
-        line[l] = *batten_offsets_line(offsets, l);
+        line[l] = *batten_offset_table_line(offsets, l);
     for (int s = 0, n = 0; status == BATTEN_OK && s < count; s++) {
-        stations[s] = *batten_offsets_station(offsets, s);
+        stations[s] = *batten_offset_table_station(offsets, s);
         for (int i = 0; i < stations[s].point_count; i++) {
             points[n + i] = stations[s].points[i];
             points[n + i].y = net->nodes[n + i].now[0];
@@ -266,20 +266,20 @@ static batten_status rebuild(const batten_offsets *offsets, const bat_net *net,
         n += stations[s].point_count;
     }
     if (status == BATTEN_OK)
-        status = batten_offsets_create(batten_offsets_unit_metres(offsets), lines, line, count,
-                                       stations, out);
+        status = batten_offset_table_create(batten_offset_table_unit_metres(offsets), lines,
+                                            line, count, stations, out);
     bat_release(points);
     bat_release(stations);
     bat_release(line);
     return status;
 }
 
-static batten_status check(const batten_offsets *offsets, batten_fair_families families,
+static batten_status check(const batten_offset_table *offsets, batten_fair_families families,
                            const batten_fair_options *options)
 {
     int count = 0;
-    for (int s = 0; s < batten_offsets_station_count(offsets); s++)
-        count += batten_offsets_station(offsets, s)->point_count;
+    for (int s = 0; s < batten_offset_table_station_count(offsets); s++)
+        count += batten_offset_table_station(offsets, s)->point_count;
     if ((int)families < 1 || families > BATTEN_FAIR_BOTH)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no family %d of lines", (int)families);
     if (options->corner_count > 0)
@@ -293,9 +293,11 @@ static batten_status check(const batten_offsets *offsets, batten_fair_families f
     return bat_fair_check_options(count, options);
 }
 
-batten_status batten_fair_offsets(const batten_offsets *offsets, batten_fair_families families,
-                                  const batten_fair_options *options, const batten_job *job,
-                                  batten_fair_report *report, batten_offsets **out)
+batten_status batten_fair_offset_table(const batten_offset_table *offsets,
+                                       batten_fair_families families,
+                                       const batten_fair_options *options,
+                                       const batten_job *job, batten_fair_report *report,
+                                       batten_offset_table **out)
 {
     batten_status status = check(offsets, families, options);
     if (status != BATTEN_OK)
@@ -303,7 +305,7 @@ batten_status batten_fair_offsets(const batten_offsets *offsets, batten_fair_fam
     bat_net net = {0};
     workspace w = {0};
     bat_fair_tally tally = {0};
-    batten_offsets *made = NULL;
+    batten_offset_table *made = NULL;
     status = bat_net_begin(offsets, families, options, &net);
     if (status == BATTEN_OK)
         status = workspace_begin(net.longest, &w);

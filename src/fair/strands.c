@@ -5,24 +5,24 @@
 
 /* ---- nodes ---- */
 
-static int count_points(const batten_offsets *offsets)
+static int count_points(const batten_offset_table *offsets)
 {
     int count = 0;
-    for (int s = 0; s < batten_offsets_station_count(offsets); s++)
-        count += batten_offsets_station(offsets, s)->point_count;
+    for (int s = 0; s < batten_offset_table_station_count(offsets); s++)
+        count += batten_offset_table_station(offsets, s)->point_count;
     return count;
 }
 
-static void fill_nodes(bat_net *net, const batten_offsets *offsets,
+static void fill_nodes(bat_net *net, const batten_offset_table *offsets,
                        const batten_fair_options *options)
 {
     bat_node *node = net->nodes;
-    for (int s = 0; s < batten_offsets_station_count(offsets); s++) {
-        const batten_station *station = batten_offsets_station(offsets, s);
+    for (int s = 0; s < batten_offset_table_station_count(offsets); s++) {
+        const batten_table_station *station = batten_offset_table_station(offsets, s);
         for (int i = 0; i < station->point_count; i++, node++) {
-            const batten_offset_point *p = &station->points[i];
+            const batten_table_point *p = &station->points[i];
             const bool waterline =
-                p->line >= 0 && batten_offsets_line(offsets, p->line)->is_waterline;
+                p->line >= 0 && batten_offset_table_line(offsets, p->line)->is_waterline;
             *node = (bat_node){.station = s,
                                .index = i,
                                .given = {p->y, p->z},
@@ -139,7 +139,7 @@ static batten_status add_runs(bat_net *net, bool is_line, int width, int count,
 /* ---- lines ---- */
 
 /* The one point of a station that is on the line; -1 for none or several. */
-static int point_on_line(const batten_station *station, int line)
+static int point_on_line(const batten_table_station *station, int line)
 {
     int found = -1;
     for (int i = 0; i < station->point_count; i++)
@@ -151,15 +151,16 @@ static int point_on_line(const batten_station *station, int line)
     return found;
 }
 
-static batten_status add_line(bat_net *net, const batten_offsets *offsets, int line, int *nodes)
+static batten_status add_line(bat_net *net, const batten_offset_table *offsets, int line,
+                              int *nodes)
 {
-    const int width = batten_offsets_line(offsets, line)->is_waterline ? 1 : 2;
-    const int stations = batten_offsets_station_count(offsets);
+    const int width = batten_offset_table_line(offsets, line)->is_waterline ? 1 : 2;
+    const int stations = batten_offset_table_station_count(offsets);
     batten_status status = BATTEN_OK;
     int count = 0;
     for (int s = 0, begin = 0; status == BATTEN_OK && s <= stations; s++) {
-        const batten_station *station =
-            s < stations ? batten_offsets_station(offsets, s) : NULL;
+        const batten_table_station *station =
+            s < stations ? batten_offset_table_station(offsets, s) : NULL;
         const int point = station ? point_on_line(station, line) : -1;
         if (point >= 0) {
             nodes[count++] = begin + point;
@@ -175,17 +176,17 @@ static batten_status add_line(bat_net *net, const batten_offsets *offsets, int l
 /* ---- stations ---- */
 
 /* How far a polygon turns at its point i; 0 at its ends. */
-static double turn(const batten_station *station, int i)
+static double turn(const batten_table_station *station, int i)
 {
     if (i < 1 || i >= station->point_count - 1)
         return 0;
-    const batten_offset_point *p = station->points + i;
+    const batten_table_point *p = station->points + i;
     const double ay = p[0].y - p[-1].y, az = p[0].z - p[-1].z;
     const double by = p[1].y - p[0].y, bz = p[1].z - p[0].z;
     return fabs(atan2(ay * bz - az * by, ay * by + az * bz));
 }
 
-static batten_status add_station(bat_net *net, const batten_station *station, int begin,
+static batten_status add_station(bat_net *net, const batten_table_station *station, int begin,
                                  double corner_angle, int *nodes)
 {
     bool *is_corner = bat_array((size_t)station->point_count, sizeof *is_corner);
@@ -257,28 +258,28 @@ static void set_weights(bat_net *net)
 
 /* ---- the net ---- */
 
-static batten_status add_all(bat_net *net, const batten_offsets *offsets,
+static batten_status add_all(bat_net *net, const batten_offset_table *offsets,
                              batten_fair_families families, double corner_angle, int *nodes)
 {
     batten_status status = BATTEN_OK;
     if (families & BATTEN_FAIR_LINES)
-        for (int l = 0; status == BATTEN_OK && l < batten_offsets_line_count(offsets); l++)
+        for (int l = 0; status == BATTEN_OK && l < batten_offset_table_line_count(offsets); l++)
             status = add_line(net, offsets, l, nodes);
     if (families & BATTEN_FAIR_STATIONS)
         for (int s = 0, begin = 0;
-             status == BATTEN_OK && s < batten_offsets_station_count(offsets); s++) {
-            const batten_station *station = batten_offsets_station(offsets, s);
+             status == BATTEN_OK && s < batten_offset_table_station_count(offsets); s++) {
+            const batten_table_station *station = batten_offset_table_station(offsets, s);
             status = add_station(net, station, begin, corner_angle, nodes);
             begin += station->point_count;
         }
     return status;
 }
 
-batten_status bat_net_begin(const batten_offsets *offsets, batten_fair_families families,
+batten_status bat_net_begin(const batten_offset_table *offsets, batten_fair_families families,
                             const batten_fair_options *options, bat_net *out)
 {
     bat_net net = {.node_count = count_points(offsets)};
-    const int stations = batten_offsets_station_count(offsets);
+    const int stations = batten_offset_table_station_count(offsets);
     net.nodes = bat_array((size_t)net.node_count, sizeof *net.nodes);
     int *nodes = bat_array((size_t)bat_max_int(net.node_count, stations), sizeof *nodes);
     batten_status status = net.nodes && nodes ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;

@@ -33,7 +33,7 @@ typedef struct {
     double weight[2]; /* of the energies of stations, of lines */
 } bat_net;
 
-batten_status bat_net_begin(const batten_offsets *offsets, batten_fair_families families,
+batten_status bat_net_begin(const batten_offset_table *offsets, batten_fair_families families,
                             const batten_fair_options *options, bat_net *out);
 void bat_net_end(bat_net *net);
 

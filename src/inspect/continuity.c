@@ -9,12 +9,12 @@
 
 enum { ORDER = BAT_SIDE_ORDER };
 
-batten_continuity_options batten_continuity_defaults(void)
+batten_curve_continuity_options batten_curve_continuity_defaults(void)
 {
-    return (batten_continuity_options){.size = sizeof(batten_continuity_options),
-                                       .angle = 1.7453292519943296e-4, /* 0.01 degrees */
-                                       .curvature = 0.01,
-                                       .derivative = 1e-6};
+    return (batten_curve_continuity_options){.size = sizeof(batten_curve_continuity_options),
+                                             .angle = 1.7453292519943296e-4, /* 0.01 degrees */
+                                             .curvature = 0.01,
+                                             .derivative = 1e-6};
 }
 
 /* With s the arc length: C' = v Cs, C'' = v' Cs + v^2 Css, C''' = .. Cs + 3 v v' Css + v^3
@@ -143,7 +143,7 @@ static void compare_bending(int d, const bat_side *l, const bat_side *r, double 
 }
 
 static int geometric_order(const bat_side *l, const bat_side *r,
-                           const batten_continuity_options *o, const batten_continuity *c)
+                           const batten_curve_continuity_options *o, const batten_continuity *c)
 {
     if (l->singular || r->singular || !(c->angle <= o->angle))
         return 0;
@@ -156,7 +156,7 @@ static int geometric_order(const bat_side *l, const bat_side *r,
 }
 
 static void compare(int d, const bat_side *l, const bat_side *r, double size,
-                    const batten_continuity_options *o, batten_continuity *out)
+                    const batten_curve_continuity_options *o, batten_continuity *out)
 {
     const double gap = o->gap > 0 ? o->gap : 1e-6 * size;
     const batten_vec3 a = l->tangent, b = r->tangent;
@@ -174,10 +174,10 @@ static void compare(int d, const bat_side *l, const bat_side *r, double size,
     out->geometric = meets ? geometric_order(l, r, o, out) : -1;
 }
 
-static batten_status take_options(const batten_continuity_options *given,
-                                  batten_continuity_options *out)
+static batten_status take_options(const batten_curve_continuity_options *given,
+                                  batten_curve_continuity_options *out)
 {
-    *out = given ? *given : batten_continuity_defaults();
+    *out = given ? *given : batten_curve_continuity_defaults();
     const double values[] = {out->gap, out->angle, out->curvature, out->derivative};
     for (int k = 0; k < 4; k++)
         if (!(values[k] >= 0 && isfinite(values[k])))
@@ -193,10 +193,10 @@ static double size_of(const batten_curve *curve)
 
 batten_status batten_curves_continuity(const batten_curve *first, batten_curve_end first_end,
                                        const batten_curve *second, batten_curve_end second_end,
-                                       const batten_continuity_options *options,
+                                       const batten_curve_continuity_options *options,
                                        batten_continuity *out)
 {
-    batten_continuity_options o;
+    batten_curve_continuity_options o;
     batten_status status = take_options(options, &o);
     if (status == BATTEN_OK && first->dimension != second->dimension)
         status = bat_fail(BATTEN_NOT_COMPATIBLE, "the curves have %d and %d dimensions",
@@ -217,8 +217,8 @@ batten_status batten_curves_continuity(const batten_curve *first, batten_curve_e
 }
 
 static batten_status join_at(const batten_curve *curve, double before, double behind,
-                             double extent, double size, const batten_continuity_options *o,
-                             batten_continuity *out)
+                             double extent, double size,
+                             const batten_curve_continuity_options *o, batten_continuity *out)
 {
     bat_side l, r;
     batten_status status = side_at(curve, size, before, BATTEN_FROM_LEFT, 1, &l);
@@ -232,10 +232,10 @@ static batten_status join_at(const batten_curve *curve, double before, double be
 }
 
 batten_status batten_curve_continuity(const batten_curve *curve,
-                                      const batten_continuity_options *options,
+                                      const batten_curve_continuity_options *options,
                                       batten_continuities *out)
 {
-    batten_continuity_options o;
+    batten_curve_continuity_options o;
     batten_status status = take_options(options, &o);
     if (status != BATTEN_OK)
         return status;

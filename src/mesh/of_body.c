@@ -174,9 +174,9 @@ static batten_status mesh_traced(const bat_traced *traced, bat_meshing *m, batte
     return status;
 }
 
-batten_status batten_mesh_of_body(const batten_body *body, const batten_mesh_options *options,
-                                  const batten_job *job, batten_notes *notes,
-                                  batten_mesh_report *report, batten_mesh **out)
+batten_status batten_mesh_from_body(const batten_body *body, const batten_mesh_options *options,
+                                    const batten_job *job, batten_notes *notes,
+                                    batten_mesh_report *report, batten_mesh **out)
 {
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
     bat_meshing m = {.job = job, .notes = notes, .work = {.job = job}};

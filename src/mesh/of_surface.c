@@ -30,9 +30,10 @@ static batten_status whole(const batten_surface *surface, batten_body **out)
     return status;
 }
 
-batten_status batten_mesh_of_surface(const batten_surface *surface,
-                                     const batten_mesh_options *options, const batten_job *job,
-                                     batten_mesh_report *report, batten_mesh **out)
+batten_status batten_mesh_from_surface(const batten_surface *surface,
+                                       const batten_mesh_options *options,
+                                       const batten_job *job, batten_mesh_report *report,
+                                       batten_mesh **out)
 {
     batten_body *body = NULL;
     assert(surface && out);
@@ -42,7 +43,7 @@ batten_status batten_mesh_of_surface(const batten_surface *surface,
                         bat_plural(batten_surface_dimension(surface)));
     batten_status status = whole(surface, &body);
     if (status == BATTEN_OK)
-        status = batten_mesh_of_body(body, options, job, NULL, report, out);
+        status = batten_mesh_from_body(body, options, job, NULL, report, out);
     batten_body_unref(body);
     return status;
 }

@@ -291,10 +291,10 @@ static batten_status make(const dividing *d, batten_mesh **out)
     return status;
 }
 
-batten_status batten_mesh_of_triangles(const batten_triangles *triangles,
-                                       const batten_mesh_options *options,
-                                       const batten_job *job, batten_mesh_report *report,
-                                       batten_mesh **out)
+batten_status batten_mesh_from_triangles(const batten_triangles *triangles,
+                                         const batten_mesh_options *options,
+                                         const batten_job *job, batten_mesh_report *report,
+                                         batten_mesh **out)
 {
     const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
     dividing d = {.triangles = triangles,

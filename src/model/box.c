@@ -35,8 +35,8 @@ static batten_box box_of_objects(const batten_model *model)
             bat_box_join(&all, batten_curve_box(object->curve));
         if (object->surface)
             bat_box_join(&all, batten_surface_box(object->surface));
-        if (object->offsets)
-            bat_box_join(&all, batten_offsets_box(object->offsets));
+        if (object->offset_table)
+            bat_box_join(&all, batten_offset_table_box(object->offset_table));
         if (object->triangles)
             bat_box_join(&all, batten_triangles_box(object->triangles));
         if (object->body)

@@ -90,7 +90,7 @@ batten_status batten_model_add_mapped(batten_model *model, const batten_object *
 {
     batten_object mapped = *object;
     made m = {0};
-    if (object->kind == BATTEN_OBJECT_OFFSETS)
+    if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
         return bat_fail(
             BATTEN_UNSUPPORTED,
             "'%s' is a table of offsets, which cannot be moved; 'read' can scale and turn "

@@ -53,11 +53,11 @@ static void say_chord(const batten_object *object, const batten_mesh_report *rep
     else if (count > 0)
         batten_notes_remark(notes, "", 0, object->name,
                             "meshed exactly by %d triangles, as far as was measured", count);
-    if (report->beyond > 0 && report->off > 0.5 * report->asked)
+    if (report->beyond > 0 && report->error > 0.5 * report->asked)
         batten_notes_add(notes, "", 0, object->name,
                          "the chord of %g is not met: %d of %d triangles are up to %g from the "
                          "shape, for edges are up to %g off their faces there",
-                         report->asked, report->beyond, count, report->chord, report->off);
+                         report->asked, report->beyond, count, report->chord, report->error);
     else if (report->beyond > 0)
         batten_notes_add(notes, "", 0, object->name,
                          "the chord of %g is not met: %d of %d triangles are up to %g from the "
@@ -72,7 +72,7 @@ static batten_status mesh_body(const batten_object *object, meshing *m,
     batten_notes *said = NULL;
     batten_status status = batten_notes_create(INT_MAX, &said);
     if (status == BATTEN_OK)
-        status = batten_mesh_of_body(object->body, &m->options, m->job, said, report, out);
+        status = batten_mesh_from_body(object->body, &m->options, m->job, said, report, out);
     if (said)
         bat_object_notes(said, object->name, m->unit_metres, m->notes);
     batten_notes_free(said);
@@ -85,9 +85,10 @@ static batten_status mesh_shape(const batten_object *object, meshing *m, batten_
     batten_mesh_report report = {.failed = 0};
     batten_status status;
     if (object->kind == BATTEN_OBJECT_SURFACE)
-        status = batten_mesh_of_surface(object->surface, &m->options, m->job, &report, out);
+        status = batten_mesh_from_surface(object->surface, &m->options, m->job, &report, out);
     else if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        status = batten_mesh_of_triangles(object->triangles, &m->options, m->job, &report, out);
+        status =
+            batten_mesh_from_triangles(object->triangles, &m->options, m->job, &report, out);
     else
         status = mesh_body(object, m, &report, out);
     if (status == BATTEN_OK)

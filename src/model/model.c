@@ -58,7 +58,7 @@ static void object_free(const batten_object *object)
     batten_curve_unref((batten_curve *)(uintptr_t)object->curve);
     batten_chain_unref((batten_chain *)(uintptr_t)object->chain);
     batten_surface_unref((batten_surface *)(uintptr_t)object->surface);
-    batten_offsets_unref((batten_offsets *)(uintptr_t)object->offsets);
+    batten_offset_table_unref((batten_offset_table *)(uintptr_t)object->offset_table);
     batten_triangles_unref((batten_triangles *)(uintptr_t)object->triangles);
     batten_body_unref((batten_body *)(uintptr_t)object->body);
     batten_mesh_unref((batten_mesh *)(uintptr_t)object->mesh);
@@ -126,7 +126,7 @@ static batten_status check(const batten_object *object)
     assert((object->kind == BATTEN_OBJECT_CURVE) == (object->curve != NULL));
     assert(object->kind == BATTEN_OBJECT_CURVE || !object->chain);
     assert((object->kind == BATTEN_OBJECT_SURFACE) == (object->surface != NULL));
-    assert((object->kind == BATTEN_OBJECT_OFFSETS) == (object->offsets != NULL));
+    assert((object->kind == BATTEN_OBJECT_OFFSET_TABLE) == (object->offset_table != NULL));
     assert((object->kind == BATTEN_OBJECT_TRIANGLES) == (object->triangles != NULL));
     assert((object->kind == BATTEN_OBJECT_BODY) == (object->body != NULL));
     assert((object->kind == BATTEN_OBJECT_MESH) == (object->mesh != NULL));
@@ -237,7 +237,8 @@ batten_status batten_model_add(batten_model *model, const batten_object *object)
     copied.curve = object->curve ? batten_curve_ref(object->curve) : NULL;
     copied.chain = object->chain ? batten_chain_ref(object->chain) : NULL;
     copied.surface = object->surface ? batten_surface_ref(object->surface) : NULL;
-    copied.offsets = object->offsets ? batten_offsets_ref(object->offsets) : NULL;
+    copied.offset_table =
+        object->offset_table ? batten_offset_table_ref(object->offset_table) : NULL;
     copied.triangles = object->triangles ? batten_triangles_ref(object->triangles) : NULL;
     copied.body = object->body ? batten_body_ref(object->body) : NULL;
     copied.mesh = object->mesh ? batten_mesh_ref(object->mesh) : NULL;

@@ -4,13 +4,13 @@
 
 #include <string.h>
 
-struct batten_offsets {
+struct batten_offset_table {
     bat_references references;
     double unit_metres;
     int line_count, station_count;
-    batten_offset_line *lines;
-    batten_station *stations;
-    batten_offset_point *points; /* of all stations, one after another */
+    batten_table_line *lines;
+    batten_table_station *stations;
+    batten_table_point *points; /* of all stations, one after another */
     char *names;
 };
 
@@ -37,9 +37,9 @@ static batten_status check_counts(double unit_metres, int line_count, int statio
     return BATTEN_OK;
 }
 
-static batten_status check_point(const batten_station *station, int index, int line_count)
+static batten_status check_point(const batten_table_station *station, int index, int line_count)
 {
-    const batten_offset_point *point = &station->points[index];
+    const batten_table_point *point = &station->points[index];
     if (!isfinite(point->x) || !isfinite(point->y) || !isfinite(point->z))
         return bat_fail(BATTEN_NOT_FINITE, "point %d of station \"%s\" is (%g, %g, %g)", index,
                         text_of(station->name), point->x, point->y, point->z);
@@ -52,9 +52,10 @@ static batten_status check_point(const batten_station *station, int index, int l
     return BATTEN_OK;
 }
 
-static batten_status check_station(const batten_station *stations, int index, int line_count)
+static batten_status check_station(const batten_table_station *stations, int index,
+                                   int line_count)
 {
-    const batten_station *station = &stations[index];
+    const batten_table_station *station = &stations[index];
     const char *name = text_of(station->name);
     if (!isfinite(station->x))
         return bat_fail(BATTEN_NOT_FINITE, "station %d, \"%s\", stands at x = %g", index, name,
@@ -75,8 +76,8 @@ static batten_status check_station(const batten_station *stations, int index, in
 }
 
 static batten_status check_all(double unit_metres, int line_count,
-                               const batten_offset_line *lines, int station_count,
-                               const batten_station *stations)
+                               const batten_table_line *lines, int station_count,
+                               const batten_table_station *stations)
 {
     batten_status status = check_counts(unit_metres, line_count, station_count);
     for (int i = 0; status == BATTEN_OK && i < line_count; i++)
@@ -90,7 +91,7 @@ static batten_status check_all(double unit_metres, int line_count,
 
 /* ---- making, keeping ---- */
 
-static void destroy(batten_offsets *offsets)
+static void destroy(batten_offset_table *offsets)
 {
     bat_release(offsets->lines);
     bat_release(offsets->stations);
@@ -100,9 +101,9 @@ static void destroy(batten_offsets *offsets)
 }
 
 /* The arrays, of the sizes that these lines and stations need. */
-static batten_status allocate(int line_count, const batten_offset_line *lines,
-                              int station_count, const batten_station *stations,
-                              batten_offsets *offsets)
+static batten_status allocate(int line_count, const batten_table_line *lines, int station_count,
+                              const batten_table_station *stations,
+                              batten_offset_table *offsets)
 {
     size_t characters = 0, points = 0;
     for (int i = 0; i < line_count; i++)
@@ -132,11 +133,11 @@ static const char *keep_name(char **place, const char *name)
     return kept;
 }
 
-static void copy(const batten_offset_line *lines, const batten_station *stations,
-                 batten_offsets *offsets)
+static void copy(const batten_table_line *lines, const batten_table_station *stations,
+                 batten_offset_table *offsets)
 {
     char *name = offsets->names;
-    batten_offset_point *point = offsets->points;
+    batten_table_point *point = offsets->points;
     for (int i = 0; i < offsets->line_count; i++) {
         offsets->lines[i] = lines[i];
         offsets->lines[i].name = keep_name(&name, lines[i].name);
@@ -150,14 +151,15 @@ static void copy(const batten_offset_line *lines, const batten_station *stations
     }
 }
 
-batten_status batten_offsets_create(double unit_metres, int line_count,
-                                    const batten_offset_line *lines, int station_count,
-                                    const batten_station *stations, batten_offsets **out)
+batten_status batten_offset_table_create(double unit_metres, int line_count,
+                                         const batten_table_line *lines, int station_count,
+                                         const batten_table_station *stations,
+                                         batten_offset_table **out)
 {
     batten_status status = check_all(unit_metres, line_count, lines, station_count, stations);
     if (status != BATTEN_OK)
         return status;
-    batten_offsets *offsets = bat_array(1, sizeof *offsets);
+    batten_offset_table *offsets = bat_array(1, sizeof *offsets);
     if (!offsets)
         return BATTEN_OUT_OF_MEMORY;
     bat_references_begin(&offsets->references);
@@ -172,18 +174,18 @@ batten_status batten_offsets_create(double unit_metres, int line_count,
     return BATTEN_OK;
 }
 
-batten_offsets *batten_offsets_ref(const batten_offsets *offsets)
+batten_offset_table *batten_offset_table_ref(const batten_offset_table *offsets)
 {
     /* The count may change where the value may not. */
     union {
-        const batten_offsets *borrowed;
-        batten_offsets *owned;
+        const batten_offset_table *borrowed;
+        batten_offset_table *owned;
     } both = {offsets};
     bat_references_add(&both.owned->references);
     return both.owned;
 }
 
-void batten_offsets_unref(batten_offsets *offsets)
+void batten_offset_table_unref(batten_offset_table *offsets)
 {
     if (offsets && bat_references_drop(&offsets->references))
         destroy(offsets);
@@ -191,45 +193,46 @@ void batten_offsets_unref(batten_offsets *offsets)
 
 /* ---- properties ---- */
 
-double batten_offsets_unit_metres(const batten_offsets *offsets)
+double batten_offset_table_unit_metres(const batten_offset_table *offsets)
 {
     return offsets->unit_metres;
 }
 
-int batten_offsets_line_count(const batten_offsets *offsets)
+int batten_offset_table_line_count(const batten_offset_table *offsets)
 {
     return offsets->line_count;
 }
 
-const batten_offset_line *batten_offsets_line(const batten_offsets *offsets, int line)
+const batten_table_line *batten_offset_table_line(const batten_offset_table *offsets, int line)
 {
     assert(line >= 0 && line < offsets->line_count);
     return &offsets->lines[line];
 }
 
-int batten_offsets_station_count(const batten_offsets *offsets)
+int batten_offset_table_station_count(const batten_offset_table *offsets)
 {
     return offsets->station_count;
 }
 
-const batten_station *batten_offsets_station(const batten_offsets *offsets, int station)
+const batten_table_station *batten_offset_table_station(const batten_offset_table *offsets,
+                                                        int station)
 {
     assert(station >= 0 && station < offsets->station_count);
     return &offsets->stations[station];
 }
 
-static size_t all_points(const batten_offsets *offsets)
+static size_t all_points(const batten_offset_table *offsets)
 {
-    const batten_station *last = &offsets->stations[offsets->station_count - 1];
+    const batten_table_station *last = &offsets->stations[offsets->station_count - 1];
     return (size_t)(last->points - offsets->points) + (size_t)last->point_count;
 }
 
-batten_box batten_offsets_box(const batten_offsets *offsets)
+batten_box batten_offset_table_box(const batten_offset_table *offsets)
 {
-    const batten_offset_point *first = offsets->points;
+    const batten_table_point *first = offsets->points;
     batten_vec3 low = {first->x, first->y, first->z}, high = low;
     for (size_t i = 1; i < all_points(offsets); i++) {
-        const batten_offset_point *point = &offsets->points[i];
+        const batten_table_point *point = &offsets->points[i];
         low = (batten_vec3){bat_min(low.x, point->x), bat_min(low.y, point->y),
                             bat_min(low.z, point->z)};
         high = (batten_vec3){bat_max(high.x, point->x), bat_max(high.y, point->y),
@@ -240,11 +243,14 @@ batten_box batten_offsets_box(const batten_offsets *offsets)
 
 /* ---- selecting ---- */
 
-batten_offsets_selection batten_offsets_everything(void)
+batten_offset_table_selection batten_offset_table_everything(void)
 {
     const batten_interval all = {-INFINITY, INFINITY};
-    return (batten_offsets_selection){
-        .size = sizeof(batten_offsets_selection), .scale = 1, .x = all, .y = all, .z = all};
+    return (batten_offset_table_selection){.size = sizeof(batten_offset_table_selection),
+                                           .scale = 1,
+                                           .x = all,
+                                           .y = all,
+                                           .z = all};
 }
 
 static batten_status check_interval(batten_interval interval, const char *name)
@@ -255,7 +261,7 @@ static batten_status check_interval(batten_interval interval, const char *name)
                     interval.b);
 }
 
-static batten_status check_selection(const batten_offsets_selection *selection)
+static batten_status check_selection(const batten_offset_table_selection *selection)
 {
     if (!isfinite(selection->scale))
         return bat_fail(BATTEN_NOT_FINITE, "the scale is %g", selection->scale);
@@ -271,12 +277,12 @@ static batten_status check_selection(const batten_offsets_selection *selection)
 
 /* What is on its way from the old table to the new one. */
 typedef struct {
-    const batten_offsets_selection *selection;
+    const batten_offset_table_selection *selection;
     int line_count, station_count;
     int *line_numbers; /* from old lines to new ones; -1 for a line without points */
-    batten_offset_line *lines;
-    batten_station *stations;
-    batten_offset_point *points; /* room for all; each station's begin where they began */
+    batten_table_line *lines;
+    batten_table_station *stations;
+    batten_table_point *points; /* room for all; each station's begin where they began */
 } selected;
 
 /* 0 - x and not -x: the origin stays 0 and does not become -0. */
@@ -295,12 +301,12 @@ static bool is_inside(batten_interval interval, double value)
     return interval.a <= value && value <= interval.b;
 }
 
-static int keep_points(const selected *work, const batten_station *station,
-                       batten_offset_point *kept)
+static int keep_points(const selected *work, const batten_table_station *station,
+                       batten_table_point *kept)
 {
     int count = 0;
     for (int i = 0; i < station->point_count; i++) {
-        batten_offset_point point = station->points[i];
+        batten_table_point point = station->points[i];
         point.x = new_x(work, point.x);
         point.y *= work->selection->scale;
         point.z = new_z(work, point.z);
@@ -312,7 +318,7 @@ static int keep_points(const selected *work, const batten_station *station,
 }
 
 /* Of the points on the centre line at the lower end leave the highest; return the new count. */
-static int trim_centre(int count, batten_offset_point *points)
+static int trim_centre(int count, batten_table_point *points)
 {
     const bool upward = points[0].z <= points[count - 1].z;
     int run = 0;
@@ -325,12 +331,13 @@ static int trim_centre(int count, batten_offset_point *points)
     return count - run + 1;
 }
 
-static void select_stations(const batten_offsets *offsets, selected *work)
+static void select_stations(const batten_offset_table *offsets, selected *work)
 {
     const int n = offsets->station_count;
     for (int i = 0; i < n; i++) {
-        batten_station station = offsets->stations[work->selection->reverse ? n - 1 - i : i];
-        batten_offset_point *kept = work->points + (station.points - offsets->points);
+        batten_table_station station =
+            offsets->stations[work->selection->reverse ? n - 1 - i : i];
+        batten_table_point *kept = work->points + (station.points - offsets->points);
         station.x = new_x(work, station.x);
         station.point_count = keep_points(work, &station, kept);
         station.points = kept;
@@ -342,7 +349,7 @@ static void select_stations(const batten_offsets *offsets, selected *work)
 }
 
 /* Number the lines that still have a point. */
-static void select_lines(const batten_offsets *offsets, selected *work)
+static void select_lines(const batten_offset_table *offsets, selected *work)
 {
     for (int i = 0; i < offsets->line_count; i++)
         work->line_numbers[i] = -1;
@@ -358,8 +365,8 @@ static void select_lines(const batten_offsets *offsets, selected *work)
         }
 }
 
-static batten_status select_into(const batten_offsets *offsets, selected *work,
-                                 batten_offsets **out)
+static batten_status select_into(const batten_offset_table *offsets, selected *work,
+                                 batten_offset_table **out)
 {
     const size_t point_count = all_points(offsets);
     /* Places that no point comes to keep a zero: line 0, which is harmless below. */
@@ -372,13 +379,13 @@ static batten_status select_into(const batten_offsets *offsets, selected *work,
         if (work->points[i].line >= 0)
             work->points[i].line = work->line_numbers[work->points[i].line];
     const double unit = work->selection->unit_metres;
-    return batten_offsets_create(unit == 0 ? offsets->unit_metres : unit, work->line_count,
-                                 work->lines, work->station_count, work->stations, out);
+    return batten_offset_table_create(unit == 0 ? offsets->unit_metres : unit, work->line_count,
+                                      work->lines, work->station_count, work->stations, out);
 }
 
-batten_status batten_offsets_select(const batten_offsets *offsets,
-                                    const batten_offsets_selection *selection,
-                                    batten_offsets **out)
+batten_status batten_offset_table_select(const batten_offset_table *offsets,
+                                         const batten_offset_table_selection *selection,
+                                         batten_offset_table **out)
 {
     batten_status status = check_selection(selection);
     if (status != BATTEN_OK)

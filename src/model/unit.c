@@ -11,11 +11,11 @@ enum { NAME = BATTEN_NUMBER_SIZE + 8 };
 
 /* A table on its way to another unit. */
 typedef struct {
-    const batten_offsets *from;
+    const batten_offset_table *from;
     double factor;
-    batten_offset_line *lines;
-    batten_station *stations;
-    batten_offset_point *points;
+    batten_table_line *lines;
+    batten_table_station *stations;
+    batten_table_point *points;
     char (*names)[NAME]; /* of stations, then of lines, where they are made of numbers */
 } table;
 
@@ -40,9 +40,9 @@ static const char *new_name(const char *name, const char *begin, double old, dou
 
 static void scale_lines(table *t, bool to_decimal)
 {
-    char(*names)[NAME] = t->names + batten_offsets_station_count(t->from);
-    for (int i = 0; i < batten_offsets_line_count(t->from); i++) {
-        batten_offset_line line = *batten_offsets_line(t->from, i);
+    char(*names)[NAME] = t->names + batten_offset_table_station_count(t->from);
+    for (int i = 0; i < batten_offset_table_line_count(t->from); i++) {
+        batten_table_line line = *batten_offset_table_line(t->from, i);
         const double old = line.z;
         line.z = scaled(old, t->factor, to_decimal);
         if (line.is_waterline)
@@ -55,13 +55,13 @@ static void scale_lines(table *t, bool to_decimal)
 static bool scale_stations(table *t, bool to_decimal)
 {
     bool rises = true;
-    for (int i = 0, used = 0; i < batten_offsets_station_count(t->from); i++) {
-        batten_station station = *batten_offsets_station(t->from, i);
+    for (int i = 0, used = 0; i < batten_offset_table_station_count(t->from); i++) {
+        batten_table_station station = *batten_offset_table_station(t->from, i);
         const double old = station.x;
         station.x = scaled(old, t->factor, to_decimal);
         station.name = new_name(station.name, "", old, station.x, t->names[i]);
         for (int k = 0; k < station.point_count; k++) {
-            batten_offset_point p = station.points[k];
+            batten_table_point p = station.points[k];
             p.x = scaled(p.x, t->factor, to_decimal);
             p.y = scaled(p.y, t->factor, to_decimal);
             p.z = scaled(p.z, t->factor, to_decimal);
@@ -76,15 +76,15 @@ static bool scale_stations(table *t, bool to_decimal)
 }
 
 /* Numbers go to short decimals beside them: 24 in are 609.6 mm, not 609.5999999999999. */
-static batten_status scale_offsets(const batten_offsets *offsets, double factor,
-                                   double unit_metres, batten_offsets **out)
+static batten_status scale_offsets(const batten_offset_table *offsets, double factor,
+                                   double unit_metres, batten_offset_table **out)
 {
-    const double own = batten_offsets_unit_metres(offsets);
-    const size_t stations = (size_t)batten_offsets_station_count(offsets);
-    const size_t lines = (size_t)batten_offsets_line_count(offsets);
+    const double own = batten_offset_table_unit_metres(offsets);
+    const size_t stations = (size_t)batten_offset_table_station_count(offsets);
+    const size_t lines = (size_t)batten_offset_table_line_count(offsets);
     size_t points = 0;
     for (size_t i = 0; i < stations; i++)
-        points += (size_t)batten_offsets_station(offsets, (int)i)->point_count;
+        points += (size_t)batten_offset_table_station(offsets, (int)i)->point_count;
     table t = {.from = offsets,
                .factor = bat_near_decimal(own > 0 ? own / unit_metres : factor),
                .lines = bat_array(lines + 1, sizeof *t.lines),
@@ -98,8 +98,8 @@ static batten_status scale_offsets(const batten_offsets *offsets, double factor,
         if (!to_decimal)
             (void)scale_stations(&t, false);
         scale_lines(&t, to_decimal);
-        status = batten_offsets_create(unit_metres, (int)lines, t.lines, (int)stations,
-                                       t.stations, out);
+        status = batten_offset_table_create(unit_metres, (int)lines, t.lines, (int)stations,
+                                            t.stations, out);
     }
     bat_release(t.lines);
     bat_release(t.stations);
@@ -117,18 +117,18 @@ static batten_status add_scaled(void *context, const batten_model *from, int ind
     (void)index;
     const double factor = *(const double *)context;
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
-    if (object->kind != BATTEN_OBJECT_OFFSETS)
+    if (object->kind != BATTEN_OBJECT_OFFSET_TABLE)
         return factor == 1 || object->kind == BATTEN_OBJECT_INSTANCE
                    ? batten_model_add(model, object)
                    : batten_model_add_mapped(model, object, &map);
     batten_object scaled = *object;
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     batten_status status =
-        scale_offsets(object->offsets, factor, batten_model_unit_metres(model), &offsets);
-    scaled.offsets = offsets;
+        scale_offsets(object->offset_table, factor, batten_model_unit_metres(model), &offsets);
+    scaled.offset_table = offsets;
     if (status == BATTEN_OK)
         status = batten_model_add(model, &scaled);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     return status;
 }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
-bool batten_picture_format_of_name(const char *path, batten_picture_format *format)
+bool batten_picture_format_from_name(const char *path, batten_picture_format *format)
 {
     static const struct {
         const char *ending;

@@ -1,10 +1,10 @@
 #include "base/base.h"
 #include <batten/picture.h>
 
-batten_picture_options batten_picture_defaults(void)
+batten_draw_options batten_draw_defaults(void)
 {
-    return (batten_picture_options){
-        .size = sizeof(batten_picture_options),
+    return (batten_draw_options){
+        .size = sizeof(batten_draw_options),
         .format = BATTEN_PICTURE_PNG,
         .width = 1200,
         .height = 800,
@@ -22,8 +22,8 @@ batten_picture_options batten_picture_defaults(void)
     };
 }
 
-batten_lines_plan_options batten_lines_plan_defaults(void)
+batten_draw_lines_plan_options batten_draw_lines_plan_defaults(void)
 {
-    return (batten_lines_plan_options){.size = sizeof(batten_lines_plan_options),
-                                       .design_waterline = (double)NAN};
+    return (batten_draw_lines_plan_options){.size = sizeof(batten_draw_lines_plan_options),
+                                            .design_waterline = (double)NAN};
 }

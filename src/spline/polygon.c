@@ -30,7 +30,7 @@ batten_status batten_curve_from_edges(int dimension, int degree, const double *s
     return batten_curve_bezier(dimension, degree, points, NULL, out);
 }
 
-batten_status batten_curve_edges(const batten_curve *curve, double *start, double *edges)
+batten_status batten_curve_to_edges(const batten_curve *curve, double *start, double *edges)
 {
     const int p = curve->degree, d = curve->dimension;
     if (curve->weights || curve->count != p + 1 || !batten_curve_is_clamped(curve))

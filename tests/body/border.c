@@ -24,7 +24,7 @@ TEST(a_surface_as_a_body_has_its_border_as_edges)
     batten_body *body = NULL;
     CHECK_OK(batten_surface_bilinear((batten_vec3){0, 0, 0}, (batten_vec3){2, 0, 0},
                                      (batten_vec3){0, 1, 0}, (batten_vec3){2, 1, 1}, &surface));
-    CHECK_OK(batten_body_of_surface("plate", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("plate", surface, 1e-6, &body));
     check_counts(body, 4, 4, 0);
     check_traced(body, 1e-14);
     CHECK(!batten_body_view(body)->shells[0].closed);
@@ -38,7 +38,7 @@ TEST(a_surface_that_closes_has_a_seam_that_is_used_twice)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_cylinder(&WORLD, 2, 5, &surface));
-    CHECK_OK(batten_body_of_surface(NULL, surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface(NULL, surface, 1e-6, &body));
     check_counts(body, 2, 3, 0);
     check_traced(body, 1e-14);
     batten_body_unref(body);
@@ -50,7 +50,7 @@ TEST(a_sphere_as_a_body_has_a_seam_and_two_poles)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_sphere(&WORLD, 2, &surface));
-    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("", surface, 1e-6, &body));
     check_counts(body, 2, 3, 2);
     check_traced(body, 1e-14);
     CHECK(batten_body_view(body)->shells[0].closed);
@@ -63,7 +63,7 @@ TEST(a_torus_as_a_body_has_two_seams_and_one_vertex)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_torus(&WORLD, 3, 1, &surface));
-    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("", surface, 1e-6, &body));
     check_counts(body, 1, 2, 0);
     check_traced(body, 1e-14);
     CHECK(batten_body_view(body)->shells[0].closed);
@@ -80,7 +80,7 @@ TEST(a_periodic_surface_as_a_body_is_clamped)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_create(3, &along, &across, points, NULL, &surface));
-    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("", surface, 1e-6, &body));
     check_counts(body, 2, 3, 0);
     check_traced(body, 1e-14);
     CHECK(!batten_surface_is_periodic(batten_body_view(body)->faces[0].surface, BATTEN_U));
@@ -95,9 +95,9 @@ TEST(a_flat_surface_is_no_body)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_create(2, &axis, &axis, points, NULL, &surface));
-    CHECK_STATUS(batten_body_of_surface("", surface, 1e-6, &body), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_body_from_surface("", surface, 1e-6, &body), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("2 dimensions");
-    CHECK_STATUS(batten_body_of_surface("", surface, 0, &body), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_body_from_surface("", surface, 0, &body), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance is 0");
     batten_surface_unref(surface);
 }

@@ -83,14 +83,14 @@ batten_surface *hand_cylinder(double radius, double height)
 }
 
 /* Trace it, look at what holds for all, and that it is the same the second time. */
-batten_body *hand_trace(hand *m, double tolerance, batten_trace_report *report)
+batten_body *hand_trace(hand *m, double tolerance, batten_body_trace_report *report)
 {
     batten_body *body = NULL, *traced = NULL, *again = NULL;
     CHECK_OK(batten_body_create(&m->builder.parts, &body));
     bat_builder_end(&m->builder);
     CHECK_OK(batten_body_trace(body, tolerance, NULL, NULL, report, &traced));
     check_traced(traced, tolerance);
-    CHECK(report->miss <= tolerance);
+    CHECK(report->error <= tolerance);
     CHECK_OK(batten_body_trace(traced, tolerance, NULL, NULL, NULL, &again));
     check_traced(again, tolerance);
     CHECK_INT(batten_body_view(again)->edge_count, batten_body_view(traced)->edge_count);

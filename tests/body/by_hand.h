@@ -21,7 +21,7 @@ void hand_face(hand *m, batten_surface *surface, bool reversed);
 void hand_loop(hand *m, int count, const int *edges);
 batten_surface *hand_cylinder(double radius, double height);
 /* Traced; with what holds for all looked at, and that tracing it again changes nothing. */
-batten_body *hand_trace(hand *m, double tolerance, batten_trace_report *report);
+batten_body *hand_trace(hand *m, double tolerance, batten_body_trace_report *report);
 /* How many edges have exactly two uses, one each way. */
 int hand_shared(const batten_body *body);
 void hand_plate(hand *m, double x0, double y0, double x1, double y1, double z);

@@ -17,7 +17,7 @@ static void add(const batten_object *object, double mm, batten_status wanted, su
     batten_body *body = NULL;
     batten_body_measures m;
     if (object->kind == BATTEN_OBJECT_SURFACE)
-        CHECK_OK(batten_body_of_surface("", object->surface, 1e-6, &body));
+        CHECK_OK(batten_body_from_surface("", object->surface, 1e-6, &body));
     else if (object->kind == BATTEN_OBJECT_BODY)
         body = batten_body_ref(object->body);
     else

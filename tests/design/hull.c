@@ -40,7 +40,7 @@ TEST(a_hull_from_a_table_stays_within_its_bounds)
         CHECK(faired->move_max <= 0.003 * (1 + 1e-12));
         CHECK(faired->fairing->after.energy <= faired->fairing->before.energy);
         const batten_feature_result *hull = batten_design_result(design, "hull");
-        CHECK(hull->skin && hull->skin->deviation <= 0.001 && hull->has_error);
+        CHECK(hull->skin && hull->skin->error <= 0.001 && hull->has_error);
         CHECK(hull->skin->knot_count <= hull->skin->exact_knot_count);
         CHECK_OK(batten_design_output(design, 0, NULL, NULL, &data, &size));
         CHECK(strncmp(data, "ISO-10303-21;", 13) == 0);

@@ -48,9 +48,9 @@ static const struct {
              {BATTEN_FORMAT_OFF, "off/coloured.off"},
              {BATTEN_FORMAT_OFF, "off/normals.off"},
              {BATTEN_FORMAT_FTM, "ftm/net.ftm"},
-             {BATTEN_FORMAT_OFFSETS, "offsets/long.csv"},
-             {BATTEN_FORMAT_OFFSETS, "offsets/matrix.csv"},
-             {BATTEN_FORMAT_OFFSETS, "offsets/loft.csv"},
+             {BATTEN_FORMAT_OFFSET_TABLE, "offsets/long.csv"},
+             {BATTEN_FORMAT_OFFSET_TABLE, "offsets/matrix.csv"},
+             {BATTEN_FORMAT_OFFSET_TABLE, "offsets/loft.csv"},
              {BATTEN_FORMAT_AEROFOIL, "aerofoil/selig.dat"},
              {BATTEN_FORMAT_AEROFOIL, "aerofoil/lednicer.dat"},
              {BATTEN_FORMAT_POINTS, "points/plain.xyz"}};
@@ -81,7 +81,7 @@ static bool is_no_value(batten_format format, const char *text, size_t at)
         return line[-2] == '8' ||
                (line[-2] == '2' && (line[-3] == '\n' || line[-3] == ' ' || line[-3] == '6')) ||
                memcmp(line - 4, "420", 3) == 0;
-    case BATTEN_FORMAT_OFFSETS:
+    case BATTEN_FORMAT_OFFSET_TABLE:
     case BATTEN_FORMAT_AEROFOIL:
         return line == text;
     case BATTEN_FORMAT_SVG:

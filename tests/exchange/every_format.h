@@ -38,7 +38,7 @@ typedef struct {
 } every;
 
 static const every every_format[] = {
-    {BATTEN_FORMAT_OFFSETS, false, false,
+    {BATTEN_FORMAT_OFFSET_TABLE, false, false,
      "station,x,y,z\n1,0,1.5,2\n1,0,2.5,3\n2,1,1,1\n2,1,2,2\n", "station,x,y,z\n",
      "@,@,1.5,1\n@,@,2,2\n", ""},
     {BATTEN_FORMAT_POINTS, false, false, "1 2 3\n4.5 5 6\n", "", "1 2 @.5\n", ""},
@@ -109,7 +109,7 @@ static const struct {
     {BATTEN_FORMAT_OBJ, "cstype bspline\n", "curv 0 1 \\\n"},
     {BATTEN_FORMAT_STL, "", "solid "},
     {BATTEN_FORMAT_G2, "", "210 1 0 0\n"},
-    {BATTEN_FORMAT_OFFSETS, "", "\"\"\"("},
+    {BATTEN_FORMAT_OFFSET_TABLE, "", "\"\"\"("},
 };
 
 #endif

@@ -208,7 +208,7 @@ TEST(F5_each_reader_and_writer_ignores_the_locale)
         SKIP("the locale de_DE.UTF-8 is not installed");
     setlocale(LC_ALL, "C");
     for (int f = 0; f < COUNT(every_format); f++)
-        for (int to = BATTEN_FORMAT_OFFSETS; to <= BATTEN_FORMAT_OFF; to++) {
+        for (int to = BATTEN_FORMAT_OFFSET_TABLE; to <= BATTEN_FORMAT_OFF; to++) {
             batten_model *plain = NULL, *other = NULL;
             char *a = NULL, *b = NULL;
             size_t n = 0, m = 0;
@@ -545,8 +545,8 @@ static const lengthy oddities[] = {
     {BATTEN_FORMAT_PCD, "", "# comment\n", "VERSION 0.7\nFIELDS x y z\n"},
     {BATTEN_FORMAT_OFF, "OFF\n^ 0 0\n", "0 x\n", ""},
     {BATTEN_FORMAT_OFF, "OFF\n1 ^ 0\n0 0 0\n", "3 0 0 9\n", ""},
-    {BATTEN_FORMAT_OFFSETS, "station,x,y,z\n", "same,0,1,2\n", ""},
-    {BATTEN_FORMAT_OFFSETS, "station,x,y,z\n", "#c\n", "1,0,1,1\n1,0,2,2\n"},
+    {BATTEN_FORMAT_OFFSET_TABLE, "station,x,y,z\n", "same,0,1,2\n", ""},
+    {BATTEN_FORMAT_OFFSET_TABLE, "station,x,y,z\n", "#c\n", "1,0,1,1\n1,0,2,2\n"},
     {BATTEN_FORMAT_POINTS, "", "1 2\n\n", ""},
     {BATTEN_FORMAT_AEROFOIL, "RAE\n", "1 0\n\n", ""},
 };

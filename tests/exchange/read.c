@@ -10,15 +10,15 @@ TEST(names_of_files_say_their_format)
         const char *path;
         batten_format format;
     } cases[] = {
-        {"a.igs", BATTEN_FORMAT_IGES},     {"a/b.IGES", BATTEN_FORMAT_IGES},
-        {"a.stp", BATTEN_FORMAT_STEP},     {"a.Step", BATTEN_FORMAT_STEP},
-        {"a.csv", BATTEN_FORMAT_OFFSETS},  {"a.xyz", BATTEN_FORMAT_POINTS},
-        {"a.dat", BATTEN_FORMAT_AEROFOIL}, {"a", BATTEN_FORMAT_AUTO},
-        {".igs", BATTEN_FORMAT_AUTO},      {"", BATTEN_FORMAT_AUTO},
-        {"a.igs.bak", BATTEN_FORMAT_AUTO}, {"aigs", BATTEN_FORMAT_AUTO},
+        {"a.igs", BATTEN_FORMAT_IGES},         {"a/b.IGES", BATTEN_FORMAT_IGES},
+        {"a.stp", BATTEN_FORMAT_STEP},         {"a.Step", BATTEN_FORMAT_STEP},
+        {"a.csv", BATTEN_FORMAT_OFFSET_TABLE}, {"a.xyz", BATTEN_FORMAT_POINTS},
+        {"a.dat", BATTEN_FORMAT_AEROFOIL},     {"a", BATTEN_FORMAT_AUTO},
+        {".igs", BATTEN_FORMAT_AUTO},          {"", BATTEN_FORMAT_AUTO},
+        {"a.igs.bak", BATTEN_FORMAT_AUTO},     {"aigs", BATTEN_FORMAT_AUTO},
     };
     for (int i = 0; i < COUNT(cases); i++)
-        CHECK_INT(batten_format_of_name(cases[i].path), cases[i].format);
+        CHECK_INT(batten_format_from_name(cases[i].path), cases[i].format);
     CHECK_TEXT(batten_format_name(BATTEN_FORMAT_STEP), "step");
     CHECK_TEXT(batten_format_name(BATTEN_FORMAT_AUTO), "auto");
     CHECK_TEXT(batten_format_name((batten_format)99), "?");

@@ -10,8 +10,8 @@ TEST(text_is_recognised_by_its_content)
     } cases[] = {
         {"1 2\n3 4\n", BATTEN_OBJECT_POINTS, "points"},
         {"x y z\n1 2 3\n", BATTEN_OBJECT_POINTS, "points"},
-        {"x,z,half_breadth\n1,2,3\n", BATTEN_OBJECT_OFFSETS, "offsets"},
-        {"x\\z,1\n1,3\n", BATTEN_OBJECT_OFFSETS, "offsets"},
+        {"x,z,half_breadth\n1,2,3\n", BATTEN_OBJECT_OFFSET_TABLE, "offsets"},
+        {"x\\z,1\n1,3\n", BATTEN_OBJECT_OFFSET_TABLE, "offsets"},
         {"RAE 2822\n1 0.1\n0 0\n1 -0.1\n", BATTEN_OBJECT_POINTS, "RAE 2822"},
         {"2 3\n0 0\n1 0.1\n0 0\n.5 0\n1 -0.1\n", BATTEN_OBJECT_POINTS, "aerofoil"},
     };
@@ -72,8 +72,8 @@ TEST(F4_text_in_other_encodings_is_refused_by_name)
 TEST(F4_names_keep_their_bytes)
 {
     batten_model *model =
-        read_noting("x,z,y,line\n0,0,1,k\xfcl \xff\n", BATTEN_FORMAT_OFFSETS, "");
-    CHECK_TEXT(batten_offsets_line(batten_model_object(model, 0)->offsets, 0)->name,
+        read_noting("x,z,y,line\n0,0,1,k\xfcl \xff\n", BATTEN_FORMAT_OFFSET_TABLE, "");
+    CHECK_TEXT(batten_offset_table_line(batten_model_object(model, 0)->offset_table, 0)->name,
                "k\xfcl \xff");
     batten_model_unref(model);
 }

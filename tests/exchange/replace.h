@@ -44,7 +44,7 @@ static inline batten_status to_bytes(const batten_model *model, batten_format fo
                                      char **data, size_t *size)
 {
     batten_write_options options = batten_write_defaults();
-    options.format = format == BATTEN_FORMAT_OFFSETS ? format : BATTEN_FORMAT_STEP;
+    options.format = format == BATTEN_FORMAT_OFFSET_TABLE ? format : BATTEN_FORMAT_STEP;
     options.schema = BATTEN_STEP_AP242; /* which has meshes */
     return batten_write_memory(model, &options, NULL, data, size);
 }

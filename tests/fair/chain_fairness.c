@@ -8,7 +8,7 @@ static const double test_points[3][2] = {{0, 0}, {1, 0.6}, {2, 0.1}};
 
 static batten_chain *spline_of(batten_span_family family)
 {
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
     options.family = family;
     CHECK_OK(batten_chain_nonlinear(3, &test_points[0][0], &options, NULL, NULL, NULL, &chain));

@@ -8,9 +8,9 @@
 enum { HULL_MOST = 1200, HULL_STATIONS = 80, HULL_LINES = 20 };
 
 typedef struct {
-    batten_offset_point points[HULL_MOST];
-    batten_station stations[HULL_STATIONS];
-    batten_offset_line lines[HULL_LINES];
+    batten_table_point points[HULL_MOST];
+    batten_table_station stations[HULL_STATIONS];
+    batten_table_line lines[HULL_LINES];
     char names[HULL_LINES][16];
     int point_count, station_count, line_count;
 } hull;
@@ -21,7 +21,7 @@ static inline int hull_line(hull *h, double z)
         if (h->lines[l].z == z)
             return l;
     snprintf(h->names[h->line_count], sizeof h->names[0], "z=%g", z);
-    h->lines[h->line_count] = (batten_offset_line){h->names[h->line_count], true, z};
+    h->lines[h->line_count] = (batten_table_line){h->names[h->line_count], true, z};
     return h->line_count++;
 }
 
@@ -30,9 +30,9 @@ static inline void hull_add(hull *h, double x, double y, double z, int line)
 {
     if (h->station_count == 0 || h->stations[h->station_count - 1].x != x)
         h->stations[h->station_count++] =
-            (batten_station){.name = "", .x = x, .points = h->points + h->point_count};
+            (batten_table_station){.name = "", .x = x, .points = h->points + h->point_count};
     h->stations[h->station_count - 1].point_count++;
-    h->points[h->point_count++] = (batten_offset_point){x, y, z, line};
+    h->points[h->point_count++] = (batten_table_point){x, y, z, line};
 }
 
 /* Wigley's hull y = (1 - x^2) (1 - z^2) for x in (-1, 1), z in (-1, 0], L = 10, with noise. */
@@ -50,10 +50,10 @@ static inline hull *hull_wigley(int stations, int lines, double noise)
     return h;
 }
 
-static inline batten_status hull_make(const hull *h, batten_offsets **out)
+static inline batten_status hull_make(const hull *h, batten_offset_table **out)
 {
-    return batten_offsets_create(1, h->line_count, h->lines, h->station_count, h->stations,
-                                 out);
+    return batten_offset_table_create(1, h->line_count, h->lines, h->station_count, h->stations,
+                                      out);
 }
 
 #endif

@@ -11,7 +11,7 @@ static int count_strands(const bat_net *net, bool lines)
 
 TEST(every_point_of_a_full_table_lies_on_a_line_and_a_station)
 {
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     bat_net net;
     const batten_fair_options options = batten_fair_defaults(0.01);
     CHECK_OK(hull_make(hull_wigley(9, 6, 0), &offsets));
@@ -32,7 +32,7 @@ TEST(every_point_of_a_full_table_lies_on_a_line_and_a_station)
     CHECK_OK(bat_net_begin(offsets, BATTEN_FAIR_LINES, &options, &net));
     CHECK_INT(net.strand_count, 6);
     bat_net_end(&net);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
 }
 
 TEST(stations_are_cut_at_their_chine_and_lines_at_the_centre)
@@ -46,7 +46,7 @@ TEST(stations_are_cut_at_their_chine_and_lines_at_the_centre)
                          z = j <= 4 ? 0.01 * j : 0.04 + 0.85 * (j - 4);
             hull_add(h, i, i < 3 && j == 2 ? 0 : y + 0.1 * i, z, hull_line(h, z));
         }
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     bat_net net;
     batten_fair_options options = batten_fair_defaults(0.01);
     CHECK_OK(hull_make(h, &offsets));
@@ -66,7 +66,7 @@ TEST(stations_are_cut_at_their_chine_and_lines_at_the_centre)
         if (net.strands[s].nodes[1] % 9 == 2)
             CHECK_INT(net.strands[s].count, 6); /* from the last centre point on */
     bat_net_end(&net);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
 }
 
 TEST(equal_half_breadths_are_held)
@@ -79,7 +79,7 @@ TEST(equal_half_breadths_are_held)
                      : i > 6 ? 2.2 - 0.1 * i + 0.01 * j
                              : 2 + 0.01 * j,
                      j, hull_line(h, j));
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     bat_net net;
     const batten_fair_options options = batten_fair_defaults(0.01);
     CHECK_OK(hull_make(h, &offsets));
@@ -87,5 +87,5 @@ TEST(equal_half_breadths_are_held)
     for (int i = 1; i < 8; i++)
         CHECK_INT(net.nodes[5 * i + 2].freedom, i == 4 || i == 5 ? 0 : 1);
     bat_net_end(&net);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
 }

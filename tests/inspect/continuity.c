@@ -175,7 +175,7 @@ TEST(a_join_looks_the_same_from_the_other_side)
 TEST(N6_tolerances_of_continuity_must_be_numbers)
 {
     batten_curve *circle = NULL;
-    batten_continuity_options options = batten_continuity_defaults();
+    batten_curve_continuity_options options = batten_curve_continuity_defaults();
     batten_continuities all = {7, NULL};
     CHECK_OK(shape_ellipse(1, 1, 0, 0, &circle));
     options.angle = NAN;

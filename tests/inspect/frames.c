@@ -129,7 +129,7 @@ TEST(sections_stand_evenly_by_arc_length)
     CHECK_OK(batten_curve_create(3, 2, 3, points, NULL, knots, &spine));
     CHECK_OK(batten_curve_circle(1, BATTEN_CIRCLE_SQUARE_9, &circle));
     const batten_curve *sections[] = {circle, circle, circle, circle, circle, circle};
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.spine = spine;
     double v[6];
     batten_surface *pipe = NULL;

@@ -17,7 +17,7 @@ int main(void)
     batten_curve_unref(arc);
     batten_picture_format format;
     return fabs(hypot(point[0], point[1]) - 2) < 1e-14 && batten_feature_count() > 0 &&
-                   batten_picture_format_of_name("a.svg", &format)
+                   batten_picture_format_from_name("a.svg", &format)
                ? 0
                : 1;
 }

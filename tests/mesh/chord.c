@@ -33,7 +33,7 @@ static batten_body *with_edges_off(double off)
 {
     batten_surface *surface = quarter(10, 30), *wider = quarter(10 + off, 30);
     batten_body *around = NULL, *body = NULL;
-    CHECK_OK(batten_body_of_surface("quarter", wider, 1e-9, &around));
+    CHECK_OK(batten_body_from_surface("quarter", wider, 1e-9, &around));
     batten_body_parts parts = *batten_body_view(around);
     batten_body_face face = parts.faces[0];
     face.surface = surface;
@@ -50,7 +50,7 @@ static int mesh_off(double off, double chord, batten_mesh_report *report)
     const batten_mesh_options options = with_chord(chord);
     batten_body *body = with_edges_off(off);
     batten_mesh *mesh = NULL;
-    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, report, &mesh));
     const int count = batten_mesh_view(mesh)->triangle_count;
     batten_mesh_unref(mesh);
     batten_body_unref(body);
@@ -75,7 +75,7 @@ TEST(edges_off_their_face_by_more_are_told_with_their_number)
     const int count = mesh_off(0.05, 0.02, &report);
     CHECK(report.chord > 0.02 && report.chord < 0.08);
     CHECK(report.beyond > 0 && report.beyond <= count);
-    CHECK_NEAR(report.off, 0.05, 1e-6);
+    CHECK_NEAR(report.error, 0.05, 1e-6);
 }
 
 /* A strip that is long, twists and bends a little along its length and much across: as on a
@@ -107,7 +107,7 @@ TEST(triangles_are_as_long_as_the_surface_is_straight)
     batten_surface *surface = strip(bow);
     batten_mesh *mesh = NULL;
     batten_mesh_report report;
-    CHECK_OK(batten_mesh_of_surface(surface, &options, NULL, &report, &mesh));
+    CHECK_OK(batten_mesh_from_surface(surface, &options, NULL, &report, &mesh));
     CHECK(report.chord <= chord);
     CHECK_INT(report.beyond, 0);
     CHECK(batten_mesh_view(mesh)->triangle_count < 4 * cells);
@@ -123,7 +123,7 @@ TEST(a_long_straight_border_keeps_no_points_away)
     batten_mesh *mesh = NULL;
     batten_mesh_report report;
     batten_mesh_facts facts;
-    CHECK_OK(batten_mesh_of_surface(surface, &options, NULL, &report, &mesh));
+    CHECK_OK(batten_mesh_from_surface(surface, &options, NULL, &report, &mesh));
     CHECK(report.chord <= chord);
     CHECK_INT(report.beyond, 0);
     CHECK_OK(batten_mesh_check(mesh, &facts));
@@ -147,7 +147,7 @@ TEST(a_span_of_no_length_does_not_divide_an_edge_for_ever)
     batten_mesh *mesh = NULL;
     batten_mesh_report report;
     CHECK_OK(batten_surface_create(3, &along, &across, points[0][0], NULL, &surface));
-    CHECK_OK(batten_mesh_of_surface(surface, &options, NULL, &report, &mesh));
+    CHECK_OK(batten_mesh_from_surface(surface, &options, NULL, &report, &mesh));
     CHECK(batten_mesh_view(mesh)->triangle_count < 20);
     batten_mesh_unref(mesh);
     batten_surface_unref(surface);

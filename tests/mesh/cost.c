@@ -92,11 +92,11 @@ static void check_cost(void (*draw)(int count, double (*corners)[2]), int steps_
         options.angle = 1;
         draw(count, corners);
         batten_body *body = face_within(count, (const double(*)[2])corners, 5000 / square);
-        CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, NULL, &mesh));
+        CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, NULL, &mesh));
         const int triangles = batten_mesh_view(mesh)->triangle_count;
         CHECK(triangles > count);
         job.work_limit = (uint64_t)steps_each * (uint64_t)triangles;
-        CHECK_OK(batten_mesh_of_body(body, &options, &job, NULL, NULL, &again));
+        CHECK_OK(batten_mesh_from_body(body, &options, &job, NULL, NULL, &again));
         CHECK_INT(batten_mesh_view(again)->triangle_count, triangles);
         batten_mesh_unref(again);
         batten_mesh_unref(mesh);

@@ -13,7 +13,7 @@ static batten_mesh_facts mesh_of(const batten_body *body, const batten_mesh_opti
 {
     batten_mesh *mesh = NULL;
     batten_mesh_facts facts;
-    CHECK_OK(batten_mesh_of_body(body, options, NULL, NULL, report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, options, NULL, NULL, report, &mesh));
     CHECK_OK(batten_mesh_check(mesh, &facts));
     CHECK_INT(facts.wrong_edges + facts.crowded_edges + facts.loose_vertices, 0);
     CHECK_INT(facts.flat_triangles, 0);
@@ -312,7 +312,7 @@ TEST(a_face_that_crosses_itself_is_left_out_with_a_note)
     sheet_polygon(&s, 4, square);
     batten_body *body = sheet_end(&s);
     CHECK_OK(batten_notes_create(10, &notes));
-    CHECK_OK(batten_mesh_of_body(body, NULL, NULL, notes, &report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, NULL, NULL, notes, &report, &mesh));
     CHECK_INT(report.failed, 1);
     CHECK_INT(batten_mesh_view(mesh)->triangle_count, 2);
     CHECK_INT(batten_mesh_view(mesh)->faces[0], 1);
@@ -345,7 +345,7 @@ TEST(triangles_name_the_faces_of_the_given_body)
     parts.faces = faces;
     CHECK_OK(batten_body_create(&parts, &body));
     CHECK_OK(batten_notes_create(10, &notes));
-    CHECK_OK(batten_mesh_of_body(body, NULL, NULL, notes, &report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, NULL, NULL, notes, &report, &mesh));
     CHECK_INT(report.failed, 1);
     if (batten_notes_count(notes))
         CHECK_CONTAINS(batten_notes_at(notes, 0)->entity, "face 2, front");
@@ -386,7 +386,8 @@ TEST(a_body_without_faces_is_an_empty_mesh_or_refused)
     batten_body *body = NULL;
     batten_mesh *mesh = NULL;
     CHECK_OK(batten_body_create(&parts, &body));
-    CHECK_STATUS(batten_mesh_of_body(body, NULL, NULL, NULL, NULL, &mesh), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_mesh_from_body(body, NULL, NULL, NULL, NULL, &mesh),
+                 BATTEN_BAD_ARGUMENT);
     batten_body_unref(body);
 }
 
@@ -430,7 +431,7 @@ TEST(edges_off_their_face_are_borne_and_told)
         batten_mesh_options options = batten_mesh_defaults();
         batten_body *body = raised_edges(cases[i].height);
         options.chord = cases[i].chord;
-        CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+        CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, &report, &mesh));
         CHECK_INT(report.failed, !cases[i].borne);
         if (cases[i].borne) {
             batten_mesh_facts f;
@@ -459,7 +460,7 @@ TEST(S3_a_border_that_lies_on_itself_is_given_up_in_time)
     sheet_circle(&s, 2, 2, 1, true);
     sheet_circle(&s, 2, 2, 1, true);
     batten_body *body = sheet_end(&s);
-    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, &report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, &report, &mesh));
     CHECK_INT(report.failed, 1);
     CHECK_INT(batten_mesh_view(mesh)->triangle_count, 0);
     batten_mesh_unref(mesh);
@@ -483,7 +484,7 @@ static batten_body *cusp(void)
         points[i][2] = z[i / 2];
     }
     CHECK_OK(batten_surface_create(3, &along, &across, points[0], NULL, &surface));
-    CHECK_OK(batten_body_of_surface("cusp", surface, 1e-9, &body));
+    CHECK_OK(batten_body_from_surface("cusp", surface, 1e-9, &body));
     batten_surface_unref(surface);
     return body;
 }
@@ -497,7 +498,7 @@ TEST(a_face_that_turns_about_is_divided_so_far_and_no_further)
     batten_body *body = cusp();
     options.chord = 1e-5;
     CHECK_OK(batten_notes_create(10, &notes));
-    CHECK_OK(batten_mesh_of_body(body, &options, NULL, notes, &report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, &options, NULL, notes, &report, &mesh));
     CHECK_INT(report.failed, 0);
     CHECK(batten_mesh_view(mesh)->triangle_count < 100000);
     /* Twice where memory failed and it was meshed again. */

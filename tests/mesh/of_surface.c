@@ -19,7 +19,7 @@ static batten_mesh_facts mesh_of(batten_surface *surface, const batten_mesh_opti
 {
     batten_mesh *mesh = NULL;
     batten_mesh_facts facts;
-    CHECK_OK(batten_mesh_of_surface(surface, options, NULL, report, &mesh));
+    CHECK_OK(batten_mesh_from_surface(surface, options, NULL, report, &mesh));
     CHECK_OK(batten_mesh_check(mesh, &facts));
     CHECK_INT(report->failed, 0);
     CHECK_INT(facts.wrong_edges + facts.crowded_edges + facts.loose_vertices, 0);
@@ -262,7 +262,7 @@ TEST(S5_one_damaged_coordinate_does_not_divide_for_ever)
             }
         points[places[n]][0] = values[n];
         CHECK_OK(batten_surface_create(3, &axis, &axis, points[0], NULL, &needle));
-        CHECK_OK(batten_mesh_of_surface(needle, NULL, NULL, NULL, &mesh));
+        CHECK_OK(batten_mesh_from_surface(needle, NULL, NULL, NULL, &mesh));
         CHECK(batten_mesh_view(mesh)->triangle_count < 200000);
         batten_mesh_unref(mesh);
         batten_surface_unref(needle);
@@ -302,29 +302,32 @@ TEST(S5_what_cannot_be_meshed_is_refused_before_the_work)
     batten_mesh *mesh = NULL;
     batten_mesh_options options = with_chord(1e-10);
     CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
+                 BATTEN_TOO_LARGE);
     CHECK_MESSAGE("10000000 are allowed");
     options = with_chord(1e-4);
     options.most = 1000;
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
+                 BATTEN_TOO_LARGE);
     CHECK_MESSAGE("1000 are allowed, for which no chord would do"); /* the angle asks for 900 */
     options.most = 20000;
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh), BATTEN_TOO_LARGE);
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
+                 BATTEN_TOO_LARGE);
     CHECK_MESSAGE("20000 are allowed, for which a chord of 0.0016 would do");
     options.chord = 0.0016;
-    CHECK_OK(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh));
+    CHECK_OK(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh));
     batten_mesh_unref(mesh);
     mesh = NULL;
     options = with_chord(1e-17);
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh),
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("roundoff");
     options = with_chord(NAN);
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh),
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
     options = batten_mesh_defaults();
     options.angle = 0;
-    CHECK_STATUS(batten_mesh_of_surface(sphere, &options, NULL, NULL, &mesh),
+    CHECK_STATUS(batten_mesh_from_surface(sphere, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("angle");
     batten_surface_unref(sphere);
@@ -361,7 +364,7 @@ TEST(meshing_can_be_cancelled)
     job.user = &left;
     const batten_mesh_options options = with_chord(1e-4);
     CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
-    const batten_status status = batten_mesh_of_surface(sphere, &options, &job, NULL, &mesh);
+    const batten_status status = batten_mesh_from_surface(sphere, &options, &job, NULL, &mesh);
     CHECK(status == BATTEN_CANCELLED || status == BATTEN_OUT_OF_MEMORY);
     batten_surface_unref(sphere);
 }

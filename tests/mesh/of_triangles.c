@@ -33,7 +33,7 @@ TEST(bezier_triangles_share_the_vertices_of_their_edges)
         batten_mesh_facts f;
         batten_mesh *mesh = NULL;
         options.chord = chords[i];
-        CHECK_OK(batten_mesh_of_triangles(triangles, &options, NULL, &report, &mesh));
+        CHECK_OK(batten_mesh_from_triangles(triangles, &options, NULL, &report, &mesh));
         CHECK_OK(batten_mesh_check(mesh, &f));
         CHECK(report.chord <= chords[i]);
         CHECK(report.angle <= options.angle);
@@ -51,10 +51,10 @@ TEST(too_many_parts_of_triangles_are_refused)
     batten_mesh_options options = batten_mesh_defaults();
     batten_mesh *mesh = NULL;
     options.chord = 1e-12;
-    CHECK_STATUS(batten_mesh_of_triangles(triangles, &options, NULL, NULL, &mesh),
+    CHECK_STATUS(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh),
                  BATTEN_TOO_LARGE);
     options.chord = -1;
-    CHECK_STATUS(batten_mesh_of_triangles(triangles, &options, NULL, NULL, &mesh),
+    CHECK_STATUS(batten_mesh_from_triangles(triangles, &options, NULL, NULL, &mesh),
                  BATTEN_BAD_ARGUMENT);
     batten_triangles_unref(triangles);
 }

@@ -18,14 +18,14 @@ static void add(const batten_object *object, bool measured, double mm, sums *sum
     batten_mesh_report report = {0};
     batten_mesh_facts facts;
     if (object->kind == BATTEN_OBJECT_SURFACE)
-        CHECK_OK(batten_body_of_surface("", object->surface, 1e-6, &body));
+        CHECK_OK(batten_body_from_surface("", object->surface, 1e-6, &body));
     else if (object->kind == BATTEN_OBJECT_BODY)
         body = batten_body_ref(object->body);
     else
         return;
     if (measured)
         CHECK_OK(batten_body_measure(body, 1e-3, NULL, &m));
-    CHECK_OK(batten_mesh_of_body(body, NULL, NULL, NULL, &report, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, NULL, NULL, NULL, &report, &mesh));
     CHECK_OK(batten_mesh_check(mesh, &facts));
     CHECK_INT(facts.wrong_edges, 0);
     CHECK_INT(facts.crowded_edges, 0);
@@ -181,7 +181,7 @@ static outcome mesh_larger(const batten_model *flat, double factor)
         batten_mesh_report report = {0};
         batten_mesh_facts facts;
         CHECK_OK(batten_body_transform(batten_model_object(flat, i)->body, &map, &body));
-        CHECK_OK(batten_mesh_of_body(body, NULL, NULL, NULL, &report, &mesh));
+        CHECK_OK(batten_mesh_from_body(body, NULL, NULL, NULL, &report, &mesh));
         CHECK_OK(batten_mesh_check(mesh, &facts));
         sum.bodies++;
         sum.watertight += facts.is_watertight;

@@ -140,7 +140,7 @@ static batten_model *with_edges_off(double off)
         batten_curve_unref(flat);
         batten_curve_unref(arc);
     }
-    CHECK_OK(batten_body_of_surface("quarter", quarters[1], 1e-9, &around));
+    CHECK_OK(batten_body_from_surface("quarter", quarters[1], 1e-9, &around));
     batten_body_parts parts = *batten_body_view(around);
     batten_body_face face = parts.faces[0];
     face.surface = quarters[0];

@@ -21,12 +21,12 @@ static batten_surface *make_patch(void)
     return surface;
 }
 
-static batten_offsets *make_offsets(double unit_metres)
+static batten_offset_table *make_offsets(double unit_metres)
 {
-    const batten_offset_point points[] = {{1, 0, -2, -1}, {1, 3, 1, -1}};
-    const batten_station station = {"1", 1, 2, points};
-    batten_offsets *offsets = NULL;
-    CHECK_OK(batten_offsets_create(unit_metres, 0, NULL, 1, &station, &offsets));
+    const batten_table_point points[] = {{1, 0, -2, -1}, {1, 3, 1, -1}};
+    const batten_table_station station = {"1", 1, 2, points};
+    batten_offset_table *offsets = NULL;
+    CHECK_OK(batten_offset_table_create(unit_metres, 0, NULL, 1, &station, &offsets));
     return offsets;
 }
 
@@ -96,7 +96,7 @@ TEST(the_box_holds_every_kind_of_object)
 {
     batten_model *model = NULL;
     batten_surface *surface = make_patch();
-    batten_offsets *offsets = make_offsets(1);
+    batten_offset_table *offsets = make_offsets(1);
     batten_box box = {{7, 7, 7}, {7, 7, 7}};
     const double point[] = {0.5, -6, 0};
     CHECK_OK(batten_model_create(1, &model));
@@ -109,14 +109,14 @@ TEST(the_box_holds_every_kind_of_object)
     CHECK_OK(batten_model_add(
         model, &(batten_object){.kind = BATTEN_OBJECT_SURFACE, .surface = surface}));
     CHECK_OK(batten_model_add(
-        model, &(batten_object){.kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+        model, &(batten_object){.kind = BATTEN_OBJECT_OFFSET_TABLE, .offset_table = offsets}));
     CHECK_OK(batten_model_add(
         model,
         &(batten_object){.kind = BATTEN_OBJECT_POINTS, .point_count = 1, .points = point}));
     CHECK(batten_model_box(model, &box));
     CHECK(box.low.x == -1 && box.low.y == -6 && box.low.z == -2);
     CHECK(box.high.x == 2 && box.high.y == 5 && box.high.z == 4);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     batten_surface_unref(surface);
     batten_model_unref(model);
 }

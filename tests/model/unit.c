@@ -7,27 +7,27 @@ static batten_model *make_model(double unit_metres, double offsets_unit)
     const double points[] = {0, 0, 0, 1, 2, 3}, knots[] = {0, 0, 1, 1};
     const double corners[] = {-1, 0, 0, 0, 0, 4, 2, 0, 0, 2, 5, 0};
     const batten_axis axis = {1, 2, knots, false};
-    const batten_offset_point sides[] = {{1, 0, -2, -1}, {1, 3, 1, -1}};
-    const batten_station station = {"1", 1, 2, sides};
+    const batten_table_point sides[] = {{1, 0, -2, -1}, {1, 3, 1, -1}};
+    const batten_table_station station = {"1", 1, 2, sides};
     batten_object curve = {.name = "keel", .kind = BATTEN_OBJECT_CURVE, .point_count = 2};
     batten_object surface = {.name = "side", .kind = BATTEN_OBJECT_SURFACE};
-    batten_object table = {.name = "table", .kind = BATTEN_OBJECT_OFFSETS};
+    batten_object table = {.name = "table", .kind = BATTEN_OBJECT_OFFSET_TABLE};
     batten_curve *made_curve = NULL;
     batten_surface *made_surface = NULL;
-    batten_offsets *made_offsets = NULL;
+    batten_offset_table *made_offsets = NULL;
     batten_model *model = NULL;
     CHECK_OK(batten_model_create(unit_metres, &model));
     CHECK_OK(batten_curve_create(3, 1, 2, points, NULL, knots, &made_curve));
     CHECK_OK(batten_surface_create(3, &axis, &axis, corners, NULL, &made_surface));
-    CHECK_OK(batten_offsets_create(offsets_unit, 0, NULL, 1, &station, &made_offsets));
+    CHECK_OK(batten_offset_table_create(offsets_unit, 0, NULL, 1, &station, &made_offsets));
     curve.curve = made_curve;
     curve.points = points;
     surface.surface = made_surface;
-    table.offsets = made_offsets;
+    table.offset_table = made_offsets;
     CHECK_OK(batten_model_add(model, &curve));
     CHECK_OK(batten_model_add(model, &surface));
     CHECK_OK(batten_model_add(model, &table));
-    batten_offsets_unref(made_offsets);
+    batten_offset_table_unref(made_offsets);
     batten_surface_unref(made_surface);
     batten_curve_unref(made_curve);
     return model;
@@ -41,9 +41,10 @@ static void check_sizes(const batten_model *model, double factor)
     CHECK_NEAR(curve->points[4], 2 * factor, 1e-12 * factor);
     const batten_surface *surface = batten_model_object(model, 1)->surface;
     CHECK_NEAR(batten_surface_points(surface)[10], 5 * factor, 1e-12 * factor);
-    const batten_offsets *offsets = batten_model_object(model, 2)->offsets;
-    CHECK_NEAR(batten_offsets_station(offsets, 0)->points[1].y, 3 * factor, 1e-12 * factor);
-    CHECK_BITS(batten_offsets_unit_metres(offsets), batten_model_unit_metres(model));
+    const batten_offset_table *offsets = batten_model_object(model, 2)->offset_table;
+    CHECK_NEAR(batten_offset_table_station(offsets, 0)->points[1].y, 3 * factor,
+               1e-12 * factor);
+    CHECK_BITS(batten_offset_table_unit_metres(offsets), batten_model_unit_metres(model));
 }
 
 TEST(geometry_is_scaled_to_another_unit)
@@ -79,8 +80,8 @@ TEST(a_table_that_says_its_own_unit_is_scaled_from_that)
 {
     batten_model *model = make_model(0, 0.0254), *scaled = NULL;
     CHECK_OK(batten_model_to_unit(model, 0.001, &scaled));
-    const batten_offsets *offsets = batten_model_object(scaled, 2)->offsets;
-    CHECK_NEAR(batten_offsets_station(offsets, 0)->points[1].y, 76.2, 1e-12);
+    const batten_offset_table *offsets = batten_model_object(scaled, 2)->offset_table;
+    CHECK_NEAR(batten_offset_table_station(offsets, 0)->points[1].y, 76.2, 1e-12);
     batten_model_unref(scaled);
     batten_model_unref(model);
 }

@@ -12,7 +12,7 @@ TEST(the_format_follows_from_the_ending_of_a_name)
         {"png", false, BATTEN_PICTURE_PNG},     {"", false, BATTEN_PICTURE_PNG}};
     for (int i = 0; i < COUNT(rows); i++) {
         batten_picture_format format = BATTEN_PICTURE_PNG;
-        CHECK_INT(batten_picture_format_of_name(rows[i].path, &format), rows[i].known);
+        CHECK_INT(batten_picture_format_from_name(rows[i].path, &format), rows[i].known);
         CHECK_INT(format, rows[i].format);
     }
 }

@@ -160,9 +160,9 @@ batten_surface *scene_wigley(double length, double beam, double draught, double 
     return scene_net(2, 3, 2, 3, points[0][0]);
 }
 
-batten_lines_plan_options scene_plan(double length)
+batten_draw_lines_plan_options scene_plan(double length)
 {
-    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     if (test_cases(10) < 10)
         plan.stations = plan.waterlines = plan.buttocks = 0.4 * length;
     return plan;

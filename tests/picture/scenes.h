@@ -28,7 +28,7 @@ batten_curve *scene_circle(double radius);
 
 /* Usual options for the lines of a hull of this length; with failing allocations only few
  * lines, for each run draws all of them. */
-batten_lines_plan_options scene_plan(double length);
+batten_draw_lines_plan_options scene_plan(double length);
 
 /* ---- pictures ---- */
 

@@ -16,7 +16,7 @@ static inline batten_curve *jittered(test_random *random, int count, double x,
         s[i] = (i + jitter) / (count - 1);
         at(s[i], x, points + 3 * i);
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;

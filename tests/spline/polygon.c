@@ -25,7 +25,7 @@ TEST(unisurf_edges_are_the_polygon_and_its_functions_are_sums_of_bernstein_polyn
         CHECK_NEAR(at[0], wanted[0], 1e-14);
         CHECK_NEAR(at[1], wanted[1], 1e-14);
     }
-    CHECK_OK(batten_curve_edges(curve, back_start, &back[0][0]));
+    CHECK_OK(batten_curve_to_edges(curve, back_start, &back[0][0]));
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 2; k++)
             CHECK_NEAR(back[i][k], edges[i][k], 0);

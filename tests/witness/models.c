@@ -282,7 +282,7 @@ static void put_sheets(void)
     batten_model *model = NULL;
     CHECK(batten_model_create(0.001, &model));
     CHECK(batten_surface_sphere(&frame, 15, &surface));
-    CHECK(batten_body_of_surface("ball", surface, 1e-6, &body));
+    CHECK(batten_body_from_surface("ball", surface, 1e-6, &body));
     CHECK(batten_model_add(
         model, &(batten_object){.name = "ball", .kind = BATTEN_OBJECT_BODY, .body = body}));
     put_table("sphere", model, false);

@@ -88,7 +88,7 @@ static batten_status trace_round(const batten_body_parts *from, double tolerance
 {
     batten_body *some = NULL;
     bat_traced traced = {0};
-    batten_trace_report report = {0};
+    batten_body_trace_report report = {0};
     int *numbers = bat_array((size_t)from->face_count + 1, sizeof *numbers);
     batten_status status = numbers ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)

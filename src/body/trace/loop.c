@@ -133,7 +133,7 @@ static batten_status trace_use(bat_trace *trace, bat_trace_face *face, bat_trace
         return status;
     batten_curve_unref(use->curve);
     use->curve = made;
-    trace->report.miss = bat_max(trace->report.miss, miss);
+    trace->report.error = bat_max(trace->report.error, miss);
     trace->report.kept += kept;
     trace->report.rebuilt += !kept;
     return BATTEN_OK;
@@ -197,7 +197,7 @@ static batten_status trace_loop(bat_trace *trace, bat_trace_face *face,
 /* With the tolerance of the chart. On failure all is as it was. */
 static batten_status trace_loops(bat_trace *trace, bat_trace_face *face)
 {
-    const batten_trace_report report = trace->report;
+    const batten_body_trace_report report = trace->report;
     bat_trace_loops given = face->loops;
     batten_status status = BATTEN_OK;
     face->loops = (bat_trace_loops){0};

@@ -197,7 +197,8 @@ static batten_status trace_all_steps(bat_trace *trace, int **numbers)
 }
 
 batten_status bat_body_trace(const batten_body *body, double tolerance, const batten_job *job,
-                             batten_notes *notes, batten_trace_report *report, bat_traced *out)
+                             batten_notes *notes, batten_body_trace_report *report,
+                             bat_traced *out)
 {
     const batten_body_parts *from = batten_body_view(body);
     if (!(tolerance > 0 && isfinite(tolerance)))
@@ -209,7 +210,7 @@ batten_status bat_body_trace(const batten_body *body, double tolerance, const ba
     bat_builder_begin(&trace.builder, from->tolerance);
     batten_status status = trace_all_steps(&trace, &made.numbers);
     if (status == BATTEN_OK) {
-        trace.builder.parts.tolerance = bat_max(from->tolerance, trace.report.miss);
+        trace.builder.parts.tolerance = bat_max(from->tolerance, trace.report.error);
         trace.builder.parts.is_traced = true;
         status = bat_builder_finish(&trace.builder, from->is_solid, &made.body);
     }
@@ -233,7 +234,7 @@ void bat_traced_end(bat_traced *traced)
 
 batten_status batten_body_trace(const batten_body *body, double tolerance,
                                 const batten_job *job, batten_notes *notes,
-                                batten_trace_report *report, batten_body **out)
+                                batten_body_trace_report *report, batten_body **out)
 {
     bat_traced traced = {0};
     const batten_status status = bat_body_trace(body, tolerance, job, notes, report, &traced);

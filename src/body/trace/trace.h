@@ -53,7 +53,7 @@ typedef struct {
     double tolerance, size; /* size: of the body */
     const batten_job *job;
     batten_notes *notes;
-    batten_trace_report report;
+    batten_body_trace_report report;
     bat_builder builder; /* edges and vertices grow; the numbers of the given ones stay */
     bat_trace_face *faces;
     int face_count;

@@ -17,7 +17,8 @@ static inline int bat_traced_number(const bat_traced *traced, int face)
 
 /* As batten_body_trace, with the numbers; to be ended. */
 batten_status bat_body_trace(const batten_body *body, double tolerance, const batten_job *job,
-                             batten_notes *notes, batten_trace_report *report, bat_traced *out);
+                             batten_notes *notes, batten_body_trace_report *report,
+                             bat_traced *out);
 void bat_traced_end(bat_traced *traced);
 
 #endif

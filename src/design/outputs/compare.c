@@ -225,7 +225,7 @@ static void put_json(int count, const column *columns, batten_text *text)
 static batten_status draw(bat_run *run, batten_picture_format format, int count,
                           const column *columns)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     batten_panel *panels = batten_array((size_t)count, sizeof *panels);
     if (!panels)
         return BATTEN_OUT_OF_MEMORY;
@@ -250,7 +250,7 @@ static batten_status write(bat_run *run, int count, const column *columns)
     batten_picture_format format;
     batten_text text = BATTEN_TEXT;
     const char *dot = strrchr(run->name, '.');
-    if (batten_picture_format_of_name(run->name, &format))
+    if (batten_picture_format_from_name(run->name, &format))
         return draw(run, format, count, columns);
     if (dot && strcmp(dot, ".json") == 0)
         put_json(count, columns, &text);

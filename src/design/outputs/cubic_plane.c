@@ -16,8 +16,8 @@ static const batten_parameter parameters[] = {
 
 static batten_status run(bat_run *run)
 {
-    batten_picture_options options = batten_picture_defaults();
-    batten_cubic_plane_options plane = batten_cubic_plane_defaults();
+    batten_draw_options options = batten_draw_defaults();
+    batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
     batten_model *model = NULL;
     options.width = bat_count(run, "width");
     options.height = bat_count(run, "height");
@@ -26,7 +26,7 @@ static batten_status run(bat_run *run)
     plane.low = bat_number(run, "from");
     plane.high = bat_number(run, "to");
     plane.glyphs = bat_yes(run, "glyphs");
-    if (!batten_picture_format_of_name(run->name, &options.format))
+    if (!batten_picture_format_from_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
     batten_status status = bat_merge(run, "cubic-plane", &model);
     if (status == BATTEN_OK)

@@ -15,7 +15,7 @@ static bool has_data(const batten_model *model)
 {
     for (int i = 0; model && i < batten_model_count(model); i++) {
         const batten_object *object = batten_model_object(model, i);
-        if (object->kind == BATTEN_OBJECT_OFFSETS || object->point_count)
+        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE || object->point_count)
             return true;
     }
     return false;
@@ -122,7 +122,7 @@ static batten_status visit_rows(const bat_check *check, int feature, bool with_l
     for (int i = 0; i < batten_model_count(model) && status == BATTEN_OK; i++) {
         const batten_object *object = batten_model_object(model, i);
         status = visit_object(object, false, visit, context);
-        if (status == BATTEN_OK && with_lines && object->kind == BATTEN_OBJECT_OFFSETS)
+        if (status == BATTEN_OK && with_lines && object->kind == BATTEN_OBJECT_OFFSET_TABLE)
             status = visit_object(object, true, visit, context);
     }
     return status;
@@ -286,7 +286,7 @@ static batten_status judge(const batten_polyline *line, int axis, const bat_row 
 {
     double plane[2 * SECTION_POINTS];
     batten_curve *curve = NULL;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_CHORD;
     const int count = thin(line, axis, plane);
     batten_status status = batten_curve_interpolate(2, count, plane, &options, NULL, &curve);
@@ -425,7 +425,7 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
 static batten_status add_knots(const bat_check *check, bat_checked *checked)
 {
     batten_continuities joins;
-    batten_continuity_options options = batten_continuity_defaults();
+    batten_curve_continuity_options options = batten_curve_continuity_defaults();
     options.gap = bat_tolerance(check->run);
     const batten_status status =
         batten_curve_continuity(checked->object->curve, &options, &joins);

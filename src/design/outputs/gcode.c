@@ -26,7 +26,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status run(bat_run *run)
 {
-    batten_gcode_options options = batten_gcode_defaults();
+    batten_write_gcode_options options = batten_write_gcode_defaults();
     batten_model *model = NULL;
     if (bat_has(run, "depth"))
         options.depth = bat_number(run, "depth");

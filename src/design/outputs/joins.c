@@ -74,7 +74,7 @@ static double part(batten_vec3 a, batten_vec3 b, double straight)
 static batten_status compare_curves(const batten_curve *a, int side_a, const batten_curve *b,
                                     int side_b, double tolerance, bat_join *join)
 {
-    batten_continuity_options options = batten_continuity_defaults();
+    batten_curve_continuity_options options = batten_curve_continuity_defaults();
     batten_continuity found;
     options.gap = tolerance;
     const batten_status status = batten_curves_continuity(

@@ -18,38 +18,40 @@ static const batten_parameter parameters[] = {
 };
 
 /* The table of offsets among the data whose stations are to be drawn, or NULL. */
-static const batten_offsets *table_of(const bat_run *run, const batten_lines_plan_options *plan)
+static const batten_offset_table *table_of(const bat_run *run,
+                                           const batten_draw_lines_plan_options *plan)
 {
     if (!plan->data || plan->stations > 0 || bat_has(run, "station-at"))
         return NULL;
     for (int i = 0; i < batten_model_count(plan->data); i++) {
         const batten_object *object = batten_model_object(plan->data, i);
-        if (object->kind == BATTEN_OBJECT_OFFSETS)
-            return object->offsets;
+        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
+            return object->offset_table;
     }
     return NULL;
 }
 
 /* The stations asked for one by one, or those of the table. */
-static batten_status list_stations(const bat_run *run, const batten_lines_plan_options *plan,
-                                   int *count, double **out)
+static batten_status list_stations(const bat_run *run,
+                                   const batten_draw_lines_plan_options *plan, int *count,
+                                   double **out)
 {
-    const batten_offsets *table = table_of(run, plan);
+    const batten_offset_table *table = table_of(run, plan);
     const bat_argument *given = bat_argument_of(run, "station-at");
-    const int wanted = table ? batten_offsets_station_count(table) : given->count;
+    const int wanted = table ? batten_offset_table_station_count(table) : given->count;
     double *at = wanted ? bat_array((size_t)wanted, sizeof *at) : NULL;
     if (wanted && !at)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < wanted; i++)
-        at[i] = table ? batten_offsets_station(table, i)->x : given->items[i].number[0];
+        at[i] = table ? batten_offset_table_station(table, i)->x : given->items[i].number[0];
     *count = wanted;
     *out = at;
     return BATTEN_OK;
 }
 
-static batten_lines_plan_options plan_of(const bat_run *run)
+static batten_draw_lines_plan_options plan_of(const bat_run *run)
 {
-    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     plan.stations = bat_number(run, "stations");
     plan.waterlines = bat_number(run, "waterlines");
     plan.buttocks = bat_number(run, "buttocks");
@@ -61,9 +63,9 @@ static batten_lines_plan_options plan_of(const bat_run *run)
 }
 
 static batten_status draw(bat_run *run, const batten_model *model,
-                          const batten_picture_options *options)
+                          const batten_draw_options *options)
 {
-    batten_lines_plan_options plan = plan_of(run);
+    batten_draw_lines_plan_options plan = plan_of(run);
     double *stations = NULL;
     batten_status status = list_stations(run, &plan, &plan.station_count, &stations);
     if (status != BATTEN_OK)
@@ -76,9 +78,9 @@ static batten_status draw(bat_run *run, const batten_model *model,
 
 static batten_status run(bat_run *run)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     batten_model *model = NULL;
-    if (!batten_picture_format_of_name(run->name, &options.format))
+    if (!batten_picture_format_from_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .pdf, .svg or .png", run->name);
     options.width = bat_count(run, "width");
     options.height = bat_count(run, "height");

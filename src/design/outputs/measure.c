@@ -410,7 +410,7 @@ static batten_status add_object(bat_run *run, const batten_object *object, bool 
         status = add_curve(run, object, json, out);
         break;
     case BATTEN_OBJECT_POINTS:
-    case BATTEN_OBJECT_OFFSETS:
+    case BATTEN_OBJECT_OFFSET_TABLE:
         bat_measure_points(object, json, out);
         break;
     default:

@@ -42,7 +42,7 @@ static const batten_parameter parameters[] = {
 };
 
 /* What line drawings of surfaces have beyond others. */
-static void read_line_options(const bat_run *run, batten_picture_options *options)
+static void read_line_options(const bat_run *run, batten_draw_options *options)
 {
     const int field = bat_word(run, "contours");
     options->hidden = (batten_hidden)bat_word(run, "hidden");
@@ -59,9 +59,9 @@ static void read_line_options(const bat_run *run, batten_picture_options *option
     options->stereo_angle = bat_number(run, "stereo-angle");
 }
 
-static batten_picture_options options_of(const bat_run *run)
+static batten_draw_options options_of(const bat_run *run)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     const int shading = bat_word(run, "shading");
     options.width = bat_count(run, "width");
     options.height = bat_count(run, "height");
@@ -102,14 +102,14 @@ static bool has_surfaces(const batten_model *model)
     return false;
 }
 
-static bool wants_lines(const batten_picture_options *o)
+static bool wants_lines(const batten_draw_options *o)
 {
     return o->hidden != BATTEN_HIDDEN_SHOWN || o->silhouettes || o->contours ||
            o->sheet != BATTEN_SHEET_ONE || o->distance > 0;
 }
 
 static batten_status draw(bat_run *run, const batten_model *model,
-                          const batten_picture_options *options)
+                          const batten_draw_options *options)
 {
     const bool wanted = bat_word(run, "shading") != SHADING_AUTO;
     const bool is_png = options->format == BATTEN_PICTURE_PNG;
@@ -138,9 +138,9 @@ static batten_status draw(bat_run *run, const batten_model *model,
 
 static batten_status run(bat_run *run)
 {
-    batten_picture_options options = options_of(run);
+    batten_draw_options options = options_of(run);
     batten_model *model = NULL;
-    if (!batten_picture_format_of_name(run->name, &options.format))
+    if (!batten_picture_format_from_name(run->name, &options.format))
         return bat_fail(BATTEN_UNSUPPORTED, "'%s' must end in .png, .svg or .pdf", run->name);
     options.notes = run->notes;
     batten_status status = bat_merge(run, "picture", &model);

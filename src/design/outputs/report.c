@@ -65,11 +65,11 @@ static void json_moves(batten_text *out, const batten_feature_result *r)
     batten_text_add(out, "}, \"suspects\": %d", f->suspect_count);
 }
 
-static void json_skin(batten_text *out, const batten_skin_report *s)
+static void json_skin(batten_text *out, const batten_surface_skin_report *s)
 {
     static const char *const cures[] = {"none", "stretched", "rescaled", "polynomial"};
     batten_text_add(out, ", \"skin\": {");
-    json_number(out, "deviation", s->deviation);
+    json_number(out, "deviation", s->error);
     batten_text_add(out, ", \"worst_section\": %d, \"exact_knots\": %d, \"knots\": %d, ",
                     s->worst_section, s->exact_knot_count, s->knot_count);
     json_number(out, "span_ratio", s->span_ratio);
@@ -309,7 +309,7 @@ static void text_feature(batten_text *out, const bat_check *check,
     }
     if (r->skin) {
         batten_text_add(out, "    sections moved by at most ");
-        add_length(out, check, r->skin->deviation);
+        add_length(out, check, r->skin->error);
         batten_text_add(out, "; %d inner knot%s along them, the exact union has %d\n",
                         r->skin->knot_count, bat_plural(r->skin->knot_count),
                         r->skin->exact_knot_count);

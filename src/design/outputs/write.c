@@ -49,7 +49,7 @@ static batten_status run(bat_run *run)
     batten_model *model = NULL;
     options.format = (batten_format)bat_word(run, "format");
     if (options.format == BATTEN_FORMAT_AUTO &&
-        batten_format_of_name(run->name) == BATTEN_FORMAT_AUTO)
+        batten_format_from_name(run->name) == BATTEN_FORMAT_AUTO)
         return bat_fail(BATTEN_UNSUPPORTED, "the ending of '%s' names no format; add 'format'",
                         run->name);
     read_options(run, &options);

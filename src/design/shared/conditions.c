@@ -96,7 +96,7 @@ static batten_status ask_direction(asking *a, const char *parameter, bool at_end
     return BATTEN_OK;
 }
 
-static batten_status ask_all(asking *a, batten_least_squares_options *options)
+static batten_status ask_all(asking *a, batten_curve_least_squares_options *options)
 {
     const bat_argument *shape = bat_argument_of(a->run, "shape");
     batten_status status = ask_points(a, "pass", BATTEN_CONDITION_EQUAL);
@@ -124,7 +124,7 @@ static batten_status ask_all(asking *a, batten_least_squares_options *options)
 }
 
 batten_status bat_conditions_of(const bat_run *run, const bat_data *data,
-                                batten_least_squares_options *options,
+                                batten_curve_least_squares_options *options,
                                 batten_condition **conditions)
 {
     asking a = {.run = run, .data = data};

@@ -6,7 +6,7 @@
 /* 'pass', 'start-direction', 'end-direction', 'over', 'under', 'shape', 'side' and 'within' as
  * options; release *conditions. */
 batten_status bat_conditions_of(const bat_run *run, const bat_data *data,
-                                batten_least_squares_options *options,
+                                batten_curve_least_squares_options *options,
                                 batten_condition **conditions);
 
 /* Say which points are farther than five times the median distance from the curve made. */

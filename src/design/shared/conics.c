@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static void tell(bat_run *run, const char *name, const batten_conics_report *report)
+static void tell(bat_run *run, const char *name, const batten_curve_conics_report *report)
 {
     if (report->inflections > 0)
         bat_note(run, "'%s' bends to both sides in %d of its spans; curvature jumps there",
@@ -22,9 +22,9 @@ static void tell(bat_run *run, const char *name, const batten_conics_report *rep
 }
 
 batten_status bat_conics_make(bat_run *run, const bat_data *data,
-                              const batten_conics_options *options, bat_made *made)
+                              const batten_curve_conics_options *options, bat_made *made)
 {
-    batten_conics_report report;
+    batten_curve_conics_report report;
     double *t = bat_array((size_t)data->count + 1, sizeof *t);
     if (!t)
         return BATTEN_OUT_OF_MEMORY;

@@ -24,6 +24,6 @@
 
 /* A row of points as conics, with notes of spans that are otherwise. */
 batten_status bat_conics_make(bat_run *run, const bat_data *data,
-                              const batten_conics_options *options, bat_made *made);
+                              const batten_curve_conics_options *options, bat_made *made);
 
 #endif

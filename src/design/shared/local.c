@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_report *report)
+void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangents_report *report)
 {
     if (report->turned_back > 0)
         bat_note(
@@ -44,9 +44,9 @@ static batten_status make_curve(const bat_data *data, const tangent_rows *of, bo
 }
 
 batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
-                                   const batten_tangent_options *options, bat_made *made)
+                                   const batten_tangents_options *options, bat_made *made)
 {
-    batten_tangent_report report;
+    batten_tangents_report report;
     tangent_rows found;
     batten_status status = tangents_make(data, &found) ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
@@ -61,7 +61,7 @@ batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
 }
 
 batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,
-                                        batten_kochanek_bartels_options *options,
+                                        batten_tangents_kochanek_bartels_options *options,
                                         bat_made *made)
 {
     tangent_rows found;
@@ -106,7 +106,7 @@ batten_status bat_make_local(bat_run *run, const bat_data *data, batten_slope_ru
         return status;
     if (data->dimension == 1)
         return bat_make_of_slopes(data, slopes, made);
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     options.rule = tangents;
     options.length = length;
     options.closed = bat_yes(run, "closed");

@@ -21,7 +21,7 @@
 
 /* The cubic with tangents by a rule and a length; `closed` says whether the row closes. */
 batten_status bat_make_of_tangents(bat_run *run, const bat_data *data,
-                                   const batten_tangent_options *options, bat_made *made);
+                                   const batten_tangents_options *options, bat_made *made);
 /* The cubic function with slopes by a rule. */
 batten_status bat_make_of_slopes(const bat_data *data, batten_slope_rule rule, bat_made *made);
 /* Of a function the one, of a curve the other, closed or not as the run says. */
@@ -31,10 +31,10 @@ batten_status bat_make_local(bat_run *run, const bat_data *data, batten_slope_ru
 /* The cubic with the tangents of Kochanek and Bartels: 'alpha', 'beyond' and 'closed' are
  * taken from the run, the rest from the options. */
 batten_status bat_make_kochanek_bartels(bat_run *run, const bat_data *data,
-                                        batten_kochanek_bartels_options *options,
+                                        batten_tangents_kochanek_bartels_options *options,
                                         bat_made *made);
 /* Say where the polygon turned back. */
-void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangent_report *report);
+void bat_note_turns(bat_run *run, const bat_data *data, const batten_tangents_report *report);
 
 /* The vectors of a list that has one for each point, [count][dimension] in the plane of the
  * data or in space; NULL when the list was not given. Release them. */

@@ -9,14 +9,14 @@ static inline batten_status bat_made_near(const batten_fit_report *report, batte
                                           bat_made *made)
 {
     made->has_error = status == BATTEN_OK;
-    made->error_max = report->max;
+    made->error_max = report->error;
     made->error_rms = report->rms;
     return status;
 }
 
 /* What is common to smoothing: 'rms' or 'lambda' or neither; parameters, 'closed'. */
 static inline batten_status bat_smooth_options(const bat_run *run, const bat_data *data,
-                                               batten_smooth_options *options)
+                                               batten_curve_smooth_options *options)
 {
     if (bat_has(run, "rms") && bat_has(run, "lambda"))
         return bat_fail(BATTEN_BAD_ARGUMENT, "give either 'rms' or 'lambda', not both");
@@ -27,7 +27,7 @@ static inline batten_status bat_smooth_options(const bat_run *run, const bat_dat
         options->amount = bat_number(run, bat_has(run, "rms") ? "rms" : "lambda");
     options->parameters = bat_parametrization_of(run, data);
     options->given = data->abscissae;
-    options->periodic = bat_yes(run, "closed");
+    options->closed = bat_yes(run, "closed");
     return bat_check_closed(run, data);
 }
 
@@ -37,7 +37,7 @@ static inline void bat_note_validation(const bat_run *run, const bat_data *data,
 {
     bat_remark(run,
                "'%s': cross validation chose lambda %.3g: mean distance %.3g, largest %.3g",
-               data->name, report->lambda, report->rms, report->max);
+               data->name, report->lambda, report->rms, report->error);
     if (report->freedom > 0.99 * data->count)
         bat_note(run,
                  "'%s': the curve goes through the points as if they had no errors: of %d "
@@ -47,13 +47,15 @@ static inline void bat_note_validation(const bat_run *run, const bat_data *data,
 
 /* The smoothing spline and its like. */
 typedef batten_status bat_smoother(int dimension, int count, const double *points,
-                                   const batten_smooth_options *options, double *parameters,
-                                   batten_fit_report *report, batten_curve **out);
+                                   const batten_curve_smooth_options *options,
+                                   double *parameters, batten_fit_report *report,
+                                   batten_curve **out);
 
 /* What they take from the run besides what is in the options already, and the curve. */
 static inline batten_status bat_make_smooth(const bat_run *run, const bat_data *data,
                                             bat_smoother *smoother,
-                                            batten_smooth_options *options, bat_made *made)
+                                            batten_curve_smooth_options *options,
+                                            bat_made *made)
 {
     batten_fit_report report = {0};
     options->order = bat_count(run, "order");

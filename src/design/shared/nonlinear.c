@@ -12,7 +12,8 @@ batten_nonlinear_end bat_nonlinear_end_of(const bat_run *run, bool start, double
     return kind;
 }
 
-static void note(bat_run *run, const bat_data *data, const batten_nonlinear_report *report)
+static void note(bat_run *run, const bat_data *data,
+                 const batten_chain_nonlinear_report *report)
 {
     const double degree = BAT_PI / 180;
     if (report->turn > 120 * degree)
@@ -27,8 +28,8 @@ static void note(bat_run *run, const bat_data *data, const batten_nonlinear_repo
 batten_status bat_nonlinear_make(bat_run *run, const bat_data *data, batten_span_family family,
                                  const double *tensions, bat_made *made)
 {
-    batten_nonlinear_options options = batten_nonlinear_defaults();
-    batten_nonlinear_report report;
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+    batten_chain_nonlinear_report report;
     options.family = family;
     options.closed = bat_yes(run, "closed");
     options.start = bat_nonlinear_end_of(run, true, &options.start_value);

@@ -16,7 +16,7 @@ static batten_status begin_row(bat_row *row, const char *name, int count)
     return row->points ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
 }
 
-static void add_point(bat_row *row, const batten_offset_point *p)
+static void add_point(bat_row *row, const batten_table_point *p)
 {
     double *to = row->points + 3 * row->count++;
     to[0] = p->x;
@@ -24,11 +24,11 @@ static void add_point(bat_row *row, const batten_offset_point *p)
     to[2] = p->z;
 }
 
-static batten_status rows_of_stations(const batten_offsets *table, bat_rows *rows)
+static batten_status rows_of_stations(const batten_offset_table *table, bat_rows *rows)
 {
-    batten_status status = begin_rows(batten_offsets_station_count(table), rows);
+    batten_status status = begin_rows(batten_offset_table_station_count(table), rows);
     for (int i = 0; i < rows->count && status == BATTEN_OK; i++) {
-        const batten_station *station = batten_offsets_station(table, i);
+        const batten_table_station *station = batten_offset_table_station(table, i);
         status = begin_row(&rows->rows[i], station->name, station->point_count);
         for (int k = 0; k < station->point_count && status == BATTEN_OK; k++)
             add_point(&rows->rows[i], &station->points[k]);
@@ -36,23 +36,23 @@ static batten_status rows_of_stations(const batten_offsets *table, bat_rows *row
     return status;
 }
 
-static batten_status rows_of_lines(const batten_offsets *table, bat_rows *rows)
+static batten_status rows_of_lines(const batten_offset_table *table, bat_rows *rows)
 {
-    const int stations = batten_offsets_station_count(table);
-    batten_status status = begin_rows(batten_offsets_line_count(table), rows);
+    const int stations = batten_offset_table_station_count(table);
+    batten_status status = begin_rows(batten_offset_table_line_count(table), rows);
     int *counts = bat_array((size_t)rows->count, sizeof *counts);
     if (status == BATTEN_OK && !counts)
         status = BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < stations && status == BATTEN_OK; i++) {
-        const batten_station *station = batten_offsets_station(table, i);
+        const batten_table_station *station = batten_offset_table_station(table, i);
         for (int k = 0; k < station->point_count; k++)
             if (station->points[k].line >= 0)
                 counts[station->points[k].line]++;
     }
     for (int i = 0; i < rows->count && status == BATTEN_OK; i++)
-        status = begin_row(&rows->rows[i], batten_offsets_line(table, i)->name, counts[i]);
+        status = begin_row(&rows->rows[i], batten_offset_table_line(table, i)->name, counts[i]);
     for (int i = 0; i < stations && status == BATTEN_OK; i++) {
-        const batten_station *station = batten_offsets_station(table, i);
+        const batten_table_station *station = batten_offset_table_station(table, i);
         for (int k = 0; k < station->point_count; k++)
             if (station->points[k].line >= 0)
                 add_point(&rows->rows[station->points[k].line], &station->points[k]);
@@ -78,12 +78,12 @@ batten_status bat_rows_of(const batten_object *object, bool lines, bat_rows *out
 {
     bat_rows rows = {0, NULL};
     batten_status status;
-    if (object->kind != BATTEN_OBJECT_OFFSETS)
+    if (object->kind != BATTEN_OBJECT_OFFSET_TABLE)
         status = row_of_points(object, &rows);
     else if (lines)
-        status = rows_of_lines(object->offsets, &rows);
+        status = rows_of_lines(object->offset_table, &rows);
     else
-        status = rows_of_stations(object->offsets, &rows);
+        status = rows_of_stations(object->offset_table, &rows);
     if (status == BATTEN_OK)
         *out = rows;
     else

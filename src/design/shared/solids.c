@@ -215,16 +215,16 @@ static batten_box box_of_points(const batten_object *object)
 
 void bat_measure_points(const batten_object *object, bool json, batten_text *out)
 {
-    const batten_offsets *table = object->offsets;
-    const batten_box box = table ? batten_offsets_box(table) : box_of_points(object);
-    const int stations = table ? batten_offsets_station_count(table) : 0;
+    const batten_offset_table *table = object->offset_table;
+    const batten_box box = table ? batten_offset_table_box(table) : box_of_points(object);
+    const int stations = table ? batten_offset_table_station_count(table) : 0;
     int count = table ? 0 : object->point_count;
     for (int i = 0; i < stations; i++)
-        count += batten_offsets_station(table, i)->point_count;
+        count += batten_offset_table_station(table, i)->point_count;
     const counted rows[] = {
         {"count", "point", "points", count},
         {"stations", "station", "stations", stations},
-        {"lines", "line", "lines", table ? batten_offsets_line_count(table) : 0}};
+        {"lines", "line", "lines", table ? batten_offset_table_line_count(table) : 0}};
     if (json) {
         batten_text_add(out, "    {\"name\": ");
         batten_text_json(out, object->name);

@@ -35,12 +35,12 @@ static const char *why_ended(batten_levels_end end)
 void bat_report_surface_fit(bat_run *run, const batten_surface_fit_report *report)
 {
     const double *at = report->where;
-    bat_report_error(run, report->max, report->rms);
+    bat_report_error(run, report->error, report->rms);
     bat_remark(
         run,
         "%d x %d control points: distance at most %.3g, at (%.4g, %.4g, %.4g); rms %.3g; "
         "95 of 100 below %.3g",
-        report->points_u, report->points_v, report->max, at[0], at[1], at[2], report->rms,
+        report->points_u, report->points_v, report->error, at[0], at[1], at[2], report->rms,
         report->most);
     if (report->reweightings > 0)
         bat_remark(run, "points farther than %.3g count less, after %d rounds",

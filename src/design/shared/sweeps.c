@@ -28,7 +28,7 @@ static batten_status through(int count, const double *values, batten_curve **out
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++)
         at[i] = i < count - 1 ? (double)i / (count - 1) : 1;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     const batten_status status =
@@ -53,7 +53,7 @@ batten_status bat_sweep_law(const bat_run *run, const char *parameter, batten_cu
     return status;
 }
 
-static void say(bat_run *run, const batten_sweep_report *report)
+static void say(bat_run *run, const batten_surface_sweep_report *report)
 {
     bat_report_error(run, report->error, report->error);
     if (report->turn != 0)
@@ -71,7 +71,8 @@ static void say(bat_run *run, const batten_sweep_report *report)
 }
 
 batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
-                            batten_surface **surfaces, const batten_sweep_report *report)
+                            batten_surface **surfaces,
+                            const batten_surface_sweep_report *report)
 {
     if (status != BATTEN_OK)
         return status;

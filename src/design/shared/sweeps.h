@@ -43,6 +43,7 @@ void bat_remark_space_section(const bat_run *run, const batten_curve *section);
 /* Put the surfaces into the model, as "name" or "name 1", "name 2" ..., give their references
  * back and release the array; say what is true of them. A bad status so far is handed on. */
 batten_status bat_put_sweep(bat_run *run, batten_status status, int count,
-                            batten_surface **surfaces, const batten_sweep_report *report);
+                            batten_surface **surfaces,
+                            const batten_surface_sweep_report *report);
 
 #endif

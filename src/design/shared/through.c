@@ -138,7 +138,7 @@ static batten_status place_curve(const task *t, batten_curve **curve)
     if (t->data.dimension == 3)
         return BATTEN_OK;
     if (batten_curve_dimension(*curve) == 1)
-        status = batten_curve_graph(*curve, &graph);
+        status = batten_curve_from_function(*curve, &graph);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(graph ? graph : *curve, 3, &lifted);
     const batten_affine map = map_of_frame(&t->plane.frame);

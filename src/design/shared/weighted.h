@@ -7,7 +7,8 @@
 
 /* Ends, parameters and 'closed' are taken from the run, the rest from the options. */
 static inline batten_status bat_make_weighted(const bat_run *run, const bat_data *data,
-                                              batten_weighted_options *options, bat_made *made)
+                                              batten_curve_weighted_options *options,
+                                              bat_made *made)
 {
     options->closed = bat_yes(run, "closed");
     options->given = data->abscissae;

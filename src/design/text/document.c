@@ -352,7 +352,7 @@ static const bat_feature *operation_by_ending(const char *file)
 {
     batten_picture_format format;
     const char *dot = strrchr(file, '.');
-    if (batten_picture_format_of_name(file, &format))
+    if (batten_picture_format_from_name(file, &format))
         return bat_feature_find("picture");
     return bat_feature_find(dot && strcmp(dot, ".json") == 0 ? "check" : "write");
 }

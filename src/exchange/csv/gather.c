@@ -69,9 +69,9 @@ typedef struct {
     sorted_point *points;
     size_t line_count;
     sorted_line *lines;
-    batten_offset_line *offset_lines;
-    batten_offset_point *offset_points;
-    batten_station *stations;
+    batten_table_line *offset_lines;
+    batten_table_point *offset_points;
+    batten_table_station *stations;
     int station_count;
     char (*line_texts)[BATTEN_NUMBER_SIZE + 2]; /* names made of numbers */
     char (*station_texts)[BATTEN_NUMBER_SIZE];
@@ -173,9 +173,9 @@ static void make_lines(table *t)
         memcpy(t->line_texts[k], "z=", 2);
         batten_number_write(line->z, t->line_texts[k] + 2);
         t->offset_lines[k] =
-            (batten_offset_line){.name = line->name ? line->name : t->line_texts[k],
-                                 .is_waterline = line->is_waterline,
-                                 .z = line->z};
+            (batten_table_line){.name = line->name ? line->name : t->line_texts[k],
+                                .is_waterline = line->is_waterline,
+                                .z = line->z};
     }
 }
 
@@ -252,18 +252,18 @@ static batten_status make_station(table *t, size_t begin, size_t end)
         status = check_source(t, begin, i);
         if (status == BATTEN_OK && i > begin)
             status = check_twice(t, p - 1, p);
-        t->offset_points[i] =
-            (batten_offset_point){p->point.x, p->point.y, p->point.z, p->line};
+        t->offset_points[i] = (batten_table_point){p->point.x, p->point.y, p->point.z, p->line};
     }
     if (status != BATTEN_OK)
         return status;
     char *text = t->station_texts[t->station_count];
     const double x = t->points[begin].point.station + 0.0; /* never -0 */
     batten_number_write(x, text);
-    t->stations[t->station_count++] = (batten_station){.name = name ? name : text,
-                                                       .x = x,
-                                                       .point_count = (int)(end - begin),
-                                                       .points = &t->offset_points[begin]};
+    t->stations[t->station_count++] =
+        (batten_table_station){.name = name ? name : text,
+                               .x = x,
+                               .point_count = (int)(end - begin),
+                               .points = &t->offset_points[begin]};
     return BATTEN_OK;
 }
 
@@ -366,11 +366,11 @@ static void release(table *t)
     bat_release(t->points);
 }
 
-static batten_status make_model(double unit_metres, const batten_offsets *offsets,
+static batten_status make_model(double unit_metres, const batten_offset_table *offsets,
                                 batten_model **out)
 {
     const batten_object object = {
-        .name = "offsets", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets};
+        .name = "offsets", .kind = BATTEN_OBJECT_OFFSET_TABLE, .offset_table = offsets};
     batten_model *model = NULL;
     batten_status status = batten_model_create(unit_metres, &model);
     if (status == BATTEN_OK)
@@ -420,7 +420,7 @@ static void note_negative(const bat_gathering *gathering)
 batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
 {
     table t = {.from = gathering};
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     batten_status status = take_points(&t);
     if (status == BATTEN_OK)
         status = find_lines(&t);
@@ -429,13 +429,14 @@ batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
         status = make_stations(&t);
     }
     if (status == BATTEN_OK)
-        status = batten_offsets_create(gathering->unit_metres, (int)t.line_count,
+        status =
+            batten_offset_table_create(gathering->unit_metres, (int)t.line_count,
                                        t.offset_lines, t.station_count, t.stations, &offsets);
     if (status == BATTEN_OK)
         note_negative(gathering);
     if (status == BATTEN_OK)
         status = make_model(gathering->unit_metres, offsets, out);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     release(&t);
     return status;
 }

@@ -13,7 +13,8 @@ static bool is_of_kind(const batten_object *object, batten_object_kind kind)
 /* A table counts as the points of its stations, where there may be several rows of points. */
 static bool has_rows(const batten_object *object)
 {
-    return is_of_kind(object, BATTEN_OBJECT_POINTS) || object->kind == BATTEN_OBJECT_OFFSETS;
+    return is_of_kind(object, BATTEN_OBJECT_POINTS) ||
+           object->kind == BATTEN_OBJECT_OFFSET_TABLE;
 }
 
 /* A note for each object that a format with one kind of object cannot hold. */
@@ -73,21 +74,21 @@ typedef struct {
 } columns;
 
 /* Is the point on the waterline of its height, under the name that reading would give it? */
-static bool is_plain(const batten_offsets *offsets, const batten_offset_point *point)
+static bool is_plain(const batten_offset_table *offsets, const batten_table_point *point)
 {
     char name[BATTEN_NUMBER_SIZE + 2] = "z=";
     if (point->line < 0)
         return false;
-    const batten_offset_line *line = batten_offsets_line(offsets, point->line);
+    const batten_table_line *line = batten_offset_table_line(offsets, point->line);
     batten_number_write(point->z + 0.0, name + 2);
     return line->is_waterline && strcmp(line->name, name) == 0;
 }
 
-static columns needed_columns(const batten_offsets *offsets)
+static columns needed_columns(const batten_offset_table *offsets)
 {
     columns needed = {false, false, false};
-    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
-        const batten_station *station = batten_offsets_station(offsets, i);
+    for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
+        const batten_table_station *station = batten_offset_table_station(offsets, i);
         char name[BATTEN_NUMBER_SIZE];
         batten_number_write(station->x + 0.0, name);
         needed.section |= station->name[0] && strcmp(station->name, name) != 0;
@@ -111,8 +112,8 @@ static void put_head(batten_text *text, columns needed, double unit)
                     needed.section ? ",section" : "");
 }
 
-static void put_point(batten_text *text, columns needed, const batten_offsets *offsets,
-                      const batten_station *station, const batten_offset_point *point)
+static void put_point(batten_text *text, columns needed, const batten_offset_table *offsets,
+                      const batten_table_station *station, const batten_table_point *point)
 {
     if (needed.station) {
         batten_text_number(text, station->x);
@@ -125,8 +126,8 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
     batten_text_number(text, point->y);
     if (needed.line) {
         batten_text_bytes(text, ",", 1);
-        bat_put_quoted(text,
-                       point->line >= 0 ? batten_offsets_line(offsets, point->line)->name : "");
+        bat_put_quoted(
+            text, point->line >= 0 ? batten_offset_table_line(offsets, point->line)->name : "");
     }
     if (needed.section) {
         batten_text_bytes(text, ",", 1);
@@ -138,22 +139,22 @@ static void put_point(batten_text *text, columns needed, const batten_offsets *o
 batten_status bat_write_offsets(const batten_model *model, const batten_write_options *options,
                                 batten_notes *notes, batten_text *text)
 {
-    const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSETS);
+    const batten_object *object = first_of_kind(model, BATTEN_OBJECT_OFFSET_TABLE);
     if (!object)
         return nothing("table of offsets");
     if (options->eighths) {
-        note_left_out(model, notes, BATTEN_OBJECT_OFFSETS, true);
+        note_left_out(model, notes, BATTEN_OBJECT_OFFSET_TABLE, true);
         return bat_write_loft(object, batten_model_unit_metres(model), notes, text);
     }
-    const batten_offsets *offsets = object->offsets;
-    const double own = batten_offsets_unit_metres(offsets);
+    const batten_offset_table *offsets = object->offset_table;
+    const double own = batten_offset_table_unit_metres(offsets);
     const double unit = own > 0 ? own : batten_model_unit_metres(model);
     const columns needed = needed_columns(offsets);
-    note_left_out(model, notes, BATTEN_OBJECT_OFFSETS, true);
+    note_left_out(model, notes, BATTEN_OBJECT_OFFSET_TABLE, true);
     note_unit(unit, notes);
     put_head(text, needed, unit);
-    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
-        const batten_station *station = batten_offsets_station(offsets, i);
+    for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
+        const batten_table_station *station = batten_offset_table_station(offsets, i);
         for (int k = 0; k < station->point_count; k++)
             put_point(text, needed, offsets, station, &station->points[k]);
     }
@@ -199,14 +200,14 @@ static void put_row(rows *r, const batten_object *object)
 /* The points of each station are a row. */
 static void put_stations(rows *r, const batten_object *object, batten_notes *notes)
 {
-    const batten_offsets *offsets = object->offsets;
-    const double own = batten_offsets_unit_metres(offsets);
+    const batten_offset_table *offsets = object->offset_table;
+    const double own = batten_offset_table_unit_metres(offsets);
     const double scale = own > 0 && r->unit > 0 && own != r->unit ? own / r->unit : 1;
-    for (int i = 0; i < batten_offsets_station_count(offsets); i++) {
-        const batten_station *station = batten_offsets_station(offsets, i);
+    for (int i = 0; i < batten_offset_table_station_count(offsets); i++) {
+        const batten_table_station *station = batten_offset_table_station(offsets, i);
         begin_row(r);
         for (int k = 0; k < station->point_count; k++) {
-            const batten_offset_point *p = &station->points[k];
+            const batten_table_point *p = &station->points[k];
             const double point[3] = {scale * p->x, scale * p->y, scale * p->z};
             put_coordinates(r->text, point, 3, r->separator);
         }
@@ -214,7 +215,7 @@ static void put_stations(rows *r, const batten_object *object, batten_notes *not
     batten_notes_remark(notes, "", 0, object->name,
                         "the format has no tables; its points are written, a row for each of "
                         "%d stations",
-                        batten_offsets_station_count(offsets));
+                        batten_offset_table_station_count(offsets));
 }
 
 static void put_points_head(const rows *r)
@@ -230,8 +231,8 @@ static double unit_of_points(const batten_model *model)
 {
     double unit = batten_model_unit_metres(model);
     for (int i = 0; unit == 0 && i < batten_model_count(model); i++)
-        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_OFFSETS)
-            unit = batten_offsets_unit_metres(batten_model_object(model, i)->offsets);
+        if (batten_model_object(model, i)->kind == BATTEN_OBJECT_OFFSET_TABLE)
+            unit = batten_offset_table_unit_metres(batten_model_object(model, i)->offset_table);
     return unit;
 }
 
@@ -250,7 +251,7 @@ batten_status bat_write_points(const batten_model *model, const batten_write_opt
     put_points_head(&r);
     for (int i = first; i < count; i++) {
         const batten_object *object = batten_model_object(model, i);
-        if (object->kind == BATTEN_OBJECT_OFFSETS)
+        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
             put_stations(&r, object, notes);
         else if (has_rows(object))
             put_row(&r, object);

@@ -6,7 +6,7 @@
 
 typedef struct {
     batten_text *text;
-    const batten_offsets *offsets;
+    const batten_offset_table *offsets;
     int stations, lines;
     double factor; /* inches of one unit of the table */
     int *at;       /* [lines][stations] the point of the station on the line, -1 for none */
@@ -19,9 +19,9 @@ static batten_status find_points(writing *w)
     for (int i = 0; i < w->lines * w->stations; i++)
         w->at[i] = -1;
     for (int s = 0; s < w->stations; s++) {
-        const batten_station *station = batten_offsets_station(w->offsets, s);
+        const batten_table_station *station = batten_offset_table_station(w->offsets, s);
         for (int k = 0; k < station->point_count; k++) {
-            const batten_offset_point *p = &station->points[k];
+            const batten_table_point *p = &station->points[k];
             if (p->line < 0)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "point %d of station '%.60s' is on no line; a table in feet, "
@@ -37,7 +37,8 @@ static batten_status find_points(writing *w)
                 return bat_fail(BATTEN_NOT_COMPATIBLE,
                                 "line '%.60s' has two points at station '%.60s'; a table of "
                                 "lines cannot say so",
-                                batten_offsets_line(w->offsets, p->line)->name, station->name);
+                                batten_offset_table_line(w->offsets, p->line)->name,
+                                station->name);
             *at = k;
         }
     }
@@ -63,7 +64,8 @@ static void put_feet(writing *w, double value)
 static bool are_whole(const writing *w)
 {
     for (int s = 0; s < w->stations; s++) {
-        const double x = bat_near_decimal(batten_offsets_station(w->offsets, s)->x * w->factor);
+        const double x =
+            bat_near_decimal(batten_offset_table_station(w->offsets, s)->x * w->factor);
         if (8 * x != floor(8 * x))
             return false;
     }
@@ -78,11 +80,12 @@ static void put_stations(writing *w)
     batten_text_add(w->text, "axis,name");
     for (int s = 0; s < w->stations; s++) {
         batten_text_bytes(w->text, ",", 1);
-        bat_put_quoted(w->text, batten_offsets_station(w->offsets, s)->name);
+        bat_put_quoted(w->text, batten_offset_table_station(w->offsets, s)->name);
     }
     batten_text_add(w->text, "\nlength,station");
     for (int s = 0; s < w->stations; s++) {
-        const double x = bat_near_decimal(batten_offsets_station(w->offsets, s)->x * w->factor);
+        const double x =
+            bat_near_decimal(batten_offset_table_station(w->offsets, s)->x * w->factor);
         batten_text_bytes(w->text, ",", 1);
         if (whole)
             put_eighths(w, x, 8 * fabs(x));
@@ -96,7 +99,7 @@ static void put_block(writing *w, const char *axis, bool heights)
 {
     for (int line = 0; line < w->lines; line++) {
         batten_text_add(w->text, "%s,", line == 0 ? axis : "");
-        bat_put_quoted(w->text, batten_offsets_line(w->offsets, line)->name);
+        bat_put_quoted(w->text, batten_offset_table_line(w->offsets, line)->name);
         for (int s = 0; s < w->stations; s++) {
             const int at = w->at[line * w->stations + s];
             batten_text_bytes(w->text, ",", 1);
@@ -104,7 +107,8 @@ static void put_block(writing *w, const char *axis, bool heights)
                 batten_text_bytes(w->text, "x", 1);
                 continue;
             }
-            const batten_offset_point *p = &batten_offsets_station(w->offsets, s)->points[at];
+            const batten_table_point *p =
+                &batten_offset_table_station(w->offsets, s)->points[at];
             put_feet(w, heights ? p->z : p->y);
         }
         batten_text_bytes(w->text, "\n", 1);
@@ -114,7 +118,7 @@ static void put_block(writing *w, const char *axis, bool heights)
 /* Numbers beyond a million feet have no eighths that a double could keep. */
 static batten_status check_sizes(const writing *w)
 {
-    const batten_box box = batten_offsets_box(w->offsets);
+    const batten_box box = batten_offset_table_box(w->offsets);
     const double far[6] = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
     for (int k = 0; k < 6; k++)
         if (!(fabs(far[k] * w->factor) < 1e7))
@@ -128,16 +132,16 @@ static batten_status check_sizes(const writing *w)
 batten_status bat_write_loft(const batten_object *object, double unit_metres,
                              batten_notes *notes, batten_text *text)
 {
-    const batten_offsets *offsets = object->offsets;
-    const double own = batten_offsets_unit_metres(offsets);
+    const batten_offset_table *offsets = object->offset_table;
+    const double own = batten_offset_table_unit_metres(offsets);
     const double unit = own > 0 ? own : unit_metres;
     if (!(unit > 0))
         return bat_fail(BATTEN_NOT_COMPATIBLE,
                         "the table has no unit; feet and inches need one (--from-unit)");
     writing w = {.text = text,
                  .offsets = offsets,
-                 .stations = batten_offsets_station_count(offsets),
-                 .lines = batten_offsets_line_count(offsets),
+                 .stations = batten_offset_table_station_count(offsets),
+                 .lines = batten_offset_table_line_count(offsets),
                  .factor = bat_near_decimal(unit / 0.0254)};
     w.at = bat_array3((size_t)w.lines, (size_t)w.stations, sizeof *w.at);
     if (!w.at)

@@ -128,7 +128,7 @@ static batten_status read_end(const bat_dxf_pairs *pairs, int code, batten_end *
 static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_curve **out)
 {
     const size_t count = bat_dxf_count(pairs, 11);
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     double *points = NULL;
     bool has_start = false, has_end = false;
     if (count < 2)
@@ -145,7 +145,7 @@ static batten_status interpolate(const bat_dxf_pairs *pairs, int degree, batten_
     if (is_clamped)
         options.parameters = BATTEN_CHORD;
     else
-        options.start = options.end = batten_interpolate_defaults().start;
+        options.start = options.end = batten_curve_interpolate_defaults().start;
     if (status == BATTEN_OK)
         status = batten_curve_interpolate(3, (int)count, points, &options, NULL, out);
     if (status == BATTEN_OK)

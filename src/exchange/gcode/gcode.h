@@ -6,7 +6,8 @@
 #include <batten/text.h>
 
 /* batten_write_gcode into a text. */
-batten_status bat_write_gcode(const batten_model *model, const batten_gcode_options *options,
-                              batten_notes *notes, batten_text *text);
+batten_status bat_write_gcode(const batten_model *model,
+                              const batten_write_gcode_options *options, batten_notes *notes,
+                              batten_text *text);
 
 #endif

@@ -5,15 +5,15 @@
 #include <batten/text.h>
 #include <string.h>
 
-batten_gcode_options batten_gcode_defaults(void)
+batten_write_gcode_options batten_write_gcode_defaults(void)
 {
-    return (batten_gcode_options){
-        .size = sizeof(batten_gcode_options), .depth = (double)NAN, .decimals = -1};
+    return (batten_write_gcode_options){
+        .size = sizeof(batten_write_gcode_options), .depth = (double)NAN, .decimals = -1};
 }
 
 /* One program as it grows. Positions are what the machine knows: rounded, in its unit. */
 typedef struct {
-    batten_gcode_options options;
+    batten_write_gcode_options options;
     batten_text text;
     double scale; /* from the model's unit to the machine's */
     double top;   /* height at which the tool travels */
@@ -267,7 +267,7 @@ static batten_status put_paths(program *p, const batten_model *model, batten_not
 
 /* ---- the whole ---- */
 
-static batten_status check_options(const batten_gcode_options *o)
+static batten_status check_options(const batten_write_gcode_options *o)
 {
     const bool lengths = o->feed >= 0 && o->plunge >= 0 && o->clearance >= 0 &&
                          isfinite(o->feed) && isfinite(o->plunge) && isfinite(o->clearance) &&
@@ -289,7 +289,7 @@ static void settle(program *p, double unit_metres)
 {
     const bool inches = fabs(unit_metres - inch) < 1e-9 * inch;
     const double millimetre = inches ? 1 / 25.4 : 1;
-    batten_gcode_options *o = &p->options;
+    batten_write_gcode_options *o = &p->options;
     p->scale = inches || unit_metres == 0 ? 1 : unit_metres * 1000;
     o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * millimetre;
     o->plunge = o->plunge > 0 ? o->plunge * p->scale : o->feed / 4;
@@ -305,10 +305,12 @@ static void settle(program *p, double unit_metres)
                     o->relative_moves ? "G91 (moves count from where the tool is)" : "G90");
 }
 
-batten_status bat_write_gcode(const batten_model *model, const batten_gcode_options *options,
-                              batten_notes *notes, batten_text *text)
+batten_status bat_write_gcode(const batten_model *model,
+                              const batten_write_gcode_options *options, batten_notes *notes,
+                              batten_text *text)
 {
-    program p = {.options = options ? *options : batten_gcode_defaults(), .text = BATTEN_TEXT};
+    program p = {.options = options ? *options : batten_write_gcode_defaults(),
+                 .text = BATTEN_TEXT};
     batten_status status = check_options(&p.options);
     if (status == BATTEN_OK) {
         settle(&p, batten_model_unit_metres(model));
@@ -332,8 +334,9 @@ batten_status bat_write_gcode(const batten_model *model, const batten_gcode_opti
     return status;
 }
 
-batten_status batten_write_gcode(const batten_model *model, const batten_gcode_options *options,
-                                 batten_notes *notes, char **data, size_t *size)
+batten_status batten_write_gcode(const batten_model *model,
+                                 const batten_write_gcode_options *options, batten_notes *notes,
+                                 char **data, size_t *size)
 {
     assert(model && data && size);
     batten_text text = BATTEN_TEXT;

@@ -86,7 +86,7 @@ batten_status batten_cubic_look_up(double lambda, double mu, batten_cubic_place 
     return BATTEN_OK;
 }
 
-void batten_cubic_of_lengths(double lambda, double mu, double *points)
+void batten_cubic_from_lengths(double lambda, double mu, double *points)
 {
     const double made[8] = {0, 0, 0, lambda, 1 - mu, 1, 1, 1};
     for (int k = 0; k < 8; k++)

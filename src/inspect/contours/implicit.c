@@ -160,7 +160,7 @@ static void take_points(const batten_curve *curve, batten_implicit *f)
 
 /* Values at places of the curve: f is scaled by the largest gradient. */
 static batten_status substitute(const batten_curve *curve, batten_implicit *f,
-                                batten_implicit_report *report)
+                                batten_implicit_from_curve_report *report)
 {
     const int places = 8 * f->degree;
     double most = 0, least = HUGE_VAL, residual = 0;
@@ -186,10 +186,10 @@ static batten_status substitute(const batten_curve *curve, batten_implicit *f,
                         "more than once or its degree %d is too high for it",
                         f->degree);
     f->factor = 1 / most;
-    *report = (batten_implicit_report){f->degree, residual / most, least / most};
-    if (report->residual > 1e-6 * f->size)
+    *report = (batten_implicit_from_curve_report){f->degree, residual / most, least / most};
+    if (report->error > 1e-6 * f->size)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the equation misses its curve by %g",
-                        report->residual);
+                        report->error);
     return BATTEN_OK;
 }
 
@@ -206,11 +206,12 @@ static batten_status check(const batten_curve *curve)
     return BATTEN_OK;
 }
 
-batten_status batten_implicit_of_curve(const batten_curve *curve,
-                                       batten_implicit_report *report, batten_implicit **out)
+batten_status batten_implicit_from_curve(const batten_curve *curve,
+                                         batten_implicit_from_curve_report *report,
+                                         batten_implicit **out)
 {
     batten_curve *low = NULL;
-    batten_implicit_report made;
+    batten_implicit_from_curve_report made;
     batten_status status = check(curve);
     if (status == BATTEN_OK)
         status = lowest(curve, &low);

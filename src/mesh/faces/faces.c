@@ -77,7 +77,7 @@ static void sum_up(bat_meshing *m)
         r->chord = bat_max(r->chord, d->chord);
         r->angle = bat_max(r->angle, d->angle);
         r->beyond += d->beyond;
-        r->off = bat_max(r->off, d->off);
+        r->error = bat_max(r->error, d->off);
     }
 }
 

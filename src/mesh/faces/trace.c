@@ -6,7 +6,7 @@
  * their faces than claimed, but not farther than tracing accepts or triangles may be, the faces
  * are meshed all the same: the edges stay what is shared. */
 static batten_status trace_loosely(const bat_meshing *m, const batten_body *body,
-                                   batten_trace_report *told, bat_traced *out)
+                                   batten_body_trace_report *told, bat_traced *out)
 {
     /* The body's own first: near poles coarse curves swing about in (u, v). */
     static const double parts[] = {0, 0.05, 0.3, 1};
@@ -15,7 +15,7 @@ static batten_status trace_loosely(const bat_meshing *m, const batten_body *body
     batten_status status = BATTEN_OK;
     for (size_t i = 0; i < sizeof parts / sizeof *parts && (i == 0 || told->failed > 0); i++) {
         const double tried = bat_max(own, parts[i] * m->chord);
-        batten_trace_report report;
+        batten_body_trace_report report;
         bat_traced made = {0};
         if (i > 0 && tried == own)
             continue;
@@ -49,7 +49,7 @@ static void remark_miss(bat_meshing *m, const batten_body_parts *parts, double m
 batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, bat_traced *traced)
 {
     const batten_body_parts *parts = batten_body_view(body);
-    batten_trace_report told = {0};
+    batten_body_trace_report told = {0};
     if (bat_is_traced(parts)) {
         *traced = (bat_traced){.body = batten_body_ref(body)};
         return BATTEN_OK;
@@ -59,7 +59,7 @@ batten_status bat_meshing_trace(bat_meshing *m, const batten_body *body, bat_tra
     if (status != BATTEN_OK)
         return status;
     m->report.failed += told.failed;
-    remark_miss(m, parts, told.miss);
+    remark_miss(m, parts, told.error);
     if (told.failed == 0) {
         *traced = made;
         return BATTEN_OK;

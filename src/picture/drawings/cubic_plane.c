@@ -14,7 +14,7 @@ typedef struct {
 } polygon;
 
 typedef struct {
-    const batten_cubic_plane_options *plane;
+    const batten_draw_cubic_plane_options *plane;
     bat_canvas *canvas;
     bat_plot plot;
     double low, high;
@@ -405,13 +405,13 @@ static void fill_legend(bat_legend *legend)
 
 /* ---- the whole ---- */
 
-batten_cubic_plane_options batten_cubic_plane_defaults(void)
+batten_draw_cubic_plane_options batten_draw_cubic_plane_defaults(void)
 {
-    return (batten_cubic_plane_options){.size = sizeof(batten_cubic_plane_options),
-                                        .low = -2,
-                                        .high = 3.6,
-                                        .tolerance = 1e-9,
-                                        .glyphs = true};
+    return (batten_draw_cubic_plane_options){.size = sizeof(batten_draw_cubic_plane_options),
+                                             .low = -2,
+                                             .high = 3.6,
+                                             .tolerance = 1e-9,
+                                             .glyphs = true};
 }
 
 static void draw_plane(const drawing *d)
@@ -428,7 +428,7 @@ static void draw_plane(const drawing *d)
     bat_canvas_frame(d->canvas, (bat_pen){bat_grey, 0.8, BAT_SOLID}, d->plot.frame);
 }
 
-static batten_status check_plane(const batten_cubic_plane_options *plane)
+static batten_status check_plane(const batten_draw_cubic_plane_options *plane)
 {
     if (!isfinite(plane->low) || !isfinite(plane->high))
         return bat_fail(BATTEN_NOT_FINITE,
@@ -441,7 +441,7 @@ static batten_status check_plane(const batten_cubic_plane_options *plane)
 }
 
 static batten_status draw_sheet(drawing *d, const batten_model *model,
-                                const batten_picture_options *options)
+                                const batten_draw_options *options)
 {
     bat_legend legend = {0};
     const double em = d->canvas->em, top = *options->title ? 3 * em : em;
@@ -462,11 +462,11 @@ static batten_status draw_sheet(drawing *d, const batten_model *model,
 }
 
 batten_status batten_draw_cubic_plane(const batten_model *model,
-                                      const batten_cubic_plane_options *plane,
-                                      const batten_picture_options *options, char **data,
+                                      const batten_draw_cubic_plane_options *plane,
+                                      const batten_draw_options *options, char **data,
                                       size_t *size)
 {
-    const batten_cubic_plane_options standard = batten_cubic_plane_defaults();
+    const batten_draw_cubic_plane_options standard = batten_draw_cubic_plane_defaults();
     bat_canvas canvas;
     drawing d = {.plane = plane ? plane : &standard, .canvas = &canvas};
     const double em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height));

@@ -65,16 +65,16 @@ static batten_status gather_isolines(const bat_drawing *d, bat_shape *s,
 
 static batten_status gather_stations(bat_shape *s)
 {
-    const batten_offsets *table = s->object->offsets;
+    const batten_offset_table *table = s->object->offset_table;
     batten_status status = BATTEN_OK;
-    for (int i = 0; i < batten_offsets_station_count(table) && status == BATTEN_OK; i++) {
-        const batten_station *station = batten_offsets_station(table, i);
+    for (int i = 0; i < batten_offset_table_station_count(table) && status == BATTEN_OK; i++) {
+        const batten_table_station *station = batten_offset_table_station(table, i);
         const size_t count = (size_t)station->point_count;
         double *points = bat_array3(count, 3, sizeof *points);
         if (!points)
             return BATTEN_OUT_OF_MEMORY;
         for (size_t k = 0; k < count; k++) {
-            const batten_offset_point *p = &station->points[k];
+            const batten_table_point *p = &station->points[k];
             memcpy(points + 3 * k, (double[3]){p->x, p->y, p->z}, 3 * sizeof *points);
         }
         status = bat_strokes_add(&s->lines, (bat_stroke){count, points});
@@ -91,7 +91,7 @@ static batten_status gather_shape(const bat_drawing *d, bat_shape *s)
         const batten_status status = gather_isolines(d, s, BATTEN_U);
         return status == BATTEN_OK ? gather_isolines(d, s, BATTEN_V) : status;
     }
-    case BATTEN_OBJECT_OFFSETS:
+    case BATTEN_OBJECT_OFFSET_TABLE:
         return gather_stations(s);
     case BATTEN_OBJECT_TRIANGLES:
         return bat_stroke_triangles(s->object->triangles, d->options->isolines, &s->lines);
@@ -522,7 +522,7 @@ static void place_plot(bat_canvas *canvas, bat_drawing *d, double legend)
 
 static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
 {
-    const batten_picture_options *o = d->options;
+    const batten_draw_options *o = d->options;
     bat_canvas canvas;
     const double em = bat_max(5, 0.0165 * bat_min_int(o->width, o->height));
     batten_status status =
@@ -547,7 +547,7 @@ static batten_status draw_picture(bat_drawing *d, char **data, size_t *size)
     return bat_canvas_finish(&canvas, data, size);
 }
 
-static batten_status check_options(const batten_picture_options *o)
+static batten_status check_options(const batten_draw_options *o)
 {
     if (o->isolines < 1 || o->isolines > 1000)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -581,7 +581,7 @@ void bat_drawing_free(bat_drawing *d)
     bat_release(d->xy);
 }
 
-batten_status batten_draw(const batten_model *model, const batten_picture_options *options,
+batten_status batten_draw(const batten_model *model, const batten_draw_options *options,
                           char **data, size_t *size)
 {
     bat_drawing d = {.options = options};

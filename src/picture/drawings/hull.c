@@ -179,7 +179,7 @@ static batten_status space_cuts(bat_hull *hull, bat_family family, double spacin
     return status;
 }
 
-static batten_status place_given(bat_hull *hull, const batten_lines_plan_options *plan)
+static batten_status place_given(bat_hull *hull, const batten_draw_lines_plan_options *plan)
 {
     bat_cuts *cuts = &hull->families[BAT_STATIONS];
     if (plan->station_count < 0 || plan->station_count > CUT_LIMIT)
@@ -201,7 +201,7 @@ static batten_status place_given(bat_hull *hull, const batten_lines_plan_options
     return status;
 }
 
-static batten_status place_stations(bat_hull *hull, const batten_lines_plan_options *plan)
+static batten_status place_stations(bat_hull *hull, const batten_draw_lines_plan_options *plan)
 {
     if (plan->station_at)
         return place_given(hull, plan);
@@ -249,7 +249,7 @@ static batten_status check_spacing(double spacing, bat_family family)
                     names[family], spacing);
 }
 
-static batten_status place_cuts(bat_hull *hull, const batten_lines_plan_options *plan,
+static batten_status place_cuts(bat_hull *hull, const batten_draw_lines_plan_options *plan,
                                 batten_notes *notes)
 {
     const double given[] = {plan->stations, plan->buttocks, plan->waterlines};
@@ -375,8 +375,9 @@ static batten_status gather_edges(const batten_model *model, half h, bat_hull *h
     return BATTEN_OK;
 }
 
-batten_status bat_hull_cut(const batten_model *model, const batten_lines_plan_options *plan,
-                           batten_notes *notes, bat_hull *out)
+batten_status bat_hull_cut(const batten_model *model,
+                           const batten_draw_lines_plan_options *plan, batten_notes *notes,
+                           bat_hull *out)
 {
     bat_hull hull = {.edges = {0, 0, NULL}};
     half h = {1, 0};

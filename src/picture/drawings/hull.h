@@ -27,8 +27,9 @@ typedef struct {
 
 /* Cut all surfaces of a model. A hull on the side of negative y is mirrored; of a whole hull
  * the half with y >= 0 is taken. What was left out is said in `notes`. */
-batten_status bat_hull_cut(const batten_model *model, const batten_lines_plan_options *plan,
-                           batten_notes *notes, bat_hull *out);
+batten_status bat_hull_cut(const batten_model *model,
+                           const batten_draw_lines_plan_options *plan, batten_notes *notes,
+                           bat_hull *out);
 void bat_hull_free(bat_hull *hull);
 
 /* Add the parts of a polyline where sign * (coordinate - value) >= 0, cut exactly at the plane.

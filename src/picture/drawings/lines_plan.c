@@ -28,8 +28,8 @@ static const bat_colour design_colour = {0.80, 0.18, 0.12};
 
 typedef struct {
     const batten_model *model;
-    const batten_lines_plan_options *plan;
-    const batten_picture_options *options;
+    const batten_draw_lines_plan_options *plan;
+    const batten_draw_options *options;
     bat_hull hull;
     double middle; /* x between after-body and fore-body */
     double ratio;  /* the scale is 1 : ratio */
@@ -373,12 +373,12 @@ static void draw_given_point(bat_canvas *canvas, const sheet *s, const double po
     }
 }
 
-static void draw_table(bat_canvas *canvas, const sheet *s, const batten_offsets *table)
+static void draw_table(bat_canvas *canvas, const sheet *s, const batten_offset_table *table)
 {
-    for (int i = 0; i < batten_offsets_station_count(table); i++) {
-        const batten_station *station = batten_offsets_station(table, i);
+    for (int i = 0; i < batten_offset_table_station_count(table); i++) {
+        const batten_table_station *station = batten_offset_table_station(table, i);
         for (int k = 0; k < station->point_count; k++) {
-            const batten_offset_point *p = &station->points[k];
+            const batten_table_point *p = &station->points[k];
             draw_given_point(canvas, s, (double[3]){p->x, p->y, p->z});
         }
     }
@@ -389,8 +389,8 @@ static void draw_given(bat_canvas *canvas, const sheet *s)
     const batten_model *data = s->plan->data;
     for (int i = 0; data && i < batten_model_count(data); i++) {
         const batten_object *object = batten_model_object(data, i);
-        if (object->kind == BATTEN_OBJECT_OFFSETS)
-            draw_table(canvas, s, object->offsets);
+        if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
+            draw_table(canvas, s, object->offset_table);
         for (int k = 0; k < object->point_count; k++)
             draw_given_point(canvas, s, object->points + 3 * (size_t)k);
     }
@@ -566,8 +566,8 @@ static batten_status draw_sheet(bat_canvas *canvas, sheet *s)
 }
 
 batten_status batten_draw_lines_plan(const batten_model *model,
-                                     const batten_lines_plan_options *plan,
-                                     const batten_picture_options *options, batten_notes *notes,
+                                     const batten_draw_lines_plan_options *plan,
+                                     const batten_draw_options *options, batten_notes *notes,
                                      char **data, size_t *size)
 {
     bat_canvas canvas;

@@ -18,7 +18,7 @@ typedef struct {
 } look;
 
 typedef struct {
-    const batten_picture_options *options;
+    const batten_draw_options *options;
     bat_wires wires;
     int look_count;
     look looks[MOST_VIEWS];
@@ -40,7 +40,7 @@ static look look_from(const drawing *d, batten_view kind, double azimuth, const 
 
 static void choose_looks(drawing *d)
 {
-    const batten_picture_options *o = d->options;
+    const batten_draw_options *o = d->options;
     const double half = 0.5 * o->stereo_angle;
     const bool crossed = o->sheet == BATTEN_SHEET_STEREO_CROSSED;
     switch (o->sheet) {
@@ -161,7 +161,7 @@ static void place_looks(drawing *d, bat_rectangle all)
 
 static bat_rectangle stage(const drawing *d)
 {
-    const batten_picture_options *o = d->options;
+    const batten_draw_options *o = d->options;
     const double em = d->em, top = *o->title ? 3.5 * em : 1.5 * em;
     const double bottom = o->contours ? 3.5 * em : 1.5 * em;
     return (bat_rectangle){2 * em, top, bat_max(o->width - 4 * em, 8),
@@ -384,7 +384,7 @@ static void write_around(bat_canvas *canvas, const drawing *d)
 
 static batten_status make_sheet(drawing *d, char **data, size_t *size)
 {
-    const batten_picture_options *o = d->options;
+    const batten_draw_options *o = d->options;
     bat_canvas canvas;
     batten_status status =
         bat_canvas_begin(o->format, o->width, o->height, d->em, o->title, &canvas);
@@ -402,7 +402,7 @@ static batten_status make_sheet(drawing *d, char **data, size_t *size)
 
 /* ---- the whole ---- */
 
-static batten_status check_options(const batten_picture_options *o)
+static batten_status check_options(const batten_draw_options *o)
 {
     if (o->isolines < 1 || o->isolines > 1000)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -450,7 +450,7 @@ static batten_status prepare(drawing *d)
 }
 
 batten_status batten_draw_surface_lines(const batten_model *model,
-                                        const batten_picture_options *options,
+                                        const batten_draw_options *options,
                                         const batten_job *job, char **data, size_t *size)
 {
     drawing d = {.options = options,

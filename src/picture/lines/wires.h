@@ -37,7 +37,7 @@ typedef struct {
 
 typedef struct {
     const batten_model *model;
-    const batten_picture_options *options;
+    const batten_draw_options *options;
     const batten_job *job;
     batten_box box;
     double size;       /* of the box */

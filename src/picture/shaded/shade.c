@@ -37,7 +37,7 @@ typedef struct {
 typedef struct {
     const batten_model *model;
     unsigned char *smooth; /* [count of the model], see smooth_edges.h */
-    const batten_picture_options *options;
+    const batten_draw_options *options;
     const batten_job *job;
     bat_view view;
     bat_scene scene;
@@ -125,7 +125,7 @@ static bool has_stripes(batten_shading shading)
 static batten_status make_solid(picture *p, const batten_object *object, double size,
                                 solid *out)
 {
-    const batten_picture_options *o = p->options;
+    const batten_draw_options *o = p->options;
     /* A fifth of a pixel, if the shape filled the picture. Colours of curvature and mirror
      * images change faster than the shape, so that they need more. */
     const bat_curvature curvature = curvature_of(o->shading);
@@ -313,7 +313,7 @@ static void move_points(void *user, size_t count, double *points)
 /* The part of the picture that title and legend leave to the shape. */
 static bat_rectangle stage(const picture *p)
 {
-    const batten_picture_options *o = p->options;
+    const batten_draw_options *o = p->options;
     const double em = p->em, top = *o->title ? 4 * em : 2 * em;
     const double right = curvature_of(o->shading) != BAT_CURVATURE_NONE ? 9 * em : 2 * em;
     const double bottom = has_stripes(o->shading) ? 3.5 * em : 2 * em;
@@ -619,7 +619,7 @@ static void write_around(bat_canvas *canvas, const picture *p)
 
 static batten_status make_picture(picture *p, char **data, size_t *size)
 {
-    const batten_picture_options *o = p->options;
+    const batten_draw_options *o = p->options;
     bat_canvas canvas;
     batten_status status =
         bat_canvas_begin(BATTEN_PICTURE_PNG, o->width, o->height, p->em, o->title, &canvas);
@@ -636,7 +636,7 @@ static batten_status make_picture(picture *p, char **data, size_t *size)
 
 /* ---- the whole ---- */
 
-static batten_status check_options(const batten_picture_options *o)
+static batten_status check_options(const batten_draw_options *o)
 {
     if (o->format != BATTEN_PICTURE_PNG)
         return bat_fail(BATTEN_UNSUPPORTED,
@@ -656,7 +656,7 @@ static batten_status check_options(const batten_picture_options *o)
 static batten_status prepare(picture *p)
 {
     batten_box box = {{0, 0, 0}, {0, 0, 0}};
-    const batten_picture_options *o = p->options;
+    const batten_draw_options *o = p->options;
     count_shapes(p, &box);
     const double size = diagonal(&box);
     if (p->solid_count + p->mesh_count == 0)
@@ -682,9 +682,8 @@ static batten_status prepare(picture *p)
     return status == BATTEN_OK ? fit_picture(p) : status;
 }
 
-batten_status batten_draw_shaded(const batten_model *model,
-                                 const batten_picture_options *options, const batten_job *job,
-                                 char **data, size_t *size)
+batten_status batten_draw_shaded(const batten_model *model, const batten_draw_options *options,
+                                 const batten_job *job, char **data, size_t *size)
 {
     picture p = {.options = options, .job = job};
     batten_model *flat = NULL, *patches = NULL;

@@ -18,7 +18,7 @@ typedef struct {
 
 typedef struct {
     const batten_model *model;
-    const batten_picture_options *options;
+    const batten_draw_options *options;
     int shape_count;
     bat_shape *shapes;
     batten_view kind;

@@ -106,7 +106,7 @@ static batten_status add_body(flattening *f, const batten_object *object)
     batten_mesh_report report = {.failed = 0};
     batten_mesh *mesh = NULL;
     batten_status status =
-        batten_mesh_of_body(object->body, &f->mesh, f->job, f->notes, &report, &mesh);
+        batten_mesh_from_body(object->body, &f->mesh, f->job, f->notes, &report, &mesh);
     if (status == BATTEN_OK && report.failed > 0)
         batten_notes_add(f->notes, "", 0, object->name, "%d face%s not drawn", report.failed,
                          bat_one_or_many(report.failed, " is", "s are"));
@@ -137,9 +137,8 @@ static bool shows_any(const batten_model *model)
     return false;
 }
 
-batten_status bat_picture_model(const batten_model *model,
-                                const batten_picture_options *options, const batten_job *job,
-                                batten_model **out)
+batten_status bat_picture_model(const batten_model *model, const batten_draw_options *options,
+                                const batten_job *job, batten_model **out)
 {
     flattening f = {.mesh = batten_mesh_defaults(), .job = job, .notes = options->notes};
     batten_model *flat = NULL;

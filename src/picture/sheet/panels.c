@@ -9,7 +9,7 @@ enum { MAX_PANELS = 64 };
 typedef struct {
     int count;
     const batten_panel *panels;
-    const batten_picture_options *options;
+    const batten_draw_options *options;
     bat_drawing *drawings; /* [count] */
     int columns, rows, lines;
     double low[2], high[2]; /* what every panel shows */
@@ -171,7 +171,7 @@ static void draw_panel(bat_canvas *canvas, sheet *s, int i, bat_rectangle at)
 
 static batten_status draw(sheet *s, char **data, size_t *size)
 {
-    const batten_picture_options *o = s->options;
+    const batten_draw_options *o = s->options;
     bat_canvas canvas;
     const double em = bat_max(5, 0.0135 * bat_min_int(o->width, o->height));
     const batten_status status =
@@ -192,8 +192,7 @@ static batten_status draw(sheet *s, char **data, size_t *size)
 }
 
 batten_status batten_draw_panels(int count, const batten_panel *panels,
-                                 const batten_picture_options *options, char **data,
-                                 size_t *size)
+                                 const batten_draw_options *options, char **data, size_t *size)
 {
     assert(panels && options && data && size);
     if (count < 1 || count > MAX_PANELS)

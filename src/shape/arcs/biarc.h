@@ -27,9 +27,9 @@ batten_status bat_biarc_make(const double start[2], double phi, double l, double
 batten_status bat_biarc_check_ends(int dimension, const double *start,
                                    const double *start_direction, const double *end,
                                    const double *end_direction);
-/* Points, directions and joints as batten_biarcs_options has them. */
+/* Points, directions and joints as batten_chain_biarcs_options has them. */
 batten_status bat_biarcs_check(int dimension, int count, const double *points,
-                               const batten_biarcs_options *options);
+                               const batten_chain_biarcs_options *options);
 
 /* A direction of length 1. */
 void bat_direction(int dimension, const double *from, double *to);

@@ -6,10 +6,11 @@
 
 #include <string.h>
 
-batten_biarcs_options batten_biarcs_defaults(void)
+batten_chain_biarcs_options batten_chain_biarcs_defaults(void)
 {
-    return (batten_biarcs_options){
-        .size = sizeof(batten_biarcs_options), .joint = BATTEN_JOINT_AUTOMATIC, .place = 0.5};
+    return (batten_chain_biarcs_options){.size = sizeof(batten_chain_biarcs_options),
+                                         .joint = BATTEN_JOINT_AUTOMATIC,
+                                         .place = 0.5};
 }
 
 /* ---- directions ---- */
@@ -84,7 +85,7 @@ static batten_status check_directions(int d, int count, const double *directions
 }
 
 batten_status bat_biarcs_check(int dimension, int count, const double *points,
-                               const batten_biarcs_options *options)
+                               const batten_chain_biarcs_options *options)
 {
     const int d = dimension, spans = options->closed ? count : count - 1;
     batten_status status = bat_points_check(d, count, points, options->closed ? 3 : 2);
@@ -113,12 +114,12 @@ typedef struct {
     int count; /* points */
     bool closed;
     const double *points;
-    batten_biarcs_options options;
+    batten_chain_biarcs_options options;
     double *directions; /* [count][2] */
     batten_span *spans; /* 2 for each chord at most */
     int span_count;
     double *at; /* [count], arc length at the points */
-    batten_biarcs_report report;
+    batten_chain_biarcs_report report;
 } work;
 
 static double jump(const batten_span *a, const batten_span *b)
@@ -128,7 +129,7 @@ static double jump(const batten_span *a, const batten_span *b)
 
 static void note_biarc(work *w, const batten_biarc *made)
 {
-    batten_biarcs_report *r = &w->report;
+    batten_chain_biarcs_report *r = &w->report;
     for (int i = 0; i < made->count; i++) {
         const double k = fabs(made->arcs[i].curvature[0]);
         r->arcs += k > 0;
@@ -154,7 +155,7 @@ static batten_status add_span(work *w, int i, double *length)
         return bat_fail(status, "between points %d and %d: %s", i, j, batten_message());
     double end[2];
     bat_arc_at(&made.arcs[made.count - 1], made.arcs[made.count - 1].length, end);
-    w->report.residual = bat_max(w->report.residual, bat_distance(2, end, b));
+    w->report.error = bat_max(w->report.error, bat_distance(2, end, b));
     note_biarc(w, &made);
     for (int k = 0; k < made.count; k++)
         *length += made.arcs[k].length;
@@ -207,7 +208,7 @@ static batten_status reserve(work *w)
     return BATTEN_OK;
 }
 
-static void hand_over(const work *w, double *parameters, batten_biarcs_report *report)
+static void hand_over(const work *w, double *parameters, batten_chain_biarcs_report *report)
 {
     if (parameters)
         memcpy(parameters, w->at, (size_t)w->count * sizeof *parameters);
@@ -216,13 +217,14 @@ static void hand_over(const work *w, double *parameters, batten_biarcs_report *r
 }
 
 batten_status batten_chain_biarcs(int count, const double *points,
-                                  const batten_biarcs_options *options, double *parameters,
-                                  batten_biarcs_report *report, batten_chain **out)
+                                  const batten_chain_biarcs_options *options,
+                                  double *parameters, batten_chain_biarcs_report *report,
+                                  batten_chain **out)
 {
     assert(points && out);
     work w = {.count = count,
               .points = points,
-              .options = options ? *options : batten_biarcs_defaults()};
+              .options = options ? *options : batten_chain_biarcs_defaults()};
     w.closed = w.options.closed;
     batten_status status = bat_biarcs_check(2, count, points, &w.options);
     if (status != BATTEN_OK)

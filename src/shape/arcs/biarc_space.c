@@ -165,11 +165,12 @@ static batten_status add_all(pieces *p, int count, const double *points, bool cl
 }
 
 batten_status batten_curve_biarcs(int dimension, int count, const double *points,
-                                  const batten_biarcs_options *options, double *parameters,
-                                  batten_curve **out)
+                                  const batten_chain_biarcs_options *options,
+                                  double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_biarcs_options wanted = options ? *options : batten_biarcs_defaults();
+    const batten_chain_biarcs_options wanted =
+        options ? *options : batten_chain_biarcs_defaults();
     if (dimension != 2 && dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "biarcs of %d dimensions; there are 2 and 3",
                         dimension);

@@ -27,18 +27,18 @@ typedef struct {
 typedef struct {
     int count;
     const double *points;
-    const batten_conics_options *options;
+    const batten_curve_conics_options *options;
     double *units;      /* [count][2] */
     double *curvatures; /* [count] */
     int piece_count;
     piece *pieces;
     int *first; /* [spans + 1] pieces */
-    batten_conics_report report;
+    batten_curve_conics_report report;
 } task;
 
-batten_conics_options batten_conics_defaults(void)
+batten_curve_conics_options batten_curve_conics_defaults(void)
 {
-    return (batten_conics_options){.size = sizeof(batten_conics_options)};
+    return (batten_curve_conics_options){.size = sizeof(batten_curve_conics_options)};
 }
 
 static double cross(const double *u, const double *v)
@@ -149,7 +149,7 @@ static bool find_pair(const task *t, const span *s, double leg0, double leg1, pi
     const double w0 = weight_for(&whole, false, s->k0), w1 = weight_for(&whole, true, s->k1);
     if (w0 == 0 || w1 == 0)
         return false;
-    const batten_conics_options *o = t->options;
+    const batten_curve_conics_options *o = t->options;
     const double lambda = o->start_share > 0 ? o->start_share : w0 / (1 + w0);
     const double mu = o->end_share > 0 ? o->end_share : w1 / (1 + w1);
     const double a = lambda * leg0, b = mu * leg1;
@@ -163,7 +163,7 @@ static bool find_pair(const task *t, const span *s, double leg0, double leg1, pi
 
 static void add_c(task *t, int i, const span *s, double leg0, double leg1)
 {
-    const batten_conics_options *o = t->options;
+    const batten_curve_conics_options *o = t->options;
     piece pair[2];
     if (o->kind == BATTEN_CONICS_SINGLE) {
         add_single(t, s, leg0);
@@ -298,7 +298,7 @@ static batten_status make_span(task *t, int i)
 
 static void measure(task *t, int spans)
 {
-    batten_conics_report *r = &t->report;
+    batten_curve_conics_report *r = &t->report;
     r->least_weight = HUGE_VAL;
     for (int i = 0; i < t->piece_count; i++) {
         r->least_weight = bat_min(r->least_weight, t->pieces[i].w);
@@ -368,7 +368,8 @@ static batten_status emit(const task *t, int spans, double *parameters, batten_c
 
 /* ---- the data ---- */
 
-static batten_status check(int count, const double *points, const batten_conics_options *o)
+static batten_status check(int count, const double *points,
+                           const batten_curve_conics_options *o)
 {
     batten_status status = bat_points_check(2, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
@@ -389,11 +390,11 @@ static batten_status check(int count, const double *points, const batten_conics_
 
 static batten_status find_tangents(task *t)
 {
-    const batten_conics_options *o = t->options;
+    const batten_curve_conics_options *o = t->options;
     const size_t n = (size_t)t->count;
     batten_status status = BATTEN_OK;
     if (!o->tangents) {
-        batten_tangent_options rule = batten_tangent_defaults();
+        batten_tangents_options rule = batten_tangents_defaults();
         rule.closed = o->closed;
         double *parameters = bat_array(n + 1, sizeof *parameters);
         status = parameters ? batten_tangents(2, t->count, t->points, &rule, parameters,
@@ -415,7 +416,7 @@ static batten_status find_tangents(task *t)
 
 static batten_status find_curvatures(task *t)
 {
-    const batten_conics_options *o = t->options;
+    const batten_curve_conics_options *o = t->options;
     if (o->kind != BATTEN_CONICS_PAIRS)
         memset(t->curvatures, 0, (size_t)t->count * sizeof *t->curvatures);
     else if (!o->curvatures)
@@ -440,11 +441,12 @@ static batten_status allocate(task *t, int spans)
 }
 
 batten_status batten_curve_conics(int count, const double *points,
-                                  const batten_conics_options *options, double *parameters,
-                                  batten_conics_report *report, batten_curve **out)
+                                  const batten_curve_conics_options *options,
+                                  double *parameters, batten_curve_conics_report *report,
+                                  batten_curve **out)
 {
     assert(points && out);
-    const batten_conics_options defaults = batten_conics_defaults();
+    const batten_curve_conics_options defaults = batten_curve_conics_defaults();
     task t = {.count = count, .points = points, .options = options ? options : &defaults};
     t.report.first_arcs = t.report.first_fallen_back = -1;
     batten_status status = check(count, points, t.options);

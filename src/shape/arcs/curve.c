@@ -291,8 +291,8 @@ static void widen(batten_arcs_report *report, const bat_beside *beside)
     report->right = bat_max(report->right, -beside->low);
     const bool high = beside->high > -beside->low;
     const double largest = high ? beside->high : -beside->low;
-    if (largest > report->deviation) {
-        report->deviation = largest;
+    if (largest > report->error) {
+        report->error = largest;
         report->at = high ? beside->high_at : beside->low_at;
     }
 }
@@ -367,9 +367,9 @@ static batten_status run_all(task *t, batten_arcs_report *report, batten_chain *
     return status;
 }
 
-batten_status batten_arcs_of_curve(const batten_curve *curve,
-                                   const batten_arcs_options *options,
-                                   batten_arcs_report *report, batten_chain **out)
+batten_status batten_arcs_from_curve(const batten_curve *curve,
+                                     const batten_arcs_options *options,
+                                     batten_arcs_report *report, batten_chain **out)
 {
     assert(curve && options && out);
     batten_status status = bat_arcs_check(options);
@@ -398,9 +398,9 @@ batten_status batten_arcs_of_curve(const batten_curve *curve,
     return status;
 }
 
-batten_status batten_arcs_of_chain(const batten_chain *chain,
-                                   const batten_arcs_options *options,
-                                   batten_arcs_report *report, batten_chain **out)
+batten_status batten_arcs_from_chain(const batten_chain *chain,
+                                     const batten_arcs_options *options,
+                                     batten_arcs_report *report, batten_chain **out)
 {
     assert(chain && options && out);
     batten_status status = bat_arcs_check(options);
@@ -412,10 +412,10 @@ batten_status batten_arcs_of_chain(const batten_chain *chain,
     batten_arcs_report found;
     rest.tolerance -= error;
     if (status == BATTEN_OK)
-        status = batten_arcs_of_curve(curve, &rest, &found, out);
+        status = batten_arcs_from_curve(curve, &rest, &found, out);
     if (status == BATTEN_OK && report) {
         *report = found;
-        report->deviation += error;
+        report->error += error;
         report->sampled += error;
         report->left += error;
         report->right += error;

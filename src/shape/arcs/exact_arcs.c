@@ -226,7 +226,7 @@ static batten_status of_space_curve(const batten_curve *curve, batten_chain **ou
     return status;
 }
 
-batten_status batten_arcs_exact(const batten_curve *curve, batten_chain **out)
+batten_status batten_arcs_from_curve_exact(const batten_curve *curve, batten_chain **out)
 {
     assert(curve && out);
     if (curve->dimension == 3)

@@ -177,8 +177,8 @@ static void measure_all(const task *t, double *parameters, batten_arcs_report *r
             const double d = bat_arcs_beside(&probe, t->points + 2 * k);
             report->left = bat_max(report->left, d);
             report->right = bat_max(report->right, -d);
-            if (fabs(d) > report->deviation) {
-                report->deviation = fabs(d);
+            if (fabs(d) > report->error) {
+                report->error = fabs(d);
                 report->at = k;
             }
             parameters[k] = length + place_of(&part->biarc, t->points + 2 * k);
@@ -187,7 +187,7 @@ static void measure_all(const task *t, double *parameters, batten_arcs_report *r
             length += part->biarc.arcs[k].length;
         parameters[(int)part->to] = length;
     }
-    report->sampled = report->deviation;
+    report->sampled = report->error;
 }
 
 /* ---- the whole ---- */
@@ -250,12 +250,12 @@ static batten_status run_all(task *t, int count, double *parameters, batten_arcs
     return status;
 }
 
-batten_status batten_arcs_of_points(int count, const double *points,
-                                    const batten_arcs_options *options, double *parameters,
-                                    batten_arcs_report *report, batten_chain **out)
+batten_status batten_arcs_from_points(int count, const double *points,
+                                      const batten_arcs_options *options, double *parameters,
+                                      batten_arcs_report *report, batten_chain **out)
 {
     assert(points && options && out);
-    batten_biarcs_options row = batten_biarcs_defaults();
+    batten_chain_biarcs_options row = batten_chain_biarcs_defaults();
     row.closed = options->closed;
     batten_status status = bat_arcs_check(options);
     if (status == BATTEN_OK)

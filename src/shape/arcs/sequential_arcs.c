@@ -102,7 +102,7 @@ static batten_status find_chords(const double *points, const chords *c)
 
 static batten_status make_spans(const chords *c, const double *points, double x,
                                 batten_span *spans, double *angles,
-                                batten_sequential_report *report)
+                                batten_chain_sequential_arcs_report *report)
 {
     double before = 0;
     for (int i = 0; i < c->count; i++) {
@@ -132,7 +132,7 @@ static batten_status make_spans(const chords *c, const double *points, double x,
 
 static batten_status make(const chords *c, const double *points, double start_angle,
                           batten_span *spans, double *angles, double *breaks,
-                          batten_sequential_report *report, batten_chain **out)
+                          batten_chain_sequential_arcs_report *report, batten_chain **out)
 {
     batten_status status = find_chords(points, c);
     if (status != BATTEN_OK)
@@ -152,7 +152,8 @@ static batten_status make(const chords *c, const double *points, double start_an
 
 batten_status batten_chain_sequential_arcs(int count, const double *points, double start_angle,
                                            double *angles, double *parameters,
-                                           batten_sequential_report *report, batten_chain **out)
+                                           batten_chain_sequential_arcs_report *report,
+                                           batten_chain **out)
 {
     assert(points && out);
     batten_status status = bat_points_check(2, count, points, 2);
@@ -161,7 +162,7 @@ batten_status batten_chain_sequential_arcs(int count, const double *points, doub
     if (isinf(start_angle))
         return bat_fail(BATTEN_NOT_FINITE, "the direction at the start is infinite");
     const size_t n = (size_t)count;
-    batten_sequential_report found = {0};
+    batten_chain_sequential_arcs_report found = {0};
     chords c = {count - 1, bat_array(n, sizeof(double)), bat_array(n, sizeof(double)),
                 bat_array(n, sizeof(double))};
     batten_span *spans = bat_array(n, sizeof *spans);

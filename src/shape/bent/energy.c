@@ -10,12 +10,13 @@
 
 enum { MOST_PIECES = 16 };
 
-batten_energy_options batten_energy_defaults(void)
+batten_curve_minimum_energy_options batten_curve_minimum_energy_defaults(void)
 {
-    return (batten_energy_options){.size = sizeof(batten_energy_options),
-                                   .energy = BATTEN_ENERGY_VARIATION,
-                                   .pieces = 2,
-                                   .max_steps = 200};
+    return (batten_curve_minimum_energy_options){
+        .size = sizeof(batten_curve_minimum_energy_options),
+        .energy = BATTEN_ENERGY_VARIATION,
+        .pieces = 2,
+        .max_steps = 200};
 }
 
 /* ---- what is asked ---- */
@@ -37,7 +38,7 @@ static batten_status check_end(const char *name, int d, const double *tangent,
 }
 
 static batten_status check(int d, int count, const double *points,
-                           const batten_energy_options *options)
+                           const batten_curve_minimum_energy_options *options)
 {
     if (d < 2 || d > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve of least energy in %d dimension%s", d,
@@ -68,7 +69,7 @@ static batten_status check(int d, int count, const double *points,
 
 /* The points in units of their mean chord, from the first one; then all numbers are near 1. */
 typedef struct {
-    const batten_energy_options *options;
+    const batten_curve_minimum_energy_options *options;
     int d, count;
     const double *given;
     double unit;
@@ -135,10 +136,10 @@ static batten_status task_begin(task *t)
  * the elastica, which is it, for variation Spiro, which is near it; else Euler spirals. */
 static batten_status find_chain(const task *t, double *parameters, batten_chain **out)
 {
-    const batten_energy_options *o = t->options;
+    const batten_curve_minimum_energy_options *o = t->options;
     const bool bending = o->energy == BATTEN_ENERGY_BENDING;
-    batten_nonlinear_options nonlinear = batten_nonlinear_defaults();
-    batten_spiro_options spiro = batten_spiro_defaults();
+    batten_chain_nonlinear_options nonlinear = batten_chain_nonlinear_defaults();
+    batten_chain_spiro_options spiro = batten_chain_spiro_defaults();
     const double *const tangents[2] = {o->start_tangent, o->end_tangent};
     batten_nonlinear_end kinds[2];
     double angles[2];
@@ -209,12 +210,12 @@ static batten_status start_of_chain(task *t, bool *found)
 /* A cubic spline by chord lengths. */
 static batten_status start_of_cubic(task *t)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     const bool natural = t->options->energy == BATTEN_ENERGY_BENDING;
     options.parameters = BATTEN_GIVEN;
     options.given = t->parameters;
     options.knots_at_data = true;
-    options.periodic = t->options->closed;
+    options.closed = t->options->closed;
     options.start.kind = options.end.kind =
         natural ? BATTEN_END_NATURAL : BATTEN_END_NOT_A_KNOT;
     batten_curve *curve = NULL;
@@ -317,7 +318,7 @@ static batten_status make_curve(const task *t, batten_curve **out)
 }
 
 /* From units of the mean chord to those of the model. */
-static void scale_report(const task *t, batten_energy_report *report)
+static void scale_report(const task *t, batten_curve_minimum_energy_report *report)
 {
     const double unit = t->unit;
     const double power = t->options->scale_invariant                   ? 1
@@ -339,7 +340,7 @@ static batten_status go_by_length(task *t, bat_energy_task what, double energy, 
     double *step = bat_array((size_t)nodes->spans, sizeof *step);
     batten_status status = x && step ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK) {
-        batten_energy_report now = {0};
+        batten_curve_minimum_energy_report now = {0};
         bat_energy_end end;
         memcpy(x, nodes->x, count * sizeof *x);
         memcpy(step, nodes->step, (size_t)nodes->spans * sizeof *step);
@@ -359,13 +360,14 @@ static batten_status go_by_length(task *t, bat_energy_task what, double energy, 
 
 /* Search, make the parameter the arc length, and search again, until that lowers the energy no
  * more. */
-static batten_status search(task *t, bat_energy_task *what, batten_energy_report *report)
+static batten_status search(task *t, bat_energy_task *what,
+                            batten_curve_minimum_energy_report *report)
 {
     enum { ROUNDS = 10 };
     const int most = what->max_steps;
     bool least = false, changed = true;
     for (int round = 0; round < ROUNDS && changed; round++) {
-        const batten_energy_report last = *report;
+        const batten_curve_minimum_energy_report last = *report;
         bat_energy_end end;
         what->max_steps = most - last.steps;
         batten_status status = bat_energy_minimise(what, &t->nodes, report, &end);
@@ -392,16 +394,16 @@ static batten_status search(task *t, bat_energy_task *what, batten_energy_report
 }
 
 /* From the curve that stands at the nodes. */
-static batten_status search_from_here(task *t, batten_energy_report *report)
+static batten_status search_from_here(task *t, batten_curve_minimum_energy_report *report)
 {
-    const batten_energy_options *o = t->options;
+    const batten_curve_minimum_energy_options *o = t->options;
     /* A tension is a force; energies are by the unit or its cube. */
     const double tension = o->energy == BATTEN_ENERGY_BENDING
                                ? t->unit * t->unit
                                : t->unit * t->unit * t->unit * t->unit;
     bat_energy_task what = {o->energy, o->scale_invariant, o->tension * tension, o->max_steps,
                             10 * bat_energy_length(&t->nodes)};
-    *report = (batten_energy_report){0};
+    *report = (batten_curve_minimum_energy_report){0};
     memset(t->nodes.unknown, 0,
            (size_t)t->nodes.count * 3 * (size_t)t->d * sizeof *t->nodes.unknown);
     t->nodes.unknown_count = t->nodes.band = 0;
@@ -415,7 +417,8 @@ static batten_status search_from_here(task *t, batten_energy_report *report)
 
 /* From a plane spline of its kind where there is one, and where that leads nowhere from the
  * cubic spline. */
-static batten_status find(task *t, batten_energy_report *report, batten_curve **out)
+static batten_status find(task *t, batten_curve_minimum_energy_report *report,
+                          batten_curve **out)
 {
     bool found = false;
     batten_status status = task_begin(t);
@@ -440,17 +443,18 @@ static batten_status find(task *t, batten_energy_report *report, batten_curve **
 }
 
 batten_status batten_curve_minimum_energy(int dimension, int count, const double *points,
-                                          const batten_energy_options *options,
-                                          double *parameters, batten_energy_report *report,
+                                          const batten_curve_minimum_energy_options *options,
+                                          double *parameters,
+                                          batten_curve_minimum_energy_report *report,
                                           batten_curve **out)
 {
     assert(points && out);
-    const batten_energy_options standard = batten_energy_defaults();
+    const batten_curve_minimum_energy_options standard = batten_curve_minimum_energy_defaults();
     task t = {.options = options ? options : &standard,
               .d = dimension,
               .count = count,
               .given = points};
-    batten_energy_report found = {0};
+    batten_curve_minimum_energy_report found = {0};
     batten_curve *curve = NULL;
     batten_status status = check(dimension, count, points, t.options);
     if (status == BATTEN_OK)

@@ -59,7 +59,8 @@ typedef enum {
 
 /* Lower the energy towards its least near x. */
 batten_status bat_energy_minimise(const bat_energy_task *task, bat_energy_curve *curve,
-                                  batten_energy_report *report, bat_energy_end *end);
+                                  batten_curve_minimum_energy_report *report,
+                                  bat_energy_end *end);
 
 /* ---- the parameter ---- */
 

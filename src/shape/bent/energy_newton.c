@@ -496,7 +496,8 @@ static batten_status descend(search *s, double *damping, double *remaining, bat_
     return BATTEN_OK;
 }
 
-static batten_status minimise(search *s, batten_energy_report *report, bat_energy_end *end)
+static batten_status minimise(search *s, batten_curve_minimum_energy_report *report,
+                              bat_energy_end *end)
 {
     measure(s, &s->energy, &s->length, &s->size);
     double damping = 1e-4;
@@ -519,7 +520,8 @@ static batten_status minimise(search *s, batten_energy_report *report, bat_energ
 }
 
 batten_status bat_energy_minimise(const bat_energy_task *task, bat_energy_curve *curve,
-                                  batten_energy_report *report, bat_energy_end *end)
+                                  batten_curve_minimum_energy_report *report,
+                                  bat_energy_end *end)
 {
     search s = {.task = NULL};
     batten_status status = search_begin(task, curve, &s);

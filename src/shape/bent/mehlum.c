@@ -31,18 +31,19 @@ typedef struct {
 typedef struct {
     int count, spans, arcs;
     const double *points;
-    const batten_mehlum_options *options;
+    const batten_chain_mehlum_options *options;
     const batten_chain *elastica;
     double *turns;
     int capacity;
     batten_span *made;
     int *first; /* [spans + 1] arcs */
-    batten_mehlum_report report;
+    batten_chain_mehlum_report report;
 } task;
 
-batten_mehlum_options batten_mehlum_defaults(void)
+batten_chain_mehlum_options batten_chain_mehlum_defaults(void)
 {
-    return (batten_mehlum_options){.size = sizeof(batten_mehlum_options), .arcs = 4};
+    return (batten_chain_mehlum_options){.size = sizeof(batten_chain_mehlum_options),
+                                         .arcs = 4};
 }
 
 /* ---- one span ---- */
@@ -233,11 +234,11 @@ static batten_status find_span(task *t, mehlum *m, int index)
 
 static void count_in(task *t, const mehlum *m, int index)
 {
-    batten_mehlum_report *r = &t->report;
+    batten_chain_mehlum_report *r = &t->report;
     for (int i = bat_max_int(1, t->arcs); i < t->arcs + m->count; i++)
         r->jump = bat_max(r->jump, fabs(t->made[i].curvature[0] - t->made[i - 1].curvature[0]));
-    if (m->deviation > r->deviation) {
-        r->deviation = m->deviation;
+    if (m->deviation > r->error) {
+        r->error = m->deviation;
         r->at = index + m->at;
     }
     t->arcs += m->count;
@@ -259,7 +260,7 @@ static batten_status make_all(task *t)
     return BATTEN_OK;
 }
 
-static batten_status check(const batten_mehlum_options *o)
+static batten_status check(const batten_chain_mehlum_options *o)
 {
     if (o->arcs < 2 || o->arcs > MOST_ARCS)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -301,15 +302,15 @@ static batten_status make(task *t, double *parameters, batten_chain **out)
 }
 
 batten_status batten_chain_mehlum(int count, const double *points,
-                                  const batten_mehlum_options *options, double *angles,
-                                  double *parameters, batten_mehlum_report *report,
+                                  const batten_chain_mehlum_options *options, double *angles,
+                                  double *parameters, batten_chain_mehlum_report *report,
                                   batten_chain **out)
 {
     assert(points && out);
-    const batten_mehlum_options defaults = batten_mehlum_defaults();
+    const batten_chain_mehlum_options defaults = batten_chain_mehlum_defaults();
     task t = {.count = count, .points = points, .options = options ? options : &defaults};
-    const batten_mehlum_options *o = t.options;
-    batten_nonlinear_options elastica = batten_nonlinear_defaults();
+    const batten_chain_mehlum_options *o = t.options;
+    batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
     batten_chain *beam = NULL;
     elastica.family = BATTEN_FAMILY_ELASTICA;
     elastica.start = o->start;

@@ -10,11 +10,11 @@
 #include <float.h>
 #include <string.h>
 
-batten_nonlinear_options batten_nonlinear_defaults(void)
+batten_chain_nonlinear_options batten_chain_nonlinear_defaults(void)
 {
-    return (batten_nonlinear_options){.size = sizeof(batten_nonlinear_options),
-                                      .family = BATTEN_FAMILY_EULER_SPIRAL,
-                                      .max_steps = 50};
+    return (batten_chain_nonlinear_options){.size = sizeof(batten_chain_nonlinear_options),
+                                            .family = BATTEN_FAMILY_EULER_SPIRAL,
+                                            .max_steps = 50};
 }
 
 /* ---- the families ---- */
@@ -46,7 +46,7 @@ static batten_status check_end(const char *name, batten_nonlinear_end kind, doub
     return BATTEN_OK;
 }
 
-static batten_status check_tensions(const batten_nonlinear_options *options, int spans)
+static batten_status check_tensions(const batten_chain_nonlinear_options *options, int spans)
 {
     for (int j = 0; options->tensions && j < spans; j++) {
         if (!isfinite(options->tensions[j]))
@@ -59,7 +59,7 @@ static batten_status check_tensions(const batten_nonlinear_options *options, int
 }
 
 static batten_status check(int count, const double *points,
-                           const batten_nonlinear_options *options)
+                           const batten_chain_nonlinear_options *options)
 {
     if (!family_of(options->family))
         return bat_fail(BATTEN_BAD_ARGUMENT, "span family %d is none", (int)options->family);
@@ -100,7 +100,7 @@ static void polygon_free(polygon *p)
 }
 
 static batten_status polygon_make(int count, const double *points,
-                                  const batten_nonlinear_options *options, polygon *p)
+                                  const batten_chain_nonlinear_options *options, polygon *p)
 {
     bat_two_angle *task = &p->task;
     batten_status status = bat_chord_polygon_make(count, points, options->closed, &p->chords);
@@ -132,7 +132,7 @@ static double end_value(batten_nonlinear_end kind, double value, double from, do
     return value * unit;
 }
 
-static void set_ends(const batten_nonlinear_options *options, polygon *p)
+static void set_ends(const batten_chain_nonlinear_options *options, polygon *p)
 {
     bat_two_angle *task = &p->task;
     const double *first = p->chords.vector, *last = first + 2 * (size_t)task->spans - 2;
@@ -257,12 +257,12 @@ static bool tighten(polygon *p)
 /* Rounds of more tension, each from the tangents of the one before. Where the spans cannot be
  * joined in so much tension, the last round that could be stands. */
 static batten_status choose_tension(polygon *p, int max_steps, double *kept,
-                                    batten_nonlinear_report *report)
+                                    batten_chain_nonlinear_report *report)
 {
     enum { ROUNDS = 100 };
     const size_t bytes = (size_t)p->task.spans * sizeof *kept;
     for (int round = 0; round < ROUNDS; round++) {
-        batten_nonlinear_report next = {0};
+        batten_chain_nonlinear_report next = {0};
         memcpy(kept, p->task.tension, bytes);
         if (!tighten(p))
             break;
@@ -277,8 +277,8 @@ static batten_status choose_tension(polygon *p, int max_steps, double *kept,
     return BATTEN_OK;
 }
 
-static batten_status solve(polygon *p, const batten_nonlinear_options *options,
-                           batten_nonlinear_report *report)
+static batten_status solve(polygon *p, const batten_chain_nonlinear_options *options,
+                           batten_chain_nonlinear_report *report)
 {
     batten_status status = bat_two_angle_solve(&p->task, options->max_steps, p->angles, report);
     if (status != BATTEN_OK || options->tensions ||
@@ -295,8 +295,8 @@ static batten_status solve(polygon *p, const batten_nonlinear_options *options,
 /* ---- the whole ---- */
 
 static batten_status make(int count, const double *points,
-                          const batten_nonlinear_options *options, double *parameters,
-                          polygon *p, batten_nonlinear_report *report, batten_chain **out)
+                          const batten_chain_nonlinear_options *options, double *parameters,
+                          polygon *p, batten_chain_nonlinear_report *report, batten_chain **out)
 {
     batten_status status = polygon_make(count, points, options, p);
     if (status == BATTEN_OK) {
@@ -311,15 +311,15 @@ static batten_status make(int count, const double *points,
 }
 
 batten_status batten_chain_nonlinear(int count, const double *points,
-                                     const batten_nonlinear_options *options, double *angles,
-                                     double *parameters, batten_nonlinear_report *report,
-                                     batten_chain **out)
+                                     const batten_chain_nonlinear_options *options,
+                                     double *angles, double *parameters,
+                                     batten_chain_nonlinear_report *report, batten_chain **out)
 {
     assert(points && out);
-    const batten_nonlinear_options defaults = batten_nonlinear_defaults();
+    const batten_chain_nonlinear_options defaults = batten_chain_nonlinear_defaults();
     if (!options)
         options = &defaults;
-    batten_nonlinear_report reached = {0};
+    batten_chain_nonlinear_report reached = {0};
     polygon p = {0};
     batten_status status = check(count, points, options);
     if (status == BATTEN_OK)
@@ -327,7 +327,7 @@ batten_status batten_chain_nonlinear(int count, const double *points,
     if (status == BATTEN_OK && angles)
         bat_chord_polygon_directions(&p.chords, p.angles, angles);
     if (status == BATTEN_OK && report) {
-        reached.residual /= p.chords.unit;
+        reached.error /= p.chords.unit;
         reached.curvature /= p.chords.unit;
         reached.inflections_added = count_added(&p);
         reached.turn = bat_chord_polygon_sharpest(&p.chords, &reached.turn_at);

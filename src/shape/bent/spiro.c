@@ -10,9 +10,10 @@
 
 enum { N = BAT_SPIRO_UNKNOWNS };
 
-batten_spiro_options batten_spiro_defaults(void)
+batten_chain_spiro_options batten_chain_spiro_defaults(void)
 {
-    return (batten_spiro_options){.size = sizeof(batten_spiro_options), .max_steps = 200};
+    return (batten_chain_spiro_options){.size = sizeof(batten_chain_spiro_options),
+                                        .max_steps = 200};
 }
 
 /* ---- what is asked ---- */
@@ -25,7 +26,8 @@ static batten_status check_end(const char *name, const batten_spiro_end *end)
     return BATTEN_OK;
 }
 
-static batten_status check(int count, const double *points, const batten_spiro_options *options)
+static batten_status check(int count, const double *points,
+                           const batten_chain_spiro_options *options)
 {
     if (options->max_steps < 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d step%s; at least 1 is needed",
@@ -65,7 +67,7 @@ static void spline_free(spline *s)
 }
 
 static batten_status spline_make(int count, const double *points,
-                                 const batten_spiro_options *options, spline *s)
+                                 const batten_chain_spiro_options *options, spline *s)
 {
     const batten_status status =
         bat_chord_polygon_make(count, points, options->closed, &s->chords);
@@ -107,7 +109,7 @@ static bool is_free(const spline *s, int i, bool leaving)
            s->kinds[i] == (leaving ? BATTEN_SPIRO_RIGHT : BATTEN_SPIRO_LEFT);
 }
 
-static batten_status prepare(const batten_spiro_options *options, spline *s)
+static batten_status prepare(const batten_chain_spiro_options *options, spline *s)
 {
     const bat_chord_polygon *p = &s->chords;
     if (!p->closed) {
@@ -189,7 +191,7 @@ static void start(spline *s)
 /* ---- the chain ---- */
 
 static void make_span(const spline *s, int j, const double *point, batten_span *span,
-                      batten_spiro_report *report)
+                      batten_chain_spiro_report *report)
 {
     const bat_chord_polygon *p = &s->chords;
     static const double line[N] = {0};
@@ -214,7 +216,7 @@ static void make_span(const spline *s, int j, const double *point, batten_span *
 }
 
 static batten_status emit(const spline *s, const double *points, double *parameters,
-                          batten_spiro_report *report, batten_chain **out)
+                          batten_chain_spiro_report *report, batten_chain **out)
 {
     const bat_chord_polygon *p = &s->chords;
     batten_span *spans = bat_array((size_t)p->spans, sizeof *spans);
@@ -237,9 +239,9 @@ static batten_status emit(const spline *s, const double *points, double *paramet
 
 /* ---- the whole ---- */
 
-static batten_status make(int count, const double *points, const batten_spiro_options *options,
-                          double *parameters, spline *s, batten_spiro_report *report,
-                          batten_chain **out)
+static batten_status make(int count, const double *points,
+                          const batten_chain_spiro_options *options, double *parameters,
+                          spline *s, batten_chain_spiro_report *report, batten_chain **out)
 {
     batten_status status = spline_make(count, points, options, s);
     if (status == BATTEN_OK)
@@ -254,14 +256,14 @@ static batten_status make(int count, const double *points, const batten_spiro_op
 }
 
 batten_status batten_chain_spiro(int count, const double *points,
-                                 const batten_spiro_options *options, double *parameters,
-                                 batten_spiro_report *report, batten_chain **out)
+                                 const batten_chain_spiro_options *options, double *parameters,
+                                 batten_chain_spiro_report *report, batten_chain **out)
 {
     assert(points && out);
-    const batten_spiro_options defaults = batten_spiro_defaults();
+    const batten_chain_spiro_options defaults = batten_chain_spiro_defaults();
     if (!options)
         options = &defaults;
-    batten_spiro_report reached = {0};
+    batten_chain_spiro_report reached = {0};
     spline s = {.kinds = NULL};
     batten_status status = check(count, points, options);
     if (status == BATTEN_OK)

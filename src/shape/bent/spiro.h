@@ -37,6 +37,6 @@ typedef struct {
 /* Solve for c [spans][4], which begins with spirals near the points. `report`: steps, residual
  * and the largest curvature times the longest chord. */
 batten_status bat_spiro_solve(const bat_spiro_task *task, int max_steps, double *c,
-                              batten_spiro_report *report);
+                              batten_chain_spiro_report *report);
 
 #endif

@@ -388,17 +388,17 @@ static void iterate_free(iterate *it)
     bat_release(it->spans);
 }
 
-static void fill_report(const search *s, batten_spiro_report *report)
+static void fill_report(const search *s, batten_chain_spiro_report *report)
 {
     report->steps = s->steps;
-    report->residual = s->now.worst;
+    report->error = s->now.worst;
     for (int j = 0; j < s->task->chords->spans; j++)
         for (int e = 0; e < 2; e++)
             report->curvature = bat_max(report->curvature, fabs(s->now.spans[j].value[e][1]));
 }
 
 batten_status bat_spiro_solve(const bat_spiro_task *task, int max_steps, double *c,
-                              batten_spiro_report *report)
+                              batten_chain_spiro_report *report)
 {
     const bat_chord_polygon *p = task->chords;
     const size_t bytes = (size_t)p->spans * N * sizeof *c;

@@ -347,7 +347,7 @@ static void iterate_free(iterate *it)
 }
 
 batten_status bat_two_angle_solve(const bat_two_angle *task, int max_steps, double *angles,
-                                  batten_nonlinear_report *report)
+                                  batten_chain_nonlinear_report *report)
 {
     const size_t n = (size_t)task->count;
     iterate now = {0}, next = {0};
@@ -359,7 +359,7 @@ batten_status bat_two_angle_solve(const bat_two_angle *task, int max_steps, doub
     }
     if (status == BATTEN_OK) {
         memcpy(angles, now.angles, n * sizeof *angles);
-        report->residual = now.worst;
+        report->error = now.worst;
         report->curvature = now.curvature;
     }
     iterate_free(&now);

@@ -67,6 +67,6 @@ void bat_two_angle_span(const bat_two_angle *task, const double *angles, int j, 
 batten_status bat_two_angle_start(const bat_two_angle *task, double *angles);
 /* Improve them until curvature is continuous; `report`: all but inflections_added. */
 batten_status bat_two_angle_solve(const bat_two_angle *task, int max_steps, double *angles,
-                                  batten_nonlinear_report *report);
+                                  batten_chain_nonlinear_report *report);
 
 #endif

@@ -6,7 +6,7 @@
 #include <string.h>
 
 typedef struct {
-    const batten_network_options *options;
+    const batten_surface_coons_network_options *options;
     int dimension, count[2];
     const double *points;
     double *at[2];           /* the parameters */
@@ -45,7 +45,7 @@ static batten_status parametrize(grid *g, int k)
 static batten_status make_line(grid *g, int k, int line, double *room)
 {
     const int d = g->dimension, n = g->count[k];
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = g->at[k];
     options.start.kind = options.end.kind = g->options->ends;
@@ -94,7 +94,7 @@ static batten_status look_along(grid *g, int i, int j, const batten_surface *sur
 
 static batten_status fit_surface(const grid *g, batten_surface **out)
 {
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.knots_at_data = true;
     options.parameters = BATTEN_GIVEN;
     options.given_u = g->at[0];
@@ -147,7 +147,7 @@ static batten_status check(int dimension, int count_u, int count_v, const double
 
 static batten_status build(grid *g, batten_surface **out)
 {
-    batten_network_options options = *g->options;
+    batten_surface_coons_network_options options = *g->options;
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         status = parametrize(g, k);
@@ -169,10 +169,11 @@ static batten_status build(grid *g, batten_surface **out)
 
 batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
                                         const double *points,
-                                        const batten_network_options *options, double *u,
-                                        double *v, batten_surface **out)
+                                        const batten_surface_coons_network_options *options,
+                                        double *u, double *v, batten_surface **out)
 {
-    const batten_network_options standard = batten_network_defaults();
+    const batten_surface_coons_network_options standard =
+        batten_surface_coons_network_defaults();
     assert(points && out);
     grid g = {.options = options ? options : &standard,
               .dimension = dimension,

@@ -20,7 +20,7 @@
 enum { MOST_CELLS = 4, MOST_VALUES = 6 };
 
 typedef struct {
-    const batten_network_options *options;
+    const batten_surface_coons_network_options *options;
     int dimension, order; /* 1: F alone, 2: and G */
     int count[2];
     const double *at[2];
@@ -29,14 +29,15 @@ typedef struct {
     double gap;
 } network;
 
-batten_network_options batten_network_defaults(void)
+batten_surface_coons_network_options batten_surface_coons_network_defaults(void)
 {
-    return (batten_network_options){.size = sizeof(batten_network_options),
-                                    .blending = BATTEN_BLENDING_COONS,
-                                    .twists = BATTEN_TWISTS_ADINI,
-                                    .tolerance = 1e-6,
-                                    .parameters = BATTEN_CENTRIPETAL,
-                                    .ends = BATTEN_END_NOT_A_KNOT};
+    return (batten_surface_coons_network_options){
+        .size = sizeof(batten_surface_coons_network_options),
+        .blending = BATTEN_BLENDING_COONS,
+        .twists = BATTEN_TWISTS_ADINI,
+        .tolerance = 1e-6,
+        .parameters = BATTEN_CENTRIPETAL,
+        .ends = BATTEN_END_NOT_A_KNOT};
 }
 
 /* ---- blending functions of a line of the net ---- */
@@ -287,7 +288,7 @@ static batten_status check_axis(const network *net, int k)
 
 static batten_status check(const network *net)
 {
-    const batten_network_options *o = net->options;
+    const batten_surface_coons_network_options *o = net->options;
     if (!(o->tolerance >= 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, below 0", o->tolerance);
     if (o->blending < BATTEN_BLENDING_LINEAR || o->blending > BATTEN_BLENDING_COONS)
@@ -305,10 +306,11 @@ static batten_status check(const network *net)
 batten_status batten_surface_coons_network(int count_u, const double *u, int count_v,
                                            const double *v, const batten_curve *const *along_u,
                                            const batten_curve *const *along_v,
-                                           const batten_network_options *options, double *gap,
-                                           batten_surface **out)
+                                           const batten_surface_coons_network_options *options,
+                                           double *gap, batten_surface **out)
 {
-    const batten_network_options standard = batten_network_defaults();
+    const batten_surface_coons_network_options standard =
+        batten_surface_coons_network_defaults();
     assert(u && v && along_u && along_v && out);
     network net = {.options = options ? options : &standard,
                    .count = {count_u, count_v},

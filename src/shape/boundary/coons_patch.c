@@ -23,23 +23,23 @@ enum { SAMPLES = 64 };
 
 /* Line 2 a + i of a direction is the derivative of order a across its end i. */
 typedef struct {
-    const batten_coons_options *options;
+    const batten_surface_coons_options *options;
     const batten_ribbon *sides;
     int dimension, order;
     bat_coons coons;
-    batten_coons_report report;
+    batten_surface_coons_report report;
     /* [line along v][line along u]: as seen by the former, by the latter */
     double seen[2][6][6][3];
     double corner[6][6][3]; /* C */
     double allowed;         /* gaps: the tolerance, and the rounding of what was seen */
 } patch;
 
-batten_coons_options batten_coons_defaults(void)
+batten_surface_coons_options batten_surface_coons_defaults(void)
 {
-    return (batten_coons_options){.size = sizeof(batten_coons_options),
-                                  .order = 1,
-                                  .tolerance = 1e-6,
-                                  .twist = BATTEN_TWIST_GREGORY};
+    return (batten_surface_coons_options){.size = sizeof(batten_surface_coons_options),
+                                          .order = 1,
+                                          .tolerance = 1e-6,
+                                          .twist = BATTEN_TWIST_GREGORY};
 }
 
 /* ---- lines ---- */
@@ -99,7 +99,7 @@ static batten_status take_lines(patch *p)
 
 static batten_status take_blends(patch *p)
 {
-    const batten_coons_options *o = p->options;
+    const batten_surface_coons_options *o = p->options;
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         const batten_blending family = k ? o->blending_v : o->blending_u;
@@ -235,7 +235,7 @@ static batten_status settle(patch *p, int i, int j)
     const double *a = p->seen[0][i][j], *b = p->seen[1][i][j];
     const double gap = bat_distance(p->dimension, a, b);
     const bool differ = !(gap <= p->allowed);
-    batten_coons_report *r = &p->report;
+    batten_surface_coons_report *r = &p->report;
     if (i < 2 && j < 2) {
         widen(gap, &r->corner_gap, &r->corner, i, j);
         choose(p->dimension, a, b, 0.5, p->corner[i][j]);
@@ -345,7 +345,7 @@ static batten_status measure(patch *p)
 
 /* ---- all ---- */
 
-static batten_status check(const batten_ribbon *sides, const batten_coons_options *o)
+static batten_status check(const batten_ribbon *sides, const batten_surface_coons_options *o)
 {
     if (o->order < 1 || o->order > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order of a patch is %d, not 1 to 3",
@@ -383,12 +383,12 @@ static batten_status build(patch *p, batten_surface **out)
 }
 
 batten_status batten_surface_coons(const batten_ribbon sides[4],
-                                   const batten_coons_options *options,
-                                   batten_coons_report *report, batten_surface **out)
+                                   const batten_surface_coons_options *options,
+                                   batten_surface_coons_report *report, batten_surface **out)
 {
-    const batten_coons_options standard = batten_coons_defaults();
+    const batten_surface_coons_options standard = batten_surface_coons_defaults();
     assert(sides && out);
-    const batten_coons_options *o = options ? options : &standard;
+    const batten_surface_coons_options *o = options ? options : &standard;
     batten_status status = check(sides, o);
     if (status != BATTEN_OK)
         return status;

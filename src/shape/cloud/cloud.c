@@ -135,7 +135,7 @@ static batten_status correct(bat_scatter *s, batten_status (*fit)(bat_scatter *s
  * chosen again for these, some times. */
 static batten_status correct_all(bat_scatter *s)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     const bool keep = o->method == BATTEN_SCATTERED_PENALISED &&
                       (o->huber || o->by != BATTEN_SMOOTH_BY_LAMBDA);
     batten_status status = BATTEN_OK;
@@ -262,7 +262,7 @@ static batten_status centre_points(bat_scatter *s)
 
 static batten_status fit_cloud(bat_scatter *s, double *uv, const batten_job *job)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     batten_status status = bat_scatter_begin(s, uv, job);
     if (status == BATTEN_OK)
         status = centre_points(s);
@@ -283,11 +283,12 @@ static batten_status fit_cloud(bat_scatter *s, double *uv, const batten_job *job
 }
 
 batten_status batten_surface_cloud(int count, const double *points, const batten_surface *base,
-                                   const batten_scattered_options *options,
+                                   const batten_surface_scattered_options *options,
                                    const batten_job *job, double *uv,
                                    batten_surface_fit_report *report, batten_surface **out)
 {
-    batten_scattered_options o = options ? *options : batten_scattered_defaults();
+    batten_surface_scattered_options o =
+        options ? *options : batten_surface_scattered_defaults();
     bat_scatter s = {.dimension = 3,
                      .count = (size_t)bat_max_int(count, 0),
                      .values = points,

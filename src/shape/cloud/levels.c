@@ -184,7 +184,7 @@ static double rms_of(const bat_scatter *s, double most)
 static batten_levels_end reason_to_end(const bat_scatter *s, const lattice *l, double most,
                                        double gain)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     const double next = (2.0 * l->spans[0] + 3) * (2.0 * l->spans[1] + 3);
     if (most <= o->tolerance)
         return BATTEN_LEVELS_MET;

@@ -30,7 +30,7 @@ static batten_status score_at(void *user, double lambda, double *score)
 
 static batten_status search(bat_scatter *s, double *lambda)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     const double per_unit = 1 / (s->length * s->length);
     const bat_lambda_search search = {
         .by = o->by,
@@ -166,7 +166,7 @@ static batten_status check_net(const bat_scatter *s)
  * net that is solved directly. */
 static batten_status begin(bat_scatter *s, double *lambda)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     int spans[2] = {o->spans_u ? o->spans_u : usual_spans(s, 0),
                     o->spans_v ? o->spans_v : usual_spans(s, 1)};
     s->probes = s->count <= FEW ? (int)s->count : PROBES;

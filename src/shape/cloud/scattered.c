@@ -8,17 +8,17 @@
 
 enum { MAX_DEGREE = 9, WIDE = MAX_DEGREE + 1 };
 
-batten_scattered_options batten_scattered_defaults(void)
+batten_surface_scattered_options batten_surface_scattered_defaults(void)
 {
-    return (batten_scattered_options){.size = sizeof(batten_scattered_options),
-                                      .degree_u = 3,
-                                      .degree_v = 3,
-                                      .corrections = 20};
+    return (batten_surface_scattered_options){.size = sizeof(batten_surface_scattered_options),
+                                              .degree_u = 3,
+                                              .degree_v = 3,
+                                              .corrections = 20};
 }
 
 /* ---- checks ---- */
 
-static batten_status check_options(const batten_scattered_options *o)
+static batten_status check_options(const batten_surface_scattered_options *o)
 {
     const int degrees[2] = {o->degree_u, o->degree_v}, spans[2] = {o->spans_u, o->spans_v};
     if ((int)o->method < 0 || o->method > BATTEN_SCATTERED_MULTILEVEL)
@@ -373,11 +373,11 @@ batten_status bat_scatter_fit(bat_scatter *s)
 
 batten_status batten_surface_scattered(int dimension, int count, const double *uv,
                                        const double *values,
-                                       const batten_scattered_options *options,
+                                       const batten_surface_scattered_options *options,
                                        const batten_job *job, batten_surface_fit_report *report,
                                        batten_surface **out)
 {
-    const batten_scattered_options defaults = batten_scattered_defaults();
+    const batten_surface_scattered_options defaults = batten_surface_scattered_defaults();
     bat_scatter s = {.dimension = dimension,
                      .count = (size_t)bat_max_int(count, 0),
                      .values = values,

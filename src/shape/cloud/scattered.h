@@ -42,7 +42,7 @@ struct bat_scatter {
     size_t count;
     const double *values; /* the caller's, [count][d] */
     const double *given;  /* the caller's weights or NULL */
-    const batten_scattered_options *options;
+    const batten_surface_scattered_options *options;
     bat_work work;
     double *uv;                                   /* [count][2], scaled */
     double *weights;                              /* [count], what counts now */

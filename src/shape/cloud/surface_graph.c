@@ -33,7 +33,7 @@ static batten_status graph_of(const bat_nurbs *f, batten_surface **out)
     return status;
 }
 
-batten_status batten_surface_graph(const batten_surface *function, batten_surface **out)
+batten_status batten_surface_from_function(const batten_surface *function, batten_surface **out)
 {
     batten_surface *clamped[2] = {NULL, NULL};
     if (function->kind != &bat_nurbs_kind || function->dimension != 1 ||
@@ -50,7 +50,7 @@ batten_status batten_surface_graph(const batten_surface *function, batten_surfac
     return status;
 }
 
-batten_status batten_surface_of_corners(const double *corners, batten_surface **out)
+batten_status batten_surface_from_corners(const double *corners, batten_surface **out)
 {
     const double knots[4] = {0, 0, 1, 1};
     double points[12];

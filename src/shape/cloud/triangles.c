@@ -6,21 +6,21 @@
 #include <float.h>
 #include <string.h>
 
-batten_scattered_triangles_options batten_scattered_triangles_defaults(void)
+batten_triangles_scattered_options batten_triangles_scattered_defaults(void)
 {
-    return (batten_scattered_triangles_options){
-        .size = sizeof(batten_scattered_triangles_options), .sliver = 1e-3};
+    return (batten_triangles_scattered_options){
+        .size = sizeof(batten_triangles_scattered_options), .sliver = 1e-3};
 }
 
 typedef struct {
     int count;
     const double *values; /* [count] of the points */
-    const batten_scattered_triangles_options *options;
+    const batten_triangles_scattered_options *options;
     const batten_job *job;
     batten_plane_triangles triangles;
     double *f; /* [vertex_count] */
     double *g; /* [vertex_count][2] */
-    batten_scattered_triangles_report report;
+    batten_triangles_scattered_report report;
 } pipeline;
 
 static batten_status say(const pipeline *p, double fraction, const char *what)
@@ -138,16 +138,16 @@ static void measure(pipeline *p, const batten_triangles *made)
     double scaled = 0;
     for (int i = 0; i < p->count; i++) {
         const double off = fabs(p->values[i] - p->f[p->triangles.vertex_of[i]]);
-        if (off > p->report.max) {
-            p->report.max = off;
+        if (off > p->report.error) {
+            p->report.error = off;
             p->report.worst = i;
         }
     }
-    for (int i = 0; p->report.max > 0 && i < p->count; i++) {
-        const double off = (p->values[i] - p->f[p->triangles.vertex_of[i]]) / p->report.max;
+    for (int i = 0; p->report.error > 0 && i < p->count; i++) {
+        const double off = (p->values[i] - p->f[p->triangles.vertex_of[i]]) / p->report.error;
         scaled += off * off;
     }
-    p->report.rms = p->report.max * sqrt(scaled / p->count);
+    p->report.rms = p->report.error * sqrt(scaled / p->count);
 }
 
 static batten_status carry_out(pipeline *p, const double *xy, batten_triangles **out)
@@ -176,14 +176,14 @@ static batten_status carry_out(pipeline *p, const double *xy, batten_triangles *
 }
 
 batten_status batten_triangles_scattered(int count, const double *xy, const double *values,
-                                         const batten_scattered_triangles_options *options,
+                                         const batten_triangles_scattered_options *options,
                                          const batten_job *job,
-                                         batten_scattered_triangles_report *report,
+                                         batten_triangles_scattered_report *report,
                                          batten_triangles **out)
 {
     assert(xy && values && out);
-    const batten_scattered_triangles_options chosen =
-        options ? *options : batten_scattered_triangles_defaults();
+    const batten_triangles_scattered_options chosen =
+        options ? *options : batten_triangles_scattered_defaults();
     const size_t n = count > 0 ? (size_t)count : 0, bad = bat_first_not_finite(values, n);
     if (bad < n)
         return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad, values[bad]);

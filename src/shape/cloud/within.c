@@ -324,7 +324,7 @@ static batten_status fail(const bat_scatter *s, size_t worst, double most)
 
 static batten_status begin(bat_scatter *s)
 {
-    const batten_scattered_options *o = s->options;
+    const batten_surface_scattered_options *o = s->options;
     s->probes = 0;
     batten_status status = bat_scatter_even(&s->axis[0], o->degree_u,
                                             o->spans_u ? o->spans_u : FIRST_SPANS, s->side[0]);

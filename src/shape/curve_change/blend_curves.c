@@ -154,7 +154,7 @@ static batten_status look(const batten_curve *curve, const batten_blend_end *end
 
 static batten_status verify(const batten_curve *first, const batten_curve *second,
                             const batten_blend_end ends[2], const batten_curve *blend,
-                            batten_blend_report *report)
+                            batten_curves_blend_report *report)
 {
     batten_continuity *joins = report->joins;
     batten_status status = batten_curves_continuity(first, ends[0].end, blend,
@@ -173,11 +173,11 @@ static batten_status verify(const batten_curve *first, const batten_curve *secon
 batten_status batten_curves_blend(const batten_curve *first, const batten_blend_end *first_end,
                                   const batten_curve *second,
                                   const batten_blend_end *second_end,
-                                  batten_blend_report *report, batten_curve **out)
+                                  batten_curves_blend_report *report, batten_curve **out)
 {
     assert(first && first_end && second && second_end && out);
     const batten_blend_end ends[2] = {*first_end, *second_end};
-    batten_blend_report done = {0};
+    batten_curves_blend_report done = {0};
     batten_curve *made = NULL;
     bat_side sides[2];
     batten_status status = check(first, second, ends);

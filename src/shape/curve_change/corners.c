@@ -15,7 +15,7 @@ typedef struct {
 
 static batten_status find_places(const batten_curve *curve, places *out)
 {
-    const batten_continuity_options options = batten_continuity_defaults();
+    const batten_curve_continuity_options options = batten_curve_continuity_defaults();
     const double end = batten_curve_domain(curve).b;
     batten_continuities joins = {0, NULL};
     batten_status status = batten_curve_continuity(curve, &options, &joins);

@@ -130,7 +130,7 @@ typedef struct {
     batten_extension extension;
     double length, to; /* one of them NaN */
     double tolerance;
-    batten_extend_report report;
+    batten_curve_extend_report report;
     batten_curve *made;
 } task;
 
@@ -249,7 +249,7 @@ static batten_status check(const batten_curve *curve, double amount, double tole
 
 /* `t` knows how, not yet what. */
 static batten_status extend(task *t, const batten_curve *curve, batten_curve_end end,
-                            batten_extend_report *report, batten_curve **out)
+                            batten_curve_extend_report *report, batten_curve **out)
 {
     batten_curve *turned = NULL, *clamped = NULL, *back = NULL;
     batten_status status = turn_to(curve, end, &turned);
@@ -278,7 +278,7 @@ static batten_status extend(task *t, const batten_curve *curve, batten_curve_end
 
 batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end end,
                                   batten_extension extension, double length, double tolerance,
-                                  batten_extend_report *report, batten_curve **out)
+                                  batten_curve_extend_report *report, batten_curve **out)
 {
     assert(curve && out);
     task t = {.extension = extension, .length = length, .to = NAN, .tolerance = tolerance};
@@ -291,7 +291,7 @@ batten_status batten_curve_extend(const batten_curve *curve, batten_curve_end en
 
 batten_status batten_curve_extend_to(const batten_curve *curve, batten_curve_end end,
                                      batten_extension extension, double u, double tolerance,
-                                     batten_extend_report *report, batten_curve **out)
+                                     batten_curve_extend_report *report, batten_curve **out)
 {
     assert(curve && out);
     const batten_interval domain = batten_curve_domain(curve);

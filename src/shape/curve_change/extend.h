@@ -15,7 +15,7 @@ typedef struct {
 /* SINGULAR_HERE where the end has no speed. */
 batten_status bat_tip_at(const batten_curve *curve, bat_tip *out);
 /* What goes on from the tip by an arc length, on the domain [b, ..] with the speed of the tip.
- * @param error as in batten_extend_report */
+ * @param error as in batten_curve_extend_report */
 batten_status bat_tip_piece(const bat_tip *tip, batten_extension extension, double length,
                             double tolerance, double b, double *error, batten_curve **out);
 /* A spline clamped at its end, of rows of any width, with its last piece gone on to u. */

@@ -99,7 +99,7 @@ static batten_status point_and_slope(const batten_curve *curve, double u, batten
 
 static batten_status make_arc(const batten_curve *const curves[2], const batten_frame *frame,
                               double radius, const bat_fillet_place *place,
-                              batten_fillet_report *report, batten_curve **out)
+                              batten_curves_fillet_report *report, batten_curve **out)
 {
     const batten_vec3 z = bat_vec3_scale(frame->z, place->side / bat_vec3_norm(frame->z));
     batten_vec3 p[2], slope[2];
@@ -127,7 +127,7 @@ static batten_status make_arc(const batten_curve *const curves[2], const batten_
         batten_curve_unref(made);
         return status;
     }
-    *report = (batten_fillet_report){
+    *report = (batten_curves_fillet_report){
         .u = {place->u[0], place->u[1]},
         .center = bat_vec3_along(p[0], radius, tip.n),
         .angle = angle,
@@ -148,7 +148,7 @@ static batten_status verify_join(const batten_curve *curve, const batten_curve *
     batten_continuity join;
     if (before ? u <= domain.a + rounding : u >= domain.b - rounding)
         return BATTEN_OK;
-    batten_continuity_options options = batten_continuity_defaults();
+    batten_curve_continuity_options options = batten_curve_continuity_defaults();
     options.gap = tolerance;
     batten_status status = before ? batten_curve_subrange(curve, domain.a, u, &rest)
                                   : batten_curve_subrange(curve, u, domain.b, &rest);
@@ -181,14 +181,14 @@ static batten_status check(const batten_curve *const curves[2], double radius, d
 
 batten_status batten_curves_fillet(const batten_curve *first, const batten_curve *second,
                                    double radius, double tolerance,
-                                   batten_fillet_report *report, batten_curve **arc)
+                                   batten_curves_fillet_report *report, batten_curve **arc)
 {
     assert(first && second && arc);
     const batten_curve *const curves[2] = {first, second};
     batten_curve *flat[2] = {NULL, NULL}, *made = NULL;
     batten_frame frame;
     bat_fillet_place place = {{0, 0}, 1, 0, false};
-    batten_fillet_report done = {.found = 0};
+    batten_curves_fillet_report done = {.found = 0};
     batten_status status = check(curves, radius, tolerance);
     if (status != BATTEN_OK)
         return status;
@@ -228,7 +228,7 @@ static batten_status round_corner(void *context, const bat_corner *corner, bat_c
 {
     rounding *r = context;
     const double radius = r->radii[r->count > 1 ? corner->index : 0];
-    batten_fillet_report report;
+    batten_curves_fillet_report report;
     if (radius == 0)
         return BATTEN_OK;
     const batten_status status = batten_curves_fillet(corner->before, corner->behind, radius,

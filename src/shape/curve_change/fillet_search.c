@@ -167,7 +167,7 @@ static batten_status search_lines(search *s, const line *a, const line *b)
 static batten_status offset_of(const batten_curve *bezier, double distance, double tolerance,
                                bat_offset *o)
 {
-    batten_offset_options options = batten_offset_defaults();
+    batten_curve_offset_options options = batten_curve_offset_defaults();
     options.tolerance = tolerance;
     *o = (bat_offset){.full = bezier,
                       .plan = bezier,

@@ -5,15 +5,15 @@
 
 #include <float.h>
 
-batten_offset_options batten_offset_defaults(void)
+batten_curve_offset_options batten_curve_offset_defaults(void)
 {
-    return (batten_offset_options){.size = sizeof(batten_offset_options),
-                                   .tolerance = 1e-4,
-                                   .corners = BATTEN_OFFSET_ROUND,
-                                   .mitre_limit = 4,
-                                   .loops = BATTEN_LOOPS_REMOVE,
-                                   .normal = {0, 0, 1},
-                                   .most_pieces = 100000};
+    return (batten_curve_offset_options){.size = sizeof(batten_curve_offset_options),
+                                         .tolerance = 1e-4,
+                                         .corners = BATTEN_OFFSET_ROUND,
+                                         .mitre_limit = 4,
+                                         .loops = BATTEN_LOOPS_REMOVE,
+                                         .normal = {0, 0, 1},
+                                         .most_pieces = 100000};
 }
 
 void batten_curves_release(batten_curves *curves)
@@ -78,7 +78,7 @@ static batten_status keep_all(const bat_offset *o, batten_curves *out)
 }
 
 static batten_status check(const batten_curve *curve, double distance,
-                           const batten_offset_options *o)
+                           const batten_curve_offset_options *o)
 {
     if (curve->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED, "a function has no offset; make its graph first");
@@ -103,8 +103,8 @@ static batten_status check(const batten_curve *curve, double distance,
 
 /* In the plane, or in space with z along the normal. */
 static batten_status offset_upright(const batten_curve *curve, double distance,
-                                    const batten_offset_options *options,
-                                    batten_offset_report *report, batten_curves *out)
+                                    const batten_curve_offset_options *options,
+                                    batten_curve_offset_report *report, batten_curves *out)
 {
     batten_curve *full = NULL, *plan = NULL;
     batten_status status = batten_curve_to_bezier(curve, &full);
@@ -159,8 +159,8 @@ static batten_affine upright(batten_vec3 n, bool back)
 }
 
 static batten_status offset_in_space(const batten_curve *curve, double distance,
-                                     const batten_offset_options *options,
-                                     batten_offset_report *report, batten_curves *out)
+                                     const batten_curve_offset_options *options,
+                                     batten_curve_offset_report *report, batten_curves *out)
 {
     const batten_vec3 n = bat_vec3_scale(options->normal, 1 / bat_vec3_norm(options->normal));
     if (n.x == 0 && n.y == 0 && n.z > 0)
@@ -182,11 +182,11 @@ static batten_status offset_in_space(const batten_curve *curve, double distance,
 }
 
 batten_status batten_curve_offset(const batten_curve *curve, double distance,
-                                  const batten_offset_options *options,
-                                  batten_offset_report *report, batten_curves *out)
+                                  const batten_curve_offset_options *options,
+                                  batten_curve_offset_report *report, batten_curves *out)
 {
-    const batten_offset_options o = options ? *options : batten_offset_defaults();
-    batten_offset_report done = {0};
+    const batten_curve_offset_options o = options ? *options : batten_curve_offset_defaults();
+    batten_curve_offset_report done = {0};
     batten_status status = check(curve, distance, &o);
     if (status == BATTEN_OK)
         status = curve->dimension == 3 ? offset_in_space(curve, distance, &o, &done, out)

@@ -17,10 +17,10 @@ typedef struct {
     const batten_curve *full; /* in Bezier form; in space the offset goes across z */
     const batten_curve *plan; /* its projection into the plane */
     double distance;
-    batten_offset_options options;
+    batten_curve_offset_options options;
     double size; /* of the largest coordinate of the plan */
     bool closed;
-    batten_offset_report report;
+    batten_curve_offset_report report;
     int count, room;
     bat_offset_run *runs;
 } bat_offset;

@@ -64,7 +64,7 @@ static batten_status through(const double values[NODES + 1][3], const double slo
 {
     double nodes[NODES + 1];
     batten_derivative conditions[3] = {{0, 1, {0}}, {0, 2, {0}}, {NODES, 1, {0}}};
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     for (int k = 0; k <= NODES; k++)
         nodes[k] = node(k);
     memcpy(conditions[2].value, slope, 3 * sizeof *slope);

@@ -331,7 +331,7 @@ static batten_status check_size(const bat_fill_loop *loop)
 }
 
 batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double tolerance,
-                                 batten_fill_report *report, bat_fill_loop *out)
+                                 batten_surface_fill_report *report, bat_fill_loop *out)
 {
     bat_fill_loop loop = {0};
     const batten_curve *curves[BATTEN_FILL_SIDES];

@@ -107,7 +107,7 @@ static double planes_differ(const corner *c)
     return 0;
 }
 
-static void report_corner(int i, const corner *c, batten_fill_report *report)
+static void report_corner(int i, const corner *c, batten_surface_fill_report *report)
 {
     const double product = bat_norm(3, c->across[0]) * bat_norm(3, c->across[1]);
     report->flat_corners += bat_fill_is_flat(&c->place[0], &c->place[1]);
@@ -168,7 +168,7 @@ static batten_status check_directions(const bat_fill_loop *loop, int back[][2])
     return BATTEN_OK;
 }
 
-batten_status bat_fill_corners(const bat_fill_loop *loop, batten_fill_report *report)
+batten_status bat_fill_corners(const bat_fill_loop *loop, batten_surface_fill_report *report)
 {
     int back[BATTEN_FILL_SIDES][2];
     const int n = loop->count;

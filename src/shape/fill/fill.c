@@ -2,13 +2,13 @@
 #include "shape/fill/fill.h"
 #include <string.h>
 
-batten_fill_options batten_fill_defaults(void)
+batten_surface_fill_options batten_surface_fill_defaults(void)
 {
-    return (batten_fill_options){.size = sizeof(batten_fill_options),
-                                 .angle = 0.002 * BAT_PI / 180};
+    return (batten_surface_fill_options){.size = sizeof(batten_surface_fill_options),
+                                         .angle = 0.002 * BAT_PI / 180};
 }
 
-static batten_status check_options(const batten_fill_options *options)
+static batten_status check_options(const batten_surface_fill_options *options)
 {
     if (!(options->tolerance >= 0) || !isfinite(options->tolerance))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance of a fill is 0 or more, not %g",
@@ -28,8 +28,8 @@ static void free_patches(batten_surface **patches)
 }
 
 /* Surfaces that are exact along all edges, in the loop's coordinates. */
-static batten_status split(const bat_fill_loop *loop, const batten_fill_options *options,
-                           batten_surface **out)
+static batten_status split(const bat_fill_loop *loop,
+                           const batten_surface_fill_options *options, batten_surface **out)
 {
     bat_fill *fill = bat_array(1, sizeof *fill);
     if (!fill)
@@ -49,8 +49,9 @@ static batten_status split(const bat_fill_loop *loop, const batten_fill_options 
 }
 
 /* Does it keep its sides? */
-static batten_status judge_gaps(const bat_fill_loop *loop, const batten_fill_options *options,
-                                const batten_fill_report *report)
+static batten_status judge_gaps(const bat_fill_loop *loop,
+                                const batten_surface_fill_options *options,
+                                const batten_surface_fill_report *report)
 {
     const double most = options->tolerance > 0 ? bat_max(options->tolerance, 1e-9 * loop->size)
                                                : 1e-6 * loop->size;
@@ -66,7 +67,8 @@ static batten_status judge_gaps(const bat_fill_loop *loop, const batten_fill_opt
 }
 
 /* Is it good enough to be given? */
-static batten_status judge(const batten_fill_options *options, const batten_fill_report *report)
+static batten_status judge(const batten_surface_fill_options *options,
+                           const batten_surface_fill_report *report)
 {
     const batten_fill_edge *worst = &report->inner[0];
     for (int i = 1; i < report->count; i++)
@@ -91,8 +93,9 @@ static batten_status judge(const batten_fill_options *options, const batten_fill
     return BATTEN_OK;
 }
 
-static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_options *options,
-                                  batten_fill_report *report, batten_surface **out)
+static batten_status make_patches(const bat_fill_loop *loop,
+                                  const batten_surface_fill_options *options,
+                                  batten_surface_fill_report *report, batten_surface **out)
 {
     batten_status status = bat_fill_corners(loop, report);
     if (status == BATTEN_OK && options->form == BATTEN_FILL_SPLIT)
@@ -110,12 +113,13 @@ static batten_status make_patches(const bat_fill_loop *loop, const batten_fill_o
 }
 
 batten_status batten_surface_fill(int count, const batten_ribbon *sides,
-                                  const batten_fill_options *options,
-                                  batten_fill_report *report, batten_surface **out)
+                                  const batten_surface_fill_options *options,
+                                  batten_surface_fill_report *report, batten_surface **out)
 {
-    const batten_fill_options chosen = options ? *options : batten_fill_defaults();
+    const batten_surface_fill_options chosen =
+        options ? *options : batten_surface_fill_defaults();
     batten_surface *patches[BATTEN_FILL_SIDES] = {NULL}, *placed[BATTEN_FILL_SIDES] = {NULL};
-    batten_fill_report *reached = bat_array(1, sizeof *reached);
+    batten_surface_fill_report *reached = bat_array(1, sizeof *reached);
     bat_fill_loop loop = {0};
     batten_status status = reached ? check_options(&chosen) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)

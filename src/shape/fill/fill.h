@@ -34,7 +34,7 @@ typedef struct {
 
 /* The loop in order, divided at corners, approximated where it is rational (fill_loop.c). */
 batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double tolerance,
-                                 batten_fill_report *report, bat_fill_loop *out);
+                                 batten_surface_fill_report *report, bat_fill_loop *out);
 void bat_fill_loop_free(bat_fill_loop *loop);
 
 /* Derivatives of a side at one station: point and four of the curve, slope and three of it. */
@@ -63,7 +63,7 @@ batten_status bat_fill_look(const bat_fill_place *place, int station, const doub
 bool bat_fill_is_flat(const bat_fill_place *start, const bat_fill_place *before);
 /* Refuse ribbons that point out of the hole and re-entrant corners with ribbons; report how the
  * others contradict each other in their corners. */
-batten_status bat_fill_corners(const bat_fill_loop *loop, batten_fill_report *report);
+batten_status bat_fill_corners(const bat_fill_loop *loop, batten_surface_fill_report *report);
 
 /* What is known and unknown of one side and its spoke; vectors and numbers as above, [order].
  * Along a side with a slope T the derivative across is D = a T + b C'; else D itself is a
@@ -140,6 +140,6 @@ batten_status bat_fill_formula(const bat_fill_loop *loop, int quad, batten_fill_
 
 /* What was reached (fill_measure.c). @param patches in the loop's coordinates */
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
-                               batten_fill_report *report);
+                               batten_surface_fill_report *report);
 
 #endif

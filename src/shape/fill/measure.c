@@ -263,7 +263,7 @@ static void to_given(const bat_fill_loop *loop, batten_fill_edge *edge)
 }
 
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
-                               batten_fill_report *report)
+                               batten_surface_fill_report *report)
 {
     batten_status status = BATTEN_OK;
     const int n = loop->count;

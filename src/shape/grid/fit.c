@@ -8,14 +8,14 @@
 
 #include <string.h>
 
-batten_grid_fit_options batten_grid_fit_defaults(void)
+batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void)
 {
-    return (batten_grid_fit_options){.size = sizeof(batten_grid_fit_options),
-                                     .degree_u = 3,
-                                     .degree_v = 3,
-                                     .parameters = BATTEN_CENTRIPETAL,
-                                     .hold_rims = true,
-                                     .order = 2};
+    return (batten_surface_fit_grid_options){.size = sizeof(batten_surface_fit_grid_options),
+                                             .degree_u = 3,
+                                             .degree_v = 3,
+                                             .parameters = BATTEN_CENTRIPETAL,
+                                             .hold_rims = true,
+                                             .order = 2};
 }
 
 static const char names[2] = {'u', 'v'};
@@ -64,7 +64,7 @@ static batten_status settle_size(bat_grid_fit *t, int direction)
 
 static batten_status find_parameters(bat_grid_fit *t, int direction)
 {
-    const batten_grid_fit_options *o = t->options;
+    const batten_surface_fit_grid_options *o = t->options;
     const size_t d = (size_t)t->dimension, row = (size_t)t->count[1] * d;
     const bool u = direction == 0;
     const bat_family family = {u ? "u grid lines" : "v grid lines",
@@ -86,14 +86,14 @@ static batten_status find_parameters(bat_grid_fit *t, int direction)
 
 batten_status bat_grid_fit_begin(bat_grid_fit *t, const batten_job *job)
 {
-    const batten_grid_fit_options *o = t->options;
+    const batten_surface_fit_grid_options *o = t->options;
     t->work = (bat_work){job, 0};
     t->degree[0] = o->degree_u;
     t->degree[1] = o->degree_v;
     t->wanted[0] = t->wanted[0] ? t->wanted[0] : o->points_u;
     t->wanted[1] = t->wanted[1] ? t->wanted[1] : o->points_v;
-    t->periodic[0] = o->periodic_u;
-    t->periodic[1] = o->periodic_v;
+    t->periodic[0] = o->closed_u;
+    t->periodic[1] = o->closed_v;
     t->weights[0] = o->weights_u;
     t->weights[1] = o->weights_v;
     batten_status status = check(t);
@@ -198,14 +198,14 @@ batten_status bat_surface_fit_measure(size_t count, double *distances, const dou
 {
     size_t counted = 0;
     double squares = 0;
-    report->max = report->rms = report->most = 0;
+    report->error = report->rms = report->most = 0;
     report->worst = 0;
     for (size_t i = 0; i < count; i++) {
         const double distance = distances[i];
         if (weights && !(weights[i] > 0))
             continue;
-        if (distance > report->max) {
-            report->max = distance;
+        if (distance > report->error) {
+            report->error = distance;
             report->worst = (int)i;
         }
         squares += distance * distance;
@@ -216,7 +216,7 @@ batten_status bat_surface_fit_measure(size_t count, double *distances, const dou
     if (!isfinite(squares))
         return bat_fail(BATTEN_OVERFLOW,
                         "distances of up to %g are too large for the sum of their squares",
-                        report->max);
+                        report->error);
     report->rms = sqrt(squares / (double)counted);
     report->most = bat_select(counted, distances, (size_t)ceil(0.95 * (double)counted) - 1);
     return BATTEN_OK;
@@ -308,11 +308,11 @@ batten_status bat_grid_fit_finish(bat_grid_fit *t, batten_status status, double 
 
 batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
                                       const double *points,
-                                      const batten_grid_fit_options *options,
+                                      const batten_surface_fit_grid_options *options,
                                       const batten_job *job, double *u, double *v,
                                       batten_surface_fit_report *report, batten_surface **out)
 {
-    const batten_grid_fit_options defaults = batten_grid_fit_defaults();
+    const batten_surface_fit_grid_options defaults = batten_surface_fit_grid_defaults();
     bat_grid_fit t = {.dimension = dimension,
                       .count = {count_u, count_v},
                       .points = points,

@@ -10,7 +10,7 @@ typedef struct {
     int dimension;
     int count[2];
     const double *points;
-    const batten_grid_fit_options *options;
+    const batten_surface_fit_grid_options *options;
     bat_work work;
     int degree[2], wanted[2]; /* control points; periodic: of one period */
     bool periodic[2];
@@ -33,9 +33,9 @@ batten_status bat_grid_fit_finish(bat_grid_fit *t, batten_status status, double 
 
 /* Least squares with as many control points as the tolerance of the options asks for. */
 batten_status bat_grid_fit_within(int dimension, const int count[2], const double *points,
-                                  const batten_grid_fit_options *options, const batten_job *job,
-                                  double *u, double *v, batten_surface_fit_report *report,
-                                  batten_surface **out);
+                                  const batten_surface_fit_grid_options *options,
+                                  const batten_job *job, double *u, double *v,
+                                  batten_surface_fit_report *report, batten_surface **out);
 
 /* max, rms, most, worst of distances [count]; weights NULL: all 1. `distances` is sorted.
  * OVERFLOW when their squares are no numbers. */

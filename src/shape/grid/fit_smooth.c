@@ -86,7 +86,7 @@ static batten_status data_knots(bat_grid_fit *t, int k)
 static batten_status prepare_direction(smoothing *s, int k)
 {
     bat_grid_fit *t = s->grid;
-    const batten_grid_fit_options *o = t->options;
+    const batten_surface_fit_grid_options *o = t->options;
     const bool even = o->penalty == BATTEN_GRID_DIFFERENCES;
     const int order = bat_min_int(o->order, even ? t->wanted[k] - 1 : t->degree[k]);
     batten_status status = even ? even_knots(t, k) : data_knots(t, k);
@@ -292,7 +292,7 @@ static double scale_of(const smoothing *s)
 static batten_status smooth(smoothing *s)
 {
     bat_grid_fit *t = s->grid;
-    const batten_grid_fit_options *o = t->options;
+    const batten_surface_fit_grid_options *o = t->options;
     t->control = bat_array3((size_t)t->wanted[0], (size_t)t->wanted[1],
                             (size_t)t->dimension * sizeof(double));
     batten_status status = t->control ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -326,7 +326,7 @@ static int usual_points(int count, bool periodic, int degree)
     return bat_min_int(USUAL_POINTS, periodic && degree % 2 == 0 ? (count + 1) / 2 : count);
 }
 
-static batten_status check(const batten_grid_fit_options *o)
+static batten_status check(const batten_surface_fit_grid_options *o)
 {
     if (o->order < 1 || o->order > 4)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the order of the penalty is %d, not 1 to 4",
@@ -342,20 +342,20 @@ static batten_status check(const batten_grid_fit_options *o)
 
 batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v,
                                          const double *points,
-                                         const batten_grid_fit_options *options,
+                                         const batten_surface_fit_grid_options *options,
                                          const batten_job *job, double *u, double *v,
                                          batten_surface_fit_report *report,
                                          batten_surface **out)
 {
-    const batten_grid_fit_options defaults = batten_grid_fit_defaults();
+    const batten_surface_fit_grid_options defaults = batten_surface_fit_grid_defaults();
     bat_grid_fit t = {.dimension = dimension,
                       .count = {count_u, count_v},
                       .points = points,
                       .options = options ? options : &defaults};
     smoothing s = {.grid = &t};
-    const batten_grid_fit_options *o = t.options;
-    t.wanted[0] = o->points_u ? 0 : usual_points(count_u, o->periodic_u, o->degree_u);
-    t.wanted[1] = o->points_v ? 0 : usual_points(count_v, o->periodic_v, o->degree_v);
+    const batten_surface_fit_grid_options *o = t.options;
+    t.wanted[0] = o->points_u ? 0 : usual_points(count_u, o->closed_u, o->degree_u);
+    t.wanted[1] = o->points_v ? 0 : usual_points(count_v, o->closed_v, o->degree_v);
     batten_status status = check(t.options);
     if (status == BATTEN_OK)
         status = bat_grid_fit_begin(&t, job);

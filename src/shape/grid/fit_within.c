@@ -5,7 +5,7 @@ typedef struct {
     int dimension;
     const int *count;
     const double *points;
-    batten_grid_fit_options options;
+    batten_surface_fit_grid_options options;
     const batten_job *job;
     double *u, *v;
     double tolerance;
@@ -14,7 +14,7 @@ typedef struct {
     batten_surface *surface;
 } growth;
 
-static int *points_along(batten_grid_fit_options *options, int k)
+static int *points_along(batten_surface_fit_grid_options *options, int k)
 {
     return k == 0 ? &options->points_u : &options->points_v;
 }
@@ -23,7 +23,7 @@ static int *points_along(batten_grid_fit_options *options, int k)
  * there is none, and *rms is infinite. */
 static batten_status try_along(const growth *g, int k, double *rms)
 {
-    batten_grid_fit_options options = g->options;
+    batten_surface_fit_grid_options options = g->options;
     batten_surface_fit_report report;
     batten_surface *surface = NULL;
     int *n = points_along(&options, k);
@@ -84,9 +84,9 @@ static void begin(growth *g)
 }
 
 batten_status bat_grid_fit_within(int dimension, const int count[2], const double *points,
-                                  const batten_grid_fit_options *options, const batten_job *job,
-                                  double *u, double *v, batten_surface_fit_report *report,
-                                  batten_surface **out)
+                                  const batten_surface_fit_grid_options *options,
+                                  const batten_job *job, double *u, double *v,
+                                  batten_surface_fit_report *report, batten_surface **out)
 {
     growth g = {.dimension = dimension,
                 .count = count,
@@ -99,15 +99,15 @@ batten_status bat_grid_fit_within(int dimension, const int count[2], const doubl
     bool grown = true;
     int rounds = 1;
     batten_status status = fit(&g);
-    for (; status == BATTEN_OK && g.report.max > g.tolerance && grown; rounds++) {
+    for (; status == BATTEN_OK && g.report.error > g.tolerance && grown; rounds++) {
         status = grow(&g, &grown);
         if (status == BATTEN_OK && grown)
             status = fit(&g);
     }
-    if (status == BATTEN_OK && g.report.max > g.tolerance)
+    if (status == BATTEN_OK && g.report.error > g.tolerance)
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                           "datum %d is missed by %g, more than %g, with %d x %d control points",
-                          g.report.worst, g.report.max, g.tolerance, g.report.points_u,
+                          g.report.worst, g.report.error, g.tolerance, g.report.points_u,
                           g.report.points_v);
     if (status != BATTEN_OK) {
         batten_surface_unref(g.surface);

@@ -7,12 +7,13 @@
 #include <float.h>
 #include <string.h>
 
-batten_grid_options batten_grid_defaults(void)
+batten_surface_interpolate_options batten_surface_interpolate_defaults(void)
 {
-    return (batten_grid_options){.size = sizeof(batten_grid_options),
-                                 .degree_u = 3,
-                                 .degree_v = 3,
-                                 .parameters = BATTEN_CENTRIPETAL};
+    return (batten_surface_interpolate_options){.size =
+                                                    sizeof(batten_surface_interpolate_options),
+                                                .degree_u = 3,
+                                                .degree_v = 3,
+                                                .parameters = BATTEN_CENTRIPETAL};
 }
 
 /* ---- one interpolation on its way ---- */
@@ -23,7 +24,7 @@ typedef struct {
     const double *points; /* [count_u][count_v][d] */
     const double *data;   /* [count_u][count_v][width]: the points, or (w x .., w) */
     double *homogeneous, *filled; /* of these what is ours */
-    const batten_grid_options *options;
+    const batten_surface_interpolate_options *options;
     bat_work work;
     double *u, *v; /* [count + 1] */
     double spread_u, spread_v;
@@ -74,12 +75,12 @@ static batten_status check_grid(task *t)
 
 static batten_status find_both_parameters(task *t)
 {
-    const batten_grid_options *o = t->options;
+    const batten_surface_interpolate_options *o = t->options;
     const size_t d = (size_t)t->dimension, row = (size_t)t->count_v * d;
     const bat_family u = {"u grid lines", t->dimension, t->count_u, t->count_v, row, d,
-                          o->periodic_u,  t->points,    o->given_u};
+                          o->closed_u,    t->points,    o->given_u};
     const bat_family v = {"v grid lines", t->dimension, t->count_v, t->count_u, d, row,
-                          o->periodic_v,  t->points,    o->given_v};
+                          o->closed_v,    t->points,    o->given_v};
     bat_release(t->u);
     bat_release(t->v);
     t->u = bat_array((size_t)t->count_u + 1, sizeof *t->u);
@@ -104,7 +105,7 @@ static void fill_conditions(int orders, int count, batten_derivative *conditions
 
 static batten_status make_operator(const task *t, bool along_u, bat_operator *out)
 {
-    const batten_grid_options *o = t->options;
+    const batten_surface_interpolate_options *o = t->options;
     batten_derivative conditions[2 * BATTEN_MAX_DEGREE];
     const bool given = along_u ? o->du != NULL : o->dv != NULL;
     const int orders = along_u ? bat_orders_u(o) : bat_orders_v(o);
@@ -113,7 +114,7 @@ static batten_status make_operator(const task *t, bool along_u, bat_operator *ou
                                  .count = along_u ? t->count_u : t->count_v,
                                  .parameters = along_u ? t->u : t->v,
                                  .knots_at_data = o->knots_at_data,
-                                 .periodic = along_u ? o->periodic_u : o->periodic_v,
+                                 .periodic = along_u ? o->closed_u : o->closed_v,
                                  .start = ends,
                                  .end = ends,
                                  .condition_count = given ? 2 * orders : 0,
@@ -125,10 +126,10 @@ static batten_status make_operator(const task *t, bool along_u, bat_operator *ou
 /* Gaps are filled for even parameters, then for those of the filled points. */
 static batten_status fill_gaps(task *t)
 {
-    const batten_grid_options *o = t->options;
+    const batten_surface_interpolate_options *o = t->options;
     bat_gaps gaps = {.dimension = t->dimension,
                      .count = {t->count_u, t->count_v},
-                     .periodic = {o->periodic_u, o->periodic_v},
+                     .periodic = {o->closed_u, o->closed_v},
                      .missing = o->gaps,
                      .points = t->filled};
     batten_status status = BATTEN_OK;
@@ -210,7 +211,7 @@ static void pick_twists(const task *t, const double *twists, size_t which, doubl
 static batten_status solve_rims(task *t)
 {
     const size_t d = (size_t)t->dimension;
-    const batten_grid_options *o = t->options;
+    const batten_surface_interpolate_options *o = t->options;
     const size_t rims = 2 * (size_t)bat_orders_v(o);
     double estimated[12], ends[6 * BATTEN_MAX_DEGREE];
     const double *twists = o->twists;
@@ -308,11 +309,11 @@ static void keep_poles(const task *t)
 {
     const int data[2] = {t->count_u, t->count_v},
               control[2] = {t->along_u.count, t->along_v.count};
-    const batten_grid_options *o = t->options;
+    const batten_surface_interpolate_options *o = t->options;
     for (int at_start = 0; at_start < 2; at_start++) {
-        if (!o->periodic_u && !o->dv)
+        if (!o->closed_u && !o->dv)
             bat_keep_pole(t->dimension, data, t->points, control, t->control, 0, at_start);
-        if (!o->periodic_v && !o->du)
+        if (!o->closed_v && !o->du)
             bat_keep_pole(t->dimension, data, t->points, control, t->control, 1, at_start);
     }
 }
@@ -451,11 +452,12 @@ static void release(task *t)
 
 batten_status batten_surface_interpolate(int dimension, int count_u, int count_v,
                                          const double *points,
-                                         const batten_grid_options *options,
+                                         const batten_surface_interpolate_options *options,
                                          const batten_job *job, double *u, double *v,
-                                         batten_grid_report *report, batten_surface **out)
+                                         batten_surface_interpolate_report *report,
+                                         batten_surface **out)
 {
-    const batten_grid_options defaults = batten_grid_defaults();
+    const batten_surface_interpolate_options defaults = batten_surface_interpolate_defaults();
     task t = {.dimension = dimension,
               .count_u = count_u,
               .count_v = count_v,
@@ -472,7 +474,8 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
         if (v)
             memcpy(v, t.v, (size_t)count_v * sizeof *v);
         if (report)
-            *report = (batten_grid_report){residual, t.spread_u, t.spread_v, t.gap_count};
+            *report = (batten_surface_interpolate_report){residual, t.spread_u, t.spread_v,
+                                                          t.gap_count};
     }
     release(&t);
     return status;

@@ -6,18 +6,18 @@
 #include <batten/grid.h>
 
 /* How many derivatives the rims give. */
-static inline int bat_orders_u(const batten_grid_options *o)
+static inline int bat_orders_u(const batten_surface_interpolate_options *o)
 {
     return bat_max_int(1, o->orders_u);
 }
 
-static inline int bat_orders_v(const batten_grid_options *o)
+static inline int bat_orders_v(const batten_surface_interpolate_options *o)
 {
     return bat_max_int(1, o->orders_v);
 }
 
 /* Do they make sense for a grid of this size? */
-batten_status bat_grid_options_check(const batten_grid_options *options, int dimension,
-                                     int count_u, int count_v);
+batten_status bat_grid_options_check(const batten_surface_interpolate_options *options,
+                                     int dimension, int count_u, int count_v);
 
 #endif

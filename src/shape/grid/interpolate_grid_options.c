@@ -1,8 +1,8 @@
 /* What may be asked of the surface through a grid. */
 #include "shape/grid/interpolate_grid.h"
 
-static batten_status check_derivatives(const batten_grid_options *o, int d, int count_u,
-                                       int count_v)
+static batten_status check_derivatives(const batten_surface_interpolate_options *o, int d,
+                                       int count_u, int count_v)
 {
     const struct {
         const double *values;
@@ -10,10 +10,10 @@ static batten_status check_derivatives(const batten_grid_options *o, int d, int 
         const char *name;
         bool periodic;
     } given[] = {
-        {o->du, 2 * (size_t)bat_orders_u(o) * (size_t)count_v * (size_t)d, "du", o->periodic_u},
-        {o->dv, 2 * (size_t)bat_orders_v(o) * (size_t)count_u * (size_t)d, "dv", o->periodic_v},
+        {o->du, 2 * (size_t)bat_orders_u(o) * (size_t)count_v * (size_t)d, "du", o->closed_u},
+        {o->dv, 2 * (size_t)bat_orders_v(o) * (size_t)count_u * (size_t)d, "dv", o->closed_v},
         {o->twists, 4 * (size_t)bat_orders_u(o) * (size_t)bat_orders_v(o) * (size_t)d, "twists",
-         o->periodic_u || o->periodic_v}};
+         o->closed_u || o->closed_v}};
     if (o->orders_u < 0 || o->orders_v < 0 || o->orders_u > BATTEN_MAX_DEGREE ||
         o->orders_v > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -40,7 +40,7 @@ static batten_status check_derivatives(const batten_grid_options *o, int d, int 
     return BATTEN_OK;
 }
 
-static batten_status check_ends(const batten_grid_options *o)
+static batten_status check_ends(const batten_surface_interpolate_options *o)
 {
     switch (o->ends) {
     case BATTEN_END_NOT_A_KNOT:
@@ -65,8 +65,8 @@ static batten_status check_weights(size_t count, const double *weights)
     return BATTEN_OK;
 }
 
-batten_status bat_grid_options_check(const batten_grid_options *o, int dimension, int count_u,
-                                     int count_v)
+batten_status bat_grid_options_check(const batten_surface_interpolate_options *o, int dimension,
+                                     int count_u, int count_v)
 {
     batten_status status = check_weights((size_t)count_u * (size_t)count_v, o->weights);
     if (status == BATTEN_OK)

@@ -106,7 +106,7 @@ static void adini(const bat_net *net, int i, int j, double *out)
 static batten_status spline_slopes(int d, int count, const double *t, const double *values,
                                    const double *start, const double *end, double *slopes)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = t;
     options.start.kind = options.end.kind = BATTEN_END_CLAMPED;

@@ -6,22 +6,22 @@
 
 /* ---- nu-splines ---- */
 
-batten_nu_surface_options batten_nu_surface_defaults(void)
+batten_surface_nu_options batten_surface_nu_defaults(void)
 {
-    return (batten_nu_surface_options){.size = sizeof(batten_nu_surface_options)};
+    return (batten_surface_nu_options){.size = sizeof(batten_surface_nu_options)};
 }
 
 static batten_status make_nu(void *user, int dimension, int count, const double *points,
                              const double *parameters, batten_curve **out)
 {
-    batten_weighted_options o = *(const batten_weighted_options *)user;
+    batten_curve_weighted_options o = *(const batten_curve_weighted_options *)user;
     o.given = parameters;
     return batten_curve_weighted(dimension, count, points, &o, NULL, out);
 }
 
-static batten_weighted_options weighted(bool closed, double nu, const double *nus)
+static batten_curve_weighted_options weighted(bool closed, double nu, const double *nus)
 {
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.parameters = BATTEN_GIVEN;
     o.closed = closed;
     o.nu = nu;
@@ -30,14 +30,14 @@ static batten_weighted_options weighted(bool closed, double nu, const double *nu
 }
 
 batten_status batten_surface_nu(int dimension, int count_u, int count_v, const double *points,
-                                const batten_nu_surface_options *options, const batten_job *job,
+                                const batten_surface_nu_options *options, const batten_job *job,
                                 batten_surface **out)
 {
     assert(points && out);
-    const batten_nu_surface_options defaults = batten_nu_surface_defaults();
-    const batten_nu_surface_options *o = options ? options : &defaults;
-    batten_weighted_options curves[2] = {weighted(o->closed_u, o->nu_u, o->nus_u),
-                                         weighted(o->closed_v, o->nu_v, o->nus_v)};
+    const batten_surface_nu_options defaults = batten_surface_nu_defaults();
+    const batten_surface_nu_options *o = options ? options : &defaults;
+    batten_curve_weighted_options curves[2] = {weighted(o->closed_u, o->nu_u, o->nus_u),
+                                               weighted(o->closed_v, o->nu_v, o->nus_v)};
     const batten_line_method u = {make_nu, &curves[0], o->closed_u},
                              v = {make_nu, &curves[1], o->closed_v};
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
@@ -98,21 +98,21 @@ static batten_status make_catmull_rom(void *user, int dimension, int count,
                                       const double *points, const double *parameters,
                                       batten_curve **out)
 {
-    batten_catmull_rom_options o = *(const batten_catmull_rom_options *)user;
+    batten_curve_catmull_rom_options o = *(const batten_curve_catmull_rom_options *)user;
     o.given = parameters;
     return batten_curve_catmull_rom(dimension, count, points, &o, NULL, NULL, out);
 }
 
 batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v,
                                          const double *points, const double *u, const double *v,
-                                         const batten_catmull_rom_options *along_u,
-                                         const batten_catmull_rom_options *along_v,
+                                         const batten_curve_catmull_rom_options *along_u,
+                                         const batten_curve_catmull_rom_options *along_v,
                                          const batten_job *job, double *off,
                                          batten_surface **out)
 {
     assert(points && out);
-    batten_catmull_rom_options curves[2] = {batten_catmull_rom_defaults(),
-                                            batten_catmull_rom_defaults()};
+    batten_curve_catmull_rom_options curves[2] = {batten_curve_catmull_rom_defaults(),
+                                                  batten_curve_catmull_rom_defaults()};
     if (along_u)
         curves[0] = *along_u;
     if (along_v)

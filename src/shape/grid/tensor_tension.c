@@ -29,9 +29,9 @@ typedef struct {
     double *vectors; /* [count_u][count_v][VECTORS][dimension] */
 } tension_surface;
 
-batten_tension_surface_options batten_tension_surface_defaults(void)
+batten_surface_tension_options batten_surface_tension_defaults(void)
 {
-    return (batten_tension_surface_options){.size = sizeof(batten_tension_surface_options)};
+    return (batten_surface_tension_options){.size = sizeof(batten_surface_tension_options)};
 }
 
 /* ---- evaluation ---- */
@@ -123,7 +123,7 @@ typedef struct {
     const strips *along;
     int lines;
     bool is_u;
-    batten_tension_options options;
+    batten_chain_tension_options options;
     double *points; /* [along->count][dimension] */
 } pass;
 
@@ -162,7 +162,7 @@ static batten_status run_pass(tension_surface *s, bool is_u, double tension,
               .along = along,
               .lines = is_u ? s->v.count : s->u.count,
               .is_u = is_u,
-              .options = batten_tension_defaults()};
+              .options = batten_chain_tension_defaults()};
     p.options.parameters = BATTEN_GIVEN;
     p.options.given = along->parameters;
     p.options.closed = along->closed;
@@ -186,7 +186,7 @@ static strips strips_of(int count, bool closed, double *parameters)
 
 /* Parameters and points of a surface whose second derivatives are still to be found. */
 static batten_status begin(int dimension, int count_u, int count_v, const double *points,
-                           const batten_tension_surface_options *o, tension_surface *s)
+                           const batten_surface_tension_options *o, tension_surface *s)
 {
     const size_t d = (size_t)dimension, total = (size_t)count_u * (size_t)count_v;
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
@@ -222,12 +222,12 @@ static batten_status hand_over(tension_surface *s, size_t total, batten_surface 
 
 batten_status batten_surface_tension(int dimension, int count_u, int count_v,
                                      const double *points,
-                                     const batten_tension_surface_options *options,
+                                     const batten_surface_tension_options *options,
                                      batten_surface **out)
 {
     assert(points && out);
-    const batten_tension_surface_options defaults = batten_tension_surface_defaults();
-    const batten_tension_surface_options *o = options ? options : &defaults;
+    const batten_surface_tension_options defaults = batten_surface_tension_defaults();
+    const batten_surface_tension_options *o = options ? options : &defaults;
     batten_status status =
         bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
     if (status != BATTEN_OK)

@@ -17,14 +17,14 @@
 
 enum { MOST_UNKNOWNS = 1000, MOST_PARTS = 64, MOST_ORDER = 5, ROWS = BATTEN_MAX_DEGREE + 1 };
 
-batten_constrained_options batten_constrained_defaults(void)
+batten_curve_constrained_options batten_curve_constrained_defaults(void)
 {
-    return (batten_constrained_options){.size = sizeof(batten_constrained_options),
-                                        .degree = 3,
-                                        .pieces = 4,
-                                        .order = 2,
-                                        .checks = 4,
-                                        .parameters = BATTEN_CHORD};
+    return (batten_curve_constrained_options){.size = sizeof(batten_curve_constrained_options),
+                                              .degree = 3,
+                                              .pieces = 4,
+                                              .order = 2,
+                                              .checks = 4,
+                                              .parameters = BATTEN_CHORD};
 }
 
 /* ---- what is asked ---- */
@@ -77,7 +77,7 @@ static batten_status check_weights(const double *weights, int count)
 }
 
 static batten_status check(int d, int count, const double *points,
-                           const batten_constrained_options *o)
+                           const batten_curve_constrained_options *o)
 {
     if (o->degree < 1 || o->degree > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_ARGUMENT, "degree %d; 1 to %d are possible", o->degree,
@@ -100,7 +100,7 @@ static batten_status check(int d, int count, const double *points,
 /* ---- the spline and its program ---- */
 
 typedef struct {
-    const batten_constrained_options *options;
+    const batten_curve_constrained_options *options;
     int d, count, degree;
     const double *points;
     double *u;     /* [count] */
@@ -150,7 +150,7 @@ static batten_status make_knots(task *t)
 /* The most rows that the constraints need. */
 static void count_rows(const task *t, size_t *equal, size_t *least)
 {
-    const batten_constrained_options *o = t->options;
+    const batten_curve_constrained_options *o = t->options;
     const size_t d = (size_t)t->d;
     const size_t each = (size_t)(o->checks * bat_max_int(1, o->pieces) * (t->degree + 1));
     *equal = d * (size_t)t->count;
@@ -431,7 +431,7 @@ static batten_status name_culprit(const task *t, const bat_quadratic_report *rep
                                             : c->to);
 }
 
-static void measure(task *t, batten_constrained_report *report)
+static void measure(task *t, batten_curve_constrained_report *report)
 {
     const size_t n = (size_t)t->unknowns;
     for (int i = 0; i < t->count; i++) {
@@ -450,7 +450,7 @@ static void measure(task *t, batten_constrained_report *report)
         report->energy += t->x[i] * bat_dot((int)n, t->hessian + i * n, t->x);
 }
 
-static batten_status solve(task *t, batten_constrained_report *report)
+static batten_status solve(task *t, batten_curve_constrained_report *report)
 {
     const bat_quadratic_program program = {
         .count = t->unknowns,
@@ -475,9 +475,9 @@ static batten_status solve(task *t, batten_constrained_report *report)
     return BATTEN_OK;
 }
 
-static batten_status find(task *t, batten_constrained_report *report, batten_curve **out)
+static batten_status find(task *t, batten_curve_constrained_report *report, batten_curve **out)
 {
-    const batten_constrained_options *o = t->options;
+    const batten_curve_constrained_options *o = t->options;
     batten_status status =
         bat_parameters_of(t->d, t->count, t->points, o->parameters, o->given, false, &t->u);
     if (status == BATTEN_OK)
@@ -498,17 +498,18 @@ static batten_status find(task *t, batten_constrained_report *report, batten_cur
 }
 
 batten_status batten_curve_constrained(int dimension, int count, const double *points,
-                                       const batten_constrained_options *options,
-                                       double *parameters, batten_constrained_report *report,
+                                       const batten_curve_constrained_options *options,
+                                       double *parameters,
+                                       batten_curve_constrained_report *report,
                                        batten_curve **out)
 {
     assert(points && out);
-    const batten_constrained_options standard = batten_constrained_defaults();
+    const batten_curve_constrained_options standard = batten_curve_constrained_defaults();
     task t = {.options = options ? options : &standard,
               .d = dimension,
               .count = count,
               .points = points};
-    batten_constrained_report reached = {0};
+    batten_curve_constrained_report reached = {0};
     batten_status status = check(dimension, count, points, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &reached, out);

@@ -5,12 +5,12 @@
 #include <float.h>
 #include <string.h>
 
-batten_interpolate_options batten_interpolate_defaults(void)
+batten_curve_interpolate_options batten_curve_interpolate_defaults(void)
 {
-    return (batten_interpolate_options){.size = sizeof(batten_interpolate_options),
-                                        .degree = 3,
-                                        .parameters = BATTEN_CENTRIPETAL,
-                                        .knots_at_data = true};
+    return (batten_curve_interpolate_options){.size = sizeof(batten_curve_interpolate_options),
+                                              .degree = 3,
+                                              .parameters = BATTEN_CENTRIPETAL,
+                                              .knots_at_data = true};
 }
 
 /* ---- one interpolation on its way ---- */
@@ -18,7 +18,7 @@ batten_interpolate_options batten_interpolate_defaults(void)
 typedef struct {
     int dimension, count;
     const double *points;
-    const batten_interpolate_options *options;
+    const batten_curve_interpolate_options *options;
     double *parameters; /* [count], periodic [count + 1] */
     bat_request request;
     bat_operator op;
@@ -29,9 +29,9 @@ typedef struct {
 
 static batten_status find_parameters(task *t)
 {
-    const batten_interpolate_options *o = t->options;
+    const batten_curve_interpolate_options *o = t->options;
     return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
-                             o->periodic, &t->parameters);
+                             o->closed, &t->parameters);
 }
 
 static batten_status find_ends(task *t)
@@ -50,7 +50,7 @@ static batten_status find_ends(task *t)
 
 static batten_status find_conditions(task *t)
 {
-    const batten_interpolate_options *o = t->options;
+    const batten_curve_interpolate_options *o = t->options;
     const size_t d = (size_t)t->dimension;
     if (o->derivative_count < 0 || (o->derivative_count > 0 && !o->derivatives))
         return bat_fail(BATTEN_BAD_ARGUMENT, "there are %d derivatives", o->derivative_count);
@@ -182,16 +182,16 @@ static batten_status apply_curvatures(task *t)
 
 static batten_status prepare(task *t)
 {
-    const batten_interpolate_options *o = t->options;
+    const batten_curve_interpolate_options *o = t->options;
     batten_status status = find_parameters(t);
     t->request = (bat_request){.degree = o->degree,
                                .count = t->count,
                                .parameters = t->parameters,
                                .knots_at_data = o->knots_at_data,
-                               .periodic = o->periodic,
+                               .periodic = o->closed,
                                .condition_count = o->derivative_count,
                                .conditions = o->derivatives};
-    if (status == BATTEN_OK && o->knots_at_data && !o->periodic)
+    if (status == BATTEN_OK && o->knots_at_data && !o->closed)
         status = find_ends(t);
     if (status == BATTEN_OK)
         status = find_conditions(t);
@@ -209,7 +209,7 @@ static batten_status interpolate(task *t, batten_curve **curve)
     t->control = bat_resize(NULL, (size_t)op->count, (size_t)t->dimension * sizeof *t->control);
     if (!t->control)
         return BATTEN_OUT_OF_MEMORY;
-    const bool ends = t->options->knots_at_data && !t->options->periodic;
+    const bool ends = t->options->knots_at_data && !t->options->closed;
     if (ends && (t->options->start.kind == BATTEN_END_CURVATURE ||
                  t->options->end.kind == BATTEN_END_CURVATURE))
         status = apply_curvatures(t);
@@ -224,10 +224,10 @@ static batten_status interpolate(task *t, batten_curve **curve)
 }
 
 batten_status batten_curve_interpolate(int dimension, int count, const double *points,
-                                       const batten_interpolate_options *options,
+                                       const batten_curve_interpolate_options *options,
                                        double *parameters, batten_curve **out)
 {
-    const batten_interpolate_options defaults = batten_interpolate_defaults();
+    const batten_curve_interpolate_options defaults = batten_curve_interpolate_defaults();
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status != BATTEN_OK)
         return status;

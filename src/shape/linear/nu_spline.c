@@ -6,12 +6,12 @@
 #include <float.h>
 #include <string.h>
 
-batten_weighted_options batten_weighted_defaults(void)
+batten_curve_weighted_options batten_curve_weighted_defaults(void)
 {
-    return (batten_weighted_options){.size = sizeof(batten_weighted_options),
-                                     .parameters = BATTEN_CHORD,
-                                     .start = {.kind = BATTEN_END_NATURAL},
-                                     .end = {.kind = BATTEN_END_NATURAL}};
+    return (batten_curve_weighted_options){.size = sizeof(batten_curve_weighted_options),
+                                           .parameters = BATTEN_CHORD,
+                                           .start = {.kind = BATTEN_END_NATURAL},
+                                           .end = {.kind = BATTEN_END_NATURAL}};
 }
 
 typedef struct {
@@ -44,7 +44,7 @@ static double chord_slope(const task *t, int span, int k)
            (t->u[span + 1] - t->u[span]);
 }
 
-static double weight_of(const task *t, const batten_weighted_options *o, int span)
+static double weight_of(const task *t, const batten_curve_weighted_options *o, int span)
 {
     if (o->rule == BATTEN_WEIGHTS_GIVEN)
         return o->weights ? o->weights[span] : 1;
@@ -55,7 +55,7 @@ static double weight_of(const task *t, const batten_weighted_options *o, int spa
     return 1 / (s * s * s);
 }
 
-static batten_status find_data(task *t, const batten_weighted_options *o)
+static batten_status find_data(task *t, const batten_curve_weighted_options *o)
 {
     const double mean = (t->u[t->spans] - t->u[0]) / t->spans;
     for (int i = 0; i < t->spans; i++) {
@@ -244,7 +244,7 @@ static void release(task *t)
     bat_release(t->slopes);
 }
 
-static batten_status solve(task *t, const batten_weighted_options *o)
+static batten_status solve(task *t, const batten_curve_weighted_options *o)
 {
     const batten_end ends[2] = {o->start, o->end};
     batten_status status = bat_parameters_of(t->dimension, t->count, t->points, o->parameters,
@@ -284,12 +284,12 @@ static batten_status make_curve(const task *t, batten_curve **out)
 }
 
 batten_status batten_curve_weighted(int dimension, int count, const double *points,
-                                    const batten_weighted_options *options, double *parameters,
-                                    batten_curve **out)
+                                    const batten_curve_weighted_options *options,
+                                    double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_weighted_options defaults = batten_weighted_defaults();
-    const batten_weighted_options *o = options ? options : &defaults;
+    const batten_curve_weighted_options defaults = batten_curve_weighted_defaults();
+    const batten_curve_weighted_options *o = options ? options : &defaults;
     batten_status status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;

@@ -6,11 +6,11 @@
 #include <float.h>
 #include <string.h>
 
-batten_quadratic_options batten_quadratic_defaults(void)
+batten_curve_quadratic_options batten_curve_quadratic_defaults(void)
 {
-    return (batten_quadratic_options){.size = sizeof(batten_quadratic_options),
-                                      .kind = BATTEN_QUADRATIC_BETWEEN,
-                                      .parameters = BATTEN_CHORD};
+    return (batten_curve_quadratic_options){.size = sizeof(batten_curve_quadratic_options),
+                                            .kind = BATTEN_QUADRATIC_BETWEEN,
+                                            .parameters = BATTEN_CHORD};
 }
 
 /* One spline on its way: `spans` parabolas on the mesh k, each of which is known by the middle
@@ -47,7 +47,7 @@ static void best_slope(const task *q, const double *chords, int c, double *slope
         slopes[i * d + c] += change;
 }
 
-static void find_slopes(const task *q, const batten_quadratic_options *o, double *chords,
+static void find_slopes(const task *q, const batten_curve_quadratic_options *o, double *chords,
                         double *slopes)
 {
     const int d = q->dimension, n = q->spans;
@@ -69,7 +69,7 @@ static void find_slopes(const task *q, const batten_quadratic_options *o, double
     }
 }
 
-static batten_status sequential(task *q, const batten_quadratic_options *o)
+static batten_status sequential(task *q, const batten_curve_quadratic_options *o)
 {
     const int d = q->dimension, n = q->spans;
     if (o->slope != BATTEN_QUADRATIC_BEST &&
@@ -160,7 +160,7 @@ static batten_status midpoints(task *q)
 
 /* ---- the whole ---- */
 
-static batten_status find_parameters(task *q, const batten_quadratic_options *o)
+static batten_status find_parameters(task *q, const batten_curve_quadratic_options *o)
 {
     if (o->kind != BATTEN_QUADRATIC_MIDPOINTS || o->parameters == BATTEN_GIVEN)
         return bat_parameters_of(q->dimension, q->count, q->points, o->parameters, o->given,
@@ -214,7 +214,8 @@ static batten_status check(const task *q, const batten_curve *curve)
     return BATTEN_OK;
 }
 
-static batten_status make(task *q, const batten_quadratic_options *o, batten_curve **curve)
+static batten_status make(task *q, const batten_curve_quadratic_options *o,
+                          batten_curve **curve)
 {
     const size_t n = (size_t)q->spans, d = (size_t)q->dimension;
     batten_status status = find_parameters(q, o);
@@ -232,10 +233,10 @@ static batten_status make(task *q, const batten_quadratic_options *o, batten_cur
 
 /* Averaged knots of degree 2 are those midway between the data. */
 static batten_status between(int dimension, int count, const double *points,
-                             const batten_quadratic_options *o, double *parameters,
+                             const batten_curve_quadratic_options *o, double *parameters,
                              batten_curve **out)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.degree = 2;
     options.knots_at_data = false;
     options.parameters = o->parameters;
@@ -244,12 +245,12 @@ static batten_status between(int dimension, int count, const double *points,
 }
 
 batten_status batten_curve_quadratic(int dimension, int count, const double *points,
-                                     const batten_quadratic_options *options,
+                                     const batten_curve_quadratic_options *options,
                                      double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_quadratic_options defaults = batten_quadratic_defaults();
-    const batten_quadratic_options *o = options ? options : &defaults;
+    const batten_curve_quadratic_options defaults = batten_curve_quadratic_defaults();
+    const batten_curve_quadratic_options *o = options ? options : &defaults;
     const bool has_midpoints = o->kind == BATTEN_QUADRATIC_MIDPOINTS;
     if ((int)o->kind < 0 || o->kind > BATTEN_QUADRATIC_SEQUENTIAL || (int)o->slope < 0 ||
         o->slope > BATTEN_QUADRATIC_AT_END)

@@ -11,10 +11,11 @@
 /* Polynomials of higher degree through equally spaced data swing by more than their data. */
 enum { MOST_LOCAL_DEGREE = 9, PLACES_OF_SPAN = 8 };
 
-batten_operator_options batten_operator_defaults(void)
+batten_curve_schoenberg_options batten_curve_schoenberg_defaults(void)
 {
-    return (batten_operator_options){
-        .size = sizeof(batten_operator_options), .degree = 3, .parameters = BATTEN_CHORD};
+    return (batten_curve_schoenberg_options){.size = sizeof(batten_curve_schoenberg_options),
+                                             .degree = 3,
+                                             .parameters = BATTEN_CHORD};
 }
 
 typedef struct {
@@ -158,19 +159,19 @@ static batten_status make_knots(task *t, bool bernstein)
 }
 
 static batten_status measure(const task *t, const batten_curve *curve,
-                             batten_operator_report *report)
+                             batten_curve_schoenberg_report *report)
 {
     const size_t n = (size_t)t->count, d = (size_t)t->dimension;
     double *at = bat_array3(n, d, sizeof *at), squares = 0;
     if (!at)
         return BATTEN_OUT_OF_MEMORY;
     const batten_status status = batten_curve_evaluate_many(curve, n, t->t, 0, NULL, at);
-    *report = (batten_operator_report){0};
+    *report = (batten_curve_schoenberg_report){0};
     for (int i = 0; status == BATTEN_OK && i < t->count; i++) {
         const double distance =
             bat_distance(t->dimension, at + (size_t)i * d, t->points + (size_t)i * d);
-        if (distance > report->max) {
-            report->max = distance;
+        if (distance > report->error) {
+            report->error = distance;
             report->worst = i;
         }
         squares += distance * distance;
@@ -188,7 +189,7 @@ static batten_status make_curve(const task *t, batten_curve **out)
                                              NULL, t->U, out);
 }
 
-static batten_status begin(task *t, const batten_operator_options *o, int most_degree)
+static batten_status begin(task *t, const batten_curve_schoenberg_options *o, int most_degree)
 {
     batten_status status = bat_points_check(t->dimension, t->count, t->points, 2);
     if (status != BATTEN_OK)
@@ -199,24 +200,24 @@ static batten_status begin(task *t, const batten_operator_options *o, int most_d
     if ((int)o->parameters < 0 || o->parameters > BATTEN_GIVEN)
         return bat_fail(BATTEN_BAD_ARGUMENT, "there is no parametrization %d",
                         (int)o->parameters);
-    if (o->periodic && o->bernstein)
+    if (o->closed && o->bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "Bernstein's operator makes no closed curves");
-    if (o->periodic && t->count < 3)
+    if (o->closed && t->count < 3)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s; a closed curve needs 3", t->count,
                         bat_plural(t->count));
-    t->periodic = o->periodic;
-    t->degree = o->periodic || o->bernstein ? o->degree : bat_min_int(o->degree, t->count - 1);
+    t->periodic = o->closed;
+    t->degree = o->closed || o->bernstein ? o->degree : bat_min_int(o->degree, t->count - 1);
     return bat_parameters_of(t->dimension, t->count, t->points, o->parameters, o->given,
-                             o->periodic, &t->t);
+                             o->closed, &t->t);
 }
 
-static batten_status run(task *t, const batten_operator_options *options, int most_degree,
-                         void (*make)(task *t), double *parameters,
-                         batten_operator_report *report, batten_curve **out)
+static batten_status run(task *t, const batten_curve_schoenberg_options *options,
+                         int most_degree, void (*make)(task *t), double *parameters,
+                         batten_curve_schoenberg_report *report, batten_curve **out)
 {
-    const batten_operator_options defaults = batten_operator_defaults(),
-                                  *o = options ? options : &defaults;
-    batten_operator_report reached;
+    const batten_curve_schoenberg_options defaults = batten_curve_schoenberg_defaults(),
+                                          *o = options ? options : &defaults;
+    batten_curve_schoenberg_report reached;
     batten_curve *curve = NULL;
     batten_status status = begin(t, o, most_degree);
     if (status == BATTEN_OK)
@@ -243,8 +244,9 @@ static batten_status run(task *t, const batten_operator_options *options, int mo
 }
 
 batten_status batten_curve_schoenberg(int dimension, int count, const double *points,
-                                      const batten_operator_options *options,
-                                      double *parameters, batten_operator_report *report,
+                                      const batten_curve_schoenberg_options *options,
+                                      double *parameters,
+                                      batten_curve_schoenberg_report *report,
                                       batten_curve **out)
 {
     task t = {.dimension = dimension, .count = count, .points = points};
@@ -252,8 +254,9 @@ batten_status batten_curve_schoenberg(int dimension, int count, const double *po
 }
 
 batten_status batten_curve_quasi_interpolate(int dimension, int count, const double *points,
-                                             const batten_operator_options *options,
-                                             double *parameters, batten_operator_report *report,
+                                             const batten_curve_schoenberg_options *options,
+                                             double *parameters,
+                                             batten_curve_schoenberg_report *report,
                                              batten_curve **out)
 {
     task t = {.dimension = dimension, .count = count, .points = points};
@@ -309,10 +312,10 @@ static batten_status control_of(const known *k, int i, int order, double *out)
 }
 
 static batten_status compare(const known *k, const batten_curve *curve,
-                             batten_operator_report *report)
+                             batten_curve_schoenberg_report *report)
 {
     double squares = 0, places = 0;
-    *report = (batten_operator_report){.worst = -1};
+    *report = (batten_curve_schoenberg_report){.worst = -1};
     for (int i = k->degree; i < k->count; i++)
         for (int j = 0; k->knots[i] < k->knots[i + 1] && j <= PLACES_OF_SPAN; j++) {
             const double a = k->knots[i], b = k->knots[i + 1];
@@ -324,7 +327,7 @@ static batten_status compare(const known *k, const batten_curve *curve,
             if (status != BATTEN_OK)
                 return status;
             const double distance = bat_distance(k->dimension, wanted, at);
-            report->max = bat_max(report->max, distance);
+            report->error = bat_max(report->error, distance);
             squares += distance * distance;
             places++;
         }
@@ -347,14 +350,14 @@ static batten_status check_known(const known *k)
     return bat_knots_check(k->degree, k->count, k->knots, "knot");
 }
 
-static batten_status run_known(const known *k, int order, batten_operator_report *report,
-                               batten_curve **out)
+static batten_status run_known(const known *k, int order,
+                               batten_curve_schoenberg_report *report, batten_curve **out)
 {
     batten_status status = check_known(k);
     if (status != BATTEN_OK)
         return status;
     const size_t d = (size_t)k->dimension;
-    batten_operator_report reached;
+    batten_curve_schoenberg_report reached;
     batten_curve *curve = NULL;
     double *control = bat_array3((size_t)k->count, d, sizeof *control);
     if (!control)
@@ -379,7 +382,7 @@ static batten_status run_known(const known *k, int order, batten_operator_report
 
 batten_status batten_function_schoenberg(int dimension, int degree, int point_count,
                                          const double *knots, batten_evaluator function,
-                                         void *user, batten_operator_report *report,
+                                         void *user, batten_curve_schoenberg_report *report,
                                          batten_curve **out)
 {
     const known k = {dimension, degree, point_count, knots, function, user};
@@ -388,7 +391,7 @@ batten_status batten_function_schoenberg(int dimension, int degree, int point_co
 
 batten_status batten_function_de_boor_fix(int dimension, int degree, int point_count,
                                           const double *knots, batten_evaluator function,
-                                          void *user, batten_operator_report *report,
+                                          void *user, batten_curve_schoenberg_report *report,
                                           batten_curve **out)
 {
     const known k = {dimension, degree, point_count, knots, function, user};

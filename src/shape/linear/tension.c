@@ -5,13 +5,13 @@
 #include <float.h>
 #include <string.h>
 
-batten_tension_options batten_tension_defaults(void)
+batten_chain_tension_options batten_chain_tension_defaults(void)
 {
-    return (batten_tension_options){.size = sizeof(batten_tension_options),
-                                    .parameters = BATTEN_CHORD,
-                                    .start = {.kind = BATTEN_END_NATURAL},
-                                    .end = {.kind = BATTEN_END_NATURAL},
-                                    .slack = 0.01};
+    return (batten_chain_tension_options){.size = sizeof(batten_chain_tension_options),
+                                          .parameters = BATTEN_CHORD,
+                                          .start = {.kind = BATTEN_END_NATURAL},
+                                          .end = {.kind = BATTEN_END_NATURAL},
+                                          .slack = 0.01};
 }
 
 /* ---- the system ---- */
@@ -152,7 +152,7 @@ static void release(bat_tension *t)
     bat_release(t->moments);
 }
 
-static batten_status fill(bat_tension *t, const batten_tension_options *o)
+static batten_status fill(bat_tension *t, const batten_chain_tension_options *o)
 {
     const int d = t->dimension;
     const double mean = (t->u[t->spans] - t->u[0]) / t->spans;
@@ -173,7 +173,7 @@ static batten_status fill(bat_tension *t, const batten_tension_options *o)
     return BATTEN_OK;
 }
 
-static batten_status prepare(bat_tension *t, const batten_tension_options *o)
+static batten_status prepare(bat_tension *t, const batten_chain_tension_options *o)
 {
     const batten_end ends[2] = {o->start, o->end};
     if (!(o->slack > 0))
@@ -213,12 +213,12 @@ static batten_status make_chain(const bat_tension *t, batten_chain **out)
 }
 
 batten_status batten_chain_tension(int dimension, int count, const double *points,
-                                   const batten_tension_options *options, double *parameters,
-                                   batten_chain **out)
+                                   const batten_chain_tension_options *options,
+                                   double *parameters, batten_chain **out)
 {
     assert(points && out);
-    const batten_tension_options defaults = batten_tension_defaults();
-    const batten_tension_options *o = options ? options : &defaults;
+    const batten_chain_tension_options defaults = batten_chain_tension_defaults();
+    const batten_chain_tension_options *o = options ? options : &defaults;
     batten_status status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;

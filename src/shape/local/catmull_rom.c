@@ -7,10 +7,10 @@
 #include <float.h>
 #include <string.h>
 
-batten_catmull_rom_options batten_catmull_rom_defaults(void)
+batten_curve_catmull_rom_options batten_curve_catmull_rom_defaults(void)
 {
-    return (batten_catmull_rom_options){
-        .size = sizeof(batten_catmull_rom_options), .blend = 2, .local = 1, .alpha = 0.5};
+    return (batten_curve_catmull_rom_options){
+        .size = sizeof(batten_curve_catmull_rom_options), .blend = 2, .local = 1, .alpha = 0.5};
 }
 
 /* The curve on its way; k, m as in the sources. */
@@ -162,7 +162,7 @@ static batten_status make_curve(task *t, double *points, double *knots, batten_c
 
 /* ---- the whole ---- */
 
-static batten_status check(const batten_catmull_rom_options *o)
+static batten_status check(const batten_curve_catmull_rom_options *o)
 {
     if (o->blend < 1)
         return bat_fail(BATTEN_BAD_DEGREE, "the blending degree is %d; it must be 1 or more",
@@ -230,7 +230,7 @@ static batten_status verify(const task *t, const batten_curve *curve, double *of
     return BATTEN_OK;
 }
 
-static batten_status find(task *t, double *parameters, batten_catmull_rom_report *report,
+static batten_status find(task *t, double *parameters, batten_curve_catmull_rom_report *report,
                           batten_curve **out)
 {
     batten_curve *curve = NULL;
@@ -248,19 +248,21 @@ static batten_status find(task *t, double *parameters, batten_catmull_rom_report
         memcpy(parameters, t->row.t,
                ((size_t)t->row.count + t->row.closed) * sizeof *parameters);
     if (report)
-        *report = (batten_catmull_rom_report){t->degree - t->multiple, t->m >= t->k - 2, off};
+        *report =
+            (batten_curve_catmull_rom_report){t->degree - t->multiple, t->m >= t->k - 2, off};
     *out = curve;
     return BATTEN_OK;
 }
 
 batten_status batten_curve_catmull_rom(int dimension, int count, const double *points,
-                                       const batten_catmull_rom_options *options,
-                                       double *parameters, batten_catmull_rom_report *report,
+                                       const batten_curve_catmull_rom_options *options,
+                                       double *parameters,
+                                       batten_curve_catmull_rom_report *report,
                                        batten_curve **out)
 {
     assert(points && out);
-    const batten_catmull_rom_options defaults = batten_catmull_rom_defaults();
-    const batten_catmull_rom_options *o = options ? options : &defaults;
+    const batten_curve_catmull_rom_options defaults = batten_curve_catmull_rom_defaults();
+    const batten_curve_catmull_rom_options *o = options ? options : &defaults;
     batten_status status = check(o);
     if (status != BATTEN_OK)
         return status;

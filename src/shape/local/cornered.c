@@ -4,11 +4,11 @@
 
 #include <string.h>
 
-batten_cornered_options batten_cornered_defaults(void)
+batten_curve_cornered_options batten_curve_cornered_defaults(void)
 {
-    return (batten_cornered_options){.size = sizeof(batten_cornered_options),
-                                     .parameters = BATTEN_CHORD,
-                                     .ends = BATTEN_END_NATURAL};
+    return (batten_curve_cornered_options){.size = sizeof(batten_curve_cornered_options),
+                                           .parameters = BATTEN_CHORD,
+                                           .ends = BATTEN_END_NATURAL};
 }
 
 /* One run: points first .. last, straight or smooth, with a straight run before or behind it
@@ -20,7 +20,7 @@ typedef struct {
 } run;
 
 typedef struct {
-    const batten_cornered_options *options;
+    const batten_curve_cornered_options *options;
     int dimension, count;
     const double *points;
     bool *corner; /* [count] */
@@ -96,7 +96,7 @@ static batten_status make_flat(const work *w, const run *r, const double *t, bat
         if (r->meets[end] || w->options->ends == BATTEN_END_NATURAL)
             conditions[n++] = (batten_derivative){.index = index, .order = 2};
     }
-    batten_interpolate_options o = batten_interpolate_defaults();
+    batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = t;
     o.knots_at_data = false;
@@ -108,7 +108,7 @@ static batten_status make_flat(const work *w, const run *r, const double *t, bat
 static batten_status make_smooth(const work *w, const run *r, const double *t,
                                  batten_curve **out)
 {
-    batten_interpolate_options o = batten_interpolate_defaults();
+    batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = t;
     o.knots_at_data = true;
@@ -191,7 +191,7 @@ static batten_status join(const work *w, batten_curve **out)
 static batten_status prepare(work *w)
 {
     const size_t n = (size_t)w->count;
-    const batten_cornered_options *o = w->options;
+    const batten_curve_cornered_options *o = w->options;
     w->corner = bat_array(n, sizeof *w->corner);
     w->line = bat_array(n, sizeof *w->line);
     w->runs = bat_array(n, sizeof *w->runs);
@@ -209,7 +209,7 @@ static batten_status prepare(work *w)
     return status;
 }
 
-static batten_status check(int dimension, int count, const batten_cornered_options *o)
+static batten_status check(int dimension, int count, const batten_curve_cornered_options *o)
 {
     if (dimension != 2 && dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -228,10 +228,10 @@ static batten_status check(int dimension, int count, const batten_cornered_optio
 }
 
 batten_status batten_curve_cornered(int dimension, int count, const double *points,
-                                    const batten_cornered_options *options, double *parameters,
-                                    batten_curve **out)
+                                    const batten_curve_cornered_options *options,
+                                    double *parameters, batten_curve **out)
 {
-    const batten_cornered_options standard = batten_cornered_defaults();
+    const batten_curve_cornered_options standard = batten_curve_cornered_defaults();
     work w = {.options = options ? options : &standard,
               .dimension = dimension,
               .count = count,

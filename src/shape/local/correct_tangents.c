@@ -24,10 +24,12 @@ batten_status batten_tangent_limits(double chord, double alpha, double beta, dou
     return BATTEN_OK;
 }
 
-batten_correct_options batten_correct_defaults(void)
+batten_curve_correct_tangents_options batten_curve_correct_tangents_defaults(void)
 {
-    return (batten_correct_options){
-        .size = sizeof(batten_correct_options), .within = 0.95, .tolerance = 1e-9};
+    return (batten_curve_correct_tangents_options){
+        .size = sizeof(batten_curve_correct_tangents_options),
+        .within = 0.95,
+        .tolerance = 1e-9};
 }
 
 /* ---- at work ---- */
@@ -164,7 +166,8 @@ static batten_status correct(bat_correction *w)
     return status;
 }
 
-static batten_status check(const batten_curve *curve, const batten_correct_options *o)
+static batten_status check(const batten_curve *curve,
+                           const batten_curve_correct_tangents_options *o)
 {
     const int d = batten_curve_dimension(curve);
     if (d < 2)
@@ -210,7 +213,7 @@ static batten_status begin(bat_correction *w, const batten_curve *curve)
 }
 
 static batten_status hand_over(const bat_correction *w, const batten_curve *curve, int *changed,
-                               batten_correct_report *report, batten_curve **out)
+                               batten_curve_correct_tangents_report *report, batten_curve **out)
 {
     batten_status status = BATTEN_OK;
     if (w->report.corrected == 0)
@@ -227,11 +230,12 @@ static batten_status hand_over(const bat_correction *w, const batten_curve *curv
     return BATTEN_OK;
 }
 
-batten_status batten_curve_correct_tangents(const batten_curve *curve,
-                                            const batten_correct_options *options, int *changed,
-                                            batten_correct_report *report, batten_curve **out)
+batten_status batten_curve_correct_tangents(
+    const batten_curve *curve, const batten_curve_correct_tangents_options *options,
+    int *changed, batten_curve_correct_tangents_report *report, batten_curve **out)
 {
-    bat_correction w = {.options = options ? *options : batten_correct_defaults(),
+    bat_correction w = {.options =
+                            options ? *options : batten_curve_correct_tangents_defaults(),
                         .dimension = batten_curve_dimension(curve),
                         .closed = batten_curve_is_periodic(curve),
                         .report = {.first_incurable = -1}};

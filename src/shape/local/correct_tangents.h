@@ -6,7 +6,7 @@
 #include <batten/local.h>
 
 typedef struct {
-    batten_correct_options options;
+    batten_curve_correct_tangents_options options;
     int dimension, count;
     bool closed;    /* the last span joins the first */
     double *points; /* [3 count + 1][d] */
@@ -15,7 +15,7 @@ typedef struct {
     double *legs;   /* [count][2] lengths of the tangents as they were given */
     double *bends;  /* [count][2] in the plane, curvature at both ends as it was given */
     batten_cubic *spans;
-    batten_correct_report report;
+    batten_curve_correct_tangents_report report;
 } bat_correction;
 
 static inline double *bat_correction_point(const bat_correction *w, int index)

@@ -14,7 +14,7 @@ typedef struct {
     double *unit;               /* [count][2] directions */
     double *leaving, *arriving; /* [count][2] */
     int *solutions;             /* of each span */
-    batten_curvature_report report;
+    batten_curve_from_curvatures_report report;
 } task;
 
 static double cross(const double *u, const double *v)
@@ -64,8 +64,9 @@ static void make_span(task *t, int i)
         const double back0[2] = {-t1[0], -t1[1]}, back1[2] = {-t0[0], -t0[1]};
         const double back[2] = {-q[0], -q[1]}, x = legs[0].start, y = legs[0].end;
         t->report.several += count > 1;
-        t->report.off = bat_max(t->report.off, curvature_off(t0, t1, q, x, y, k0));
-        t->report.off = bat_max(t->report.off, curvature_off(back0, back1, back, y, x, -k1));
+        t->report.error = bat_max(t->report.error, curvature_off(t0, t1, q, x, y, k0));
+        t->report.error =
+            bat_max(t->report.error, curvature_off(back0, back1, back, y, x, -k1));
     }
     for (int k = 0; k < 2; k++) {
         t->leaving[2 * i + k] = 3 * legs[0].start / step * t0[k];
@@ -90,7 +91,7 @@ static batten_status make(task *t, const double *tangents, batten_curve **curve)
 }
 
 static void hand_over(const task *t, double *parameters, int *solutions,
-                      batten_curvature_report *report)
+                      batten_curve_from_curvatures_report *report)
 {
     const size_t spans = (size_t)(t->closed ? t->count : t->count - 1);
     if (parameters)
@@ -104,7 +105,8 @@ static void hand_over(const task *t, double *parameters, int *solutions,
 batten_status batten_curve_from_curvatures(int count, const double *points,
                                            const double *tangents, const double *curvatures,
                                            bool closed, double *parameters, int *solutions,
-                                           batten_curvature_report *report, batten_curve **out)
+                                           batten_curve_from_curvatures_report *report,
+                                           batten_curve **out)
 {
     assert(points && tangents && curvatures && out);
     batten_status status = bat_points_check(2, count, points, closed ? 3 : 2);

@@ -3,12 +3,13 @@
 
 #include <string.h>
 
-batten_kochanek_bartels_options batten_kochanek_bartels_defaults(void)
+batten_tangents_kochanek_bartels_options batten_tangents_kochanek_bartels_defaults(void)
 {
-    return (batten_kochanek_bartels_options){.size = sizeof(batten_kochanek_bartels_options)};
+    return (batten_tangents_kochanek_bartels_options){
+        .size = sizeof(batten_tangents_kochanek_bartels_options)};
 }
 
-static batten_status check(int count, const batten_kochanek_bartels_options *o)
+static batten_status check(int count, const batten_tangents_kochanek_bartels_options *o)
 {
     const double *lists[] = {o->tension, o->continuity, o->bias};
     static const char *const names[] = {"tension", "continuity", "bias"};
@@ -37,8 +38,9 @@ static double at(const double *list, int i)
     return list ? list[i] : 0;
 }
 
-static void tangents_at(const bat_row_beyond *row, const batten_kochanek_bartels_options *o,
-                        int i, double *leaving, double *arriving)
+static void tangents_at(const bat_row_beyond *row,
+                        const batten_tangents_kochanek_bartels_options *o, int i,
+                        double *leaving, double *arriving)
 {
     double d0[3], d1[3];
     const double h0 = slope(row, i - 1, d0), h1 = slope(row, i, d1);
@@ -51,8 +53,9 @@ static void tangents_at(const bat_row_beyond *row, const batten_kochanek_bartels
     }
 }
 
-static batten_status find(const bat_row_beyond *row, const batten_kochanek_bartels_options *o,
-                          double *leaving, double *arriving)
+static batten_status find(const bat_row_beyond *row,
+                          const batten_tangents_kochanek_bartels_options *o, double *leaving,
+                          double *arriving)
 {
     const size_t d = (size_t)row->d, n = (size_t)row->count * d;
     double *made = bat_array3(2, n, sizeof *made);
@@ -71,15 +74,16 @@ static batten_status find(const bat_row_beyond *row, const batten_kochanek_barte
                : bat_fail(BATTEN_OVERFLOW, "the tangent at point %zu is too long", bad % n / d);
 }
 
-batten_status batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
-                                               const batten_kochanek_bartels_options *options,
-                                               double *parameters, double *leaving,
-                                               double *arriving)
+batten_status
+batten_tangents_kochanek_bartels(int dimension, int count, const double *points,
+                                 const batten_tangents_kochanek_bartels_options *options,
+                                 double *parameters, double *leaving, double *arriving)
 {
     enum { PARABOLA = 2 };
     assert(points && parameters && leaving && arriving);
-    const batten_kochanek_bartels_options defaults = batten_kochanek_bartels_defaults();
-    const batten_kochanek_bartels_options *o = options ? options : &defaults;
+    const batten_tangents_kochanek_bartels_options defaults =
+        batten_tangents_kochanek_bartels_defaults();
+    const batten_tangents_kochanek_bartels_options *o = options ? options : &defaults;
     bat_row_beyond row;
     batten_status status = bat_row_beyond_make(dimension, count, points, o->alpha, o->given,
                                                o->closed, o->phantoms, PARABOLA, &row);

@@ -22,13 +22,13 @@ typedef struct {
     double *fixed;      /* [count] 0, or the length that a clamped slope has */
     double *matrix, *b; /* the equations */
     double *slopes;     /* [count][d] */
-    batten_directed_report report;
+    batten_curve_directed_report report;
 } work;
 
-batten_directed_options batten_directed_defaults(void)
+batten_curve_directed_options batten_curve_directed_defaults(void)
 {
-    return (batten_directed_options){.size = sizeof(batten_directed_options),
-                                     .parameters = BATTEN_CHORD};
+    return (batten_curve_directed_options){.size = sizeof(batten_curve_directed_options),
+                                           .parameters = BATTEN_CHORD};
 }
 
 static bool is_directed(const work *w, int i)
@@ -178,7 +178,7 @@ static void measure(work *w)
 
 /* ---- input ---- */
 
-static batten_status check_directions(work *w, const batten_directed_options *o)
+static batten_status check_directions(work *w, const batten_curve_directed_options *o)
 {
     for (int k = 0; k < o->direction_count; k++) {
         const batten_direction_at *at = &o->directions[k];
@@ -205,7 +205,7 @@ static batten_status check_directions(work *w, const batten_directed_options *o)
     return BATTEN_OK;
 }
 
-static batten_status find_parameters(work *w, const batten_directed_options *o, double *t)
+static batten_status find_parameters(work *w, const batten_curve_directed_options *o, double *t)
 {
     if (o->parameters != BATTEN_GIVEN) {
         const batten_status status =
@@ -271,10 +271,12 @@ static batten_status make_curve(const work *w, const double *t, batten_curve **o
 }
 
 batten_status batten_curve_directed(int dimension, int count, const double *points,
-                                    const batten_directed_options *options, double *parameters,
-                                    batten_directed_report *report, batten_curve **out)
+                                    const batten_curve_directed_options *options,
+                                    double *parameters, batten_curve_directed_report *report,
+                                    batten_curve **out)
 {
-    const batten_directed_options o = options ? *options : batten_directed_defaults();
+    const batten_curve_directed_options o =
+        options ? *options : batten_curve_directed_defaults();
     work w = {.dimension = dimension, .count = count, .points = points, .tension = o.tension};
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d", dimension);

@@ -7,20 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-batten_tangent_options batten_tangent_defaults(void)
+batten_tangents_options batten_tangents_defaults(void)
 {
-    return (batten_tangent_options){.size = sizeof(batten_tangent_options)};
+    return (batten_tangents_options){.size = sizeof(batten_tangents_options)};
 }
 
 /* The points on their way to tangents. */
 typedef struct {
     int d, count;
     const double *points;
-    const batten_tangent_options *options;
+    const batten_tangents_options *options;
     double *l;                  /* lengths of the chords */
     double *t;                  /* [count], closed [count + 1]: the parameters */
     double *leaving, *arriving; /* [count][d] */
-    batten_tangent_report report;
+    batten_tangents_report report;
 } task;
 
 static const double *vertex(const task *t, int i)
@@ -234,7 +234,7 @@ static bool turns_back(const task *t, int i)
 /* ---- the whole ---- */
 
 /* The rule gives a derivative that is wanted as it is. */
-static bool keeps_length(const batten_tangent_options *o)
+static bool keeps_length(const batten_tangents_options *o)
 {
     return o->length == BATTEN_LENGTH_RULE &&
            (o->rule == BATTEN_TANGENT_BESSEL || o->rule == BATTEN_TANGENT_AKIMA ||
@@ -250,7 +250,7 @@ static void make_unit(const task *t, double *T)
 
 static void one_tangent(task *t, int i)
 {
-    const batten_tangent_options *o = t->options;
+    const batten_tangents_options *o = t->options;
     double *T = t->leaving + (size_t)i * (size_t)t->d,
            *before = t->arriving + (size_t)i * (size_t)t->d;
     const bool end = !o->closed && (i == 0 || i == t->count - 1), keeps = keeps_length(o);
@@ -367,7 +367,7 @@ static batten_status find(task *t)
     return status;
 }
 
-static batten_status check_options(const batten_tangent_options *o, int dimension, int count)
+static batten_status check_options(const batten_tangents_options *o, int dimension, int count)
 {
     if (dimension < 2)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -386,7 +386,7 @@ static batten_status check_options(const batten_tangent_options *o, int dimensio
 }
 
 static void hand_over(const task *t, double *parameters, double *leaving, double *arriving,
-                      batten_tangent_report *report)
+                      batten_tangents_report *report)
 {
     const size_t size = (size_t)t->count * (size_t)t->d * sizeof *leaving;
     memcpy(parameters, t->t, (size_t)(t->count + closed(t)) * sizeof *parameters);
@@ -398,11 +398,11 @@ static void hand_over(const task *t, double *parameters, double *leaving, double
 }
 
 batten_status batten_tangents(int dimension, int count, const double *points,
-                              const batten_tangent_options *options, double *parameters,
-                              double *leaving, double *arriving, batten_tangent_report *report)
+                              const batten_tangents_options *options, double *parameters,
+                              double *leaving, double *arriving, batten_tangents_report *report)
 {
     assert(points && parameters && leaving);
-    const batten_tangent_options defaults = batten_tangent_defaults();
+    const batten_tangents_options defaults = batten_tangents_defaults();
     task t = {.d = dimension,
               .count = count,
               .points = points,

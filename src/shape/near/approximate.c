@@ -7,14 +7,16 @@
 #include <float.h>
 #include <string.h>
 
-batten_least_squares_options batten_least_squares_defaults(void)
+batten_curve_least_squares_options batten_curve_least_squares_defaults(void)
 {
-    return (batten_least_squares_options){
-        .size = sizeof(batten_least_squares_options), .degree = 3, .parameters = BATTEN_CHORD};
+    return (batten_curve_least_squares_options){.size =
+                                                    sizeof(batten_curve_least_squares_options),
+                                                .degree = 3,
+                                                .parameters = BATTEN_CHORD};
 }
 
 typedef struct {
-    const batten_least_squares_options *options;
+    const batten_curve_least_squares_options *options;
     bat_fit_request request;
     double *parameters; /* [count], periodic [count + 1] */
     double *knots;
@@ -85,14 +87,14 @@ static batten_status solve_robustly(task *t, bat_fit *fit)
 
 static batten_status fit_once(task *t)
 {
-    const batten_least_squares_options *o = t->options;
+    const batten_curve_least_squares_options *o = t->options;
     const bat_fit_request *r = &t->request;
     bat_fit fit = {0};
     batten_status status = bat_fit_begin(r, &fit);
     if (status != BATTEN_OK)
         return status;
-    fit.fixed[0] = o->hold_start && !o->periodic;
-    fit.fixed[1] = o->hold_end && !o->periodic;
+    fit.fixed[0] = o->hold_start && !o->closed;
+    fit.fixed[1] = o->hold_end && !o->closed;
     fit.ends[0] = r->points;
     fit.ends[1] = r->points + (size_t)(r->data_count - 1) * (size_t)r->dimension;
     if (bat_fit_has_conditions(o))
@@ -115,7 +117,7 @@ static batten_status fit_once(task *t)
 
 static batten_status take_knots(task *t)
 {
-    const batten_least_squares_options *o = t->options;
+    const batten_curve_least_squares_options *o = t->options;
     const bat_fit_request *r = &t->request;
     const size_t count = (size_t)r->count + (r->periodic ? 1 : (size_t)r->degree + 1);
     t->knots = bat_array(count, sizeof *t->knots);
@@ -210,7 +212,7 @@ static batten_status correct(task *t)
 }
 
 static batten_status check(int dimension, int count, const double *points,
-                           const batten_least_squares_options *o)
+                           const batten_curve_least_squares_options *o)
 {
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status == BATTEN_OK)
@@ -243,7 +245,7 @@ static batten_status check(int dimension, int count, const double *points,
 
 static batten_status run(task *t)
 {
-    const batten_least_squares_options *o = t->options;
+    const batten_curve_least_squares_options *o = t->options;
     bat_fit_request *r = &t->request;
     const size_t n = (size_t)r->data_count;
     t->parameters = bat_array(n + 1, sizeof *t->parameters);
@@ -254,7 +256,7 @@ static batten_status run(task *t)
     r->parameters = t->parameters;
     batten_status status =
         bat_fit_parameters(r->dimension, r->data_count, r->points, o->parameters, o->given,
-                           o->periodic, t->parameters);
+                           o->closed, t->parameters);
     if (status == BATTEN_OK)
         status = take_knots(t);
     if (status == BATTEN_OK)
@@ -267,32 +269,33 @@ static batten_status run(task *t)
 }
 
 /* Of few data a lower degree; one control point for every four data, else. */
-static void choose_sizes(const batten_least_squares_options *o, int count, bat_fit_request *r)
+static void choose_sizes(const batten_curve_least_squares_options *o, int count,
+                         bat_fit_request *r)
 {
     r->degree = o->degree;
-    if (o->point_count == 0 && !o->periodic)
+    if (o->point_count == 0 && !o->closed)
         r->degree = bat_min_int(o->degree, count - 1);
     r->count = o->point_count > 0 ? o->point_count
-               : o->periodic      ? bat_max_int(bat_min_int(count, 4), count / 4)
+               : o->closed        ? bat_max_int(bat_min_int(count, 4), count / 4)
                                   : bat_max_int(r->degree + 1, count / 4);
 }
 
 batten_status batten_curve_least_squares(int dimension, int count, const double *points,
-                                         const batten_least_squares_options *options,
+                                         const batten_curve_least_squares_options *options,
                                          double *parameters, batten_fit_report *report,
                                          batten_curve **out)
 {
-    const batten_least_squares_options defaults = batten_least_squares_defaults();
+    const batten_curve_least_squares_options defaults = batten_curve_least_squares_defaults();
     task t = {.options = options ? options : &defaults,
               .request = {.dimension = dimension, .data_count = count, .points = points}};
     batten_status status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
-    t.request.periodic = t.options->periodic;
+    t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
     t.robust = (bat_robust){.how = t.options->robust, .threshold = t.options->threshold};
     choose_sizes(t.options, count, &t.request);
-    if (!t.options->periodic && t.request.count <= t.request.degree)
+    if (!t.options->closed && t.request.count <= t.request.degree)
         return bat_fail(BATTEN_TOO_FEW_POINTS,
                         "%d control point%s for degree %d; %d are needed", t.request.count,
                         bat_plural(t.request.count), t.request.degree, t.request.degree + 1);

@@ -100,16 +100,16 @@ typedef struct {
 } bat_condition_rows;
 
 /* Are there any in the options? The ends alone are none. */
-bool bat_fit_has_conditions(const batten_least_squares_options *options);
+bool bat_fit_has_conditions(const batten_curve_least_squares_options *options);
 /* NOT_FINITE, BAD_ARGUMENT, OUT_OF_DOMAIN naming the condition. */
 batten_status bat_fit_conditions(const bat_fit *fit,
-                                 const batten_least_squares_options *options,
+                                 const batten_curve_least_squares_options *options,
                                  bat_condition_rows *out);
 void bat_condition_rows_free(bat_condition_rows *rows);
 /* As bat_fit_solve, under conditions, and how many of them press; `freedom` as of
  * bat_fit_freedom. NOT_COMPATIBLE naming the condition. */
 batten_status bat_fit_solve_under(const bat_fit *fit, double lambda,
-                                  const batten_least_squares_options *options,
+                                  const batten_curve_least_squares_options *options,
                                   const bat_condition_rows *rows, double *control,
                                   int *pressing, double *freedom);
 

@@ -13,7 +13,7 @@ void bat_condition_rows_free(bat_condition_rows *rows)
     *rows = (bat_condition_rows){0};
 }
 
-bool bat_fit_has_conditions(const batten_least_squares_options *o)
+bool bat_fit_has_conditions(const batten_curve_least_squares_options *o)
 {
     return o->condition_count > 0 || o->shape || o->side != BATTEN_FIT_BOTH || o->band > 0;
 }
@@ -21,7 +21,7 @@ bool bat_fit_has_conditions(const batten_least_squares_options *o)
 /* What is being asked, while the rows are made. */
 typedef struct {
     const bat_fit *fit;
-    const batten_least_squares_options *options;
+    const batten_curve_least_squares_options *options;
     const double *U; /* all knots */
     bat_condition_rows rows;
 } asking;
@@ -246,7 +246,7 @@ static void ask_datum(asking *a, bat_condition_for what, int i, int c, double ri
 
 static batten_status ask_side_and_band(asking *a)
 {
-    const batten_least_squares_options *o = a->options;
+    const batten_curve_least_squares_options *o = a->options;
     const bat_fit *fit = a->fit;
     if ((int)o->side < 0 || o->side > BATTEN_FIT_UNDER ||
         (o->side != BATTEN_FIT_BOTH && fit->dimension > 1))
@@ -266,7 +266,8 @@ static batten_status ask_side_and_band(asking *a)
     return BATTEN_OK;
 }
 
-batten_status bat_fit_conditions(const bat_fit *fit, const batten_least_squares_options *o,
+batten_status bat_fit_conditions(const bat_fit *fit,
+                                 const batten_curve_least_squares_options *o,
                                  bat_condition_rows *out)
 {
     const size_t d = (size_t)fit->dimension;

@@ -394,14 +394,14 @@ void bat_fit_measure(const bat_fit *fit, const double *residuals, batten_fit_rep
     const int d = fit->dimension;
     double squares = 0, sum = 0;
     int count = 0;
-    report->max = 0;
+    report->error = 0;
     report->worst = 0;
     for (int i = 0; i < fit->data_count; i++) {
         if (!(fit->factors[i] > 0))
             continue;
         const double distance = bat_norm(d, residuals + (size_t)i * (size_t)d);
-        if (distance > report->max) {
-            report->max = distance;
+        if (distance > report->error) {
+            report->error = distance;
             report->worst = i;
         }
         squares += distance * distance;

@@ -116,7 +116,7 @@ static void say_condition(const bat_fit *fit, const batten_condition *c, int num
              verbs[c->kind], value, u);
 }
 
-static void say_row(const program *p, const batten_least_squares_options *o,
+static void say_row(const program *p, const batten_curve_least_squares_options *o,
                     const bat_condition_row *row, char out[300])
 {
     const double *U = p->fit->knots;
@@ -144,7 +144,7 @@ static void say_row(const program *p, const batten_least_squares_options *o,
     }
 }
 
-static batten_status name_refused(const program *p, const batten_least_squares_options *o,
+static batten_status name_refused(const program *p, const batten_curve_least_squares_options *o,
                                   const bat_quadratic_report *report)
 {
     char text[300];
@@ -202,7 +202,7 @@ static void end(program *p)
 }
 
 /* Do all conditions hold to rounding? */
-static batten_status verify(const program *p, const batten_least_squares_options *o)
+static batten_status verify(const program *p, const batten_curve_least_squares_options *o)
 {
     const double size = bat_largest(p->count, p->x);
     for (int least = 0; least < 2; least++)
@@ -221,7 +221,7 @@ static batten_status verify(const program *p, const batten_least_squares_options
     return BATTEN_OK;
 }
 
-static batten_status solve_program(program *p, const batten_least_squares_options *o,
+static batten_status solve_program(program *p, const batten_curve_least_squares_options *o,
                                    bat_quadratic_report *report)
 {
     batten_status status = begin(p);
@@ -266,7 +266,7 @@ static void hold_ends(const bat_fit *fit, double *control)
 }
 
 batten_status bat_fit_solve_under(const bat_fit *fit, double lambda,
-                                  const batten_least_squares_options *options,
+                                  const batten_curve_least_squares_options *options,
                                   const bat_condition_rows *rows, double *control,
                                   int *pressing, double *freedom)
 {

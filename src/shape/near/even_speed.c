@@ -20,7 +20,7 @@ typedef struct {
     int dimension;
     double size, tolerance;
     int most; /* pieces */
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     /* the smooth run in the making */
     int count, room;
     double *s, *values; /* [count], [count][3][dimension] */
@@ -247,7 +247,7 @@ static batten_status add_pieces(task *t, const batten_curve *bezier)
 /* ---- the whole ---- */
 
 /* A polyline keeps its points; its knots are the lengths up to them. */
-static batten_status polyline(const batten_curve *curve, batten_even_speed_report *report,
+static batten_status polyline(const batten_curve *curve, batten_curve_even_speed_report *report,
                               batten_curve **out)
 {
     const size_t d = (size_t)curve->dimension;
@@ -270,7 +270,7 @@ static batten_status polyline(const batten_curve *curve, batten_even_speed_repor
     if (status == BATTEN_OK) {
         knots[0] = 0;
         knots[n + 1] = knots[n];
-        *report = (batten_even_speed_report){.length = knots[n], .pieces = n - 1};
+        *report = (batten_curve_even_speed_report){.length = knots[n], .pieces = n - 1};
         status = batten_curve_create(curve->dimension, 1, n, points, NULL, knots, out);
     }
     bat_release(knots);
@@ -279,7 +279,7 @@ static batten_status polyline(const batten_curve *curve, batten_even_speed_repor
 }
 
 static batten_status even(const batten_curve *curve, double tolerance, int most,
-                          batten_even_speed_report *report, batten_curve **out)
+                          batten_curve_even_speed_report *report, batten_curve **out)
 {
     batten_curve *bezier = NULL;
     batten_status status = batten_curve_to_bezier(curve, &bezier);
@@ -307,9 +307,9 @@ static batten_status even(const batten_curve *curve, double tolerance, int most,
 }
 
 batten_status bat_curve_even_speed(const batten_curve *curve, double tolerance, int most,
-                                   batten_even_speed_report *report, batten_curve **out)
+                                   batten_curve_even_speed_report *report, batten_curve **out)
 {
-    batten_even_speed_report done;
+    batten_curve_even_speed_report done;
     if (curve->dimension == 1)
         return bat_fail(BATTEN_UNSUPPORTED,
                         "a function has no arc length; make its graph first");
@@ -322,7 +322,8 @@ batten_status bat_curve_even_speed(const batten_curve *curve, double tolerance, 
 }
 
 batten_status batten_curve_even_speed(const batten_curve *curve, double tolerance,
-                                      batten_even_speed_report *report, batten_curve **out)
+                                      batten_curve_even_speed_report *report,
+                                      batten_curve **out)
 {
     assert(curve && out);
     return bat_curve_even_speed(curve, tolerance, MOST_PIECES, report, out);

@@ -5,6 +5,6 @@
 
 /* batten_curve_even_speed in at most so many pieces; more are TOLERANCE_NOT_MET. */
 batten_status bat_curve_even_speed(const batten_curve *curve, double tolerance, int most,
-                                   batten_even_speed_report *report, batten_curve **out);
+                                   batten_curve_even_speed_report *report, batten_curve **out);
 
 #endif

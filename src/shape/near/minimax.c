@@ -258,12 +258,13 @@ static batten_status make_curve(const task *t, batten_curve **out)
 /* The errors of the curve itself: Bernstein's form of high degrees rounds more than
  * Chebyshev's. */
 static batten_status measure(const task *t, const batten_curve *curve,
-                             batten_minimax_report *report)
+                             batten_curve_minimax_report *report)
 {
     double squares = 0;
     const batten_status status =
         batten_curve_evaluate_many(curve, (size_t)t->count, t->t, 0, NULL, t->errors);
-    *report = (batten_minimax_report){.error = fabs(t->worst_error), .exchanges = t->exchanges};
+    *report =
+        (batten_curve_minimax_report){.error = fabs(t->worst_error), .exchanges = t->exchanges};
     for (int i = 0; status == BATTEN_OK && i < t->count; i++) {
         const double error = fabs(t->f[i] - t->errors[i]);
         report->error = bat_max(report->error, error);
@@ -275,9 +276,9 @@ static batten_status measure(const task *t, const batten_curve *curve,
     return status;
 }
 
-static batten_status run(task *t, batten_minimax_report *report, batten_curve **out)
+static batten_status run(task *t, batten_curve_minimax_report *report, batten_curve **out)
 {
-    batten_minimax_report reached;
+    batten_curve_minimax_report reached;
     batten_curve *curve = NULL;
     t->a = t->t[0];
     t->b = t->t[t->count - 1];
@@ -311,7 +312,7 @@ static batten_status check_degree(int degree)
 }
 
 batten_status batten_curve_minimax(int count, const double *parameters, const double *values,
-                                   int degree, batten_minimax_report *report,
+                                   int degree, batten_curve_minimax_report *report,
                                    batten_curve **out)
 {
     batten_status status = check_degree(degree);
@@ -326,7 +327,7 @@ batten_status batten_curve_minimax(int count, const double *parameters, const do
 }
 
 batten_status batten_function_minimax(double a, double b, int degree, batten_evaluator function,
-                                      void *user, batten_minimax_report *report,
+                                      void *user, batten_curve_minimax_report *report,
                                       batten_curve **out)
 {
     batten_status status = check_degree(degree);

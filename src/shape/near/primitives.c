@@ -59,16 +59,16 @@ void bat_primitive_measure(int count, const double *distances, double scale,
                            batten_primitive_report *report)
 {
     double sum = 0;
-    report->max = -1;
+    report->error = -1;
     for (int i = 0; i < count; i++) {
         const double distance = fabs(distances[i]);
         sum += distance * distance;
-        if (distance > report->max) {
-            report->max = distance;
+        if (distance > report->error) {
+            report->error = distance;
             report->worst = i;
         }
     }
-    report->max *= scale;
+    report->error *= scale;
     report->rms = scale * sqrt(sum / count);
 }
 

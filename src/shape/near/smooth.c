@@ -5,13 +5,13 @@
 #include <float.h>
 #include <string.h>
 
-batten_smooth_options batten_smooth_defaults(void)
+batten_curve_smooth_options batten_curve_smooth_defaults(void)
 {
-    return (batten_smooth_options){.size = sizeof(batten_smooth_options),
-                                   .order = 2,
-                                   .spans = 40,
-                                   .degree = 3,
-                                   .parameters = BATTEN_CHORD};
+    return (batten_curve_smooth_options){.size = sizeof(batten_curve_smooth_options),
+                                         .order = 2,
+                                         .spans = 40,
+                                         .degree = 3,
+                                         .parameters = BATTEN_CHORD};
 }
 
 /* ---- parameters ---- */
@@ -90,7 +90,7 @@ static batten_status make_polynomial(bat_smoothing *t)
     if (r->periodic || degree == 0) {
         status = make_constant(t);
     } else {
-        batten_least_squares_options o = batten_least_squares_defaults();
+        batten_curve_least_squares_options o = batten_curve_least_squares_defaults();
         o.degree = degree;
         o.point_count = degree + 1;
         o.parameters = BATTEN_GIVEN;
@@ -141,11 +141,11 @@ static batten_status make_interpolant(bat_smoothing *t)
            *q = bat_array3((size_t)n, (size_t)r->dimension, sizeof *q);
     batten_status status = u && q ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     batten_derivative natural[6] = {{0}};
-    batten_interpolate_options o = batten_interpolate_defaults();
+    batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
     o.degree = 2 * m - 1;
     o.parameters = BATTEN_GIVEN;
     o.given = u;
-    o.periodic = r->periodic;
+    o.closed = r->periodic;
     o.start.kind = o.end.kind = BATTEN_END_NATURAL;
     for (int k = 0; k < m - 1 && m > 2 && !r->periodic; k++) {
         natural[2 * k] = (batten_derivative){.index = 0, .order = m + k};
@@ -165,7 +165,7 @@ static batten_status make_interpolant(bat_smoothing *t)
 /* ---- the whole ---- */
 
 static batten_status check(int dimension, int count, const double *points,
-                           const batten_smooth_options *o)
+                           const batten_curve_smooth_options *o)
 {
     batten_status status = bat_points_check(dimension, count, points, 2);
     if (status == BATTEN_OK)
@@ -191,7 +191,7 @@ static batten_status check(int dimension, int count, const double *points,
 
 static batten_status begin(bat_smoothing *t)
 {
-    const batten_smooth_options *o = t->options;
+    const batten_curve_smooth_options *o = t->options;
     bat_fit_request *r = &t->request;
     const size_t n = (size_t)r->data_count;
     t->parameters = bat_array(n + 1, sizeof *t->parameters);
@@ -201,7 +201,7 @@ static batten_status begin(bat_smoothing *t)
     r->parameters = t->parameters;
     batten_status status =
         bat_fit_parameters(r->dimension, r->data_count, r->points, o->parameters, o->given,
-                           o->periodic, t->parameters);
+                           o->closed, t->parameters);
     if (status != BATTEN_OK)
         return status;
     count_data(t);
@@ -310,17 +310,18 @@ static batten_status smooth(bat_smoothing *t)
 }
 
 batten_status batten_curve_smooth(int dimension, int count, const double *points,
-                                  const batten_smooth_options *options, double *parameters,
-                                  batten_fit_report *report, batten_curve **out)
+                                  const batten_curve_smooth_options *options,
+                                  double *parameters, batten_fit_report *report,
+                                  batten_curve **out)
 {
-    const batten_smooth_options defaults = batten_smooth_defaults();
+    const batten_curve_smooth_options defaults = batten_curve_smooth_defaults();
     bat_smoothing t = {
         .options = options ? options : &defaults,
         .request = {.dimension = dimension, .data_count = count, .points = points}};
     batten_status status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
-    t.request.periodic = t.options->periodic;
+    t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
     status = begin(&t);
     if (status == BATTEN_OK)
@@ -388,10 +389,11 @@ static batten_status p_spline(bat_smoothing *t)
 }
 
 batten_status batten_curve_p_spline(int dimension, int count, const double *points,
-                                    const batten_smooth_options *options, double *parameters,
-                                    batten_fit_report *report, batten_curve **out)
+                                    const batten_curve_smooth_options *options,
+                                    double *parameters, batten_fit_report *report,
+                                    batten_curve **out)
 {
-    const batten_smooth_options defaults = batten_smooth_defaults();
+    const batten_curve_smooth_options defaults = batten_curve_smooth_defaults();
     bat_smoothing t = {
         .options = options ? options : &defaults,
         .request = {.dimension = dimension, .data_count = count, .points = points}};
@@ -404,7 +406,7 @@ batten_status batten_curve_p_spline(int dimension, int count, const double *poin
     if (t.options->spans <= t.options->order || t.options->spans > BAT_MAX_MADE_POINTS)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d spans; %d to %d are possible",
                         t.options->spans, t.options->order + 1, BAT_MAX_MADE_POINTS);
-    t.request.periodic = t.options->periodic;
+    t.request.periodic = t.options->closed;
     t.request.weights = t.options->weights;
     status = begin(&t);
     if (status == BATTEN_OK)

@@ -24,7 +24,7 @@ batten_status bat_lambda_choose(const bat_lambda_search *search, double *lambda)
 double bat_last_decade(int order, int count);
 
 typedef struct {
-    const batten_smooth_options *options;
+    const batten_curve_smooth_options *options;
     bat_fit_request request;
     double *parameters; /* [count + 1] */
     double *knots;

@@ -239,7 +239,7 @@ batten_status bat_lambda_choose(const bat_lambda_search *t, double *lambda)
 
 batten_status bat_smoothing_choose(bat_smoothing *t, double *lambda)
 {
-    const batten_smooth_options *o = t->options;
+    const batten_curve_smooth_options *o = t->options;
     const bat_lambda_search search = {
         .by = o->by,
         .amount = o->amount,

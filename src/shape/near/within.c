@@ -50,7 +50,7 @@ static double *knots_of(const bat_within *w, const trial *t)
 
 static batten_status fit_curve(bat_within *w, const double *knots, trial *t)
 {
-    batten_least_squares_options options = batten_least_squares_defaults();
+    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.degree = w->degree;
     options.point_count = t->count + (w->periodic ? 1 : w->degree + 1);
     options.parameters = BATTEN_GIVEN;
@@ -58,7 +58,7 @@ static batten_status fit_curve(bat_within *w, const double *knots, trial *t)
     options.weights = w->weights;
     options.knots = BATTEN_KNOTS_GIVEN;
     options.given_knots = knots;
-    options.periodic = w->periodic;
+    options.closed = w->periodic;
     options.hold_start = options.hold_end = !w->periodic;
     options.corrections = w->corrections;
     options.regularise = true;

@@ -5,14 +5,14 @@
 
 #include <string.h>
 
-batten_within_options batten_within_defaults(void)
+batten_curve_within_options batten_curve_within_defaults(void)
 {
-    return (batten_within_options){
-        .size = sizeof(batten_within_options), .degree = 3, .parameters = BATTEN_CHORD};
+    return (batten_curve_within_options){
+        .size = sizeof(batten_curve_within_options), .degree = 3, .parameters = BATTEN_CHORD};
 }
 
 typedef struct {
-    const batten_within_options *options;
+    const batten_curve_within_options *options;
     int dimension, count;
     const double *points;
     bool *corner; /* [count] */
@@ -87,7 +87,7 @@ static bool is_sharpest(const task *t, const double *turns, int i, double far)
 
 static batten_status detect_corners(task *t)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     const double far = 4 * o->tolerance;
     if (o->corner == 0)
         return BATTEN_OK;
@@ -104,7 +104,7 @@ static batten_status detect_corners(task *t)
 
 static batten_status find_corners(task *t)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     t->corner = bat_array((size_t)t->count, sizeof *t->corner);
     if (!t->corner)
         return BATTEN_OUT_OF_MEMORY;
@@ -130,7 +130,7 @@ static batten_status find_corners(task *t)
 /* Turned so that a closed row with corners begins at its first one, and ends there again. */
 static batten_status take_row(task *t)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     const int n = t->count;
     const size_t d = (size_t)t->dimension;
     const bool turned = o->closed && t->corner_count > 0;
@@ -274,7 +274,7 @@ static batten_status search(bat_within *w, batten_within_method method)
 
 static batten_status fit_piece(task *t, int from, int to, bool periodic, batten_curve **out)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     const size_t n = (size_t)(to - from) + 2;
     double *start = bat_array(n, sizeof *start), *parameters = bat_array(n, sizeof *parameters);
     bat_within w = {.dimension = t->dimension,
@@ -307,7 +307,7 @@ static batten_status fit_piece(task *t, int from, int to, bool periodic, batten_
 
 static batten_status make_piece(task *t, int from, int to, bool smooth_ring)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     batten_curve **out = &t->pieces[t->piece_count];
     const double *a = t->parameters + from;
     if (!(a[to - from] > a[0]))
@@ -326,7 +326,7 @@ static batten_status make_piece(task *t, int from, int to, bool smooth_ring)
 
 static batten_status make_pieces(task *t)
 {
-    const batten_within_options *o = t->options;
+    const batten_curve_within_options *o = t->options;
     if (o->closed && t->corner_count == 0) {
         /* A ring of Bezier curves is a row that ends where it begins. */
         const bool bezier = o->method == BATTEN_WITHIN_BEZIER;
@@ -365,12 +365,13 @@ static batten_status measure_between(const task *t, double *apart)
     return BATTEN_OK;
 }
 
-static batten_status check_result(task *t, double *parameters, batten_within_report *report)
+static batten_status check_result(task *t, double *parameters,
+                                  batten_curve_within_report *report)
 {
     const int d = t->dimension;
     double squares = 0;
     const int n = batten_curve_point_count(t->curve);
-    *report = (batten_within_report){
+    *report = (batten_curve_within_report){
         .points = batten_curve_is_periodic(t->curve) ? n - batten_curve_degree(t->curve) : n,
         .corners = t->corner_count,
         .fits = t->fits};
@@ -383,17 +384,17 @@ static batten_status check_result(task *t, double *parameters, batten_within_rep
         const double distance = bat_distance(d, at, t->points + (size_t)i * (size_t)d);
         parameters[i] = t->parameters[k];
         squares += distance * distance;
-        if (distance > report->max) {
-            report->max = distance;
+        if (distance > report->error) {
+            report->error = distance;
             report->worst = i;
         }
     }
     report->rms = sqrt(squares / t->count);
-    if (!(report->max <= t->options->tolerance))
+    if (!(report->error <= t->options->tolerance))
         return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                         "the nearest curve that was found is %g away from point %d; the "
                         "tolerance is %g",
-                        report->max, report->worst, t->options->tolerance);
+                        report->error, report->worst, t->options->tolerance);
     return measure_between(t, &report->apart);
 }
 
@@ -416,7 +417,7 @@ static batten_status run(task *t)
 }
 
 static batten_status check(int dimension, int count, const double *points,
-                           const batten_within_options *o)
+                           const batten_curve_within_options *o)
 {
     const batten_status status = bat_points_check(dimension, count, points, 2);
     if (status != BATTEN_OK)
@@ -446,12 +447,13 @@ static batten_status check(int dimension, int count, const double *points,
 }
 
 batten_status batten_curve_within(int dimension, int count, const double *points,
-                                  const batten_within_options *options, double *parameters,
-                                  batten_within_report *report, batten_curve **out)
+                                  const batten_curve_within_options *options,
+                                  double *parameters, batten_curve_within_report *report,
+                                  batten_curve **out)
 {
     assert(points && options && out);
     task t = {.options = options, .dimension = dimension, .count = count, .points = points};
-    batten_within_report found = {0};
+    batten_curve_within_report found = {0};
     double *at = NULL;
     batten_status status = check(dimension, count, points, options);
     if (status != BATTEN_OK)

@@ -3,12 +3,13 @@
 
 #include <string.h>
 
-batten_gordon_options batten_gordon_defaults(void)
+batten_surface_gordon_options batten_surface_gordon_defaults(void)
 {
-    return (batten_gordon_options){.size = sizeof(batten_gordon_options), .cut = true};
+    return (batten_surface_gordon_options){.size = sizeof(batten_surface_gordon_options),
+                                           .cut = true};
 }
 
-static batten_status check(int profiles, int guides, const batten_gordon_options *o)
+static batten_status check(int profiles, int guides, const batten_surface_gordon_options *o)
 {
     if (!isfinite(o->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
@@ -76,8 +77,9 @@ static batten_status make(bat_network *net, batten_surface **out)
 
 batten_status batten_surface_gordon(int profile_count, const batten_curve *const *profiles,
                                     int guide_count, const batten_curve *const *guides,
-                                    const batten_gordon_options *options, const batten_job *job,
-                                    batten_gordon_report *report, batten_surface **out)
+                                    const batten_surface_gordon_options *options,
+                                    const batten_job *job, batten_surface_gordon_report *report,
+                                    batten_surface **out)
 {
     bat_network net = {
         .family = {{.what = "profile", .names = options->profile_names, .given = profile_count},

@@ -31,7 +31,7 @@ typedef struct {
 
 typedef struct {
     bat_network_family family[2];
-    const batten_gordon_options *options;
+    const batten_surface_gordon_options *options;
     double scale;     /* a length of the caller times this is one of ours */
     double tolerance; /* ours */
     double gap;       /* ours: how far curves may miss each other */
@@ -39,7 +39,7 @@ typedef struct {
     double size;      /* ours */
     bat_work work;
     double *nodes; /* [profiles][guides][3] */
-    batten_gordon_report report;
+    batten_surface_gordon_report report;
 } bat_network;
 
 /* "profile 3" of an array; "profile 'rib' (4 of 7)" when there are names. */

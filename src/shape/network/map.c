@@ -92,7 +92,7 @@ static batten_status is_steep(const batten_curve *map, int nodes, const double *
 static batten_status spline_map(int nodes, const double *u, const double *at, bool periodic,
                                 batten_curve **out)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     batten_curve *made = NULL, *clamped = NULL;
     double *off = bat_array((size_t)nodes, sizeof *off);
     if (!off)
@@ -101,7 +101,7 @@ static batten_status spline_map(int nodes, const double *u, const double *at, bo
         off[i] = at[i] - u[i];
     options.parameters = BATTEN_GIVEN;
     options.given = u;
-    options.periodic = periodic;
+    options.closed = periodic;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     batten_status status =
         batten_curve_interpolate(1, nodes - periodic, off, &options, NULL, &made);

@@ -75,11 +75,11 @@ static batten_status measure_guide(bat_network *net, const bat_network_curve *gu
     if (status == BATTEN_OK)
         status =
             batten_surface_deviation(skin, count, points, NULL, net->work.job, NULL, &found);
-    if (status == BATTEN_OK && found.max / net->scale > net->report.guides_off) {
+    if (status == BATTEN_OK && found.max / net->scale > net->report.guide_error) {
         const double *p = points + 3 * found.worst;
-        net->report.guides_off = found.max / net->scale;
-        net->report.guide_off = guide->index;
-        net->report.guide_off_at =
+        net->report.guide_error = found.max / net->scale;
+        net->report.guide_worst = guide->index;
+        net->report.guide_worst_at =
             (batten_vec3){p[0] / net->scale, p[1] / net->scale, p[2] / net->scale};
     }
     return status;

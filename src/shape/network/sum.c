@@ -197,8 +197,8 @@ static batten_status compare(bat_network *net, int family, int count, const doub
                             "tolerance %g",
                             bat_network_label(net, family, &f->curves[k], name), off, where,
                             net->options->tolerance);
-        if (off > net->report.deviation) {
-            net->report.deviation = off;
+        if (off > net->report.error) {
+            net->report.error = off;
             net->report.worst_is_guide = family == 1;
             net->report.worst = f->curves[k].index;
         }
@@ -253,7 +253,7 @@ static batten_status check_nodes(bat_network *net, const batten_surface *surface
 
 static void fill_report(bat_network *net, const bat_network_side sides[2])
 {
-    batten_gordon_report *r = &net->report;
+    batten_surface_gordon_report *r = &net->report;
     r->closed_u = net->family[0].closed;
     r->closed_v = net->family[1].closed;
     r->smooth_u = r->closed_u && net->family[0].smooth;

@@ -4,10 +4,12 @@
 
 enum { LOOKS = 65 };
 
-batten_developable_options batten_developable_defaults(void)
+batten_surface_developable_options batten_surface_developable_defaults(void)
 {
-    return (batten_developable_options){
-        .size = sizeof(batten_developable_options), .tolerance = 1e-4, .warp = BAT_PI / 360};
+    return (batten_surface_developable_options){.size =
+                                                    sizeof(batten_surface_developable_options),
+                                                .tolerance = 1e-4,
+                                                .warp = BAT_PI / 360};
 }
 
 batten_status batten_ruling_condition(const batten_curve *first, double s,
@@ -41,7 +43,7 @@ batten_status batten_ruling_condition(const batten_curve *first, double s,
 
 /* ---- what is given ---- */
 
-static batten_status check_options(const batten_developable_options *o)
+static batten_status check_options(const batten_surface_developable_options *o)
 {
     if (!(o->tolerance > 0 && isfinite(o->tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", o->tolerance);
@@ -117,7 +119,7 @@ static batten_status keep_matching(const batten_curve *const edges[2], batten_de
 }
 
 static batten_status find_rulings(const batten_curve *const edges[2],
-                                  const batten_developable_options *options,
+                                  const batten_surface_developable_options *options,
                                   batten_developable *out)
 {
     bat_plate *plate = bat_array(1, sizeof *plate);
@@ -137,7 +139,8 @@ static batten_status find_rulings(const batten_curve *const edges[2],
 }
 
 /* The creases where cones meet the rest are rulings with warp too. */
-static void add_creases(const batten_developable_options *options, batten_developable *out)
+static void add_creases(const batten_surface_developable_options *options,
+                        batten_developable *out)
 {
     for (int i = 0; i < out->count; i++)
         if (out->rulings[i].warp > out->warp) {
@@ -147,7 +150,7 @@ static void add_creases(const batten_developable_options *options, batten_develo
     out->is_developable = out->warp <= options->warp && !out->has_regression;
 }
 
-static batten_status check_regression(const batten_developable_options *options,
+static batten_status check_regression(const batten_surface_developable_options *options,
                                       const batten_developable *made)
 {
     if (options->keep_regression || options->keep_matching)
@@ -167,7 +170,8 @@ static batten_status check_regression(const batten_developable_options *options,
 }
 
 static batten_status make(const batten_curve *const edges[2],
-                          const batten_developable_options *options, batten_developable *out)
+                          const batten_surface_developable_options *options,
+                          batten_developable *out)
 {
     const double a = extent(edges[0]), b = extent(edges[1]);
     const bool point = bat_min(a, b) <= 1e-12 * bat_max(a, b);
@@ -187,12 +191,12 @@ static batten_status make(const batten_curve *const edges[2],
 }
 
 batten_status batten_surface_developable(const batten_curve *first, const batten_curve *second,
-                                         const batten_developable_options *options,
+                                         const batten_surface_developable_options *options,
                                          batten_developable *out)
 {
     assert(first && second && out);
-    const batten_developable_options standard = batten_developable_defaults();
-    const batten_developable_options *o = options ? options : &standard;
+    const batten_surface_developable_options standard = batten_surface_developable_defaults();
+    const batten_surface_developable_options *o = options ? options : &standard;
     batten_developable made = {0};
     batten_curve *a = NULL, *b = NULL;
     batten_status status = check_options(o);

@@ -48,7 +48,7 @@ static batten_status look_at(const batten_surface *surface, double u, batten_sid
     return BATTEN_OK;
 }
 
-batten_status bat_plate_measure(const batten_developable_options *options,
+batten_status bat_plate_measure(const batten_surface_developable_options *options,
                                 batten_developable *out)
 {
     const int count = batten_surface_spans(out->surface, BATTEN_U, NULL);

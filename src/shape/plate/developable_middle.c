@@ -175,7 +175,7 @@ static batten_status fit_tangents(const bat_plate *plate, int e, bat_middle *m)
 
 static batten_status fit_points(int e, bat_middle *m)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = m->tau;
     return batten_curve_interpolate(3, m->count, m->points[e], &options, NULL, &m->edge[e]);
@@ -252,8 +252,8 @@ static batten_status found_warp(const bat_plate *plate, const bat_middle *m, dou
     return status;
 }
 
-batten_status bat_middle_make(const bat_plate *plate, const batten_developable_options *options,
-                              bat_middle *m)
+batten_status bat_middle_make(const bat_plate *plate,
+                              const batten_surface_developable_options *options, bat_middle *m)
 {
     for (int samples = FIRST_SAMPLES; samples <= MAX_SAMPLES; samples = 2 * samples - 1) {
         batten_developable seen = {0};

@@ -77,15 +77,16 @@ batten_status bat_middle_reserve(int count, bat_middle *m);
 /* Points and parameters of its pairs; refused where the edges touch. */
 batten_status bat_middle_place(const bat_plate *plate, bat_middle *m);
 /* With so many rulings that edges and warp are near enough. */
-batten_status bat_middle_make(const bat_plate *plate, const batten_developable_options *options,
-                              bat_middle *m);
+batten_status bat_middle_make(const bat_plate *plate,
+                              const batten_surface_developable_options *options, bat_middle *m);
 void bat_middle_release(bat_middle *m);
 
 /* The surface along the path with its rulings. */
-batten_status bat_plate_surface(bat_plate *plate, const batten_developable_options *options,
+batten_status bat_plate_surface(bat_plate *plate,
+                                const batten_surface_developable_options *options,
                                 batten_developable *out);
 /* Warp and edge of regression of `out->surface`. */
-batten_status bat_plate_measure(const batten_developable_options *options,
+batten_status bat_plate_measure(const batten_surface_developable_options *options,
                                 batten_developable *out);
 
 #endif

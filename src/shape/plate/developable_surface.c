@@ -172,7 +172,8 @@ static batten_status join_parts(const bat_plate *plate, bat_middle *m, batten_de
     return status;
 }
 
-batten_status bat_plate_surface(bat_plate *plate, const batten_developable_options *options,
+batten_status bat_plate_surface(bat_plate *plate,
+                                const batten_surface_developable_options *options,
                                 batten_developable *out)
 {
     bat_middle m = {0};

@@ -9,13 +9,13 @@
 
 enum { FIRST_SAMPLES = 65, MANY_SAMPLES = 1000, MAX_SAMPLES = 16385 };
 
-batten_fold_options batten_fold_defaults(void)
+batten_fold_create_options batten_fold_create_defaults(void)
 {
-    return (batten_fold_options){.size = sizeof(batten_fold_options),
-                                 .given = BATTEN_FOLD_ANGLE,
-                                 .left = 1,
-                                 .right = 1,
-                                 .tolerance = 1e-4};
+    return (batten_fold_create_options){.size = sizeof(batten_fold_create_options),
+                                        .given = BATTEN_FOLD_ANGLE,
+                                        .left = 1,
+                                        .right = 1,
+                                        .tolerance = 1e-4};
 }
 
 /* ---- rulings ---- */
@@ -118,7 +118,7 @@ static batten_status curve_of(const bat_fold_task *t, int d, const batten_fold_s
                 crease[d * i + c] + (sheet ? sheet->lengths[i] * rulings[d * i + c] : 0);
         s[i] = t->at[i].s;
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     if (status == BATTEN_OK)
@@ -269,7 +269,7 @@ static batten_status finish_sheet(bat_fold_task *t, int side, double width,
 /* The fold with so many samples. */
 static batten_status fold_with(bat_fold_task *t, int count)
 {
-    const batten_fold_options *o = t->options;
+    const batten_fold_create_options *o = t->options;
     clear_samples(t);
     t->count = count;
     batten_status status = reserve_samples(t);
@@ -295,7 +295,7 @@ static batten_status fold_with(bat_fold_task *t, int count)
     return status;
 }
 
-static batten_status check_options(const batten_fold_options *o)
+static batten_status check_options(const batten_fold_create_options *o)
 {
     if (o->count < 1 || !o->values)
         return bat_fail(BATTEN_BAD_ARGUMENT, "no angles are given along the crease");
@@ -349,8 +349,8 @@ static batten_status fold_all(bat_fold_task *t)
     return status;
 }
 
-batten_status batten_fold_create(const batten_curve *crease, const batten_fold_options *options,
-                                 batten_fold *out)
+batten_status batten_fold_create(const batten_curve *crease,
+                                 const batten_fold_create_options *options, batten_fold *out)
 {
     assert(crease && options && out);
     const bool is_flat = options->given == BATTEN_FOLD_FLAT;

@@ -23,7 +23,7 @@ batten_status bat_fold_function(int count, const double *values, double length,
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++)
         s[i] = i == count - 1 ? length : length * i / (count - 1);
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     const batten_status status =
@@ -256,7 +256,7 @@ static batten_status raise_crease(bat_fold_task *t)
 /* The crease in space, its length, and the laws along it. */
 batten_status bat_fold_prepare(bat_fold_task *t)
 {
-    const batten_fold_options *o = t->options;
+    const batten_fold_create_options *o = t->options;
     const bool is_flat = o->given == BATTEN_FOLD_FLAT;
     double size = 0;
     batten_status status = batten_curve_length(t->crease, 1e-6, &size, NULL);

@@ -20,7 +20,7 @@ typedef struct {
 /* One fold on its way. */
 typedef struct {
     const batten_curve *crease; /* as given */
-    const batten_fold_options *options;
+    const batten_fold_create_options *options;
     batten_curve *space;   /* the crease in space */
     batten_curve *law;     /* the given values over the length of the crease; degree >= 1 */
     batten_curve *torsion; /* with FLAT; NULL for 0 */

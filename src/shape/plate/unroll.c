@@ -5,11 +5,11 @@
 
 enum { FIRST_STEPS = 2, MAX_RULINGS = 1 << 17, LOOKS = 4 };
 
-batten_unroll_options batten_unroll_defaults(void)
+batten_surface_unroll_options batten_surface_unroll_defaults(void)
 {
-    return (batten_unroll_options){.size = sizeof(batten_unroll_options),
-                                   .straight = BATTEN_STRAIGHT_FIND,
-                                   .tolerance = 1e-4};
+    return (batten_surface_unroll_options){.size = sizeof(batten_surface_unroll_options),
+                                           .straight = BATTEN_STRAIGHT_FIND,
+                                           .tolerance = 1e-4};
 }
 
 /* ---- which lines are straight ---- */
@@ -72,7 +72,7 @@ static batten_status bow_of(const batten_surface *surface, double *bow, double *
 
 /* The surface with its rulings along v. */
 static batten_status turn_rulings(const batten_surface *surface,
-                                  const batten_unroll_options *options, double *bow,
+                                  const batten_surface_unroll_options *options, double *bow,
                                   batten_surface **out)
 {
     double bows[2] = {0, 0}, where[2] = {0, 0};
@@ -98,7 +98,7 @@ static batten_status turn_rulings(const batten_surface *surface,
 
 /* NURBS in space, clamped, with its rulings along v. */
 static batten_status prepare_surface(const batten_surface *surface,
-                                     const batten_unroll_options *options, double *bow,
+                                     const batten_surface_unroll_options *options, double *bow,
                                      batten_surface **out)
 {
     batten_surface *nurbs = NULL, *clamped = NULL, *both = NULL;
@@ -239,7 +239,7 @@ static batten_status unroll_strip(const bat_strip *strip, double tolerance,
     return status;
 }
 
-static batten_status check_options(const batten_unroll_options *options)
+static batten_status check_options(const batten_surface_unroll_options *options)
 {
     if (!(options->tolerance > 0 && isfinite(options->tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0",
@@ -248,11 +248,12 @@ static batten_status check_options(const batten_unroll_options *options)
 }
 
 batten_status batten_surface_unroll(const batten_surface *surface,
-                                    const batten_unroll_options *options, batten_unrolled *out)
+                                    const batten_surface_unroll_options *options,
+                                    batten_unrolled *out)
 {
     assert(surface && out);
-    const batten_unroll_options standard = batten_unroll_defaults();
-    const batten_unroll_options *o = options ? options : &standard;
+    const batten_surface_unroll_options standard = batten_surface_unroll_defaults();
+    const batten_surface_unroll_options *o = options ? options : &standard;
     batten_curve *edge[2] = {NULL, NULL};
     batten_unrolled made = {0};
     batten_status status = check_options(o);

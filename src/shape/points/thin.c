@@ -126,17 +126,17 @@ static void split_ring(thinning *t)
 }
 
 static void measure(const thinning *t, const int *kept, int kept_count, bool closed,
-                    batten_thin_report *report)
+                    batten_points_thin_report *report)
 {
     double squares = 0;
-    *report = (batten_thin_report){.worst = kept[0]};
+    *report = (batten_points_thin_report){.worst = kept[0]};
     for (int j = 0; j < kept_count - !closed; j++) {
         const int from = kept[j], to = j + 1 < kept_count ? kept[j + 1] : kept[0] + t->count;
         for (int i = from + 1; i < to; i++) {
             const double distance = chord_distance(t, from, to, i);
             squares += distance * distance;
-            if (distance > report->max) {
-                report->max = distance;
+            if (distance > report->error) {
+                report->error = distance;
                 report->worst = i % t->count;
             }
         }
@@ -149,7 +149,7 @@ static void measure(const thinning *t, const int *kept, int kept_count, bool clo
 
 batten_status batten_points_thin(int dimension, int count, const double *points,
                                  double tolerance, bool closed, int *kept, int *kept_count,
-                                 batten_thin_report *report)
+                                 batten_points_thin_report *report)
 {
     assert(points && kept && kept_count);
     batten_status status = bat_points_check(dimension, count, points, 1);

@@ -46,7 +46,7 @@ batten_status bat_skin_parameters(bat_skin *t)
                                .lines = t->points,
                                .point_step = row,
                                .line_step = d,
-                               .periodic = t->options->periodic,
+                               .periodic = t->options->closed,
                                .points = points ? points : t->rows,
                                .given = t->options->given};
     double spread = 0;
@@ -61,13 +61,13 @@ static batten_end_kind linear_kind(batten_end_kind kind)
     return kind == BATTEN_END_DIRECTION ? BATTEN_END_CLAMPED : kind;
 }
 
-bat_request bat_skin_request(const batten_skin_options *o, int count, const double *v)
+bat_request bat_skin_request(const batten_surface_skin_options *o, int count, const double *v)
 {
     return (bat_request){.degree = o->degree,
                          .count = count,
                          .parameters = v,
                          .knots_at_data = o->degree % 2 == 1,
-                         .periodic = o->periodic,
+                         .periodic = o->closed,
                          .start = linear_kind(o->start.kind),
                          .end = linear_kind(o->end.kind)};
 }
@@ -93,7 +93,7 @@ static void fill_end(const bat_skin *t, const batten_end *end, int here, int nex
 
 batten_status bat_skin_across(bat_skin *t)
 {
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     const bat_request request = bat_skin_request(o, t->count, t->v);
     batten_status status = bat_operator_make(&request, &t->across);
     if (status != BATTEN_OK)
@@ -141,7 +141,7 @@ static batten_status divide(const bat_skin *t, double *points, double *weights)
 static void keep_rims(const bat_skin *t, double *points, double *weights)
 {
     const size_t d = (size_t)t->dimension, across = (size_t)t->across.count;
-    for (size_t end = 0; end < 2 && !t->options->periodic; end++) {
+    for (size_t end = 0; end < 2 && !t->options->closed; end++) {
         const batten_curve *section = t->unified[end == 0 ? 0 : t->count - 1];
         const size_t j = end == 0 ? 0 : across - 1;
         for (size_t i = 0; i < (size_t)t->points; i++) {

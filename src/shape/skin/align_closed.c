@@ -181,7 +181,7 @@ static batten_status compose(const batten_curve *curve, const batten_curve *map,
 static batten_status by_arc_length(const batten_curve *curve, double tolerance, double *error,
                                    batten_curve **out)
 {
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     batten_curve *even = NULL;
     batten_status status = batten_curve_even_speed(curve, tolerance / 2, &report, &even);
     if (status == BATTEN_OK)
@@ -263,7 +263,7 @@ static batten_status by_marks(const bat_skin *t, int k, double *own, double *slo
 
 static batten_status check_match(const bat_skin *t)
 {
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     if (!(o->tolerance > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "to match sections by %s a tolerance is needed",
                         o->match == BATTEN_MATCH_MARKS ? "marks" : "arc length");

@@ -234,11 +234,11 @@ static batten_status count_exact(const bat_skin *t, int *count)
 
 static void find_deviation(bat_skin *t)
 {
-    t->found.deviation = 0;
+    t->found.error = 0;
     t->found.worst_section = 0;
     for (int k = 0; k < t->count; k++)
-        if (t->deviation[k] + t->moved[k] > t->found.deviation) {
-            t->found.deviation = t->deviation[k] + t->moved[k];
+        if (t->deviation[k] + t->moved[k] > t->found.error) {
+            t->found.error = t->deviation[k] + t->moved[k];
             t->found.worst_section = k;
         }
 }

@@ -131,7 +131,7 @@ batten_status bat_skin_order(bat_skin *t)
     for (int k = 0; status == BATTEN_OK && k + 1 < n; k++) {
         if (crosses(&all[k], &all[k + 1]))
             count_crossing(t, k);
-        if (n > 2 && !t->options->periodic &&
+        if (n > 2 && !t->options->closed &&
             rather_exchanged(k > 0 ? &all[k - 1] : NULL, &all[k], &all[k + 1],
                              k + 2 < n ? &all[k + 2] : NULL))
             count_disorder(t, k);

@@ -8,7 +8,7 @@
 /* One skin on its way. */
 typedef struct {
     int count; /* sections */
-    const batten_skin_options *options;
+    const batten_surface_skin_options *options;
     const batten_curve *const *given; /* [count] */
     bat_work work;
     batten_curve **placed;  /* [count] where they stand, in one dimension, run the same way,
@@ -21,7 +21,7 @@ typedef struct {
     bool mixed;             /* open and closed sections may stand together */
     bool cures;             /* creases are to be cured */
     bool reports;           /* somebody wants to know */
-    batten_skin_report found;
+    batten_surface_skin_report found;
     int dimension, points; /* of a section; one period of a periodic one */
     size_t width;          /* dimension, one more when rational */
     bool rational, periodic_u;
@@ -35,7 +35,8 @@ typedef struct {
 
 /* Options checked, and sections placed, aligned and matched; end it after a failure too. */
 batten_status bat_skin_begin(int count, const batten_curve *const *sections,
-                             const batten_skin_options *options, bool mixed, bat_skin *t);
+                             const batten_surface_skin_options *options, bool mixed,
+                             bat_skin *t);
 void bat_skin_end(bat_skin *t);
 
 /* ---- skin_sections.c ---- */
@@ -78,7 +79,7 @@ batten_status bat_skin_polynomial(bat_skin *t);
 /* ---- skin_across.c ---- */
 
 /* What the options ask of the splines across. */
-bat_request bat_skin_request(const batten_skin_options *o, int count, const double *v);
+bat_request bat_skin_request(const batten_surface_skin_options *o, int count, const double *v);
 
 /* `rows`, `v`, and `control` from them. */
 batten_status bat_skin_rows(bat_skin *t);

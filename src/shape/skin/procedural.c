@@ -13,7 +13,7 @@
 typedef struct {
     int count, dimension;
     batten_curve **sections; /* [count] over [0, 1] */
-    batten_skin_options options;
+    batten_surface_skin_options options;
     double *v;        /* [count + 1] */
     int degree, rows; /* of the splines across; those of a period and the wrapped ones */
     double *knots;    /* [rows + degree + 1] */
@@ -127,8 +127,8 @@ static batten_status to_nurbs(const void *data, double tolerance, batten_surface
     batten_curve **sections = bat_array((size_t)s->count, sizeof *sections);
     if (!sections)
         return BATTEN_OUT_OF_MEMORY;
-    batten_skin_options options = s->options;
-    batten_skin_report report;
+    batten_surface_skin_options options = s->options;
+    batten_surface_skin_report report;
     batten_status status = polynomial_sections(s, each, &moved, sections);
     options.parameters = BATTEN_GIVEN;
     options.given = s->v;
@@ -138,7 +138,7 @@ static batten_status to_nurbs(const void *data, double tolerance, batten_surface
         status = batten_surface_skin(s->count, (const batten_curve *const *)sections, &options,
                                      NULL, NULL, &report, out);
     if (status == BATTEN_OK && error)
-        *error = (moved + report.deviation) * s->bound;
+        *error = (moved + report.error) * s->bound;
     for (int k = 0; k < s->count; k++)
         batten_curve_unref(sections[k]);
     bat_release(sections);
@@ -168,7 +168,7 @@ static batten_status find_parameters(procedural *s)
                                    .lines = SAMPLES,
                                    .point_step = SAMPLES * d,
                                    .line_step = d,
-                                   .periodic = s->options.periodic,
+                                   .periodic = s->options.closed,
                                    .points = points,
                                    .given = s->options.given};
         double spread = 0;
@@ -315,12 +315,12 @@ static batten_status fill_in(procedural *s, const bat_skin *t)
 }
 
 batten_status batten_surface_skin_procedural(int count, const batten_curve *const *sections,
-                                             const batten_skin_options *options, double *v,
-                                             batten_surface **out)
+                                             const batten_surface_skin_options *options,
+                                             double *v, batten_surface **out)
 {
     bat_skin t;
     batten_status status = bat_skin_begin(count, sections, options, false, &t);
-    const batten_skin_options *o = t.options;
+    const batten_surface_skin_options *o = t.options;
     if (status == BATTEN_OK &&
         (o->start.kind == BATTEN_END_DIRECTION || o->end.kind == BATTEN_END_DIRECTION))
         status = bat_fail(BATTEN_BAD_ARGUMENT,
@@ -336,13 +336,13 @@ batten_status batten_surface_skin_procedural(int count, const batten_curve *cons
     if (status == BATTEN_OK) {
         s->count = count;
         s->dimension = t.dimension;
-        s->options = (batten_skin_options){.size = sizeof s->options,
-                                           .degree = o->degree,
-                                           .parameters = o->parameters,
-                                           .given = o->given,
-                                           .start = o->start,
-                                           .end = o->end,
-                                           .periodic = o->periodic};
+        s->options = (batten_surface_skin_options){.size = sizeof s->options,
+                                                   .degree = o->degree,
+                                                   .parameters = o->parameters,
+                                                   .given = o->given,
+                                                   .start = o->start,
+                                                   .end = o->end,
+                                                   .closed = o->closed};
         status = fill_in(s, &t);
     }
     if (status == BATTEN_OK)

@@ -211,7 +211,7 @@ static batten_status turn(bat_skin *t, int k, const samples *before)
 
 static batten_status fit_in(bat_skin *t, int k, const samples *before, bool closed)
 {
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     const bool free_start = closed && o->turn;
     samples here;
     batten_status status = sample(t->placed[k], closed, 0, &here);
@@ -252,7 +252,7 @@ static batten_status begin_at(bat_skin *t, int k, bool closed)
 
 batten_status bat_skin_align(bat_skin *t)
 {
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     if (!o->align && !o->turn && !o->starts)
         return BATTEN_OK;
     samples before;

@@ -8,32 +8,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-batten_skin_rows_options batten_skin_rows_defaults(void)
+batten_surface_skin_rows_options batten_surface_skin_rows_defaults(void)
 {
-    return (batten_skin_rows_options){.size = sizeof(batten_skin_rows_options),
-                                      .degree = 3,
-                                      .parameters = BATTEN_CENTRIPETAL,
-                                      .margin = 0.25};
+    return (batten_surface_skin_rows_options){.size = sizeof(batten_surface_skin_rows_options),
+                                              .degree = 3,
+                                              .parameters = BATTEN_CENTRIPETAL,
+                                              .margin = 0.25};
 }
 
 typedef struct {
     int dimension, count, degree; /* rows */
     const int *counts;
     const double *points;
-    const batten_skin_rows_options *options;
+    const batten_surface_skin_rows_options *options;
     size_t *first; /* [count + 1] where the points of a row begin */
     double *u;     /* [first[count]] */
     bat_shared_knots shared;
     batten_curve **curves; /* [count] */
-    batten_skin_rows_report found;
+    batten_surface_skin_rows_report found;
 } rows;
 
 /* ---- checks ---- */
 
 static batten_status check_options(const rows *r)
 {
-    const batten_skin_rows_options *o = r->options;
-    const batten_skin_options *across = o->across;
+    const batten_surface_skin_rows_options *o = r->options;
+    const batten_surface_skin_options *across = o->across;
     if (o->degree < 1 || o->degree > BATTEN_MAX_DEGREE)
         return bat_fail(BATTEN_BAD_DEGREE, "the degree along the rows is %d, not 1 to %d",
                         o->degree, BATTEN_MAX_DEGREE);
@@ -178,7 +178,7 @@ static batten_status check_points(rows *r, const batten_surface *surface, const 
             if (status != BATTEN_OK)
                 return status;
             const double miss = bat_distance(r->dimension, at, r->points + i * d);
-            r->found.residual = bat_max(r->found.residual, miss);
+            r->found.error = bat_max(r->found.error, miss);
             if (!(miss <= 1e-11 * size))
                 return bat_fail(BATTEN_TOLERANCE_NOT_MET, "point %zu of row %d is missed by %g",
                                 i - r->first[k], k, miss);
@@ -214,7 +214,7 @@ static batten_status make(rows *r, const batten_job *job, double *v, batten_surf
     if (status == BATTEN_OK)
         status = batten_surface_skin(r->count, (const batten_curve *const *)r->curves,
                                      r->options->across, job, v, NULL, &surface);
-    const batten_skin_options *across = r->options->across;
+    const batten_surface_skin_options *across = r->options->across;
     if (status == BATTEN_OK && !(across && (across->align || across->turn)))
         status = check_points(r, surface, v);
     if (status == BATTEN_OK)
@@ -247,11 +247,12 @@ static batten_status begin(rows *r)
 
 batten_status batten_surface_skin_rows(int dimension, int row_count, const int *counts,
                                        const double *points,
-                                       const batten_skin_rows_options *options,
+                                       const batten_surface_skin_rows_options *options,
                                        const batten_job *job, double *u, double *v,
-                                       batten_skin_rows_report *report, batten_surface **out)
+                                       batten_surface_skin_rows_report *report,
+                                       batten_surface **out)
 {
-    const batten_skin_rows_options defaults = batten_skin_rows_defaults();
+    const batten_surface_skin_rows_options defaults = batten_surface_skin_rows_defaults();
     rows r = {.dimension = dimension,
               .count = row_count,
               .counts = counts,

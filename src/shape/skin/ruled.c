@@ -6,7 +6,7 @@ batten_status batten_surface_ruled(const batten_curve *first, const batten_curve
                                    batten_surface **out)
 {
     const batten_curve *both[] = {first, second};
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.degree = 1;
     options.parameters = BATTEN_UNIFORM;
     return bat_surface_skin(2, both, &options, true, NULL, NULL, NULL, out);

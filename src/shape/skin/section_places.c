@@ -100,7 +100,7 @@ static batten_affine map_of(const batten_frame *frame, double twist, double scal
                            {o.x, o.y, o.z}};
 }
 
-static batten_status check_laws(int count, const batten_skin_options *o)
+static batten_status check_laws(int count, const batten_surface_skin_options *o)
 {
     for (int k = 0; k < count; k++) {
         if (o->twist && !isfinite(o->twist[k]))
@@ -114,7 +114,8 @@ static batten_status check_laws(int count, const batten_skin_options *o)
     return BATTEN_OK;
 }
 
-batten_status bat_skin_places(int count, const batten_skin_options *o, batten_affine *maps)
+batten_status bat_skin_places(int count, const batten_surface_skin_options *o,
+                              batten_affine *maps)
 {
     batten_status status = check_laws(count, o);
     if (status != BATTEN_OK)

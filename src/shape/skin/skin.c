@@ -3,20 +3,20 @@
 
 #include <string.h>
 
-static const batten_skin_options standard = {
-    .size = sizeof(batten_skin_options), .degree = 3, .parameters = BATTEN_CENTRIPETAL};
+static const batten_surface_skin_options standard = {
+    .size = sizeof(batten_surface_skin_options), .degree = 3, .parameters = BATTEN_CENTRIPETAL};
 
-batten_skin_options batten_skin_defaults(void)
+batten_surface_skin_options batten_surface_skin_defaults(void)
 {
     return standard;
 }
 
 /* ---- checks ---- */
 
-static batten_status check_end(const batten_skin_options *o, const batten_end *end,
+static batten_status check_end(const batten_surface_skin_options *o, const batten_end *end,
                                const char *name)
 {
-    if (end->kind == BATTEN_END_NOT_A_KNOT || o->periodic)
+    if (end->kind == BATTEN_END_NOT_A_KNOT || o->closed)
         return BATTEN_OK;
     if (end->kind == BATTEN_END_CIRCLE || end->kind == BATTEN_END_CURVATURE)
         return bat_fail(BATTEN_BAD_ARGUMENT,
@@ -32,7 +32,7 @@ static batten_status check_end(const batten_skin_options *o, const batten_end *e
     return BATTEN_OK;
 }
 
-static batten_status check(int count, const batten_skin_options *o)
+static batten_status check(int count, const batten_surface_skin_options *o)
 {
     if (count < 2)
         return bat_fail(BATTEN_TOO_FEW_POINTS, "there %s %d section%s, and a skin needs 2",
@@ -147,7 +147,7 @@ static batten_status cure(bat_skin *t, bool *done)
 
 static batten_status skin(bat_skin *t, batten_surface **out)
 {
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     const bool cures = t->cures;
     batten_surface *surface = NULL;
     batten_status status = BATTEN_OK;
@@ -177,13 +177,14 @@ static batten_status skin(bat_skin *t, batten_surface **out)
 }
 
 batten_status bat_skin_begin(int count, const batten_curve *const *sections,
-                             const batten_skin_options *options, bool mixed, bat_skin *t)
+                             const batten_surface_skin_options *options, bool mixed,
+                             bat_skin *t)
 {
     *t = (bat_skin){.count = count,
                     .options = options ? options : &standard,
                     .given = sections,
                     .mixed = mixed};
-    const batten_skin_options *o = t->options;
+    const batten_surface_skin_options *o = t->options;
     t->cures = o->creases == BATTEN_CREASES_CURE ||
                (o->creases == BATTEN_CREASES_WITHIN && o->tolerance > 0);
     const batten_status status = check(count, o);
@@ -203,9 +204,9 @@ void bat_skin_end(bat_skin *t)
 }
 
 batten_status bat_surface_skin(int count, const batten_curve *const *sections,
-                               const batten_skin_options *options, bool mixed,
-                               const batten_job *job, double *v, batten_skin_report *report,
-                               batten_surface **out)
+                               const batten_surface_skin_options *options, bool mixed,
+                               const batten_job *job, double *v,
+                               batten_surface_skin_report *report, batten_surface **out)
 {
     bat_skin t;
     batten_status status = bat_skin_begin(count, sections, options, mixed, &t);
@@ -222,8 +223,9 @@ batten_status bat_surface_skin(int count, const batten_curve *const *sections,
 }
 
 batten_status batten_surface_skin(int count, const batten_curve *const *sections,
-                                  const batten_skin_options *options, const batten_job *job,
-                                  double *v, batten_skin_report *report, batten_surface **out)
+                                  const batten_surface_skin_options *options,
+                                  const batten_job *job, double *v,
+                                  batten_surface_skin_report *report, batten_surface **out)
 {
     return bat_surface_skin(count, sections, options, false, job, v, report, out);
 }

@@ -7,7 +7,7 @@
 
 /* The maps that bring sections from the xy-plane to their places along the spine. @param maps
  * [count] */
-batten_status bat_skin_places(int count, const batten_skin_options *options,
+batten_status bat_skin_places(int count, const batten_surface_skin_options *options,
                               batten_affine *maps);
 
 /* The same shape with spans stretched so that the speed does not jump where the tangent goes
@@ -17,8 +17,8 @@ batten_status bat_skin_even_speed(const batten_curve *section, batten_curve **ou
 
 /* batten_surface_skin, with open and closed sections together when they are `mixed`. */
 batten_status bat_surface_skin(int count, const batten_curve *const *sections,
-                               const batten_skin_options *options, bool mixed,
-                               const batten_job *job, double *v, batten_skin_report *report,
-                               batten_surface **out);
+                               const batten_surface_skin_options *options, bool mixed,
+                               const batten_job *job, double *v,
+                               batten_surface_skin_report *report, batten_surface **out);
 
 #endif

@@ -25,11 +25,11 @@ typedef struct {
     const batten_surface *const *surfaces;
     const batten_surface_blend_end *ends;
     double tolerance, size;
-    batten_surface_blend_report *report;
+    batten_surfaces_blend_report *report;
     blend *b;
 } task;
 
-batten_surface_blend_end batten_surface_blend_defaults(batten_edge edge)
+batten_surface_blend_end batten_surfaces_blend_defaults(batten_edge edge)
 {
     return (batten_surface_blend_end){.size = sizeof(batten_surface_blend_end),
                                       .edge = edge,
@@ -379,10 +379,10 @@ static batten_status blend_edges(task *t, batten_surface **out)
 
 batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
                                     const batten_surface_blend_end ends[2], double tolerance,
-                                    batten_surface_blend_report *report, batten_surface **out)
+                                    batten_surfaces_blend_report *report, batten_surface **out)
 {
     assert(surfaces && surfaces[0] && surfaces[1] && ends && out);
-    batten_surface_blend_report found = {.error = 0};
+    batten_surfaces_blend_report found = {.error = 0};
     task t = {.surfaces = surfaces, .ends = ends, .tolerance = tolerance, .report = &found};
     batten_status status = check(&t);
     if (status != BATTEN_OK)

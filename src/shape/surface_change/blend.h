@@ -8,7 +8,7 @@ typedef struct {
     const batten_surface *const *surfaces;
     const batten_surface_blend_end *ends;
     double size;
-    batten_surface_blend_report *report;
+    batten_surfaces_blend_report *report;
 } bat_blend_contact;
 
 /* Fills in gap, angle, curvature and fold; TOLERANCE_NOT_MET when an edge is missed by more

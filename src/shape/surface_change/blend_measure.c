@@ -28,7 +28,7 @@ static batten_status curvature_along(const batten_surface *surface, const double
 static batten_status compare(const bat_blend_contact *t, const batten_surface *made, int side,
                              double u)
 {
-    batten_surface_blend_report *r = t->report;
+    batten_surfaces_blend_report *r = t->report;
     const batten_surface *surface = t->surfaces[side];
     const batten_surface_blend_end *end = &t->ends[side];
     const bat_edge_place place = bat_edge_of(surface, end->edge);
@@ -81,7 +81,7 @@ static int fold_on_line(const double *normals, int step)
     return -1;
 }
 
-static void find_fold(const double *normals, const double *at, batten_surface_blend_report *r)
+static void find_fold(const double *normals, const double *at, batten_surfaces_blend_report *r)
 {
     for (int i = 0; i < SAMPLES && !r->folded; i++) {
         const int v = fold_on_line(normals + 3 * i * SAMPLES, 1);

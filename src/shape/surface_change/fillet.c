@@ -77,7 +77,7 @@ static void release_curves(task *t)
 static batten_status interpolate(task *t)
 {
     const int n = t->spine.count;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     double *points = bat_array((size_t)n, 3 * sizeof *points);
     bat_release(t->s);
     t->s = bat_array((size_t)n, sizeof *t->s);

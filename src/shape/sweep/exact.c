@@ -194,11 +194,11 @@ static batten_vec3 swing(batten_vec3 p, batten_vec3 q, const void *context)
 }
 
 static batten_status look_at_axis(const batten_curve *profile, const batten_curve *trajectory,
-                                  batten_swing_report *out)
+                                  batten_surface_swung_report *out)
 {
     enum { PLACES = 64 };
     const double *P = profile->points, *T = trajectory->knots;
-    batten_swing_report found = {P[0], P[0], HUGE_VAL};
+    batten_surface_swung_report found = {P[0], P[0], HUGE_VAL};
     for (int i = 0; i < profile->count; i++) {
         found.least_x = bat_min(found.least_x, P[3 * i]);
         found.largest_x = bat_max(found.largest_x, P[3 * i]);
@@ -218,10 +218,10 @@ static batten_status look_at_axis(const batten_curve *profile, const batten_curv
 }
 
 static batten_status swing_both(const batten_curve *profile, const batten_curve *trajectory,
-                                double factor, batten_swing_report *report,
+                                double factor, batten_surface_swung_report *report,
                                 batten_surface **out)
 {
-    batten_swing_report found;
+    batten_surface_swung_report found;
     batten_status status = check_plane(profile, 1, "profile");
     if (status == BATTEN_OK)
         status = check_plane(trajectory, 2, "trajectory");
@@ -243,7 +243,7 @@ static batten_status swing_both(const batten_curve *profile, const batten_curve 
 }
 
 batten_status batten_surface_swung(const batten_curve *profile, const batten_curve *trajectory,
-                                   double factor, batten_swing_report *report,
+                                   double factor, batten_surface_swung_report *report,
                                    batten_surface **out)
 {
     assert(profile && trajectory && out);
@@ -316,7 +316,7 @@ batten_status batten_surface_tabulated(const batten_curve *curve, batten_vec3 di
     return status;
 }
 
-batten_status batten_surface_cone_to(const batten_curve *curve, batten_vec3 apex,
+batten_status batten_surface_conical(const batten_curve *curve, batten_vec3 apex,
                                      batten_surface **out)
 {
     assert(curve && out);
@@ -348,7 +348,7 @@ batten_status batten_surface_ruled_by_length(const batten_curve *first,
     assert(first && second && out);
     const int d = bat_max_int(first->dimension, second->dimension);
     batten_curve *given[2] = {NULL, NULL}, *even[2] = {NULL, NULL};
-    batten_even_speed_report report[2] = {{.error = 0}, {.error = 0}};
+    batten_curve_even_speed_report report[2] = {{.error = 0}, {.error = 0}};
     batten_status status = BATTEN_OK;
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         status = batten_curve_to_dimension(k == 0 ? first : second, d, &given[k]);

@@ -457,7 +457,8 @@ static batten_status check(int degree, double tolerance)
 }
 
 batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance,
-                            bat_work *work, batten_sweep_report *report, batten_surface **out)
+                            bat_work *work, batten_surface_sweep_report *report,
+                            batten_surface **out)
 {
     batten_status status = check(degree, tolerance);
     if (status != BATTEN_OK)

@@ -37,8 +37,9 @@ batten_status bat_motion_find_smoothness(bat_motion *motion);
 /* Along a spine, with the frames, laws and corners of the options (motion_spine.c).
  * @param flat  sections have z = 0
  * @param[out] report  turn and length are filled in */
-batten_status bat_motion_along(const batten_curve *spine, const batten_sweep_options *options,
-                               bool flat, bat_motion **out, batten_sweep_report *report);
+batten_status bat_motion_along(const batten_curve *spine,
+                               const batten_surface_sweep_options *options, bool flat,
+                               bat_motion **out, batten_surface_sweep_report *report);
 /* A turn by v radians about the axis and a way of v pitch / 2 pi along it (motion_screw.c). */
 batten_status bat_motion_screw(batten_vec3 origin, batten_vec3 axis, double pitch, double angle,
                                bat_motion **out);

@@ -27,10 +27,10 @@ static void spine_free(bat_motion *motion)
 
 typedef struct {
     bat_spine_motion *m;
-    const batten_sweep_options *options;
+    const batten_surface_sweep_options *options;
     double *knots;
     int knot_count;
-    batten_sweep_report *report;
+    batten_surface_sweep_report *report;
 } building;
 
 /* ---- breaks ---- */
@@ -103,7 +103,7 @@ static batten_status check_law(const batten_curve *law, const char *name)
     return BATTEN_OK;
 }
 
-static batten_status check_options(const batten_sweep_options *o)
+static batten_status check_options(const batten_surface_sweep_options *o)
 {
     batten_status status = check_law(o->scale, "scale");
     if (status == BATTEN_OK)
@@ -128,7 +128,7 @@ static batten_status check_options(const batten_sweep_options *o)
 }
 
 static batten_status take(bat_spine_motion *m, const batten_curve *spine,
-                          const batten_sweep_options *o)
+                          const batten_surface_sweep_options *o)
 {
     m->kind = o->frames;
     m->has_up = o->up != NULL;
@@ -236,8 +236,9 @@ static batten_status build(building *b)
     return status;
 }
 
-batten_status bat_motion_along(const batten_curve *spine, const batten_sweep_options *options,
-                               bool flat, bat_motion **out, batten_sweep_report *report)
+batten_status bat_motion_along(const batten_curve *spine,
+                               const batten_surface_sweep_options *options, bool flat,
+                               bat_motion **out, batten_surface_sweep_report *report)
 {
     batten_status status = check_options(options);
     if (status != BATTEN_OK)

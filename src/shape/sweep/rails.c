@@ -5,10 +5,10 @@
 #include "spline/curve/curve.h"
 #include <batten/approximate.h>
 
-batten_rails_options batten_rails_defaults(void)
+batten_surface_two_rails_options batten_surface_two_rails_defaults(void)
 {
-    return (batten_rails_options){
-        .size = sizeof(batten_rails_options), .tolerance = 1e-6, .degree = 3};
+    return (batten_surface_two_rails_options){
+        .size = sizeof(batten_surface_two_rails_options), .tolerance = 1e-6, .degree = 3};
 }
 
 /* The section with its ends in (0, 0) and (1, 0); *chord is how far they were apart. */
@@ -47,11 +47,12 @@ static batten_status stretch(const batten_curve *section, batten_curve **out, do
     return status;
 }
 
-static batten_status take_rail(const batten_curve *given, const batten_rails_options *o,
-                               batten_curve **out, double *error)
+static batten_status take_rail(const batten_curve *given,
+                               const batten_surface_two_rails_options *o, batten_curve **out,
+                               double *error)
 {
     batten_curve *space = NULL;
-    batten_even_speed_report report = {.error = 0};
+    batten_curve_even_speed_report report = {.error = 0};
     batten_status status = batten_curve_to_dimension(given, 3, &space);
     if (status == BATTEN_OK && o->match == BATTEN_RAILS_BY_LENGTH)
         status = batten_curve_even_speed(space, o->tolerance / 10, &report, out);
@@ -62,7 +63,7 @@ static batten_status take_rail(const batten_curve *given, const batten_rails_opt
     return status;
 }
 
-static batten_status check(const batten_rails_options *o)
+static batten_status check(const batten_surface_two_rails_options *o)
 {
     if (!isfinite(o->tolerance))
         return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", o->tolerance);
@@ -79,7 +80,8 @@ static batten_status check(const batten_rails_options *o)
 
 /* The motion of the section, whose chord was so long. */
 static batten_status move(const batten_curve *first, const batten_curve *second, double chord,
-                          const batten_rails_options *o, bat_motion **out, double *error)
+                          const batten_surface_two_rails_options *o, bat_motion **out,
+                          double *error)
 {
     batten_curve *rails[2] = {NULL, NULL};
     batten_status status = take_rail(first, o, &rails[0], error);
@@ -100,14 +102,15 @@ static batten_status move(const batten_curve *first, const batten_curve *second,
 
 batten_status batten_surface_two_rails(const batten_curve *section, const batten_curve *first,
                                        const batten_curve *second,
-                                       const batten_rails_options *options,
-                                       const batten_job *job, batten_sweep_report *report,
+                                       const batten_surface_two_rails_options *options,
+                                       const batten_job *job,
+                                       batten_surface_sweep_report *report,
                                        batten_surface **out)
 {
     assert(section && first && second && out);
-    const batten_rails_options defaults = batten_rails_defaults();
-    const batten_rails_options *o = options ? options : &defaults;
-    batten_sweep_report found = {.clearance = 1};
+    const batten_surface_two_rails_options defaults = batten_surface_two_rails_defaults();
+    const batten_surface_two_rails_options *o = options ? options : &defaults;
+    batten_surface_sweep_report found = {.clearance = 1};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     double chord = 0, moved = 0;

@@ -7,10 +7,10 @@
 #include <batten/standard.h>
 #include <string.h>
 
-batten_sweep_options batten_sweep_defaults(void)
+batten_surface_sweep_options batten_surface_sweep_defaults(void)
 {
-    return (batten_sweep_options){
-        .size = sizeof(batten_sweep_options), .tolerance = 1e-6, .degree = 3};
+    return (batten_surface_sweep_options){
+        .size = sizeof(batten_surface_sweep_options), .tolerance = 1e-6, .degree = 3};
 }
 
 /* ---- sections ---- */
@@ -45,7 +45,7 @@ static batten_status take_sections(int count, const batten_curve *const *section
                           "the sections stand from %g to %g of the spine, not from 0 to 1",
                           even[0], even[count - 1]);
     if (status == BATTEN_OK) {
-        batten_skin_options skin = batten_skin_defaults();
+        batten_surface_skin_options skin = batten_surface_skin_defaults();
         skin.parameters = BATTEN_GIVEN;
         skin.given = even;
         status = batten_surface_skin(count, (const batten_curve *const *)raised, &skin, NULL,
@@ -150,7 +150,7 @@ static void note_fold(fold *f, double v, double clearance)
 }
 
 static batten_status scan(const bat_sweep *s, outline *o, fold *folded,
-                          batten_sweep_report *report)
+                          batten_surface_sweep_report *report)
 {
     const bat_motion *m = s->motion;
     const int places = 4 * REACH_PLACES;
@@ -173,8 +173,9 @@ static batten_status scan(const bat_sweep *s, outline *o, fold *folded,
     return BATTEN_OK;
 }
 
-static batten_status check_folds(const bat_sweep *s, const batten_sweep_options *options,
-                                 batten_sweep_report *report)
+static batten_status check_folds(const bat_sweep *s,
+                                 const batten_surface_sweep_options *options,
+                                 batten_surface_sweep_report *report)
 {
     outline o = {0};
     fold folded = {.found = false};
@@ -198,8 +199,9 @@ static batten_status check_folds(const bat_sweep *s, const batten_sweep_options 
 /* ---- the sweep ---- */
 
 static batten_status prepare(int count, const batten_curve *const *sections,
-                             const batten_curve *spine, const batten_sweep_options *options,
-                             batten_sweep_report *report, bat_sweep *sweep)
+                             const batten_curve *spine,
+                             const batten_surface_sweep_options *options,
+                             batten_surface_sweep_report *report, bat_sweep *sweep)
 {
     batten_status status = take_sections(count, sections, options->at, sweep);
     if (status == BATTEN_OK)
@@ -221,9 +223,9 @@ static int find_parts(const bat_motion *m, bool split, double *ends)
     return count;
 }
 
-static batten_status fit_parts(bat_sweep *sweep, const batten_sweep_options *o, int count,
-                               const double *ends, bat_work *work, batten_sweep_report *report,
-                               batten_surface **surfaces)
+static batten_status fit_parts(bat_sweep *sweep, const batten_surface_sweep_options *o,
+                               int count, const double *ends, bat_work *work,
+                               batten_surface_sweep_report *report, batten_surface **surfaces)
 {
     batten_status status = BATTEN_OK;
     double start = sweep->motion->breaks[0];
@@ -239,14 +241,14 @@ static batten_status fit_parts(bat_sweep *sweep, const batten_sweep_options *o, 
 
 batten_status batten_surfaces_sweep(int count, const batten_curve *const *sections,
                                     const batten_curve *spine,
-                                    const batten_sweep_options *options, const batten_job *job,
-                                    batten_sweep_report *report, int *surface_count,
-                                    batten_surface ***surfaces)
+                                    const batten_surface_sweep_options *options,
+                                    const batten_job *job, batten_surface_sweep_report *report,
+                                    int *surface_count, batten_surface ***surfaces)
 {
     assert(sections && spine && surface_count && surfaces);
-    const batten_sweep_options defaults = batten_sweep_defaults();
-    const batten_sweep_options *o = options ? options : &defaults;
-    batten_sweep_report found = {.error = 0};
+    const batten_surface_sweep_options defaults = batten_surface_sweep_defaults();
+    const batten_surface_sweep_options *o = options ? options : &defaults;
+    batten_surface_sweep_report found = {.error = 0};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     double *ends = NULL;
@@ -277,13 +279,14 @@ batten_status batten_surfaces_sweep(int count, const batten_curve *const *sectio
 
 batten_status batten_surface_sweep(int count, const batten_curve *const *sections,
                                    const batten_curve *spine,
-                                   const batten_sweep_options *options, const batten_job *job,
-                                   batten_sweep_report *report, batten_surface **out)
+                                   const batten_surface_sweep_options *options,
+                                   const batten_job *job, batten_surface_sweep_report *report,
+                                   batten_surface **out)
 {
     assert(out);
     int parts = 0;
     batten_surface **made = NULL;
-    batten_sweep_report found;
+    batten_surface_sweep_report found;
     batten_status status =
         batten_surfaces_sweep(count, sections, spine, options, job, &found, &parts, &made);
     if (status != BATTEN_OK)
@@ -301,15 +304,15 @@ batten_status batten_surface_sweep(int count, const batten_curve *const *section
     return status;
 }
 
-batten_status batten_surface_true_sweep(int count, const batten_curve *const *sections,
-                                        const batten_curve *spine,
-                                        const batten_sweep_options *options,
-                                        batten_surface **out)
+batten_status batten_surface_sweep_procedural(int count, const batten_curve *const *sections,
+                                              const batten_curve *spine,
+                                              const batten_surface_sweep_options *options,
+                                              batten_surface **out)
 {
     assert(sections && spine && out);
-    const batten_sweep_options defaults = batten_sweep_defaults();
-    const batten_sweep_options *o = options ? options : &defaults;
-    batten_sweep_report report = {.error = 0};
+    const batten_surface_sweep_options defaults = batten_surface_sweep_defaults();
+    const batten_surface_sweep_options *o = options ? options : &defaults;
+    batten_surface_sweep_report report = {.error = 0};
     bat_sweep sweep = {0};
     batten_status status = prepare(count, sections, spine, o, &report, &sweep);
     for (int i = 1; status == BATTEN_OK && i + 1 < sweep.motion->break_count; i++)
@@ -326,9 +329,9 @@ batten_status batten_surface_true_sweep(int count, const batten_curve *const *se
 /* ---- pipes ---- */
 
 batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
-                                   const batten_sweep_options *options, const batten_job *job,
-                                   batten_sweep_report *report, int *surface_count,
-                                   batten_surface ***surfaces)
+                                   const batten_surface_sweep_options *options,
+                                   const batten_job *job, batten_surface_sweep_report *report,
+                                   int *surface_count, batten_surface ***surfaces)
 {
     batten_curve *circle = NULL;
     batten_status status = batten_curve_circle(radius, BATTEN_CIRCLE_SQUARE_9, &circle);
@@ -344,10 +347,10 @@ batten_status batten_surfaces_pipe(double radius, const batten_curve *spine,
 batten_status batten_surface_helical(const batten_curve *curve, batten_vec3 origin,
                                      batten_vec3 axis, double pitch, double angle,
                                      double tolerance, const batten_job *job,
-                                     batten_sweep_report *report, batten_surface **out)
+                                     batten_surface_sweep_report *report, batten_surface **out)
 {
     assert(curve && out);
-    batten_sweep_report found = {.error = 0, .clearance = 1};
+    batten_surface_sweep_report found = {.error = 0, .clearance = 1};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     batten_status status = bat_motion_screw(origin, axis, pitch, angle, &sweep.motion);

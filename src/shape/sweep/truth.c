@@ -152,7 +152,7 @@ static batten_status formula_evaluate(const void *data, double u, double v, batt
 static batten_status formula_to_nurbs(const void *data, double tolerance, batten_surface **out,
                                       double *error)
 {
-    batten_sweep_report report = {.error = 0};
+    batten_surface_sweep_report report = {.error = 0};
     bat_work work = {NULL, 0};
     const batten_status status = bat_sweep_fit(data, 3, tolerance, &work, &report, out);
     if (status == BATTEN_OK && error)

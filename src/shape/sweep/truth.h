@@ -35,6 +35,7 @@ batten_status bat_sweep_surface(bat_sweep *sweep, batten_surface **out);
  * @param report  error and section_count are filled in
  */
 batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance,
-                            bat_work *work, batten_sweep_report *report, batten_surface **out);
+                            bat_work *work, batten_surface_sweep_report *report,
+                            batten_surface **out);
 
 #endif

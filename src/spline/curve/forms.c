@@ -227,7 +227,7 @@ batten_status batten_curve_to_power(const batten_curve *curve, double *coefficie
     return BATTEN_OK;
 }
 
-batten_status batten_curve_graph(const batten_curve *function, batten_curve **out)
+batten_status batten_curve_from_function(const batten_curve *function, batten_curve **out)
 {
     assert(function && out);
     batten_curve *clamped = NULL, *graph = NULL;

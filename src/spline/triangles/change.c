@@ -317,7 +317,8 @@ batten_status batten_triangles_together(const batten_triangles *first,
     return status;
 }
 
-batten_status batten_triangles_graph(const batten_triangles *triangles, batten_triangles **out)
+batten_status batten_triangles_from_function(const batten_triangles *triangles,
+                                             batten_triangles **out)
 {
     assert(triangles && out);
     if (triangles->dimension != 1 || triangles->weights || !triangles->vertex_count)

@@ -37,7 +37,7 @@ TEST(a_whole_sphere_has_a_seam_and_two_poles)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_sphere(&world, 2, &surface));
-    CHECK_OK(batten_body_of_surface("ball", surface, 1e-9, &body));
+    CHECK_OK(batten_body_from_surface("ball", surface, 1e-9, &body));
     const batten_body_faults f = faults_of(body, 1e-6);
     CHECK_INT(f.seams, 1);
     CHECK_INT(f.poles, 2);

@@ -109,7 +109,7 @@ TEST(a_ball_with_a_small_hole_has_a_mesh_as_coarse_as_a_ball)
     HAND_LOOP(&m, 1);
     CHECK_OK(batten_body_create(&m.builder.parts, &body));
     bat_builder_end(&m.builder);
-    CHECK_OK(batten_mesh_of_body(body, &options, NULL, NULL, NULL, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, &options, NULL, NULL, NULL, &mesh));
     CHECK(batten_mesh_view(mesh)->triangle_count < 20000);
     batten_mesh_unref(mesh);
     batten_body_unref(body);

@@ -66,7 +66,7 @@ static batten_body_measures measured(batten_body *body, double precision)
 static batten_body *whole(batten_surface *surface)
 {
     batten_body *body = NULL;
-    CHECK_OK(batten_body_of_surface("", surface, 1e-9, &body));
+    CHECK_OK(batten_body_from_surface("", surface, 1e-9, &body));
     batten_surface_unref(surface);
     return body;
 }
@@ -428,7 +428,7 @@ static double area_in(batten_surface *surface, batten_curve *loop, bool hole)
 {
     batten_body *body = NULL;
     if (hole)
-        CHECK_OK(batten_body_of_surface("", surface, 1e-9, &body));
+        CHECK_OK(batten_body_from_surface("", surface, 1e-9, &body));
     const batten_body_parts *border_parts = body ? batten_body_view(body) : NULL;
     bat_builder b;
     bat_builder_begin(&b, 1e-6);

@@ -39,7 +39,7 @@ static int ellipse_on(hand *m, const batten_surface *surface, double u, double v
 static double total_area(const batten_surface *surface)
 {
     batten_body *body = NULL;
-    CHECK_OK(batten_body_of_surface("", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("", surface, 1e-6, &body));
     const double area = hand_area(body);
     batten_body_unref(body);
     return area;
@@ -48,7 +48,7 @@ static double total_area(const batten_surface *surface)
 static double loop_area(batten_surface *surface, const double *e, double turn, int way)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     ellipse_on(&m, surface, e[0], e[1], e[2], e[3], turn);
     hand_face(&m, batten_surface_ref(surface), false);
     HAND_LOOP(&m, way);
@@ -90,7 +90,7 @@ TEST(a_body_whose_face_ends_with_its_surface_is_not_closed)
     hand m = hand_begin();
     batten_surface *plane = NULL;
     batten_body *body = NULL;
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_body_measures measures;
     hand_arc(&m, 3, 1, 0, 360);
     CHECK_OK(batten_surface_bilinear((batten_vec3){-4, -4, 1}, (batten_vec3){4, -4, 1},

@@ -10,7 +10,7 @@
 TEST(a_box_is_traced_with_its_edges_shared)
 {
     batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){3, 2, 1}), *traced = NULL;
-    batten_trace_report report;
+    batten_body_trace_report report;
     CHECK_OK(batten_body_trace(box, 1e-6, NULL, NULL, &report, &traced));
     check_traced(traced, 1e-12);
     CHECK_INT(report.rebuilt, 24);
@@ -25,7 +25,7 @@ TEST(a_mirrored_body_is_traced_as_well)
 {
     batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){3, 2, 1}),
                 *mirrored = NULL, *traced = NULL, *again = NULL;
-    batten_trace_report report;
+    batten_body_trace_report report;
     const batten_affine map =
         batten_affine_mirror((batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0});
     CHECK_OK(batten_body_transform(box, &map, &mirrored));
@@ -47,7 +47,7 @@ TEST(a_mirrored_body_is_traced_as_well)
 }
 
 /* A quarter of a cylinder with given curves for the two arcs; `way` says what is wrong. */
-static void quarter(int way, batten_trace_report *report)
+static void quarter(int way, batten_body_trace_report *report)
 {
     static const double points[][8] = {
         {0, 0, 0.25, 0, 0, 1, 0.25, 1},          /* right, of another domain */
@@ -82,7 +82,7 @@ TEST(good_parameter_curves_are_kept_and_bad_ones_rebuilt)
 {
     static const int kept[] = {2, 0, 0, 2, 0, 0};
     for (int way = 0; way < COUNT(kept); way++) {
-        batten_trace_report report;
+        batten_body_trace_report report;
         quarter(way, &report);
         CHECK_INT(report.kept, kept[way]);
         CHECK_INT(report.rebuilt, 4 - kept[way]);
@@ -104,7 +104,7 @@ static void check_note(const batten_notes *notes, const char *entity, const char
 TEST(an_edge_off_its_face_leaves_the_face_out)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_notes *notes = NULL;
     batten_body *body = NULL, *traced = NULL;
     hand_line(&m, 0, 0, 0, 1, 0, 0);
@@ -137,7 +137,7 @@ TEST(an_edge_off_its_face_leaves_the_face_out)
 TEST(a_face_with_edges_a_little_off_is_traced_with_a_note)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_notes *notes = NULL;
     batten_body *body = NULL, *traced = NULL;
     hand_line(&m, 0, 0, 0, 1, 0, 0);
@@ -151,7 +151,7 @@ TEST(a_face_with_edges_a_little_off_is_traced_with_a_note)
     CHECK_OK(batten_body_trace(body, 1e-6, NULL, notes, &report, &traced));
     CHECK_INT(report.loose, 1);
     CHECK_INT(report.failed, 0);
-    CHECK_NEAR(report.miss, 5e-5, 1e-12);
+    CHECK_NEAR(report.error, 5e-5, 1e-12);
     CHECK_NEAR(batten_body_view(traced)->tolerance, 5e-5, 1e-12);
     check_traced(traced, 5.1e-5);
     check_note(notes, "face 0", "its edges are more than 1e-06 off it");
@@ -167,7 +167,7 @@ TEST(huge_and_tiny_bodies_are_traced)
         batten_body *box = test_box((batten_vec3){0, 0, 0},
                                     (batten_vec3){3 * sizes[i], 2 * sizes[i], sizes[i]}),
                     *traced = NULL;
-        batten_trace_report report;
+        batten_body_trace_report report;
         CHECK_OK(batten_body_trace(box, 1e-6 * sizes[i], NULL, NULL, &report, &traced));
         check_traced(traced, 1e-12 * sizes[i]);
         CHECK_INT(report.failed, 0);
@@ -206,12 +206,12 @@ TEST(a_closed_spline_between_two_of_its_lines_gets_a_seam)
 {
     for (int periodic = 0; periodic < 2; periodic++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_surface *tube = wavy_tube(periodic != 0);
         batten_surface *middle = NULL;
         batten_body *whole = NULL;
         CHECK_OK(batten_surface_subrange(tube, BATTEN_V, 0.25, 0.75, &middle));
-        CHECK_OK(batten_body_of_surface("", middle, 1e-6, &whole));
+        CHECK_OK(batten_body_from_surface("", middle, 1e-6, &whole));
         const double area = hand_area(whole);
         for (int k = 0; k < 2; k++) {
             batten_curve *ring = NULL, *low = NULL, *high = NULL, *turned = NULL;
@@ -272,7 +272,7 @@ static double winding_strip(hand *m)
 TEST(a_strip_that_winds_around_is_cut_into_faces)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     const double area = winding_strip(&m);
     batten_body *body = hand_trace(&m, 1e-4, &report);
     CHECK(batten_body_view(body)->face_count >= 3);

@@ -27,7 +27,7 @@ static batten_body *triangle(double longitude, double angle, int first, bool all
     static const int around[3][3] = {{-2, -1, -3}, {-1, -3, -2}, {-3, -2, -1}};
     const double latitude = 20;
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_surface *sphere = NULL;
     const double height = 2 * sin(DEGREE * latitude), radius = 2 * cos(DEGREE * latitude);
     hand_arc(&m, radius, height, longitude, angle);
@@ -70,7 +70,7 @@ TEST(a_torus_cut_open_along_edges_of_its_own_is_the_whole_of_it)
     for (int side = 0; side < 2; side++)
         for (size_t i = 0; i < COUNT(loops); i++) {
             hand m = hand_begin();
-            batten_trace_report report;
+            batten_body_trace_report report;
             const batten_frame across = {.origin = {3, 0, 0}, .x = {1, 0, 0}, .z = {0, -1, 0}};
             hand_arc(&m, 4, 0, 0, 360);
             for (int k = 0; k < 3; k++) {

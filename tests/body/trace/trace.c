@@ -5,7 +5,7 @@
 TEST(an_edge_in_a_plane_is_traced_exactly)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     hand_line(&m, 0, 0, 1, 4, 0, 1);
     hand_line(&m, 4, 0, 1, 4, 3, 1);
     hand_line(&m, 4, 3, 1, 0, 3, 1);
@@ -23,7 +23,7 @@ TEST(an_edge_in_a_plane_is_traced_exactly)
     CHECK_INT(p->face_count, 1);
     CHECK_INT(p->faces[0].count, 2);
     CHECK_INT(report.rebuilt, 5);
-    CHECK_NEAR(report.miss, 0, 1e-15);
+    CHECK_NEAR(report.error, 0, 1e-15);
     const batten_curve *hole = p->uses[4].parameters, *of = p->edges[p->uses[4].edge].curve;
     CHECK_INT(batten_curve_knot_count(hole), batten_curve_knot_count(of));
     for (int i = 0; i < batten_curve_point_count(of); i++)
@@ -36,7 +36,7 @@ TEST(loops_that_run_the_wrong_way_are_turned)
 {
     for (int side = 0; side < 2; side++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         hand_line(&m, 0, 0, 0, 4, 0, 0);
         hand_line(&m, 4, 0, 0, 4, 3, 0);
         hand_line(&m, 4, 3, 0, 0, 0, 0);
@@ -56,7 +56,7 @@ TEST(loops_that_run_the_wrong_way_are_turned)
 TEST(a_cylinder_with_a_seam_edge_keeps_it)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     hand_arc(&m, 2, 0, 0, 360);
     hand_arc(&m, 2, 5, 0, 360);
     hand_line(&m, 2, 0, 0, 2, 0, 5);
@@ -73,7 +73,7 @@ TEST(a_cylinder_with_a_seam_edge_keeps_it)
 TEST(a_seam_edge_elsewhere_than_that_of_the_surface_is_kept)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     hand_arc(&m, 2, 0, 50, 360);
     hand_arc(&m, 2, 5, 50, 360);
     const double c = 2 * cos(50 * acos(-1) / 180), s = 2 * sin(50 * acos(-1) / 180);
@@ -92,7 +92,7 @@ TEST(a_cylinder_between_two_circles_gets_a_seam)
     static const double starts[][2] = {{0, 0}, {90, 90}, {30, 30}, {10, 200}, {0, 180}};
     for (int i = 0; i < COUNT(starts); i++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         hand_arc(&m, 2, 0, starts[i][0], 360);
         hand_arc(&m, 2, 5, starts[i][1], 360);
         hand_face(&m, hand_cylinder(2, 5), false);
@@ -120,7 +120,7 @@ TEST(half_cylinders_have_no_seam)
     static const double starts[] = {0, 90, 77, -90, 270.5};
     for (int i = 0; i < COUNT(starts); i++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         const double at = starts[i] * acos(-1) / 180;
         const double c = 2 * cos(at), s = 2 * sin(at);
         hand_arc(&m, 2, 0, starts[i], 180);
@@ -158,7 +158,7 @@ static void window(hand *m, int first)
 TEST(a_face_across_the_seam_of_a_cylinder_is_one_face_of_a_surface_with_another_seam)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     window(&m, 1);
     hand_face(&m, hand_cylinder(2, 5), false);
     HAND_LOOP(&m, 1, 2, -3, -4);
@@ -173,7 +173,7 @@ TEST(a_face_across_the_seam_of_a_cylinder_is_one_face_of_a_surface_with_another_
 TEST(a_hole_across_the_seam_of_a_band_moves_the_seam)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     hand_arc(&m, 2, 0, 0, 360);
     hand_arc(&m, 2, 5, 0, 360);
     window(&m, 3);
@@ -194,7 +194,7 @@ TEST(a_hole_across_the_seam_of_a_band_moves_the_seam)
 TEST(a_sphere_without_loops_gets_its_border)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_surface *sphere = NULL;
     CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
     hand_face(&m, sphere, true);
@@ -211,7 +211,7 @@ TEST(hemispheres_get_a_seam_and_a_pole)
 {
     for (int side = 0; side < 2; side++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_surface *sphere = NULL;
         hand_arc(&m, 2, 0, 10, 360);
         CHECK_OK(batten_surface_sphere(&hand_world, 2, &sphere));
@@ -238,7 +238,7 @@ TEST(a_circle_on_a_sphere_bounds_a_cap_or_all_but_a_cap)
 {
     for (int side = 0; side < 2; side++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_surface *sphere = NULL;
         batten_curve *circle = NULL;
         const batten_frame frame = {.origin = {1.6, 0, 0}, .x = {0, 1, 0}, .z = {1, 0, 0}};
@@ -261,7 +261,7 @@ TEST(a_circle_on_a_sphere_bounds_a_cap_or_all_but_a_cap)
 TEST(an_octant_of_a_sphere_has_a_pole)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_surface *sphere = NULL;
     batten_curve *curve = NULL;
     const batten_frame xz = {.x = {1, 0, 0}, .z = {0, -1, 0}},
@@ -285,7 +285,7 @@ TEST(an_octant_of_a_sphere_has_a_pole)
 TEST(a_circle_through_a_pole_is_divided_there)
 {
     hand m = hand_begin();
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_surface *sphere = NULL;
     batten_curve *circle = NULL;
     /* The circle in the plane x + z = 2 of the sphere: through (0, 0, 2) and (2, 0, 0). */
@@ -307,7 +307,7 @@ TEST(a_cone_from_its_rim_to_its_apex_gets_a_seam)
 {
     for (int turned = 0; turned < 2; turned++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_surface *cone = NULL;
         hand_arc(&m, 2, 0, 70, 360);
         CHECK_OK(batten_surface_cone(&hand_world, 2, 0, 3, &cone));
@@ -326,7 +326,7 @@ TEST(bands_around_a_torus_get_a_seam)
 {
     for (int side = 0; side < 2; side++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         /* The circles on top and below, outside or inside of which the band is. */
         hand_arc(&m, 3, 1, 20, 360);
         hand_arc(&m, 3, -1, 50, 360);
@@ -350,7 +350,7 @@ TEST(a_torus_cut_open_along_two_circles_is_the_whole_of_it)
     for (int side = 0; side < 2; side++)
         for (size_t i = 0; i < COUNT(loops); i++) {
             hand m = hand_begin();
-            batten_trace_report report;
+            batten_body_trace_report report;
             batten_curve *circle = NULL;
             const batten_frame across = {.origin = {3, 0, 0}, .x = {1, 0, 0}, .z = {0, -1, 0}};
             hand_arc(&m, 4, 0, 0, 360);
@@ -373,7 +373,7 @@ TEST(a_pipe_bend_between_two_circles_gets_a_seam)
 {
     for (int side = 0; side < 2; side++) {
         hand m = hand_begin();
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_curve *circle = NULL;
         const batten_frame first = {.origin = {3, 0, 0}, .x = {1, 0, 0}, .z = {0, -1, 0}};
         const batten_frame second = {.origin = {0, 3, 0}, .x = {0, 1, 0}, .z = {1, 0, 0}};

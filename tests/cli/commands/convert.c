@@ -327,7 +327,7 @@ TEST(what_instances_hold_is_counted_in_all)
     const batten_axis line = {1, 2, (const double[]){0, 0, 1, 1}, false};
     const double corners[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1};
     CHECK_OK(batten_surface_create(3, &line, &line, corners, NULL, &patch));
-    CHECK_OK(batten_body_of_surface("sheet", patch, 1e-6, &bodies[1]));
+    CHECK_OK(batten_body_from_surface("sheet", patch, 1e-6, &bodies[1]));
     CHECK_OK(batten_model_create(0.001, &inner));
     for (int i = 0; i < 2; i++)
         CHECK_OK(batten_model_add(inner, &(batten_object){.name = i ? "b" : "a",

@@ -24,20 +24,21 @@ TEST(a_flat_row_goes_into_its_plane_and_back)
     CHECK_INT(bat_flat_axis(2, (const double[]){0, 0, 0, 1, 1, 1}), -1);
 }
 
-static batten_status make_table(batten_offsets **out)
+static batten_status make_table(batten_offset_table **out)
 {
-    const batten_offset_line lines[] = {{"z=0", true, 0}, {"z=1", true, 1}};
-    const batten_offset_point first[] = {{0, 1, 0, 0}, {0, 2, 1, 1}}, second[] = {{5, 3, 1, 1}};
-    const batten_station stations[] = {{"0", 0, 2, first}, {"1", 5, 1, second}};
-    return batten_offsets_create(1, 2, lines, 2, stations, out);
+    const batten_table_line lines[] = {{"z=0", true, 0}, {"z=1", true, 1}};
+    const batten_table_point first[] = {{0, 1, 0, 0}, {0, 2, 1, 1}}, second[] = {{5, 3, 1, 1}};
+    const batten_table_station stations[] = {{"0", 0, 2, first}, {"1", 5, 1, second}};
+    return batten_offset_table_create(1, 2, lines, 2, stations, out);
 }
 
 TEST(a_table_has_rows_across_and_along)
 {
-    batten_offsets *table = NULL;
+    batten_offset_table *table = NULL;
     bat_rows rows = {0, NULL};
     CHECK_OK(make_table(&table));
-    const batten_object object = {.name = "t", .kind = BATTEN_OBJECT_OFFSETS, .offsets = table};
+    const batten_object object = {
+        .name = "t", .kind = BATTEN_OBJECT_OFFSET_TABLE, .offset_table = table};
     CHECK_OK(bat_rows_of(&object, false, &rows));
     CHECK_INT(rows.count, 2);
     CHECK_INT(rows.rows[0].count, 2);
@@ -49,7 +50,7 @@ TEST(a_table_has_rows_across_and_along)
     CHECK_INT(rows.rows[1].count, 2);
     CHECK_BITS(rows.rows[1].points[3], 5);
     bat_rows_release(&rows);
-    batten_offsets_unref(table);
+    batten_offset_table_unref(table);
 }
 
 TEST(a_curve_in_its_plane_keeps_two_coordinates)

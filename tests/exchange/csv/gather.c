@@ -7,7 +7,8 @@ TEST(a_station_without_points_is_left_out_with_a_note)
     batten_model *model =
         read_noting("x,z,half-breadth\n0,0,\n0,1,-\n1,0,2\n", BATTEN_FORMAT_AUTO,
                     "station x = 0 has no points; left out");
-    CHECK_INT(batten_offsets_station_count(batten_model_object(model, 0)->offsets), 1);
+    CHECK_INT(batten_offset_table_station_count(batten_model_object(model, 0)->offset_table),
+              1);
     batten_model_unref(model);
 }
 
@@ -34,14 +35,14 @@ TEST(the_order_in_which_points_of_waterlines_come_does_not_matter)
         }
         batten_model *model = NULL;
         CHECK_OK(read_text(text, BATTEN_FORMAT_AUTO, NULL, &model));
-        const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-        CHECK_INT(batten_offsets_station_count(offsets), stations);
+        const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+        CHECK_INT(batten_offset_table_station_count(offsets), stations);
         for (int s = 0; s < stations; s++)
             for (int k = 0; k < lines; k++) {
-                const batten_offset_point *point =
-                    &batten_offsets_station(offsets, s)->points[k];
+                const batten_table_point *point =
+                    &batten_offset_table_station(offsets, s)->points[k];
                 CHECK_INT(point->line, k);
-                CHECK_BITS(batten_offsets_line(offsets, k)->z, 10.0 - (lines - 1 - k));
+                CHECK_BITS(batten_offset_table_line(offsets, k)->z, 10.0 - (lines - 1 - k));
                 CHECK_BITS(point->y, (double)(lines - 1 - k));
             }
         batten_model_unref(model);

@@ -15,12 +15,12 @@ static const char table[] = "axis,name,stem,1,transom\n"
 TEST(feet_inches_and_eighths_are_read)
 {
     batten_model *model = read_noting(table, BATTEN_FORMAT_AUTO, "");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    CHECK_BITS(batten_offsets_unit_metres(offsets), 0.0254);
-    CHECK_INT(batten_offsets_line_count(offsets), 2);
-    CHECK_TEXT(batten_offsets_line(offsets, 0)->name, "chine");
-    const batten_station *stem = batten_offsets_station(offsets, 0);
-    const batten_station *one = batten_offsets_station(offsets, 1);
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_BITS(batten_offset_table_unit_metres(offsets), 0.0254);
+    CHECK_INT(batten_offset_table_line_count(offsets), 2);
+    CHECK_TEXT(batten_offset_table_line(offsets, 0)->name, "chine");
+    const batten_table_station *stem = batten_offset_table_station(offsets, 0);
+    const batten_table_station *one = batten_offset_table_station(offsets, 1);
     CHECK_TEXT(stem->name, "stem");
     CHECK_INT(stem->point_count, 1);
     CHECK_BITS(stem->points[0].z, 32.75);
@@ -28,7 +28,7 @@ TEST(feet_inches_and_eighths_are_read)
     CHECK_BITS(one->x, 24.0);
     CHECK_BITS(one->points[0].z, 13.0);
     CHECK_BITS(one->points[1].y, 13.375);
-    CHECK_BITS(batten_offsets_station(offsets, 2)->points[0].z, 12.5);
+    CHECK_BITS(batten_offset_table_station(offsets, 2)->points[0].z, 12.5);
     batten_model_unref(model);
 }
 
@@ -36,7 +36,8 @@ TEST(a_table_of_decimals_has_no_unit)
 {
     batten_model *model = read_noting("axis,name,0\nlength,x,-1.5\nheight,a,2\nwidth,a,3\n",
                                       BATTEN_FORMAT_AUTO, "");
-    CHECK_BITS(batten_offsets_unit_metres(batten_model_object(model, 0)->offsets), 0.0);
+    CHECK_BITS(batten_offset_table_unit_metres(batten_model_object(model, 0)->offset_table),
+               0.0);
     batten_model_unref(model);
 }
 
@@ -45,7 +46,7 @@ TEST(a_point_that_is_only_half_given_is_left_out_with_a_note)
     batten_model *model =
         read_noting("axis,name,0,1\nlength,x,0,1\nheight,a,2,3\n,b,4,5\nwidth,a,6,x\n",
                     BATTEN_FORMAT_AUTO, "station '1' has a height and no width");
-    CHECK_INT(batten_offsets_line_count(batten_model_object(model, 0)->offsets), 1);
+    CHECK_INT(batten_offset_table_line_count(batten_model_object(model, 0)->offset_table), 1);
     batten_model_unref(model);
 }
 
@@ -81,8 +82,8 @@ TEST(a_station_without_a_name_is_called_by_its_place_and_a_line_needs_one)
     batten_model *model =
         read_noting("axis,name,a,,c\nlength,x,0,2.5,5\nheight,k,1,1,1\nwidth,k,1,2,3\n",
                     BATTEN_FORMAT_AUTO, "");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    CHECK_TEXT(batten_offsets_station(offsets, 1)->name, "2.5");
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_TEXT(batten_offset_table_station(offsets, 1)->name, "2.5");
     batten_model_unref(model);
     check_refused("axis,name,a\nlength,x,0\nheight,,1\n", BATTEN_FORMAT_AUTO, BATTEN_BAD_FORMAT,
                   "t:3: column 8: a line has no name");
@@ -120,20 +121,20 @@ static void check_against(const char *csv, const char *json, const char *const *
     char *text = load_bytes(test_data(json), &size);
     batten_model *model = NULL;
     CHECK_OK(batten_read_file(test_data(csv), NULL, NULL, NULL, &model));
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
     for (int i = 0; i < count; i++) {
         char key[40];
         snprintf(key, sizeof key, "\"%s\": [", names[i]);
         const char *at = strstr(text, key);
         CHECK(at != NULL);
         at += strlen(key);
-        for (int s = 0; s < batten_offsets_station_count(offsets); s++) {
-            const batten_station *station = batten_offsets_station(offsets, s);
+        for (int s = 0; s < batten_offset_table_station_count(offsets); s++) {
+            const batten_table_station *station = batten_offset_table_station(offsets, s);
             double expected[3];
             at = strchr(at, '[') + 1;
             int k = 0;
             while (k < station->point_count &&
-                   strcasecmp(batten_offsets_line(offsets, station->points[k].line)->name,
+                   strcasecmp(batten_offset_table_line(offsets, station->points[k].line)->name,
                               names[i]) != 0)
                 k++;
             CHECK_INT(k == station->point_count, *at == ']');
@@ -162,12 +163,12 @@ TEST(the_sport_dory_is_read)
     batten_model *model = NULL;
     CHECK_OK(
         batten_read_file(test_data("hull_offsets/SportDory.csv"), NULL, NULL, NULL, &model));
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    CHECK_INT(batten_offsets_station_count(offsets), 8);
-    CHECK_INT(batten_offsets_line_count(offsets), 6);
-    CHECK_TEXT(batten_offsets_line(offsets, 5)->name, "sheer");
-    CHECK_INT(batten_offsets_station(offsets, 7)->point_count, 3);
-    CHECK_BITS(batten_offsets_station(offsets, 4)->points[0].z, 0.471);
-    CHECK_BITS(batten_offsets_unit_metres(offsets), 0.0);
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_INT(batten_offset_table_station_count(offsets), 8);
+    CHECK_INT(batten_offset_table_line_count(offsets), 6);
+    CHECK_TEXT(batten_offset_table_line(offsets, 5)->name, "sheer");
+    CHECK_INT(batten_offset_table_station(offsets, 7)->point_count, 3);
+    CHECK_BITS(batten_offset_table_station(offsets, 4)->points[0].z, 0.471);
+    CHECK_BITS(batten_offset_table_unit_metres(offsets), 0.0);
     batten_model_unref(model);
 }

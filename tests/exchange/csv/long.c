@@ -9,14 +9,14 @@ TEST(names_of_lines_and_stations_may_have_columns)
                                       "midship,5,5,1,2.5,\n"
                                       "midship,5,5,2.5,3,sheer\n",
                                       BATTEN_FORMAT_AUTO, "");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    const batten_station *stem = batten_offsets_station(offsets, 0);
-    const batten_station *midship = batten_offsets_station(offsets, 1);
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    const batten_table_station *stem = batten_offset_table_station(offsets, 0);
+    const batten_table_station *midship = batten_offset_table_station(offsets, 1);
     CHECK_TEXT(stem->name, "stem");
     CHECK_TEXT(midship->name, "midship");
-    CHECK_INT(batten_offsets_line_count(offsets), 2);
-    CHECK_TEXT(batten_offsets_line(offsets, 0)->name, "chine, low");
-    CHECK(!batten_offsets_line(offsets, 0)->is_waterline);
+    CHECK_INT(batten_offset_table_line_count(offsets), 2);
+    CHECK_TEXT(batten_offset_table_line(offsets, 0)->name, "chine, low");
+    CHECK(!batten_offset_table_line(offsets, 0)->is_waterline);
     /* The stem's own points may be off its station. */
     CHECK_BITS(stem->x, 0.0);
     CHECK_BITS(stem->points[1].x, -0.5);
@@ -32,9 +32,9 @@ TEST(stations_are_sorted_with_a_note)
     batten_model *model =
         read_noting("x,z,half-breadth\n2,0,1\n0,0,1\n2,1,2\n0,1,2\n", BATTEN_FORMAT_AUTO,
                     "the stations do not come in the order");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    CHECK_BITS(batten_offsets_station(offsets, 0)->x, 0.0);
-    CHECK_INT(batten_offsets_station(offsets, 1)->point_count, 2);
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_BITS(batten_offset_table_station(offsets, 0)->x, 0.0);
+    CHECK_INT(batten_offset_table_station(offsets, 1)->point_count, 2);
     batten_model_unref(model);
     /* Waterline by waterline is an order, too. */
     batten_model_unref(
@@ -57,27 +57,28 @@ TEST(a_flat_bottom_has_two_points_on_one_waterline)
 {
     batten_model *model =
         read_noting("x,z,half-breadth\n0,0,0\n0,0,5\n0,1,5\n", BATTEN_FORMAT_AUTO, "");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    CHECK_INT(batten_offsets_station(offsets, 0)->point_count, 3);
-    CHECK_BITS(batten_offsets_station(offsets, 0)->points[1].y, 5.0);
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    CHECK_INT(batten_offset_table_station(offsets, 0)->point_count, 3);
+    CHECK_BITS(batten_offset_table_station(offsets, 0)->points[1].y, 5.0);
     batten_model_unref(model);
 }
 
 TEST(columns_that_are_not_known_or_twice_there_are_named)
 {
-    batten_model_unref(read_noting("x,z,y,draft\n0,0,1,7\n", BATTEN_FORMAT_OFFSETS,
+    batten_model_unref(read_noting("x,z,y,draft\n0,0,1,7\n", BATTEN_FORMAT_OFFSET_TABLE,
                                    "column 'draft' is not read"));
-    check_refused("x,z,y,height\n0,0,1,7\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT,
+    check_refused("x,z,y,height\n0,0,1,7\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
                   "t:1: column 7: 'height' says the same as 'z'");
-    check_refused("x,z,y\n0,,1\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "t:2: column 3");
+    check_refused("x,z,y\n0,,1\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
+                  "t:2: column 3");
 }
 
 TEST(N5_minus_0_and_denormal_numbers_are_kept)
 {
     batten_model *model =
         read_noting("x,z,half-breadth\n-0,-0,4.9e-324\n", BATTEN_FORMAT_AUTO, "");
-    const batten_offsets *offsets = batten_model_object(model, 0)->offsets;
-    const batten_offset_point *point = batten_offsets_station(offsets, 0)->points;
+    const batten_offset_table *offsets = batten_model_object(model, 0)->offset_table;
+    const batten_table_point *point = batten_offset_table_station(offsets, 0)->points;
     CHECK_BITS(point->x, -0.0);
     CHECK_BITS(point->z, -0.0);
     CHECK_BITS(point->y, 4.9406564584124654e-324);

@@ -1,15 +1,15 @@
 #include "exchange/reading.h"
 
-static const batten_offsets *table_of(const batten_model *model)
+static const batten_offset_table *table_of(const batten_model *model)
 {
-    return batten_model_object(model, 0)->offsets;
+    return batten_model_object(model, 0)->offset_table;
 }
 
 /* The points of a station as "y z line" with blanks between. */
-static const char *points_of(const batten_offsets *offsets, int station)
+static const char *points_of(const batten_offset_table *offsets, int station)
 {
     static char text[400];
-    const batten_station *s = batten_offsets_station(offsets, station);
+    const batten_table_station *s = batten_offset_table_station(offsets, station);
     text[0] = '\0';
     for (int k = 0; k < s->point_count; k++)
         snprintf(text + strlen(text), sizeof text - strlen(text), "%s%g,%g,%d", k ? " " : "",
@@ -27,17 +27,17 @@ TEST(each_dialect_gives_the_same_table)
         "x_m y_m z_m line\n0 0 0 z=0\n0 2 1 z=1\n3 - 0 z=0\n3 4 1 z=1\n",
     };
     for (int i = 0; i < COUNT(texts); i++) {
-        batten_model *model = read_noting(texts[i], BATTEN_FORMAT_OFFSETS, "");
-        const batten_offsets *offsets = table_of(model);
-        CHECK_INT(batten_offsets_station_count(offsets), 2);
+        batten_model *model = read_noting(texts[i], BATTEN_FORMAT_OFFSET_TABLE, "");
+        const batten_offset_table *offsets = table_of(model);
+        CHECK_INT(batten_offset_table_station_count(offsets), 2);
         CHECK_TEXT(points_of(offsets, 0), "0,0,0 2,1,1");
         CHECK_TEXT(points_of(offsets, 1), "4,1,1");
-        CHECK_TEXT(batten_offsets_station(offsets, 1)->name, "3");
-        CHECK_BITS(batten_offsets_station(offsets, 1)->x, 3.0);
-        CHECK_TEXT(batten_offsets_line(offsets, 1)->name, "z=1");
-        CHECK(batten_offsets_line(offsets, 1)->is_waterline);
-        CHECK_BITS(batten_offsets_line(offsets, 1)->z, 1.0);
-        CHECK_BITS(batten_offsets_unit_metres(offsets), 1.0);
+        CHECK_TEXT(batten_offset_table_station(offsets, 1)->name, "3");
+        CHECK_BITS(batten_offset_table_station(offsets, 1)->x, 3.0);
+        CHECK_TEXT(batten_offset_table_line(offsets, 1)->name, "z=1");
+        CHECK(batten_offset_table_line(offsets, 1)->is_waterline);
+        CHECK_BITS(batten_offset_table_line(offsets, 1)->z, 1.0);
+        CHECK_BITS(batten_offset_table_unit_metres(offsets), 1.0);
         CHECK_BITS(batten_model_unit_metres(model), 1.0);
         batten_model_unref(model);
     }
@@ -66,10 +66,12 @@ TEST(half_breadths_below_zero_are_kept_and_counted)
 
 TEST(what_is_no_table_of_offsets_is_refused)
 {
-    check_refused("1,2,3\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "no table of offsets");
-    check_refused("", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "the file is empty");
-    check_refused("x,z,y\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT, "there is no point");
-    check_refused("x,z,y\n1,2,\n", BATTEN_FORMAT_OFFSETS, BATTEN_BAD_FORMAT,
+    check_refused("1,2,3\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
+                  "no table of offsets");
+    check_refused("", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT, "the file is empty");
+    check_refused("x,z,y\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
+                  "there is no point");
+    check_refused("x,z,y\n1,2,\n", BATTEN_FORMAT_OFFSET_TABLE, BATTEN_BAD_FORMAT,
                   "there is no point");
 }
 
@@ -89,8 +91,8 @@ TEST(the_tables_of_real_hulls_are_read)
         batten_model *model = NULL;
         batten_box box;
         CHECK_OK(batten_read_file(test_data(files[i].path), NULL, NULL, NULL, &model));
-        CHECK_INT(batten_offsets_station_count(table_of(model)), files[i].stations);
-        CHECK_INT(batten_offsets_line_count(table_of(model)), files[i].lines);
+        CHECK_INT(batten_offset_table_station_count(table_of(model)), files[i].stations);
+        CHECK_INT(batten_offset_table_line_count(table_of(model)), files[i].lines);
         CHECK(batten_model_box(model, &box));
         CHECK_NEAR(box.high.y, files[i].largest, 1e-3);
         CHECK_NEAR(box.high.x - box.low.x, files[i].length, 1e-3);
@@ -108,7 +110,7 @@ TEST(F2_a_table_cut_at_any_byte_is_refused_or_noted)
         batten_notes *notes = NULL;
         CHECK_OK(batten_notes_create(4, &notes));
         const batten_status status =
-            read_bytes(text, size, BATTEN_FORMAT_OFFSETS, notes, &model);
+            read_bytes(text, size, BATTEN_FORMAT_OFFSET_TABLE, notes, &model);
         const bool quiet = status == BATTEN_OK && batten_notes_count(notes) == 0 &&
                            batten_notes_dropped(notes) == 0;
         /* A cut between two rows cannot be seen: such a table is a table. */

@@ -30,7 +30,7 @@ TEST(tables_are_written_so_that_they_read_back)
          "1-1-3\n"),
     };
     for (int i = 0; i < COUNT(texts); i++)
-        check_round_trip(texts[i], BATTEN_FORMAT_OFFSETS);
+        check_round_trip(texts[i], BATTEN_FORMAT_OFFSET_TABLE);
 }
 
 TEST(a_plain_table_has_three_columns)
@@ -39,7 +39,7 @@ TEST(a_plain_table_has_three_columns)
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(read_text("z\\x [mm],0,10\n0,0,1.5\n5,2,\n", BATTEN_FORMAT_AUTO, NULL, &model));
-    CHECK_OK(write_bytes(model, BATTEN_FORMAT_OFFSETS, &data, &size));
+    CHECK_OK(write_bytes(model, BATTEN_FORMAT_OFFSET_TABLE, &data, &size));
     CHECK_TEXT(data, "x_mm,z_mm,half_breadth_mm\n0,0,0\n0,5,2\n10,0,1.5\n");
     batten_release(data);
     batten_model_unref(model);
@@ -67,7 +67,8 @@ static void check_not_written(const char *text, batten_format format, const char
 
 TEST(what_a_format_cannot_hold_is_refused)
 {
-    check_not_written("1 2\n3 4\n", BATTEN_FORMAT_OFFSETS, "the model has no table of offsets");
+    check_not_written("1 2\n3 4\n", BATTEN_FORMAT_OFFSET_TABLE,
+                      "the model has no table of offsets");
     check_not_written("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", BATTEN_FORMAT_POINTS,
                       "the model has no points");
     check_not_written("1 2\n3 4\n", BATTEN_FORMAT_AEROFOIL, "no row of 3 points");
@@ -169,10 +170,10 @@ TEST(tables_in_another_unit_have_no_debris_and_no_old_names)
                        BATTEN_FORMAT_AUTO, NULL, &model));
     for (int i = 0; i < COUNT(units); i++) {
         CHECK_OK(batten_model_to_unit(model, units[i].metres, &other));
-        CHECK_TEXT(written(other, BATTEN_FORMAT_OFFSETS), units[i].text);
-        const batten_offsets *table = batten_model_object(other, 0)->offsets;
-        CHECK(strcmp(batten_offsets_station(table, 0)->name, "24") != 0);
-        CHECK(strcmp(batten_offsets_line(table, 0)->name, "z=1.6") != 0);
+        CHECK_TEXT(written(other, BATTEN_FORMAT_OFFSET_TABLE), units[i].text);
+        const batten_offset_table *table = batten_model_object(other, 0)->offset_table;
+        CHECK(strcmp(batten_offset_table_station(table, 0)->name, "24") != 0);
+        CHECK(strcmp(batten_offset_table_line(table, 0)->name, "z=1.6") != 0);
         batten_model_unref(other);
     }
     batten_model_unref(model);

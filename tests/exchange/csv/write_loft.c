@@ -4,7 +4,7 @@ static batten_status write_eighths(const batten_model *model, batten_notes *note
                                    size_t *size)
 {
     batten_write_options options = batten_write_defaults();
-    options.format = BATTEN_FORMAT_OFFSETS;
+    options.format = BATTEN_FORMAT_OFFSET_TABLE;
     options.eighths = true;
     return batten_write_memory(model, &options, notes, data, size);
 }
@@ -91,12 +91,12 @@ TEST(a_published_table_in_eighths_is_written_as_it_stands)
     CHECK_OK(write_eighths(model, NULL, &data, &size));
     CHECK_CONTAINS(data, "1-4-7");
     CHECK_OK(read_bytes(data, size, BATTEN_FORMAT_AUTO, NULL, &back));
-    const batten_offsets *a = batten_model_object(model, 0)->offsets;
-    const batten_offsets *b = batten_model_object(back, 0)->offsets;
-    CHECK_INT(batten_offsets_station_count(a), batten_offsets_station_count(b));
-    for (int i = 0; i < batten_offsets_station_count(a); i++) {
-        const batten_station *s = batten_offsets_station(a, i);
-        const batten_station *t = batten_offsets_station(b, i);
+    const batten_offset_table *a = batten_model_object(model, 0)->offset_table;
+    const batten_offset_table *b = batten_model_object(back, 0)->offset_table;
+    CHECK_INT(batten_offset_table_station_count(a), batten_offset_table_station_count(b));
+    for (int i = 0; i < batten_offset_table_station_count(a); i++) {
+        const batten_table_station *s = batten_offset_table_station(a, i);
+        const batten_table_station *t = batten_offset_table_station(b, i);
         CHECK_INT(s->point_count, t->point_count);
         for (int k = 0; k < s->point_count; k++) {
             CHECK_BITS(s->points[k].y, t->points[k].y);

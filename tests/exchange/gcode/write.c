@@ -3,7 +3,7 @@
 #include <batten/exchange.h>
 #include <stdlib.h>
 
-static const char *program(const batten_model *model, const batten_gcode_options *options)
+static const char *program(const batten_model *model, const batten_write_gcode_options *options)
 {
     char *data = NULL;
     size_t size = 0;
@@ -75,7 +75,7 @@ TEST(a_machine_that_follows_the_program_cuts_the_whole_path)
 {
     batten_model *model = model_of("stadium", stadium());
     for (int k = 0; k < 4; k++) {
-        batten_gcode_options options = batten_gcode_defaults();
+        batten_write_gcode_options options = batten_write_gcode_defaults();
         options.absolute_centres = k & 1;
         options.relative_moves = k & 2;
         const machine m = follow(program(model, &options));
@@ -93,7 +93,7 @@ TEST(a_machine_that_follows_the_program_cuts_the_whole_path)
 TEST(depth_feed_and_decimals_are_as_asked)
 {
     batten_model *model = model_of("hook (left)", hook());
-    batten_gcode_options options = batten_gcode_defaults();
+    batten_write_gcode_options options = batten_write_gcode_defaults();
     options.depth = -1.5;
     options.feed = 300;
     options.decimals = 2;
@@ -180,7 +180,7 @@ TEST(an_arc_of_a_larger_radius_than_the_control_takes_is_lines_within_the_last_p
     const double rise = 0.05, half = 2 * atan(rise / 50), radius = 50 / sin(half);
     const double cx = 3 - radius * sin(0.3 - half), cy = 4 + radius * cos(0.3 - half);
     batten_model *model = shallow(rise);
-    batten_gcode_options options = batten_gcode_defaults();
+    batten_write_gcode_options options = batten_write_gcode_defaults();
     const machine lines = follow(program(model, NULL));
     CHECK_INT(lines.arcs, 0);
     CHECK_INT(lines.lines, 23); /* the root of 0.05 / 0.0001, and up */
@@ -203,7 +203,7 @@ TEST(too_many_lines_are_refused_with_a_cure)
     const batten_affine map = {{{1e7, 0, 0}, {0, 1e7, 0}, {0, 0, 1e7}}, {0, 0, 0}};
     CHECK_OK(batten_chain_transform(chain, &map, &large));
     batten_model *model = model_of("hook", large);
-    batten_gcode_options options = batten_gcode_defaults();
+    batten_write_gcode_options options = batten_write_gcode_defaults();
     char *data = NULL;
     size_t size = 0;
     options.decimals = 9;
@@ -236,14 +236,14 @@ TEST(n1_n6_options_that_are_no_numbers_are_refused)
     char *data = NULL;
     size_t size = 0;
     for (int k = 0; k < 5; k++) {
-        batten_gcode_options options = batten_gcode_defaults();
+        batten_write_gcode_options options = batten_write_gcode_defaults();
         *(k == 0   ? &options.feed
           : k == 1 ? &options.plunge
                    : &options.clearance) = k == 1 ? NAN : -1;
         if (k == 4)
             options.greatest_radius = NAN;
         if (k == 3)
-            options = (batten_gcode_options){.size = sizeof options, .decimals = 10};
+            options = (batten_write_gcode_options){.size = sizeof options, .decimals = 10};
         CHECK_STATUS(batten_write_gcode(model, &options, NULL, &data, &size),
                      BATTEN_BAD_ARGUMENT);
     }

@@ -154,7 +154,7 @@ static void count_body(const batten_object *object, double scale, census *sum)
 {
     const batten_body_parts *parts = batten_body_view(object->body);
     batten_body *traced = NULL;
-    batten_trace_report report = {0};
+    batten_body_trace_report report = {0};
     batten_body_measures measures;
     sum->faces += parts->face_count;
     sum->solids += parts->is_solid;

@@ -186,7 +186,7 @@ static inline void box_shell(box_text *text, int id, const double origin[3], dou
 static inline batten_body_measures box_measure(const batten_body *body)
 {
     batten_body_measures measures;
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_body *traced = NULL;
     CHECK_OK(batten_body_trace(body, 1e-6, NULL, NULL, &report, &traced));
     CHECK_INT(report.failed, 0);

@@ -16,7 +16,7 @@ TEST(the_plane_agrees_with_the_cubics)
                      mu = test_random_in(&random, -3, 5);
         double points[8];
         batten_cubic_place place;
-        batten_cubic_of_lengths(lambda, mu, points);
+        batten_cubic_from_lengths(lambda, mu, points);
         const batten_cubic cubic = classify(points);
         CHECK_OK(batten_cubic_look_up(lambda, mu, &place));
         if (cubic.margin > 1e-12)
@@ -77,7 +77,7 @@ TEST(on_the_hyperbola_there_is_a_cusp)
         double points[8], at[4];
         batten_curve *curve = NULL;
         batten_cubic cubic;
-        batten_cubic_of_lengths(lambda, mu, points);
+        batten_cubic_from_lengths(lambda, mu, points);
         CHECK_OK(batten_cubic_classify(2, points, 1e-12, &cubic));
         CHECK_INT(cubic.segment, BATTEN_CUBIC_CUSP);
         CHECK_OK(shape_bezier(2, 3, points, &curve));
@@ -108,7 +108,7 @@ TEST(whole_numbers_lie_where_they_lie)
         CHECK_OK(batten_cubic_look_up(rows[i].lambda, rows[i].mu, &place));
         CHECK_TEXT(batten_cubic_region_name(place.region),
                    batten_cubic_region_name(rows[i].region));
-        batten_cubic_of_lengths(rows[i].lambda, rows[i].mu, points);
+        batten_cubic_from_lengths(rows[i].lambda, rows[i].mu, points);
         if (rows[i].region != BATTEN_REGION_DEGENERATE)
             CHECK_INT(classify(points).segment, place.segment);
     }
@@ -118,13 +118,13 @@ TEST(whole_numbers_lie_where_they_lie)
 TEST(special_places_have_their_special_curves)
 {
     double points[8];
-    batten_cubic_of_lengths(2, 2, points);
+    batten_cubic_from_lengths(2, 2, points);
     CHECK_NEAR(classify(points).cusp, 0.5, 0);
-    batten_cubic_of_lengths(3, 3, points);
+    batten_cubic_from_lengths(3, 3, points);
     const batten_cubic loop = classify(points);
     CHECK_NEAR(loop.crossing[0] + loop.crossing[1], 1, 1e-15);
     /* (1, 1): the polygon runs through T, both ends are flat */
-    batten_cubic_of_lengths(1, 1, points);
+    batten_cubic_from_lengths(1, 1, points);
     const batten_cubic flat = classify(points);
     CHECK(flat.a == 0 && flat.c == 0);
     CHECK_INT(flat.inflection_count, 2);
@@ -154,7 +154,7 @@ TEST(lengths_that_reach_the_corner_make_an_end_flat)
         for (int end = 0; end < 2; end++) {
             batten_curve *curve = NULL;
             batten_curve_local at;
-            batten_cubic_of_lengths(end ? 1 : other, end ? other : 1, points);
+            batten_cubic_from_lengths(end ? 1 : other, end ? other : 1, points);
             CHECK_OK(shape_bezier(2, 3, points, &curve));
             CHECK_OK(batten_curve_local_at(curve, end,
                                            end ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT, &at));

@@ -7,12 +7,12 @@ TEST(the_equation_of_a_parabola_and_of_a_circle_are_the_known_ones)
     const double parabola[6] = {-1, 1, 0, -1, 1, 1};
     batten_curve *curve = NULL, *circle = NULL;
     batten_implicit *f = NULL;
-    batten_implicit_report report;
+    batten_implicit_from_curve_report report;
     double gradient[2];
     CHECK_OK(shape_bezier(2, 2, parabola, &curve));
-    CHECK_OK(batten_implicit_of_curve(curve, &report, &f));
+    CHECK_OK(batten_implicit_from_curve(curve, &report, &f));
     CHECK_INT(report.degree, 2);
-    CHECK(report.residual <= 1e-15);
+    CHECK(report.error <= 1e-15);
     CHECK_NEAR(report.least_gradient, 1 / sqrt(5), 1e-14);
     const double sign = batten_implicit_value(f, 0, 1, NULL) > 0 ? 1 : -1;
     for (int i = 0; i < 50; i++) {
@@ -28,7 +28,7 @@ TEST(the_equation_of_a_parabola_and_of_a_circle_are_the_known_ones)
     const double w[3] = {1, sqrt(0.5), 1}, breaks[2] = {0, 1};
     const double quarter[6] = {12, -4, 12, -2, 10, -2};
     CHECK_OK(batten_curve_from_bezier(2, 2, 1, quarter, w, breaks, &circle));
-    CHECK_OK(batten_implicit_of_curve(circle, &report, &f));
+    CHECK_OK(batten_implicit_from_curve(circle, &report, &f));
     CHECK_NEAR(report.least_gradient, 1, 1e-13);
     const double side = batten_implicit_value(f, 10, -4, NULL) < 0 ? 1 : -1;
     for (int i = 0; i < 50; i++) {
@@ -48,7 +48,7 @@ TEST(curves_of_every_degree_satisfy_their_equation_and_give_their_parameters_bac
         double points[2 * 9], weights[9], knots[18];
         batten_curve *curve = NULL;
         batten_implicit *f = NULL;
-        batten_implicit_report report;
+        batten_implicit_from_curve_report report;
         for (int i = 0; i <= degree; i++) {
             points[2 * i] = 5 + i + test_random_in(&random, -0.3, 0.3);
             points[2 * i + 1] = test_random_in(&random, -1, 1);
@@ -58,9 +58,9 @@ TEST(curves_of_every_degree_satisfy_their_equation_and_give_their_parameters_bac
         }
         CHECK_OK(batten_curve_create(2, degree, degree + 1, points, n % 3 ? NULL : weights,
                                      knots, &curve));
-        CHECK_OK(batten_implicit_of_curve(curve, &report, &f));
+        CHECK_OK(batten_implicit_from_curve(curve, &report, &f));
         CHECK_INT(report.degree, degree);
-        CHECK(report.residual <= 1e-10);
+        CHECK(report.error <= 1e-10);
         for (int k = 0; k <= 20; k++) {
             const double u = -1 + 3 * (k / 20.0);
             double p[2], found, gradient[2], h = 1e-5;
@@ -85,15 +85,15 @@ TEST(raised_degrees_are_lowered_and_parameters_beyond_the_piece_are_found)
     const double cubic[8] = {0, 0, 1, 2, 2, -1, 3, 1};
     batten_curve *curve = NULL, *raised = NULL, *part = NULL;
     batten_implicit *f = NULL;
-    batten_implicit_report report;
+    batten_implicit_from_curve_report report;
     double p[2], u;
     CHECK_OK(shape_bezier(2, 3, cubic, &curve));
     CHECK_OK(batten_curve_elevate(curve, 3, &raised));
-    CHECK_OK(batten_implicit_of_curve(raised, &report, &f));
+    CHECK_OK(batten_implicit_from_curve(raised, &report, &f));
     CHECK_INT(report.degree, 3);
     batten_implicit_free(f);
     CHECK_OK(batten_curve_subrange(curve, 0.25, 0.5, &part));
-    CHECK_OK(batten_implicit_of_curve(part, &report, &f));
+    CHECK_OK(batten_implicit_from_curve(part, &report, &f));
     for (int k = 0; k <= 10; k++) {
         CHECK_OK(batten_curve_evaluate(curve, k / 10.0, 0, p));
         CHECK_OK(batten_implicit_invert(f, p[0], p[1], &u));
@@ -117,11 +117,11 @@ TEST(a_looping_cubic_is_traced_with_its_crossing)
     }
     batten_curve *curve = NULL;
     batten_implicit *f = NULL;
-    batten_implicit_report report;
+    batten_implicit_from_curve_report report;
     batten_trace trace = {{0, NULL}, 0, NULL};
     double u;
     CHECK_OK(shape_bezier(2, 3, b, &curve));
-    CHECK_OK(batten_implicit_of_curve(curve, &report, &f));
+    CHECK_OK(batten_implicit_from_curve(curve, &report, &f));
     const batten_box window = {{-0.5, -1, 0}, {1.2, 1.1, 0}};
     CHECK_OK(batten_implicit_trace(f, window, 61, 1e-5, &trace));
     CHECK_INT(trace.singular_count, 1);
@@ -261,16 +261,16 @@ TEST(N6_equations_that_cannot_be_are_refused)
     batten_implicit *f = NULL;
     batten_trace trace = {{7, NULL}, 0, NULL};
     CHECK_OK(shape_bezier(2, 4, twice, &curve));
-    CHECK_STATUS(batten_implicit_of_curve(curve, NULL, &f), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_implicit_from_curve(curve, NULL, &f), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("run over more than once");
     CHECK_OK(batten_curve_to_dimension(curve, 3, &space));
-    CHECK_STATUS(batten_implicit_of_curve(space, NULL, &f), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_implicit_from_curve(space, NULL, &f), BATTEN_NOT_COMPATIBLE);
     CHECK_OK(shape_bezier(2, 1, zeros, &point));
-    CHECK_STATUS(batten_implicit_of_curve(point, NULL, &f), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_implicit_from_curve(point, NULL, &f), BATTEN_COINCIDENT);
     CHECK_OK(shape_bezier(2, 9, high, &long_one));
-    CHECK_STATUS(batten_implicit_of_curve(long_one, NULL, &f), BATTEN_UNSUPPORTED);
+    CHECK_STATUS(batten_implicit_from_curve(long_one, NULL, &f), BATTEN_UNSUPPORTED);
     CHECK_OK(batten_curve_insert_knot(curve, 0.5, 1, &spans));
-    CHECK_STATUS(batten_implicit_of_curve(spans, NULL, &f), BATTEN_NOT_COMPATIBLE);
+    CHECK_STATUS(batten_implicit_from_curve(spans, NULL, &f), BATTEN_NOT_COMPATIBLE);
     CHECK(f == NULL);
     const field circles = {0};
     const batten_box good = {{0, 0, 0}, {1, 1, 0}}, flat = {{0, 0, 0}, {1, 0, 0}};

@@ -5,9 +5,10 @@ static batten_curve *bezier(const double *points)
     return scene_curve(2, 3, 4, points);
 }
 
-static scene_words words_of(const batten_model *model, const batten_cubic_plane_options *plane)
+static scene_words words_of(const batten_model *model,
+                            const batten_draw_cubic_plane_options *plane)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     char *data = NULL;
     size_t size = 0;
     options.format = BATTEN_PICTURE_PDF;
@@ -51,8 +52,8 @@ TEST(a_mark_has_the_colour_of_its_curve_at_its_place)
     /* in a square picture of lambda, mu from 0 to 1 the mark of (0.5, 0.5) is in its middle */
     const double points[8] = {0, 0, 0, 0.5, 0.5, 1, 1, 1};
     batten_model *model = scene_empty();
-    batten_picture_options options = batten_picture_defaults();
-    batten_cubic_plane_options plane = batten_cubic_plane_defaults();
+    batten_draw_options options = batten_draw_defaults();
+    batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
     char *data = NULL;
     size_t size = 0;
     int marked = 0;
@@ -72,8 +73,8 @@ TEST(a_mark_has_the_colour_of_its_curve_at_its_place)
 
 TEST(n6_planes_that_cannot_be_shown_are_refused)
 {
-    const batten_picture_options options = batten_picture_defaults();
-    batten_cubic_plane_options plane = batten_cubic_plane_defaults();
+    const batten_draw_options options = batten_draw_defaults();
+    batten_draw_cubic_plane_options plane = batten_draw_cubic_plane_defaults();
     char *data = NULL;
     size_t size = 0;
     plane.high = plane.low;

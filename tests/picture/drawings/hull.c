@@ -25,7 +25,7 @@ TEST(all_lines_of_a_wigley_hull_lie_on_it)
     static const double sides[] = {1, -1}; /* a hull at y < 0 is drawn mirrored */
     for (int s = 0; s < test_cases(COUNT(sides)); s++) {
         batten_model *model = scene_of(scene_wigley(L, B, T, sides[s]));
-        batten_lines_plan_options plan = scene_plan(L);
+        batten_draw_lines_plan_options plan = scene_plan(L);
         plan.design_waterline = -0.33;
         bat_hull hull;
         CHECK_OK(bat_hull_cut(model, &plan, NULL, &hull));
@@ -44,7 +44,7 @@ TEST(all_lines_of_a_wigley_hull_lie_on_it)
 TEST(eleven_stations_divide_the_length)
 {
     batten_model *model = scene_of(scene_wigley(L, B, T, 1));
-    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     plan.waterlines = plan.buttocks = 10;
     bat_hull hull;
     CHECK_OK(bat_hull_cut(model, &plan, NULL, &hull));
@@ -63,7 +63,7 @@ TEST(of_a_whole_hull_one_half_is_drawn)
 {
     batten_model *model = scene_of(scene_wigley(L, B, T, 1));
     scene_add_surface(model, "starboard", scene_wigley(L, B, T, -1));
-    const batten_lines_plan_options plan = scene_plan(L);
+    const batten_draw_lines_plan_options plan = scene_plan(L);
     bat_hull hull;
     CHECK_OK(bat_hull_cut(model, &plan, NULL, &hull));
     for (int f = 0; f < BAT_FAMILIES; f++)
@@ -86,7 +86,7 @@ TEST(the_design_waterline_is_one_of_the_waterlines)
     } rows[] = {{-0.5, 3}, {-0.6, 4}, {0.5, 3}}; /* on a line, between two, above the hull */
     batten_model *model = scene_of(scene_wigley(L, B, T, 1));
     for (int i = 0; i < test_cases(COUNT(rows)); i++) {
-        batten_lines_plan_options plan = scene_plan(L);
+        batten_draw_lines_plan_options plan = scene_plan(L);
         plan.waterlines = 0.25;
         plan.design_waterline = rows[i].at;
         batten_notes *notes = NULL;
@@ -112,7 +112,7 @@ TEST(stations_stand_where_they_are_given)
 {
     static const double at[] = {-3, 0.5, 4, 90};
     batten_model *model = scene_of(scene_wigley(L, B, T, 1));
-    batten_lines_plan_options plan = scene_plan(L);
+    batten_draw_lines_plan_options plan = scene_plan(L);
     plan.station_at = at;
     plan.station_count = COUNT(at);
     batten_notes *notes = NULL;
@@ -135,8 +135,8 @@ TEST(plans_that_make_no_sense_are_refused)
 {
     batten_model *model = scene_of(scene_wigley(L, B, T, 1));
     static const double falling[] = {1, 0}, endless[] = {0, INFINITY};
-    const batten_lines_plan_options usual = batten_lines_plan_defaults();
-    batten_lines_plan_options rows[] = {usual, usual, usual, usual, usual, usual};
+    const batten_draw_lines_plan_options usual = batten_draw_lines_plan_defaults();
+    batten_draw_lines_plan_options rows[] = {usual, usual, usual, usual, usual, usual};
     rows[0].stations = -1;
     rows[1].waterlines = NAN;
     rows[2].buttocks = 1e-9; /* a unit was confused */
@@ -158,7 +158,7 @@ TEST(plans_that_make_no_sense_are_refused)
 
 TEST(what_is_no_hull_is_refused)
 {
-    const batten_lines_plan_options plan = batten_lines_plan_defaults();
+    const batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     bat_hull hull;
     batten_model *empty = scene_empty();
     CHECK_STATUS(bat_hull_cut(empty, &plan, NULL, &hull), BATTEN_BAD_ARGUMENT);

@@ -2,9 +2,9 @@
 
 enum { WIDTH = 1684, HEIGHT = 1191 };
 
-static batten_picture_options sheet(batten_picture_format format)
+static batten_draw_options sheet(batten_picture_format format)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     options.format = format;
     options.width = WIDTH;
     options.height = HEIGHT;
@@ -13,10 +13,10 @@ static batten_picture_options sheet(batten_picture_format format)
 }
 
 /* The words on the plan of a Wigley hull. */
-static scene_words words_of(batten_surface *surface, const batten_lines_plan_options *plan)
+static scene_words words_of(batten_surface *surface, const batten_draw_lines_plan_options *plan)
 {
     batten_model *model = scene_of(surface);
-    const batten_picture_options options = sheet(BATTEN_PICTURE_PDF);
+    const batten_draw_options options = sheet(BATTEN_PICTURE_PDF);
     char *data = NULL;
     size_t size = 0;
     CHECK_OK(batten_draw_lines_plan(model, plan, &options, NULL, &data, &size));
@@ -29,7 +29,7 @@ static scene_words words_of(batten_surface *surface, const batten_lines_plan_opt
 
 TEST(the_sheet_says_what_it_shows)
 {
-    batten_lines_plan_options plan = scene_plan(10);
+    batten_draw_lines_plan_options plan = scene_plan(10);
     plan.design_waterline = -0.3;
     plan.waterlines = plan.buttocks = 0.4;
     const scene_words words = words_of(scene_wigley(10, 2, 1, 1), &plan);
@@ -49,7 +49,7 @@ TEST(no_word_is_cut_or_covered_whatever_the_proportions)
                                       {100, 2, 2},        {2, 2, 6},      {1, 0.1, 3},
                                       {1e-3, 4e-4, 2e-4}, {3e5, 4e4, 2e4}};
     for (int i = 0; i < test_cases(COUNT(hulls)); i++) {
-        batten_lines_plan_options plan = scene_plan(hulls[i][0]);
+        batten_draw_lines_plan_options plan = scene_plan(hulls[i][0]);
         plan.design_waterline = -0.41 * hulls[i][2];
         const scene_words words =
             words_of(scene_wigley(hulls[i][0], hulls[i][1], hulls[i][2], 1), &plan);
@@ -60,7 +60,7 @@ TEST(no_word_is_cut_or_covered_whatever_the_proportions)
 
 TEST(stations_are_aligned_in_profile_and_half_breadth_plan)
 {
-    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     plan.waterlines = plan.buttocks = 2;
     const scene_words words = words_of(scene_wigley(25, 5, 3, 1), &plan);
     const scene_word *profile = scene_find(&words, "Profile");
@@ -85,7 +85,7 @@ TEST(stations_are_aligned_in_profile_and_half_breadth_plan)
 TEST(the_scale_is_true_on_paper)
 {
     /* Stations 0 and 10 are 10 m apart: at 1:20 half a metre of paper. */
-    batten_lines_plan_options plan = batten_lines_plan_defaults();
+    batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
     plan.waterlines = plan.buttocks = 0.4;
     const scene_words words = words_of(scene_wigley(10, 2, 1, 1), &plan);
     CHECK(scene_find(&words, "1:20") != NULL);
@@ -104,9 +104,9 @@ TEST(the_scale_is_true_on_paper)
 TEST(the_same_hull_gives_the_same_bytes_and_no_nan)
 {
     batten_model *model = scene_of(scene_wigley(10, 2, 1, 1));
-    const batten_lines_plan_options plan = scene_plan(10);
+    const batten_draw_lines_plan_options plan = scene_plan(10);
     for (int format = BATTEN_PICTURE_PNG; format <= BATTEN_PICTURE_PDF; format++) {
-        const batten_picture_options options = sheet(format);
+        const batten_draw_options options = sheet(format);
         char *first = NULL, *second = NULL;
         size_t first_size = 0, second_size = 0;
         CHECK_OK(batten_draw_lines_plan(model, &plan, &options, NULL, &first, &first_size));
@@ -126,9 +126,9 @@ TEST(the_same_hull_gives_the_same_bytes_and_no_nan)
 /* How many pixels have the colour of the crosses. */
 static int crosses(const batten_model *model, const batten_model *data)
 {
-    batten_lines_plan_options plan = scene_plan(10);
+    batten_draw_lines_plan_options plan = scene_plan(10);
     plan.data = data;
-    const batten_picture_options options = sheet(BATTEN_PICTURE_PNG);
+    const batten_draw_options options = sheet(BATTEN_PICTURE_PNG);
     char *bytes = NULL;
     size_t size = 0;
     CHECK_OK(batten_draw_lines_plan(model, &plan, &options, NULL, &bytes, &size));
@@ -146,13 +146,15 @@ static int crosses(const batten_model *model, const batten_model *data)
 TEST(given_points_are_crosses_in_three_views)
 {
     batten_model *model = scene_of(scene_wigley(10, 2, 1, 1)), *data = scene_empty();
-    const batten_offset_line line = {"wl", true, -0.5};
-    const batten_offset_point at = {2, 0.3, -0.5, 0};
-    const batten_station station = {"7", 2, 1, &at};
-    batten_offsets *table = NULL;
-    CHECK_OK(batten_offsets_create(1, 1, &line, 1, &station, &table));
-    const batten_object offsets = {
-        .name = "table", .layer = "", .kind = BATTEN_OBJECT_OFFSETS, .offsets = table};
+    const batten_table_line line = {"wl", true, -0.5};
+    const batten_table_point at = {2, 0.3, -0.5, 0};
+    const batten_table_station station = {"7", 2, 1, &at};
+    batten_offset_table *table = NULL;
+    CHECK_OK(batten_offset_table_create(1, 1, &line, 1, &station, &table));
+    const batten_object offsets = {.name = "table",
+                                   .layer = "",
+                                   .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                   .offset_table = table};
     CHECK_OK(batten_model_add(data, &offsets));
     const int one = crosses(model, data);
     CHECK(crosses(model, NULL) == 0);
@@ -169,7 +171,7 @@ TEST(given_points_are_crosses_in_three_views)
     CHECK_OK(batten_model_add(other, &given));
     CHECK_INT(crosses(model, other), one);
     batten_model_unref(other);
-    batten_offsets_unref(table);
+    batten_offset_table_unref(table);
     batten_model_unref(data);
     batten_model_unref(model);
 }
@@ -177,7 +179,7 @@ TEST(given_points_are_crosses_in_three_views)
 TEST(S1_a_sheet_without_room_is_refused)
 {
     batten_model *model = scene_of(scene_wigley(10, 2, 1, 1));
-    const batten_lines_plan_options plan = scene_plan(10);
+    const batten_draw_lines_plan_options plan = scene_plan(10);
     static const struct {
         int width, height;
         batten_status status;
@@ -185,7 +187,7 @@ TEST(S1_a_sheet_without_room_is_refused)
                 {64, 64, BATTEN_BAD_ARGUMENT},   {100000, 100000, BATTEN_TOO_LARGE},
                 {2000, 64, BATTEN_BAD_ARGUMENT}, {300, 3000, BATTEN_OK}};
     for (int i = 0; i < COUNT(rows); i++) {
-        batten_picture_options options = sheet(BATTEN_PICTURE_SVG);
+        batten_draw_options options = sheet(BATTEN_PICTURE_SVG);
         options.width = rows[i].width;
         options.height = rows[i].height;
         char *data = NULL;
@@ -200,8 +202,8 @@ TEST(S1_a_sheet_without_room_is_refused)
 TEST(a_model_without_a_hull_has_no_lines)
 {
     batten_model *model = scene_empty();
-    const batten_lines_plan_options plan = batten_lines_plan_defaults();
-    const batten_picture_options options = sheet(BATTEN_PICTURE_PNG);
+    const batten_draw_lines_plan_options plan = batten_draw_lines_plan_defaults();
+    const batten_draw_options options = sheet(BATTEN_PICTURE_PNG);
     char *data = NULL;
     size_t size = 0;
     CHECK_STATUS(batten_draw_lines_plan(model, &plan, &options, NULL, &data, &size),

@@ -12,7 +12,7 @@ typedef struct {
 
 static const double scale = 100;
 
-static seen look_at(const batten_model *model, const batten_picture_options *options)
+static seen look_at(const batten_model *model, const batten_draw_options *options)
 {
     seen s = {.wires = {.model = model, .options = options}};
     CHECK_OK(bat_wires_measure(&s.wires));
@@ -103,9 +103,9 @@ static batten_model *box(double x, double y, double z)
     return model;
 }
 
-static batten_picture_options hiding(void)
+static batten_draw_options hiding(void)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     options.view = BATTEN_VIEW_AXONOMETRIC;
     options.hidden = BATTEN_HIDDEN_DROPPED;
     options.silhouettes = true;
@@ -119,7 +119,7 @@ TEST(of_a_box_nine_edges_are_seen_and_three_are_hidden)
         {28, 12, 0}, {-40, 35, 0}, {200, -50, 0}, {77, 5, 0}, {28, 30, 6}};
     for (int v = 0; v < COUNT(views); v++) {
         batten_model *model = box(2, 1, 0.7);
-        batten_picture_options options = hiding();
+        batten_draw_options options = hiding();
         options.azimuth = views[v][0] * 0.0174532925199433;
         options.elevation = views[v][1] * 0.0174532925199433;
         options.distance = views[v][2];
@@ -142,7 +142,7 @@ TEST(of_a_box_nine_edges_are_seen_and_three_are_hidden)
 TEST(the_outline_of_a_sphere_is_seen_and_half_of_its_lines)
 {
     batten_model *model = scene_of(scene_sphere(2));
-    batten_picture_options options = hiding();
+    batten_draw_options options = hiding();
     options.isolines = 8;
     options.elevation = 0; /* the equator is seen edge on, meridians half */
     options.azimuth = 0.3;
@@ -164,7 +164,7 @@ TEST(one_surface_hides_another_just_where_it_covers_it)
     const double far[] = {-3, -0.5, 0, -3, 0.5, 0, 3, -0.5, 0, 3, 0.5, 0};
     scene_add_surface(model, "near", scene_net(1, 2, 1, 2, near));
     scene_add_surface(model, "far", scene_net(1, 2, 1, 2, far));
-    batten_picture_options options = hiding();
+    batten_draw_options options = hiding();
     options.view = BATTEN_VIEW_TOP;
     seen s = look_at(model, &options);
     CHECK_NEAR(total(&s, BAT_WIRE_EDGE, false), (8 + 2 * 1 + 2 * (6 - 2)) * scale, 1e-6);
@@ -177,7 +177,7 @@ TEST(one_surface_hides_another_just_where_it_covers_it)
     batten_model_unref(model);
 }
 
-static void draw(const batten_model *model, const batten_picture_options *options)
+static void draw(const batten_model *model, const batten_draw_options *options)
 {
     char *data = NULL;
     size_t size = 0;
@@ -190,7 +190,7 @@ TEST(every_sheet_is_drawn_in_every_format)
 {
     batten_model *model = scene_of(scene_torus(3, 1));
     scene_add_curve(model, "circle", scene_circle(2));
-    batten_picture_options options = hiding();
+    batten_draw_options options = hiding();
     options.width = 240;
     options.height = 160;
     options.contours = true;
@@ -209,7 +209,7 @@ TEST(bad_line_drawings_are_refused)
     batten_model *model = scene_of(scene_sphere(1)), *empty = scene_empty();
     char *data = NULL;
     size_t size = 0;
-    batten_picture_options options = hiding();
+    batten_draw_options options = hiding();
     CHECK_STATUS(batten_draw_surface_lines(empty, &options, NULL, &data, &size),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("none of the 0 objects");

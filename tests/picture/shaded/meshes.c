@@ -4,20 +4,19 @@
 
 #include <stdlib.h>
 
-typedef batten_status drawer(const batten_model *model, const batten_picture_options *options,
+typedef batten_status drawer(const batten_model *model, const batten_draw_options *options,
                              const batten_job *job, char **data, size_t *size);
 
-static batten_status draw_curves(const batten_model *model,
-                                 const batten_picture_options *options, const batten_job *job,
-                                 char **data, size_t *size)
+static batten_status draw_curves(const batten_model *model, const batten_draw_options *options,
+                                 const batten_job *job, char **data, size_t *size)
 {
     (void)job;
     return batten_draw(model, options, data, size);
 }
 
-static batten_picture_options from(double azimuth, double elevation)
+static batten_draw_options from(double azimuth, double elevation)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     options.width = 300;
     options.height = 200;
     options.azimuth = azimuth;
@@ -27,7 +26,7 @@ static batten_picture_options from(double azimuth, double elevation)
 }
 
 static scene_image image_of(drawer *draw, const batten_model *model,
-                            batten_picture_options options)
+                            batten_draw_options options)
 {
     char *data = NULL;
     size_t size = 0;
@@ -61,7 +60,7 @@ static batten_model *bare_mesh(void)
     batten_body *body = NULL;
     batten_mesh *mesh = NULL, *bare = NULL;
     CHECK_OK(drilled_box(&body));
-    CHECK_OK(batten_mesh_of_body(body, NULL, NULL, NULL, NULL, &mesh));
+    CHECK_OK(batten_mesh_from_body(body, NULL, NULL, NULL, NULL, &mesh));
     batten_mesh_parts parts = *batten_mesh_view(mesh);
     parts.normals = NULL;
     parts.faces = NULL;
@@ -105,7 +104,7 @@ TEST(a_mesh_covers_what_the_body_covers)
 {
     batten_model *bodies = block(), *meshes = bare_mesh();
     for (int i = 0; i < test_cases(6); i++) {
-        const batten_picture_options options = from(i, 0.3 * i - 0.8);
+        const batten_draw_options options = from(i, 0.3 * i - 0.8);
         const scene_image a = image_of(batten_draw_shaded, bodies, options);
         const int body = covered(&a);
         const scene_image b = image_of(batten_draw_shaded, meshes, options);
@@ -124,7 +123,7 @@ TEST(all_shadings_and_views_take_bodies_and_meshes)
     for (int m = 0; m < 2; m++)
         for (int d = 0; d < 3; d++)
             for (int s = 0; s < (d == 1 ? 6 : 2); s++) {
-                batten_picture_options options = from(0.5, 0.4);
+                batten_draw_options options = from(0.5, 0.4);
                 options.shading = d == 1 ? (batten_shading)s : BATTEN_SHADING_PLAIN;
                 options.hidden = s ? BATTEN_HIDDEN_DROPPED : BATTEN_HIDDEN_SHOWN;
                 options.silhouettes = s == 1;
@@ -139,7 +138,7 @@ TEST(bodies_hide_their_own_edges)
 {
     batten_body *box = test_box((batten_vec3){0, 0, 0}, (batten_vec3){3, 2, 1});
     batten_model *model = model_of((batten_object){.kind = BATTEN_OBJECT_BODY, .body = box});
-    batten_picture_options options = from(0.5, 0.4);
+    batten_draw_options options = from(0.5, 0.4);
     options.hidden = BATTEN_HIDDEN_SHOWN;
     options.distance = 30;
     const scene_image all = image_of(batten_draw_surface_lines, model, options);
@@ -164,7 +163,7 @@ TEST(hidden_objects_and_instances)
                                     .definition = part,
                                     .is_hidden = i == 1,
                                     .place = batten_affine_translation(100.0 * i, 0, 0)}));
-    const batten_picture_options options = from(0.5, 0.4);
+    const batten_draw_options options = from(0.5, 0.4);
     const scene_image one = image_of(batten_draw_shaded, part, options);
     const int alone = covered(&one);
     const scene_image two = image_of(batten_draw_shaded, model, options);

@@ -4,16 +4,16 @@
 
 #include <batten/base.h>
 
-static batten_picture_options small(batten_shading shading)
+static batten_draw_options small(batten_shading shading)
 {
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     options.width = 300;
     options.height = 200;
     options.shading = shading;
     return options;
 }
 
-static scene_image image_of(const batten_model *model, batten_picture_options options)
+static scene_image image_of(const batten_model *model, batten_draw_options options)
 {
     char *data = NULL;
     size_t size = 0;
@@ -58,7 +58,7 @@ TEST(the_zebra_of_a_cylinder_has_as_many_stripes_as_asked)
     static const int stripes[] = {5, 12, 24};
     batten_model *model = scene_of(scene_cylinder(1, 3));
     for (int i = 0; i < test_cases(COUNT(stripes)); i++) {
-        batten_picture_options options = small(BATTEN_SHADING_ZEBRA);
+        batten_draw_options options = small(BATTEN_SHADING_ZEBRA);
         options.width = 600;
         options.height = 800;
         options.view = BATTEN_VIEW_SIDE;
@@ -79,7 +79,7 @@ TEST(the_zebra_of_a_cylinder_has_as_many_stripes_as_asked)
 TEST(a_torus_is_red_outside_and_blue_inside)
 {
     batten_model *model = scene_of(scene_torus(3, 1));
-    batten_picture_options options = small(BATTEN_SHADING_GAUSSIAN);
+    batten_draw_options options = small(BATTEN_SHADING_GAUSSIAN);
     options.width = 600;
     options.height = 400;
     options.view = BATTEN_VIEW_TOP;
@@ -121,7 +121,7 @@ TEST(what_is_near_hides_what_is_far)
         CHECK_OK(batten_model_add(model, &object));
         batten_surface_unref(surface);
     }
-    batten_picture_options options = small(BATTEN_SHADING_PLAIN);
+    batten_draw_options options = small(BATTEN_SHADING_PLAIN);
     options.view = BATTEN_VIEW_TOP;
     const scene_image above = image_of(model, options);
     CHECK(scene_green(scene_pixel(&above, 150, 100)) >
@@ -147,7 +147,7 @@ TEST(curves_lie_over_the_surface_that_carries_them_and_behind_others)
         batten_model *model = scene_of(scene_cylinder(1, 3));
         const double line[] = {-1.5, sides[i], 0, 1.5, sides[i], 0};
         scene_add_curve(model, "line", scene_curve(3, 1, 2, line));
-        batten_picture_options options = small(BATTEN_SHADING_PLAIN);
+        batten_draw_options options = small(BATTEN_SHADING_PLAIN);
         options.view = BATTEN_VIEW_SIDE;
         const scene_image image = image_of(model, options);
         bool seen = false;
@@ -177,7 +177,7 @@ TEST(points_are_dots_beside_and_before_the_surface_and_not_behind_it)
                                       .point_count = 1,
                                       .points = point};
         CHECK_OK(batten_model_add(model, &object));
-        batten_picture_options options = small(BATTEN_SHADING_PLAIN);
+        batten_draw_options options = small(BATTEN_SHADING_PLAIN);
         options.view = BATTEN_VIEW_SIDE;
         const scene_image image = image_of(model, options);
         int red = 0;
@@ -202,7 +202,7 @@ TEST(an_edge_is_as_wide_where_two_surfaces_meet_as_elsewhere)
     scene_add_surface(model, "starboard", scene_net(1, 2, 1, 2, starboard));
     static const batten_shading shadings[] = {BATTEN_SHADING_PLAIN, BATTEN_SHADING_ISOLINES};
     for (int i = 0; i < COUNT(shadings); i++) {
-        batten_picture_options options = small(shadings[i]);
+        batten_draw_options options = small(shadings[i]);
         options.view = BATTEN_VIEW_TOP;
         options.isolines = 2;
         const scene_image image = image_of(model, options);
@@ -223,7 +223,7 @@ TEST(isolines_divide_the_surface_evenly)
 {
     const double points[] = {0, 0, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0};
     batten_model *model = scene_of(scene_net(1, 2, 1, 2, points));
-    batten_picture_options options = small(BATTEN_SHADING_ISOLINES);
+    batten_draw_options options = small(BATTEN_SHADING_ISOLINES);
     options.width = 600;
     options.height = 400;
     options.view = BATTEN_VIEW_TOP;
@@ -246,7 +246,7 @@ TEST(the_bytes_do_not_depend_on_threads)
 {
     batten_model *model = scene_of(scene_torus(3, 1));
     for (int shading = BATTEN_SHADING_PLAIN; shading <= BATTEN_SHADING_GAUSSIAN; shading++) {
-        const batten_picture_options options = small(shading);
+        const batten_draw_options options = small(shading);
         char *first = NULL;
         size_t first_size = 0;
         CHECK_OK(batten_draw_shaded(model, &options, NULL, &first, &first_size));
@@ -295,7 +295,7 @@ static void keep_last(void *user, double fraction, const char *what)
 TEST(I8_a_cancelled_picture_leaves_nothing)
 {
     batten_model *model = scene_of(scene_sphere(1));
-    const batten_picture_options options = small(BATTEN_SHADING_PLAIN);
+    const batten_draw_options options = small(BATTEN_SHADING_PLAIN);
     int asked = 0;
     batten_job job = BATTEN_JOB;
     job.is_cancelled = after_three;
@@ -311,8 +311,8 @@ TEST(I8_a_cancelled_picture_leaves_nothing)
 TEST(what_cannot_be_shaded_is_refused)
 {
     batten_model *empty = scene_empty(), *model = scene_of(scene_sphere(1));
-    const batten_picture_options usual = small(BATTEN_SHADING_PLAIN);
-    batten_picture_options rows[] = {usual, usual, usual, usual, usual, usual, usual};
+    const batten_draw_options usual = small(BATTEN_SHADING_PLAIN);
+    batten_draw_options rows[] = {usual, usual, usual, usual, usual, usual, usual};
     rows[1].format = BATTEN_PICTURE_SVG;
     rows[2].width = 0;
     rows[3].height = 100000;
@@ -336,7 +336,7 @@ TEST(what_cannot_be_shaded_is_refused)
 TEST(a_very_small_and_an_uneven_picture_are_made)
 {
     batten_model *model = scene_of(scene_sphere(1));
-    batten_picture_options options = small(BATTEN_SHADING_GAUSSIAN);
+    batten_draw_options options = small(BATTEN_SHADING_GAUSSIAN);
     options.width = 64;
     options.height = 64;
     scene_image image = image_of(model, options);
@@ -351,7 +351,7 @@ TEST(the_mean_curvature_of_a_thick_torus_changes_its_sign)
 {
     /* n outwards: H = -(R + 2 r cos v) / (2 r (R + r cos v)), 0.5 inside and -0.7 outside */
     batten_model *model = scene_of(scene_torus(1.5, 1));
-    batten_picture_options options = small(BATTEN_SHADING_MEAN);
+    batten_draw_options options = small(BATTEN_SHADING_MEAN);
     options.width = 600;
     options.height = 400;
     options.view = BATTEN_VIEW_TOP;

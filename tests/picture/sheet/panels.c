@@ -28,7 +28,7 @@ TEST(panels_have_their_titles_and_lines_on_the_sheet)
     batten_model *low = wave(0.5), *high = wave(1);
     const char *const lines[] = {"energy", "length"};
     const batten_panel panels[] = {{"first", low, 2, lines}, {"second", high, 1, lines}};
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     char *data = NULL;
     size_t size = 0;
     options.format = BATTEN_PICTURE_PDF;
@@ -73,7 +73,7 @@ TEST(all_panels_have_the_same_scale)
     scene_add_curve(half, "half", part);
     batten_curve_unref(curve);
     const batten_panel panels[] = {{"", whole, 0, NULL}, {"", half, 0, NULL}};
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     char *data = NULL;
     size_t size = 0;
     options.width = 1000;
@@ -98,7 +98,7 @@ TEST(the_teeth_of_one_wild_curve_do_not_make_the_others_small)
                                    {"", low, 0, NULL},
                                    {"", low, 0, NULL},
                                    {"", wild, 0, NULL}};
-    batten_picture_options options = batten_picture_defaults();
+    batten_draw_options options = batten_draw_defaults();
     int width[2];
     options.comb = true;
     options.width = 1000;
@@ -120,7 +120,7 @@ TEST(panels_that_cannot_be_are_refused)
 {
     batten_model *model = wave(1), *empty = scene_empty();
     batten_panel panels[2] = {{"", model, 0, NULL}, {"", empty, 0, NULL}};
-    const batten_picture_options options = batten_picture_defaults();
+    const batten_draw_options options = batten_draw_defaults();
     char *data = NULL;
     size_t size = 0;
     CHECK_STATUS(batten_draw_panels(0, panels, &options, &data, &size), BATTEN_BAD_ARGUMENT);

@@ -16,12 +16,12 @@ TEST(biarcs_through_points_of_a_circle_are_the_circle)
     double points[12], parameters[6], at[2];
     circle(6, angles, 3, points);
     for (int closed = 0; closed < 2; closed++) {
-        batten_biarcs_options options = batten_biarcs_defaults();
-        batten_biarcs_report report;
+        batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
+        batten_chain_biarcs_report report;
         batten_chain *chain = NULL, *merged = NULL;
         options.closed = closed;
         CHECK_OK(batten_chain_biarcs(6, points, &options, parameters, &report, &chain));
-        CHECK(report.residual < 1e-14);
+        CHECK(report.error < 1e-14);
         CHECK_NEAR(report.least_radius, 3, 1e-13);
         CHECK_NEAR(report.largest_jump, 0, 1e-14);
         const batten_interval domain = batten_chain_domain(chain);
@@ -42,7 +42,7 @@ TEST(biarcs_through_points_of_a_circle_are_the_circle)
 TEST(biarcs_through_collinear_points_are_the_line)
 {
     const double points[] = {0, 0, 1, 0.5, 4, 2, 5, 2.5};
-    batten_biarcs_report report;
+    batten_chain_biarcs_report report;
     batten_chain *chain = NULL, *merged = NULL;
     CHECK_OK(batten_chain_biarcs(4, points, NULL, NULL, &report, &chain));
     CHECK_NEAR(1 / report.least_radius, 0, 1e-15);
@@ -56,7 +56,7 @@ TEST(biarcs_through_collinear_points_are_the_line)
 TEST(g2_biarcs_through_two_points_are_a_line)
 {
     const double points[] = {1, 1, 4, 5};
-    batten_biarcs_report report;
+    batten_chain_biarcs_report report;
     batten_chain *chain = NULL;
     CHECK_OK(batten_chain_biarcs(2, points, NULL, NULL, &report, &chain));
     CHECK_INT(report.lines, 1);
@@ -80,15 +80,15 @@ TEST(biarcs_through_points_are_smooth_with_every_joint)
             directions[2 * i] = cos(angle);
             directions[2 * i + 1] = sin(angle);
         }
-        batten_biarcs_options options = batten_biarcs_defaults();
+        batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
         options.joint = (batten_biarc_joint)(c % 6);
         options.place = 0.4;
         options.closed = c % 3 == 0;
         options.directions = c % 2 ? directions : NULL;
-        batten_biarcs_report report;
+        batten_chain_biarcs_report report;
         batten_chain *chain = NULL;
         CHECK_OK(batten_chain_biarcs(n, points, &options, parameters, &report, &chain));
-        CHECK(report.residual < 1e-9);
+        CHECK(report.error < 1e-9);
         const int count = batten_chain_span_count(chain);
         CHECK_INT(report.arcs + report.lines, count);
         for (int i = 1; i < count; i++) {
@@ -144,12 +144,12 @@ TEST(g1_coincident_points_are_named_by_biarcs)
     CHECK_STATUS(batten_chain_biarcs(4, back, NULL, NULL, NULL, &chain), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("point 1");
     CHECK_STATUS(batten_chain_biarcs(3, bad, NULL, NULL, NULL, &chain), BATTEN_NOT_FINITE);
-    batten_biarcs_options options = batten_biarcs_defaults();
+    batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
     options.directions = zero;
     CHECK_STATUS(batten_chain_biarcs(3, back, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("direction 1");
-    options = batten_biarcs_defaults();
+    options = batten_chain_biarcs_defaults();
     options.joint = BATTEN_JOINT_GIVEN;
     options.place = 2;
     CHECK_STATUS(batten_chain_biarcs(3, zero, &options, NULL, NULL, &chain),

@@ -101,7 +101,7 @@ TEST(biarcs_through_points_of_a_tilted_circle_are_the_circle)
         points[3 * i + 2] = 2 * 0.8 * sin(angles[i]);
     }
     for (int closed = 0; closed < 2; closed++) {
-        batten_biarcs_options options = batten_biarcs_defaults();
+        batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
         options.closed = closed;
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_biarcs(3, 6, points, &options, parameters, &curve));

@@ -58,11 +58,11 @@ TEST(data_of_one_conic_give_that_conic)
         for (int count = 2; count <= 4; count++) {
             conic(rows[i].hyperbola, rows[i].a, rows[i].b, count, rows[i].from, rows[i].to,
                   points, tangents, curvatures);
-            batten_conics_options options = batten_conics_defaults();
+            batten_curve_conics_options options = batten_curve_conics_defaults();
             options.tangents = tangents;
             options.curvatures = curvatures;
             batten_curve *curve = NULL;
-            batten_conics_report report;
+            batten_curve_conics_report report;
             CHECK_OK(batten_curve_conics(count, points, &options, NULL, &report, &curve));
             CHECK(off_conic(curve, rows[i].hyperbola, rows[i].a, rows[i].b) < 1e-12);
             CHECK(report.jump < 1e-11);
@@ -77,7 +77,7 @@ TEST(a_circle_has_its_shares)
 {
     const double f = 0.7, points[] = {cos(f), -sin(f), cos(f), sin(f)};
     const double tangents[] = {sin(f), cos(f), -sin(f), cos(f)}, curvatures[] = {1, 1};
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     options.tangents = tangents;
     options.curvatures = curvatures;
     for (int k = 0; k < 2; k++) {
@@ -101,7 +101,7 @@ TEST(a_pair_has_the_curvatures_that_were_asked_for)
 {
     const double points[] = {0, 0, 4, 0}, tangents[] = {1, 1.5, 1, -0.8};
     const double curvatures[] = {-0.7, -0.25};
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     options.tangents = tangents;
     options.curvatures = curvatures;
     for (int k = 0; k < 3; k++) {
@@ -128,7 +128,7 @@ TEST(parabolas_are_the_quadratic_spline_with_a_knot_in_the_middle)
     /* The tangents meet in (1, 2). */
     const double points[] = {0, 0, 3, 1}, tangents[] = {1, 2, 2, -1};
     const double control[] = {0, 0, 0.5, 1, 2, 1.5, 3, 1}, knots[] = {0, 0, 0, 0.5, 1, 1, 1};
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     options.kind = BATTEN_CONICS_PARABOLAS;
     options.tangents = tangents;
     batten_curve *curve = NULL, *spline = NULL;
@@ -167,7 +167,7 @@ TEST(smooth_curves_are_met_with_orders_five_and_four)
                 tangents[2 * i + 1] = 0.4 * sin(t) + cos(t);
                 curvatures[i] = 1 / e / sqrt(1.16);
             }
-            batten_conics_options options = batten_conics_defaults();
+            batten_curve_conics_options options = batten_curve_conics_defaults();
             options.kind = kind == 0 ? BATTEN_CONICS_PAIRS : BATTEN_CONICS_SINGLE;
             options.tangents = tangents;
             options.curvatures = curvatures;
@@ -195,11 +195,11 @@ TEST(a_span_that_bends_to_both_sides_is_cut_on_its_chord)
     const double points[] = {0, 0, 2, 0}, tangents[] = {1, 0.6, 1, 0.3};
     const double curvatures[] = {-1, 0.8};
     for (int kind = 0; kind < 3; kind++) {
-        batten_conics_options options = batten_conics_defaults();
+        batten_curve_conics_options options = batten_curve_conics_defaults();
         options.kind = (batten_conics_kind)kind;
         options.tangents = tangents;
         options.curvatures = curvatures;
-        batten_conics_report report;
+        batten_curve_conics_report report;
         batten_curve *curve = NULL;
         double u[3], before[4], after[4];
         CHECK_OK(batten_curve_conics(2, points, &options, NULL, &report, &curve));
@@ -232,9 +232,9 @@ TEST(g2_points_of_a_circle_give_the_circle_and_of_a_line_the_line)
         line[2 * i + 1] = 1 + 0.3 * i * i;
     }
     for (int kind = 0; kind < 3; kind++) {
-        batten_conics_options options = batten_conics_defaults();
+        batten_curve_conics_options options = batten_curve_conics_defaults();
         batten_curve *curve = NULL;
-        batten_conics_report report;
+        batten_curve_conics_report report;
         double parameters[8];
         options.kind = (batten_conics_kind)kind;
         options.closed = true;
@@ -268,8 +268,8 @@ TEST(tangents_that_do_not_meet_get_arcs)
     const double points[] = {0, 0, 2, 0};
     static const double tangents[][4] = {{-1, 0.3, -1, -0.3}, {1, 0, 1, 1}, {0, 1, 0, -1}};
     for (int i = 0; i < COUNT(tangents); i++) {
-        batten_conics_options options = batten_conics_defaults();
-        batten_conics_report report;
+        batten_curve_conics_options options = batten_curve_conics_defaults();
+        batten_curve_conics_report report;
         batten_curve *curve = NULL;
         options.tangents = tangents[i];
         options.kind = BATTEN_CONICS_SINGLE;
@@ -293,8 +293,8 @@ TEST(curvatures_against_the_tangents_are_left_out_and_named)
 {
     const double points[] = {0, 0, 1, 0.6, 2, 0.7, 3, 0.2};
     const double curvatures[] = {-1, 0.5, -1, -1};
-    batten_conics_options options = batten_conics_defaults();
-    batten_conics_report report;
+    batten_curve_conics_options options = batten_curve_conics_defaults();
+    batten_curve_conics_report report;
     batten_curve *curve = NULL;
     options.curvatures = curvatures;
     CHECK_OK(batten_curve_conics(4, points, &options, NULL, &report, &curve));
@@ -317,7 +317,7 @@ TEST(g10_conics_follow_their_points)
         back[2 * i + 1] = points[9 - 2 * i];
     }
     for (int kind = 0; kind < 3; kind++) {
-        batten_conics_options options = batten_conics_defaults();
+        batten_curve_conics_options options = batten_curve_conics_defaults();
         batten_curve *curve = NULL, *mirrored = NULL, *reversed = NULL;
         options.kind = (batten_conics_kind)kind;
         CHECK_OK(batten_curve_conics(5, points, &options, NULL, NULL, &curve));
@@ -348,7 +348,7 @@ TEST(n1_g1_bad_data_of_conics_are_refused)
     double points[] = {0, 0, 1, 1, 2, 0};
     double tangents[] = {1, 1, 1, 0, 1, -1}, curvatures[] = {1, 1, NAN};
     batten_curve *curve = NULL;
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     CHECK_STATUS(batten_curve_conics(1, points, NULL, NULL, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
     options.closed = true;
@@ -390,7 +390,7 @@ TEST(n2_conics_of_any_size_are_the_same)
         const double z = sizes[i],
                      points[] = {0, 0, z, 0.6 * z, 2 * z, 0.2 * z, 3 * z, 0.3 * z};
         batten_curve *curve = NULL;
-        batten_conics_report report;
+        batten_curve_conics_report report;
         CHECK_OK(batten_curve_conics(4, points, NULL, NULL, &report, &curve));
         CHECK_INT(report.inflections, 1);
         CHECK_INT(report.arcs + report.fallen_back, 0);

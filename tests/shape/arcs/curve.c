@@ -31,8 +31,8 @@ static void check_chain(const batten_curve *curve, const batten_chain *chain,
     const double *breaks = batten_chain_breaks(chain);
     CHECK(batten_chain_is_arcs(chain));
     CHECK_INT(total(report), n);
-    CHECK(report->deviation <= tolerance * (1 + 1e-9) + 1e-13);
-    CHECK(report->sampled <= report->deviation * (1 + 1e-9) + 1e-13);
+    CHECK(report->error <= tolerance * (1 + 1e-9) + 1e-13);
+    CHECK(report->sampled <= report->error * (1 + 1e-9) + 1e-13);
     double points[8 * 2];
     for (int i = 0; i < n; i++) {
         for (int k = 0; k < 8; k++)
@@ -41,7 +41,7 @@ static void check_chain(const batten_curve *curve, const batten_chain *chain,
                 points + 2 * k));
         batten_deviation off;
         CHECK_OK(batten_curve_deviation(curve, 8, points, NULL, NULL, NULL, &off));
-        CHECK(off.max <= report->deviation * (1 + 1e-6) + 1e-9 * tolerance + 1e-13);
+        CHECK(off.max <= report->error * (1 + 1e-6) + 1e-9 * tolerance + 1e-13);
     }
 }
 
@@ -60,11 +60,11 @@ TEST(a_circle_is_one_arc_and_a_closed_one_two)
             batten_chain *chain = NULL;
             batten_arcs_report report;
             const batten_arcs_options options = within(1e-6, (batten_arcs_join)joined);
-            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
             CHECK_INT(report.arcs, i == 8 ? 2 : 1);
             CHECK_INT(report.lines, 0);
             CHECK_NEAR(report.least_radius, 3, 1e-12);
-            CHECK_NEAR(report.deviation, 0, 1e-13);
+            CHECK_NEAR(report.error, 0, 1e-13);
             CHECK_NEAR(batten_chain_domain(chain).b, 3 * i * pi / 4, 1e-11);
             CHECK(batten_chain_is_closed(chain) == (i == 8));
             batten_chain_unref(chain);
@@ -82,7 +82,7 @@ TEST(g2_a_line_is_one_line)
         batten_arcs_report report;
         const batten_arcs_options options = within(1e-6, (batten_arcs_join)joined);
         CHECK_OK(batten_curve_create(2, 3, 5, points, NULL, knots, &curve));
-        CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+        CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
         CHECK_INT(report.lines, 1);
         CHECK_INT(report.arcs, 0);
         CHECK(isinf(report.least_radius));
@@ -129,7 +129,7 @@ TEST(an_ellipse_needs_as_many_arcs_as_theory_says)
             batten_arcs_report report;
             batten_arcs_options options = within(tolerance, (batten_arcs_join)joined);
             options.spread = joined != BATTEN_ARCS_SMOOTH; /* it takes a second there */
-            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
             CHECK(total(&report) / theory <= above[joined][e - 2]);
             CHECK(total(&report) / theory >= 0.95);
             /* Smooth arcs may bend a little more than the curve. */
@@ -154,7 +154,7 @@ TEST(one_sided_arcs_stay_on_their_side)
             batten_arcs_report report;
             batten_arcs_options options = within(1e-3, (batten_arcs_join)joined);
             options.side = (batten_arcs_side)side;
-            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
             const bool left = side == BATTEN_ARCS_LEFT || side == BATTEN_ARCS_INSIDE;
             CHECK((left ? report.right : report.left) <= 1e-13);
             CHECK((left ? report.left : report.right) > 5e-4);
@@ -193,7 +193,7 @@ TEST(any_curve_is_followed_within_any_tolerance)
                 batten_arcs_report report;
                 batten_arcs_options options = within(pow(10, -e), (batten_arcs_join)joined);
                 options.side = (batten_arcs_side)side;
-                CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+                CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
                 check_chain(curve, chain, &report, options.tolerance);
                 double at[2], end[2];
                 CHECK_OK(batten_chain_evaluate(chain, batten_chain_domain(chain).b, 0, at));
@@ -212,16 +212,16 @@ TEST(spreading_lowers_the_deviation_and_keeps_the_number)
     batten_arcs_report greedy, spread;
     batten_chain *chain = NULL;
     options.spread = false;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &greedy, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &greedy, &chain));
     batten_chain_unref(chain);
     options.spread = true;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &spread, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &spread, &chain));
     batten_chain_unref(chain);
     CHECK(total(&spread) <= total(&greedy));
-    CHECK(spread.deviation <= greedy.deviation);
+    CHECK(spread.error <= greedy.error);
     /* One arc less would not do within the spread deviation or a little more. */
-    options.tolerance = spread.deviation * 0.97;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &greedy, &chain));
+    options.tolerance = spread.error * 0.97;
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &greedy, &chain));
     CHECK(total(&greedy) > total(&spread));
     batten_chain_unref(chain);
     batten_curve_unref(curve);
@@ -242,7 +242,7 @@ TEST(few_arcs_close_smoothly_around_an_ellipse)
             batten_arcs_report report;
             batten_arcs_options options = within(rows[i].tolerance, BATTEN_ARCS_SMOOTH);
             options.spread = false;
-            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
             CHECK(batten_chain_is_closed(chain));
             CHECK(total(&report) >= rows[i].arcs && total(&report) <= rows[i].arcs + 1);
             CHECK_NEAR(report.largest_turn, 0, 1e-13);
@@ -262,7 +262,7 @@ TEST(smooth_arcs_bend_as_the_curve_does)
             batten_curve *curve = ellipse(2, 1, 0.7 * k, k == 3 ? 4 : 2 * pi);
             batten_chain *chain = NULL;
             const batten_arcs_options options = within(tolerances[i], BATTEN_ARCS_SMOOTH);
-            CHECK_OK(batten_arcs_of_curve(curve, &options, NULL, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, NULL, &chain));
             for (int a = 0; a < batten_chain_span_count(chain); a++) {
                 const double curvature = batten_chain_span(chain, a)->curvature[0];
                 CHECK(curvature >= 0 && curvature <= 3);
@@ -294,10 +294,10 @@ TEST(lines_and_arcs_stay_what_they_are)
             batten_arcs_report report;
             batten_arcs_options options = within(0.3, (batten_arcs_join)joined);
             options.side = (batten_arcs_side)side;
-            CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+            CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
             CHECK_INT(report.arcs, 4);
             CHECK_INT(report.lines, 4);
-            CHECK_NEAR(report.deviation, 0, 1e-13);
+            CHECK_NEAR(report.error, 0, 1e-13);
             CHECK_NEAR(report.least_radius, 0.5, 1e-13);
             CHECK(batten_chain_is_closed(chain));
             check_chain(curve, chain, &report, 1e-12);
@@ -327,7 +327,7 @@ TEST(a_run_that_is_no_arc_is_followed_and_its_neighbours_stay)
     batten_chain *chain = NULL;
     batten_arcs_report report;
     const batten_arcs_options options = within(0.01, BATTEN_ARCS_SMOOTH);
-    CHECK_OK(batten_arcs_of_curve(whole, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_curve(whole, &options, &report, &chain));
     CHECK_INT(report.lines, 3);
     CHECK(report.arcs >= 3);
     CHECK_NEAR(batten_chain_span(chain, 0)->length, 6, 1e-12);
@@ -348,10 +348,11 @@ TEST(an_arc_below_the_least_radius_is_not_kept)
     batten_chain *chain = NULL;
     batten_arcs_options options = within(0.01, BATTEN_ARCS_PLAIN);
     options.least_radius = 0.5;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, NULL, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, NULL, &chain));
     batten_chain_unref(chain);
     options.least_radius = 1;
-    CHECK_STATUS(batten_arcs_of_curve(curve, &options, NULL, &chain), BATTEN_TOLERANCE_NOT_MET);
+    CHECK_STATUS(batten_arcs_from_curve(curve, &options, NULL, &chain),
+                 BATTEN_TOLERANCE_NOT_MET);
     batten_curve_unref(curve);
 }
 
@@ -366,20 +367,20 @@ TEST(corners_stay_and_cusps_are_corners)
     batten_arcs_report report;
     batten_arcs_options options = within(1e-4, BATTEN_ARCS_SMOOTH);
     CHECK_OK(batten_curve_create(2, 1, 5, square, NULL, steps, &curve));
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK_INT(report.lines, 4);
     CHECK_NEAR(report.largest_turn, pi / 2, 1e-14);
     CHECK(batten_chain_is_closed(chain));
     batten_chain_unref(chain);
     batten_curve_unref(curve);
     CHECK_OK(batten_curve_create(2, 3, 4, cusp, NULL, knots, &curve));
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK(report.largest_turn > 3);
     check_chain(curve, chain, &report, 1e-4);
     batten_chain_unref(chain);
     /* Biarcs leave a corner in the direction of the curve. */
     options.joined = BATTEN_ARCS_BIARCS;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK_NEAR(report.largest_turn, pi, 1e-6);
     check_chain(curve, chain, &report, 1e-4);
     batten_chain_unref(chain);
@@ -394,7 +395,7 @@ TEST(chains_are_followed_as_curves_are)
     batten_arcs_report report;
     const batten_arcs_options options = within(1e-5, BATTEN_ARCS_PLAIN);
     CHECK_OK(batten_chain_create(2, 1, &spiral, NULL, false, 1e-9, &clothoid));
-    CHECK_OK(batten_arcs_of_chain(clothoid, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_chain(clothoid, &options, &report, &chain));
     /* k' = 1: the length by that of one arc. */
     const double theory = 2 / cbrt(72 * sqrt(3) * 1e-5);
     CHECK(total(&report) >= 0.95 * theory && total(&report) <= ceil(1.02 * theory));
@@ -412,17 +413,17 @@ TEST(radii_and_numbers_of_arcs_are_limits)
     batten_arcs_report report;
     batten_arcs_options options = within(1e-3, BATTEN_ARCS_PLAIN);
     options.least_radius = 0.45;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
     CHECK(report.least_radius >= 0.45);
     batten_chain_unref(chain);
     chain = NULL;
     options.least_radius = 0.6;
-    CHECK_STATUS(batten_arcs_of_curve(curve, &options, &report, &chain),
+    CHECK_STATUS(batten_arcs_from_curve(curve, &options, &report, &chain),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("radius");
     options.least_radius = 0;
     options.most = 5;
-    CHECK_STATUS(batten_arcs_of_curve(curve, &options, &report, &chain),
+    CHECK_STATUS(batten_arcs_from_curve(curve, &options, &report, &chain),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("5 are allowed");
     CHECK(!chain);
@@ -437,10 +438,10 @@ TEST(g10_reversed_curves_need_as_many_arcs)
     CHECK_OK(batten_curve_reverse(curve, &back));
     batten_arcs_options options = within(1e-4, BATTEN_ARCS_PLAIN);
     options.side = BATTEN_ARCS_LEFT;
-    CHECK_OK(batten_arcs_of_curve(curve, &options, &there, &chain));
+    CHECK_OK(batten_arcs_from_curve(curve, &options, &there, &chain));
     batten_chain_unref(chain);
     options.side = BATTEN_ARCS_RIGHT;
-    CHECK_OK(batten_arcs_of_curve(back, &options, &reversed, &chain));
+    CHECK_OK(batten_arcs_from_curve(back, &options, &reversed, &chain));
     batten_chain_unref(chain);
     CHECK(abs(total(&there) - total(&reversed)) <= 1);
     CHECK(there.right <= 1e-13 && reversed.left <= 1e-13);
@@ -455,22 +456,23 @@ TEST(n6_tolerances_of_arcs_that_are_none_are_refused)
     static const double bad[] = {0, -1, NAN, INFINITY};
     for (int i = 0; i < COUNT(bad); i++) {
         batten_arcs_options options = within(bad[i], BATTEN_ARCS_SMOOTH);
-        CHECK_STATUS(batten_arcs_of_curve(curve, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
+        CHECK_STATUS(batten_arcs_from_curve(curve, &options, NULL, &chain),
+                     BATTEN_BAD_ARGUMENT);
     }
     batten_arcs_options options = within(1e-3, BATTEN_ARCS_SMOOTH);
     options.least_radius = NAN;
-    CHECK_STATUS(batten_arcs_of_curve(curve, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_arcs_from_curve(curve, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
     options = within(1e-3, BATTEN_ARCS_SMOOTH);
     options.side = BATTEN_ARCS_INSIDE;
-    CHECK_STATUS(batten_arcs_of_curve(curve, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_arcs_from_curve(curve, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("not closed");
     CHECK_OK(batten_curve_to_dimension(curve, 3, &solid));
-    CHECK_STATUS(batten_arcs_of_curve(solid, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_arcs_from_curve(solid, &options, NULL, &chain), BATTEN_BAD_ARGUMENT);
     const double zero[] = {1, 1, 1, 1};
     const double knots[] = {0, 0, 1, 1};
     CHECK_OK(batten_curve_create(2, 1, 2, zero, NULL, knots, &point));
     options.side = BATTEN_ARCS_EITHER;
-    CHECK_STATUS(batten_arcs_of_curve(point, &options, NULL, &chain), BATTEN_SINGULAR_HERE);
+    CHECK_STATUS(batten_arcs_from_curve(point, &options, NULL, &chain), BATTEN_SINGULAR_HERE);
     CHECK(!chain);
     batten_curve_unref(point);
     batten_curve_unref(solid);
@@ -486,7 +488,7 @@ TEST(n2_arcs_of_any_size_are_the_same_number)
         batten_chain *chain = NULL;
         batten_arcs_report report;
         const batten_arcs_options options = within(1e-3 * sizes[i], BATTEN_ARCS_PLAIN);
-        CHECK_OK(batten_arcs_of_curve(curve, &options, &report, &chain));
+        CHECK_OK(batten_arcs_from_curve(curve, &options, &report, &chain));
         if (i == 0)
             usual = total(&report);
         CHECK_INT(total(&report), usual);

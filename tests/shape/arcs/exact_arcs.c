@@ -6,7 +6,7 @@
 static batten_chain *exact(const batten_curve *curve)
 {
     batten_chain *chain = NULL;
-    CHECK_OK(batten_arcs_exact(curve, &chain));
+    CHECK_OK(batten_arcs_from_curve_exact(curve, &chain));
     return chain;
 }
 

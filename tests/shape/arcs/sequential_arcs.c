@@ -32,7 +32,7 @@ TEST(arcs_one_after_another_pass_their_points)
         for (int count = 2; count <= 6; count++) {
             double angles[6], parameters[6];
             batten_chain *chain = NULL;
-            batten_sequential_report report;
+            batten_chain_sequential_arcs_report report;
             CHECK_OK(batten_chain_sequential_arcs(count, ducks, starts[i], angles, parameters,
                                                   &report, &chain));
             check_arcs(chain, count, ducks, angles, parameters);
@@ -47,7 +47,7 @@ TEST(a_turn_at_the_start_goes_on_undamped)
 {
     double angles[6], turned[6];
     batten_chain *chain = NULL;
-    batten_sequential_report report;
+    batten_chain_sequential_arcs_report report;
     const double turn = 1e-6;
     CHECK_OK(batten_chain_sequential_arcs(6, ducks, 0.5, angles, NULL, &report, &chain));
     double curvatures[5], most = 0;
@@ -83,7 +83,7 @@ TEST(no_other_start_without_loops_has_smaller_jumps)
         const double *points = row ? flat : ducks;
         const int count = row ? 4 : 6;
         batten_chain *best = NULL;
-        batten_sequential_report report;
+        batten_chain_sequential_arcs_report report;
         CHECK_OK(batten_chain_sequential_arcs(count, points, NAN, NULL, NULL, &report, &best));
         CHECK_INT(report.long_arcs, 0);
         const double least = sum_of_jumps(best);
@@ -105,7 +105,7 @@ TEST(g2_points_of_a_circle_give_it_and_points_of_a_line_the_line)
     static const double at[] = {0, 0.3, 1.1, 1.4, 2.6, 3.9, 4.4};
     double ring[14], line[14], angles[7], parameters[7];
     batten_chain *chain = NULL;
-    batten_sequential_report report;
+    batten_chain_sequential_arcs_report report;
     for (int i = 0; i < 7; i++) {
         ring[2 * i] = 2 * cos(at[i]);
         ring[2 * i + 1] = 2 * sin(at[i]);

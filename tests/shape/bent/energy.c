@@ -5,8 +5,8 @@
 static const double pi = 3.14159265358979323846;
 
 static batten_curve *find(int d, int count, const double *points,
-                          const batten_energy_options *options, double *parameters,
-                          batten_energy_report *report)
+                          const batten_curve_minimum_energy_options *options,
+                          double *parameters, batten_curve_minimum_energy_report *report)
 {
     batten_curve *curve = NULL;
     CHECK_OK(
@@ -14,9 +14,9 @@ static batten_curve *find(int d, int count, const double *points,
     return curve;
 }
 
-static batten_energy_options of(batten_energy energy, bool scale_invariant)
+static batten_curve_minimum_energy_options of(batten_energy energy, bool scale_invariant)
 {
-    batten_energy_options options = batten_energy_defaults();
+    batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
     options.energy = energy;
     options.scale_invariant = scale_invariant;
     return options;
@@ -41,8 +41,8 @@ TEST(least_bending_through_three_points_comes_down_to_the_elastica)
     /* The exact least is that of the mechanical spline; quintics approach it from above. */
     const double excess[] = {2e-7, 2e-9, 1e-10};
     for (int i = 0; i < 3; i++) {
-        batten_energy_options options = of(BATTEN_ENERGY_BENDING, false);
-        batten_energy_report report;
+        batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+        batten_curve_minimum_energy_report report;
         options.pieces = 1 << i;
         batten_curve_unref(find(2, 3, arch, &options, NULL, &report));
         CHECK(report.after > 1.284473086 && report.after < 1.284473087 + excess[i]);
@@ -60,7 +60,7 @@ TEST(points_of_a_circle_give_the_circle_of_least_variation)
         points[2 * i] = 3 + 2 * cos(at[i]);
         points[2 * i + 1] = 1 + 2 * sin(at[i]);
     }
-    batten_energy_report report;
+    batten_curve_minimum_energy_report report;
     batten_curve *curve = find(2, 5, points, NULL, u, &report);
     /* What is left is how far quintics are from arcs. */
     CHECK(report.after < 1e-10);
@@ -76,7 +76,7 @@ TEST(g2_three_points_give_the_arc_of_least_variation_in_space_too)
 {
     const double points[] = {1, 0, 0, 0, 0.6, 0.8, -0.6, 0.48, 0.64};
     double u[3], p[3];
-    batten_energy_report report;
+    batten_curve_minimum_energy_report report;
     batten_curve *curve = find(3, 3, points, NULL, u, &report);
     CHECK(report.after < 1e-4 * report.before);
     for (int i = 0; i <= 100; i++) {
@@ -90,8 +90,8 @@ TEST(g2_three_points_give_the_arc_of_least_variation_in_space_too)
 TEST(the_closed_curve_through_a_square_of_least_bending_by_length_is_the_circle)
 {
     const double square[] = {3, 0, 0, 3, -3, 0, 0, -3};
-    batten_energy_options options = of(BATTEN_ENERGY_BENDING, true);
-    batten_energy_report report;
+    batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, true);
+    batten_curve_minimum_energy_report report;
     options.closed = true;
     batten_curve *curve = find(2, 4, square, &options, NULL, &report);
     CHECK_NEAR(report.after, 4 * pi * pi, 1e-8);
@@ -117,7 +117,7 @@ TEST(a_helix_of_least_variation_stays_near_the_helix)
         points[3 * i + 1] = sin(0.7 * i);
         points[3 * i + 2] = 0.3 * i;
     }
-    batten_energy_report report;
+    batten_curve_minimum_energy_report report;
     batten_curve *curve = find(3, 10, points, NULL, u, &report);
     /* k torsion of the helix with radius 1 and slope c = 0.3 / 0.7; the ends are free. */
     const double c = 0.3 / 0.7, w = 1 + c * c, density = (1 / w) * (c / w);
@@ -135,8 +135,8 @@ TEST(the_curve_of_least_variation_is_near_spiro_and_no_worse)
     double points[24], u[12];
     wave(2, 12, points);
     for (int closed = 0; closed < 2; closed++) {
-        batten_energy_options options = of(BATTEN_ENERGY_VARIATION, false);
-        batten_spiro_options spiro = batten_spiro_defaults();
+        batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_VARIATION, false);
+        batten_chain_spiro_options spiro = batten_chain_spiro_defaults();
         options.pieces = 4;
         options.closed = spiro.closed = closed;
         if (closed)
@@ -144,8 +144,8 @@ TEST(the_curve_of_least_variation_is_near_spiro_and_no_worse)
                 points[2 * i] = (2 + 0.2 * sin(2.0 * i)) * cos(pi * i / 6);
                 points[2 * i + 1] = (2 + 0.2 * sin(2.0 * i)) * sin(pi * i / 6);
             }
-        batten_energy_report report;
-        batten_spiro_report beside;
+        batten_curve_minimum_energy_report report;
+        batten_chain_spiro_report beside;
         batten_chain *chain = NULL;
         CHECK_OK(batten_chain_spiro(12, points, &spiro, NULL, &beside, &chain));
         batten_chain_unref(chain);
@@ -162,9 +162,9 @@ TEST(the_parameter_of_a_curve_of_least_energy_is_all_but_its_arc_length)
     double points[36], u[12], at[6];
     for (int c = 0; c < 4; c++) {
         const int d = 2 + c % 2;
-        const batten_energy_options options = of((batten_energy)(c / 2), false);
+        const batten_curve_minimum_energy_options options = of((batten_energy)(c / 2), false);
         wave(d, 12, points);
-        batten_energy_report report;
+        batten_curve_minimum_energy_report report;
         batten_curve *curve = find(d, 12, points, &options, u, &report);
         CHECK_NEAR(u[11] / report.length, 1, 1e-4);
         for (int i = 0; i <= 100; i++) {
@@ -180,9 +180,10 @@ TEST(curves_of_least_energy_pass_the_points_and_are_smooth)
     double points[36], u[12];
     for (int c = 0; c < 8; c++) {
         const int d = 2 + c % 2;
-        const batten_energy_options options = of((batten_energy)(c / 2 % 2), c / 4);
+        const batten_curve_minimum_energy_options options =
+            of((batten_energy)(c / 2 % 2), c / 4);
         wave(d, 12, points);
-        batten_energy_report report;
+        batten_curve_minimum_energy_report report;
         batten_curve *curve = find(d, 12, points, &options, u, &report);
         CHECK(report.after < report.before);
         for (int i = 0; i < 12; i++) {
@@ -201,8 +202,8 @@ TEST(g10_least_energy_follows_reversal_and_scale)
     double points[16], changed[16];
     wave(2, 8, points);
     for (int c = 0; c < 4; c++) {
-        const batten_energy_options options = of((batten_energy)(c % 2), c / 2);
-        batten_energy_report report, other;
+        const batten_curve_minimum_energy_options options = of((batten_energy)(c % 2), c / 2);
+        batten_curve_minimum_energy_report report, other;
         batten_curve_unref(find(2, 8, points, &options, NULL, &report));
         for (int i = 0; i < 8; i++)
             for (int k = 0; k < 2; k++)
@@ -221,8 +222,8 @@ TEST(tension_makes_a_curve_of_least_bending_shorter)
 {
     double before = HUGE_VAL;
     for (double tension = 0; tension < 300; tension = 3 * tension + 1) {
-        batten_energy_options options = of(BATTEN_ENERGY_BENDING, false);
-        batten_energy_report report;
+        batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+        batten_curve_minimum_energy_report report;
         options.tension = tension;
         batten_curve_unref(find(2, 3, arch, &options, NULL, &report));
         CHECK(report.length < before);
@@ -237,7 +238,7 @@ TEST(curves_of_least_energy_have_the_tangents_and_curvatures_given)
     double points[15], u[5], at[9];
     wave(3, 5, points);
     for (int energy = 0; energy < 2; energy++) {
-        batten_energy_options options = of((batten_energy)energy, false);
+        batten_curve_minimum_energy_options options = of((batten_energy)energy, false);
         options.start_tangent = tangent;
         options.start_curvature = curvature;
         options.end_tangent = flat;
@@ -263,8 +264,8 @@ TEST(g2_points_on_a_line_give_the_line_of_least_energy)
 {
     const double pair[] = {1, 2, 4, 6}, row[] = {0, 0, 1, 2, 3, 6, 3.5, 7};
     for (int energy = 0; energy < 2; energy++) {
-        const batten_energy_options options = of((batten_energy)energy, false);
-        batten_energy_report report;
+        const batten_curve_minimum_energy_options options = of((batten_energy)energy, false);
+        batten_curve_minimum_energy_report report;
         double u[4], p[2];
         batten_curve *curve = find(2, 2, pair, &options, u, &report);
         CHECK_NEAR(report.length, 5, 1e-14);
@@ -297,7 +298,7 @@ TEST(n1_options_of_least_energy_that_are_not_allowed_are_refused)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_minimum_energy(2, 3, bad, NULL, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    batten_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+    batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
     options.tension = -1;
     CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
@@ -330,8 +331,8 @@ TEST(n2_tiny_and_huge_points_have_their_curve_of_least_energy)
         double points[6];
         for (int i = 0; i < 6; i++)
             points[i] = size * arch[i];
-        const batten_energy_options options = of(BATTEN_ENERGY_BENDING, false);
-        batten_energy_report report;
+        const batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+        batten_curve_minimum_energy_report report;
         batten_curve_unref(find(2, 3, points, &options, NULL, &report));
         CHECK_NEAR(report.after * size, 1.28447309, 3e-8);
     }
@@ -339,7 +340,7 @@ TEST(n2_tiny_and_huge_points_have_their_curve_of_least_energy)
 
 TEST(g9_a_search_that_ends_too_early_says_so)
 {
-    batten_energy_options options = of(BATTEN_ENERGY_BENDING, false);
+    batten_curve_minimum_energy_options options = of(BATTEN_ENERGY_BENDING, false);
     batten_curve *curve = NULL;
     options.max_steps = 2;
     CHECK_STATUS(batten_curve_minimum_energy(2, 3, arch, &options, NULL, NULL, &curve),

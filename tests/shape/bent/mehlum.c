@@ -22,9 +22,9 @@ TEST(mehlum_arcs_pass_the_points_with_the_directions_of_the_elastica)
         for (int arcs = 2; arcs <= 9; arcs++) {
             static const double ring[] = {2, 0, 0.3, 1.4, -1.8, 0.6, -1, -1.2, 0.7, -1.5};
             const double *points = closed ? ring : ducks;
-            batten_mehlum_options options = batten_mehlum_defaults();
-            batten_nonlinear_options elastica = batten_nonlinear_defaults();
-            batten_mehlum_report report;
+            batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+            batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
+            batten_chain_mehlum_report report;
             batten_chain *chain = NULL, *beam = NULL;
             double angles[5], beams[5], parameters[5];
             options.arcs = arcs;
@@ -65,8 +65,8 @@ TEST(mehlum_arcs_come_near_with_order_three_and_their_energy_with_order_two)
 {
     double off[4], missed[4];
     for (int r = 0; r < 4; r++) {
-        batten_mehlum_options options = batten_mehlum_defaults();
-        batten_mehlum_report report;
+        batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+        batten_chain_mehlum_report report;
         batten_chain *chain = NULL;
         double angles[3];
         options.arcs = 4 << r;
@@ -74,7 +74,7 @@ TEST(mehlum_arcs_come_near_with_order_three_and_their_energy_with_order_two)
         CHECK_NEAR(angles[0], 0.8000326, 1e-7);
         CHECK_NEAR(angles[1], 0.0262808, 1e-7);
         CHECK_NEAR(angles[2], -0.7108030, 1e-7);
-        off[r] = report.deviation;
+        off[r] = report.error;
         missed[r] = fabs(energy(chain) - 1.28447309);
         batten_chain_unref(chain);
     }
@@ -89,7 +89,7 @@ TEST(mehlum_arcs_come_near_with_order_three_and_their_energy_with_order_two)
 TEST(mehlum_arcs_make_the_least_arch)
 {
     static const double gap[] = {0, 0, 2, 0};
-    batten_mehlum_options options = batten_mehlum_defaults();
+    batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
     batten_chain *chain = NULL;
     options.start = options.end = BATTEN_NONLINEAR_TANGENT;
     options.start_value = pi / 2;
@@ -105,16 +105,16 @@ TEST(mehlum_arcs_keep_a_tolerance)
 {
     int before = 0;
     for (int e = 2; e <= 6; e++) {
-        batten_mehlum_options options = batten_mehlum_defaults();
-        batten_nonlinear_options elastica = batten_nonlinear_defaults();
-        batten_mehlum_report report;
+        batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+        batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
+        batten_chain_mehlum_report report;
         batten_chain *chain = NULL, *beam = NULL;
         options.arcs = 2;
         options.tolerance = pow(10, -e);
         elastica.family = BATTEN_FAMILY_ELASTICA;
         CHECK_OK(batten_chain_mehlum(5, ducks, &options, NULL, NULL, &report, &chain));
         CHECK_OK(batten_chain_nonlinear(5, ducks, &elastica, NULL, NULL, NULL, &beam));
-        CHECK(report.deviation <= options.tolerance);
+        CHECK(report.error <= options.tolerance);
         CHECK(report.arcs > before);
         before = report.arcs;
         const double end = batten_chain_domain(chain).b, far = batten_chain_domain(beam).b;
@@ -130,7 +130,7 @@ TEST(mehlum_arcs_keep_a_tolerance)
                 s += (at[0] - on[0]) * on[2] + (at[1] - on[1]) * on[3];
                 s = fmin(fmax(s, 0), far);
             }
-            CHECK(near <= report.deviation * 1.05 + 1e-12);
+            CHECK(near <= report.error * 1.05 + 1e-12);
         }
         batten_chain_unref(chain);
         batten_chain_unref(beam);
@@ -141,12 +141,12 @@ TEST(mehlum_arcs_keep_a_tolerance)
  */
 TEST(n6_mehlum_reaches_a_tolerance_near_rounding)
 {
-    batten_mehlum_options options = batten_mehlum_defaults();
-    batten_mehlum_report report;
+    batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+    batten_chain_mehlum_report report;
     batten_chain *chain = NULL;
     options.tolerance = 1e-12;
     CHECK_OK(batten_chain_mehlum(5, ducks, &options, NULL, NULL, &report, &chain));
-    CHECK(report.deviation <= 1e-12);
+    CHECK(report.error <= 1e-12);
     batten_chain_unref(chain);
 }
 
@@ -158,16 +158,16 @@ TEST(g2_mehlum_of_a_line_is_the_line_and_of_a_circle_no_circle)
         ring[2 * i] = cos(i * 0.2 + 0.1 * i * i);
         ring[2 * i + 1] = sin(i * 0.2 + 0.1 * i * i);
     }
-    batten_mehlum_report report;
+    batten_chain_mehlum_report report;
     batten_chain *chain = NULL;
     CHECK_OK(batten_chain_mehlum(4, line, NULL, NULL, NULL, &report, &chain));
-    CHECK_NEAR(report.deviation, 0, 1e-14);
+    CHECK_NEAR(report.error, 0, 1e-14);
     CHECK_NEAR(batten_chain_domain(chain).b, hypot(5, 2.5), 1e-13);
     batten_chain_unref(chain);
     CHECK_OK(batten_chain_mehlum(2, line, NULL, NULL, NULL, &report, &chain));
     CHECK_NEAR(report.jump, 0, 1e-13);
     batten_chain_unref(chain);
-    batten_mehlum_options options = batten_mehlum_defaults();
+    batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
     CHECK_OK(batten_chain_mehlum(6, ring, &options, NULL, NULL, &report, &chain));
     CHECK(report.jump > 1e-4);
@@ -178,7 +178,7 @@ TEST(n1_g1_n6_bad_data_of_mehlum_are_refused)
 {
     double points[] = {0, 0, 1, 1, 2, 0};
     batten_chain *chain = NULL;
-    batten_mehlum_options options = batten_mehlum_defaults();
+    batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
     CHECK_STATUS(batten_chain_mehlum(1, points, NULL, NULL, NULL, NULL, &chain),
                  BATTEN_TOO_FEW_POINTS);
     options.arcs = 1;

@@ -21,7 +21,7 @@ static const kind kinds[] = {
 static batten_chain *through(batten_span_family family, int count, const double *points,
                              bool closed, double *angles)
 {
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = family;
     options.closed = closed;
     batten_chain *chain = NULL;
@@ -129,7 +129,7 @@ TEST(points_of_a_circle_do_not_give_a_circle_of_the_mechanical_spline)
 TEST(g9_points_without_a_mechanical_spline_name_the_span_and_what_to_use)
 {
     const double points[] = {0, 0, 1, 0, 0.2, 0.3, 1.2, 0.3, 0.3, 0.6};
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = BATTEN_FAMILY_ELASTICA;
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_nonlinear(5, points, &options, NULL, NULL, NULL, &chain),
@@ -146,13 +146,13 @@ TEST(nonlinear_splines_pass_the_points_and_curvature_is_continuous)
     double points[2 * 12];
     wave(12, points);
     for (int n = 0; n < COUNT(kinds); n++) {
-        batten_nonlinear_options options = batten_nonlinear_defaults();
+        batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
         options.family = kinds[n].family;
         double angles[12], at[12];
-        batten_nonlinear_report report;
+        batten_chain_nonlinear_report report;
         batten_chain *chain = NULL;
         CHECK_OK(batten_chain_nonlinear(12, points, &options, angles, at, &report, &chain));
-        CHECK(report.residual <= 1e-12 * report.curvature);
+        CHECK(report.error <= 1e-12 * report.curvature);
         CHECK(report.steps <= (kinds[n].family == BATTEN_FAMILY_LOCAL_TENSION ? 20 : 6));
         for (int i = 0; i < 12; i++) {
             double left[6], right[6];
@@ -292,7 +292,7 @@ static batten_chain *half_circle(batten_span_family family, int count, double *a
         points[2 * i] = cos(pi * i / (count - 1));
         points[2 * i + 1] = sin(pi * i / (count - 1));
     }
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = family;
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
     batten_chain *chain = NULL;
@@ -348,7 +348,7 @@ TEST(local_splines_without_tension_are_local_cubics)
     const double none[N] = {0};
     double points[2 * N], cubic[N], tension[N];
     wave(N, points);
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = BATTEN_FAMILY_LOCAL_TENSION;
     options.tensions = none;
     batten_chain *chain = NULL;
@@ -370,7 +370,7 @@ TEST(local_splines_in_much_tension_are_the_polygon)
             length +=
                 hypot(points[2 * i] - points[2 * i - 2], points[2 * i + 1] - points[2 * i - 1]);
     }
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = BATTEN_FAMILY_LOCAL_TENSION;
     options.tensions = tensions;
     batten_chain *chain = NULL;
@@ -395,8 +395,8 @@ TEST(tension_that_is_chosen_leaves_no_excess_inflection)
 {
     /* All turns are to the left; a cubic wiggles where the steep part begins. */
     const double points[] = {0, 0, 1, 0.001, 2, 0.004, 3, 0.3, 4, 1.5, 4.5, 3};
-    batten_nonlinear_options options = batten_nonlinear_defaults();
-    batten_nonlinear_report report;
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+    batten_chain_nonlinear_report report;
     batten_chain *chain = NULL;
     options.family = BATTEN_FAMILY_LOCAL_CUBIC;
     CHECK_OK(batten_chain_nonlinear(6, points, &options, NULL, NULL, &report, &chain));
@@ -438,9 +438,9 @@ TEST(hobbys_angles_solve_the_equations_of_mock_curvature)
     enum { N = 10 };
     double points[2 * N], angles[N];
     wave(N, points);
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.family = BATTEN_FAMILY_HOBBY;
-    batten_nonlinear_report report;
+    batten_chain_nonlinear_report report;
     batten_chain *chain = NULL;
     CHECK_OK(batten_chain_nonlinear(N, points, &options, angles, NULL, &report, &chain));
     batten_chain_unref(chain);
@@ -464,7 +464,7 @@ TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
     double points[2 * 6];
     wave(6, points);
     for (int n = 0; n < COUNT(kinds); n++) {
-        batten_nonlinear_options options = batten_nonlinear_defaults();
+        batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
         options.family = kinds[n].family;
         options.start = BATTEN_NONLINEAR_TANGENT;
         options.start_value = 0.7 + 4 * pi;
@@ -488,7 +488,7 @@ TEST(ends_of_nonlinear_splines_have_the_given_tangent_or_curvature)
 TEST(g1_coincident_points_are_named_by_nonlinear_splines)
 {
     const double points[] = {0, 0, 1, 1, 1, 1, 2, 0}, ring[] = {0, 0, 1, 0, 1, 1, 0, 0};
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_nonlinear(4, points, NULL, NULL, NULL, NULL, &chain),
                  BATTEN_COINCIDENT);
@@ -511,7 +511,7 @@ TEST(points_that_turn_back_are_named_by_nonlinear_splines)
 TEST(n1_bad_input_of_nonlinear_splines_is_refused)
 {
     const double points[] = {0, 0, 1, 1, 2, 0}, bad[] = {0, 0, 1, NAN, 2, 0};
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_nonlinear(1, points, NULL, NULL, NULL, NULL, &chain),
                  BATTEN_TOO_FEW_POINTS);
@@ -524,7 +524,7 @@ TEST(n1_bad_input_of_nonlinear_splines_is_refused)
     options.family = (batten_span_family)99;
     CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
-    options = batten_nonlinear_defaults();
+    options = batten_chain_nonlinear_defaults();
     options.start = (batten_nonlinear_end)7;
     CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
@@ -532,7 +532,7 @@ TEST(n1_bad_input_of_nonlinear_splines_is_refused)
     options.start_value = INFINITY;
     CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
                  BATTEN_NOT_FINITE);
-    options = batten_nonlinear_defaults();
+    options = batten_chain_nonlinear_defaults();
     options.max_steps = 0;
     CHECK_STATUS(batten_chain_nonlinear(3, points, &options, NULL, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
@@ -545,7 +545,7 @@ TEST(n1_bad_input_of_nonlinear_splines_is_refused)
 TEST(g9_two_points_with_circular_ends_determine_no_circle)
 {
     const double points[] = {0, 0, 1, 1};
-    batten_nonlinear_options options = batten_nonlinear_defaults();
+    batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
     options.start = options.end = BATTEN_NONLINEAR_CIRCULAR;
     batten_chain *chain = NULL;
     CHECK_STATUS(batten_chain_nonlinear(2, points, &options, NULL, NULL, NULL, &chain),

@@ -5,8 +5,8 @@
 static const double pi = 3.14159265358979323846;
 
 static batten_chain *through(int count, const double *points,
-                             const batten_spiro_options *options, double *parameters,
-                             batten_spiro_report *report)
+                             const batten_chain_spiro_options *options, double *parameters,
+                             batten_chain_spiro_report *report)
 {
     batten_chain *chain = NULL;
     CHECK_OK(batten_chain_spiro(count, points, options, parameters, report, &chain));
@@ -72,7 +72,7 @@ TEST(points_of_a_curve_with_cubic_curvature_give_that_curve)
     double points[2 * N], angles[N], curvatures[N], found[N];
     for (int i = 0; i < N; i++)
         cubic_curvature(at[i], points + 2 * i, &angles[i], &curvatures[i]);
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.start = (batten_spiro_end){true, true, angles[0], curvatures[0]};
     options.end = (batten_spiro_end){true, true, angles[N - 1], curvatures[N - 1]};
     batten_chain *chain = through(N, points, &options, found, NULL);
@@ -114,9 +114,9 @@ TEST(g2_points_of_a_circle_give_the_circle_of_spiro)
     }
     for (int closed = 0; closed < 2; closed++)
         for (int n = 3; n <= N; n++) {
-            batten_spiro_options options = batten_spiro_defaults();
+            batten_chain_spiro_options options = batten_chain_spiro_defaults();
             options.closed = closed;
-            batten_spiro_report report;
+            batten_chain_spiro_report report;
             batten_chain *chain = through(n, points, &options, found, &report);
             for (int i = 0; i < n; i++)
                 CHECK_NEAR(found[i], 2 * at[i], 1e-11);
@@ -132,7 +132,7 @@ TEST(a_point_of_the_curve_added_as_a_smooth_point_changes_nothing)
     enum { N = 9 };
     double points[2 * N], more[2 * N + 2], at[N];
     wave(N, points);
-    batten_spiro_report report, again;
+    batten_chain_spiro_report report, again;
     batten_chain *chain = through(N, points, NULL, at, &report);
     for (int j = 0; j < N - 1; j++) {
         memcpy(more, points, (size_t)(2 * j + 2) * sizeof *more);
@@ -157,13 +157,13 @@ TEST(points_of_curvature_alone_give_euler_spirals)
         kinds[i] = BATTEN_SPIRO_CURVATURE;
     wave(N, points);
     for (int closed = 0; closed < 2; closed++) {
-        batten_nonlinear_options spirals = batten_nonlinear_defaults();
+        batten_chain_nonlinear_options spirals = batten_chain_nonlinear_defaults();
         spirals.start = spirals.end = BATTEN_NONLINEAR_CIRCULAR;
         spirals.closed = closed;
         batten_chain *expected = NULL;
         CHECK_OK(batten_chain_nonlinear(N, points, &spirals, angles, NULL, NULL, &expected));
         batten_chain_unref(expected);
-        batten_spiro_options options = batten_spiro_defaults();
+        batten_chain_spiro_options options = batten_chain_spiro_defaults();
         options.kinds = kinds;
         options.closed = closed;
         batten_chain *chain = through(N, points, &options, at, NULL);
@@ -197,13 +197,13 @@ TEST(spiro_passes_the_points_and_continues_what_each_of_them_asks_for)
     kinds[5] = BATTEN_SPIRO_CORNER;
     for (int closed = 0; closed < 2; closed++) {
         const int n = closed ? N : N - 1;
-        batten_spiro_options options = batten_spiro_defaults();
+        batten_chain_spiro_options options = batten_chain_spiro_defaults();
         options.kinds = kinds;
         options.closed = closed;
-        batten_spiro_report report;
+        batten_chain_spiro_report report;
         batten_chain *chain = through(n, points, &options, at, &report);
         CHECK(batten_chain_is_closed(chain) == closed);
-        CHECK(report.residual < 1e-11 && report.straight == 0);
+        CHECK(report.error < 1e-11 && report.straight == 0);
         check_passes(chain, n, points, at, 1e-11);
         for (int i = !closed; i < n - !closed; i++) {
             const double u = closed && i == 0 ? batten_chain_domain(chain).b : at[i];
@@ -236,7 +236,7 @@ TEST(a_corner_parts_two_splines)
     batten_spiro_kind kinds[N] = {0};
     wave(N, points);
     kinds[4] = BATTEN_SPIRO_CORNER;
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
     batten_chain_unref(through(N, points, &options, at, NULL));
     batten_chain_unref(through(5, points, NULL, left, NULL));
@@ -255,9 +255,9 @@ TEST(one_way_points_join_straight_lines_to_curves_which_do_not_bend_them)
                                        BATTEN_SPIRO_SMOOTH, BATTEN_SPIRO_SMOOTH,
                                        BATTEN_SPIRO_RIGHT,  BATTEN_SPIRO_SMOOTH};
     double at[6], k[3];
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
-    batten_spiro_report report;
+    batten_chain_spiro_report report;
     batten_chain *chain = through(6, points, &options, at, &report);
     CHECK_INT(report.straight, 2);
     check_passes(chain, 6, points, at, 1e-11);
@@ -283,7 +283,7 @@ TEST(one_way_points_join_what_is_no_line_as_well)
                                        BATTEN_SPIRO_LEFT, BATTEN_SPIRO_SMOOTH,
                                        BATTEN_SPIRO_SMOOTH};
     double at[5], k[3];
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
     batten_chain *chain = through(5, points, &options, at, NULL);
     CHECK_NEAR(at[2], pi / 2, 1e-11);
@@ -298,7 +298,7 @@ TEST(directions_and_curvatures_at_the_ends_of_spiro_are_those_given)
     enum { N = 7 };
     double points[2 * N], at[N], k[3];
     wave(N, points);
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.start = (batten_spiro_end){.has_tangent = true, .tangent = 1.1 + 4 * pi};
     options.end = (batten_spiro_end){.has_curvature = true, .curvature = -0.7};
     batten_chain *chain = through(N, points, &options, at, NULL);
@@ -310,9 +310,9 @@ TEST(directions_and_curvatures_at_the_ends_of_spiro_are_those_given)
     CHECK_NEAR(k[2], 0, 1e-11);
     batten_chain_unref(chain);
     /* Two points: curvature may then be the same all along, or linear. */
-    options = batten_spiro_defaults();
+    options = batten_chain_spiro_defaults();
     options.start = (batten_spiro_end){.has_tangent = true, .tangent = 1};
-    batten_spiro_report report;
+    batten_chain_spiro_report report;
     const double pair[] = {0, 0, 2, 0};
     batten_chain_unref(through(2, pair, &options, at, &report));
     CHECK_NEAR(report.curvature, sin(1.0), 1e-12);
@@ -337,7 +337,7 @@ TEST(g10_spiro_follows_every_change_that_keeps_shapes)
     kinds[6] = BATTEN_SPIRO_CURVATURE;
     reversed[N - 1 - 3] = BATTEN_SPIRO_RIGHT;
     reversed[N - 1 - 6] = BATTEN_SPIRO_CURVATURE;
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
     batten_chain_unref(through(N, points, &options, at, NULL));
     for (int i = 0; i < 2 * N; i++)
@@ -379,8 +379,8 @@ TEST(a_long_spiro_takes_no_more_steps_than_a_short_one)
         points[2 * i + 1] = 0.5 * sin(0.9 * i);
     }
     for (int closed = 0; closed < 2; closed++) {
-        batten_spiro_options options = batten_spiro_defaults();
-        batten_spiro_report report;
+        batten_chain_spiro_options options = batten_chain_spiro_defaults();
+        batten_chain_spiro_report report;
         if (closed) {
             /* The same wave around a ring. */
             for (int i = 0; i < N; i++) {
@@ -401,7 +401,7 @@ TEST(g2_two_points_and_points_of_a_line_give_the_line_of_spiro)
 {
     const double pair[] = {1, 2, 4, 6}, row[] = {0, 0, 1, 2, 3, 6, 3.5, 7};
     double at[4], p[2];
-    batten_spiro_report report;
+    batten_chain_spiro_report report;
     batten_chain *chain = through(2, pair, NULL, at, &report);
     CHECK_NEAR(at[1], 5, 1e-15);
     CHECK_INT(report.straight, 1);
@@ -423,9 +423,9 @@ TEST(a_polygon_that_turns_back_has_a_spiro_only_with_a_corner_there)
     CHECK_STATUS(batten_chain_spiro(4, points, NULL, NULL, NULL, &chain), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("turns back on itself at point 1");
     kinds[1] = BATTEN_SPIRO_CORNER;
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     options.kinds = kinds;
-    batten_spiro_report report;
+    batten_chain_spiro_report report;
     batten_chain_unref(through(4, points, &options, NULL, &report));
     CHECK_INT(report.straight, 1);
 }
@@ -443,16 +443,16 @@ TEST(g1_g9_n1_points_without_a_spiro_are_named)
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("span ");
     CHECK_MESSAGE("put a point between");
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     const batten_spiro_kind kinds[] = {0, 7, 0, 0};
     options.kinds = kinds;
     CHECK_STATUS(batten_chain_spiro(4, knot, &options, NULL, NULL, &chain),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("point 1 is of kind 7");
-    options = batten_spiro_defaults();
+    options = batten_chain_spiro_defaults();
     options.end = (batten_spiro_end){.has_tangent = true, .tangent = INFINITY};
     CHECK_STATUS(batten_chain_spiro(2, knot, &options, NULL, NULL, &chain), BATTEN_NOT_FINITE);
-    options = batten_spiro_defaults();
+    options = batten_chain_spiro_defaults();
     options.max_steps = 2;
     double points[18];
     wave(9, points);

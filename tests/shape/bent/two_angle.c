@@ -17,12 +17,12 @@ TEST(short_uneven_spans_do_not_keep_the_driver_from_its_end)
         points[2 * i + 1] = 10 * sin(a);
     }
     for (int k = 0; k < COUNT(families); k++) {
-        batten_nonlinear_options options = batten_nonlinear_defaults();
-        batten_nonlinear_report report;
+        batten_chain_nonlinear_options options = batten_chain_nonlinear_defaults();
+        batten_chain_nonlinear_report report;
         batten_chain *chain = NULL;
         options.family = families[k];
         CHECK_OK(batten_chain_nonlinear(POINTS, points, &options, NULL, NULL, &report, &chain));
-        CHECK(report.residual <= 1e-10 * report.curvature);
+        CHECK(report.error <= 1e-10 * report.curvature);
         batten_chain_unref(chain);
     }
 }

@@ -25,7 +25,7 @@ static void height(test_random *random, double *points)
 static batten_curve *through(int count, const double *t, const double *points, int step)
 {
     double row[3 * N];
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = t;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
@@ -52,8 +52,9 @@ static void release(net *given)
         batten_curve_unref(given->along_v[i]);
 }
 
-static batten_status patches(const net *given, const batten_network_options *options,
-                             double *gap, batten_surface **out)
+static batten_status patches(const net *given,
+                             const batten_surface_coons_network_options *options, double *gap,
+                             batten_surface **out)
 {
     return batten_surface_coons_network(N, u, M, v, (const batten_curve *const *)given->along_u,
                                         (const batten_curve *const *)given->along_v, options,
@@ -89,7 +90,7 @@ TEST(a_network_passes_its_curves_and_is_as_smooth_as_its_blends)
     make_net(points, &given);
     const int degrees[] = {3, 3, 5, 3}, times[] = {1, 2, 3, 1};
     for (int f = BATTEN_BLENDING_LINEAR; f <= BATTEN_BLENDING_COONS; f++) {
-        batten_network_options options = batten_network_defaults();
+        batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
         options.blending = (batten_blending)f;
         batten_surface *surface = NULL;
         double gap = 1, a[3], b[3];
@@ -137,7 +138,7 @@ TEST(a_network_has_the_twists_it_is_given)
     make_net(points, &given);
     for (int i = 0; i < 3 * N * M; i++)
         twists[i] = test_random_in(&random, -1, 1);
-    batten_network_options options = batten_network_defaults();
+    batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
     options.given = twists;
     batten_surface *surface = NULL;
     CHECK_OK(patches(&given, &options, NULL, &surface));
@@ -170,7 +171,7 @@ TEST(G7_curves_of_a_network_that_miss_each_other_are_named)
     CHECK_STATUS(patches(&given, NULL, &gap, &surface), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("curve 2 along u, at 1, and curve 3 along v, at -0.4, miss each other by "
                   "0.125");
-    batten_network_options options = batten_network_defaults();
+    batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
     options.tolerance = 0.2;
     CHECK_OK(patches(&given, &options, &gap, &surface));
     CHECK_NEAR(gap, 0.125, 1e-12);
@@ -195,7 +196,7 @@ TEST(a_grid_of_points_makes_a_network_with_every_kind_of_twist)
     double points[3 * N * M], at_u[N], at_v[M];
     height(&random, points);
     for (int method = BATTEN_TWISTS_ZERO; method <= BATTEN_TWISTS_SELESNICK; method++) {
-        batten_network_options options = batten_network_defaults();
+        batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
         batten_surface *surface = NULL;
         options.twists = (batten_twists)method;
         CHECK_OK(batten_surface_coons_grid(3, N, M, points, &options, at_u, at_v, &surface));

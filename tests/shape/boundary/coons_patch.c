@@ -8,9 +8,9 @@ static const batten_blending families[] = {BATTEN_BLENDING_LINEAR, BATTEN_BLENDI
 static const int orders[] = {1, 2, 3, 3};
 
 static batten_surface *patch(const batten_ribbon *sides, int order, batten_blending u,
-                             batten_blending v, batten_coons_report *report)
+                             batten_blending v, batten_surface_coons_report *report)
 {
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     batten_surface *surface = NULL;
     options.order = order;
     options.blending_u = u;
@@ -27,7 +27,7 @@ TEST(the_spline_of_a_patch_is_the_patch_for_every_kind_and_blend)
         for (int order = 1; order <= orders[f]; order++) {
             frame_of_surface frame;
             frame_surface(bumpy(&random, 3, 2 + f % 3, 3, 2 + f), &frame);
-            batten_coons_report report;
+            batten_surface_coons_report report;
             const batten_blending other = order == 1 ? BATTEN_BLENDING_LINEAR : families[f];
             batten_surface *coons = patch(frame.sides, order, families[f], other, &report);
             batten_surface *nurbs = NULL;
@@ -52,7 +52,7 @@ TEST(a_patch_has_the_edges_slopes_and_curvatures_that_it_is_given)
         for (int order = 1; order <= orders[f]; order++) {
             frame_of_surface frame;
             frame_surface(bumpy(&random, 4, 3, 2, 3), &frame);
-            batten_coons_report report;
+            batten_surface_coons_report report;
             batten_surface *coons =
                 patch(frame.sides, order, families[f], families[f], &report);
             for (int k = 0; k < order; k++) {
@@ -129,7 +129,7 @@ TEST(flat_spots_are_what_the_formula_says_and_twists_cure_them)
         patch(sides, 1, BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_LINEAR, NULL);
     batten_surface *flat = patch(sides, 1, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, NULL);
     batten_surface *cured = patch(sides, 2, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, NULL);
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     const double none[12] = {0};
     batten_surface *zero = NULL;
     options.order = 2;
@@ -191,7 +191,7 @@ TEST(chosen_twists_are_those_of_the_patch_and_leave_its_edges)
     double twists[12];
     for (int i = 0; i < 12; i++)
         twists[i] = test_random_in(&random, -2, 2);
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     options.order = 2;
     options.twists = twists;
     for (int f = 1; f < 4; f++) {
@@ -224,8 +224,8 @@ TEST(G7_gaps_at_corners_are_named_and_small_ones_shared)
     batten_curve_unref(curves[BATTEN_EDGE_V1]);
     curves[BATTEN_EDGE_V1] = line(0, 1, 0, 1, 1, 1.125);
     sides[BATTEN_EDGE_V1].curve = curves[BATTEN_EDGE_V1];
-    batten_coons_options options = batten_coons_defaults();
-    batten_coons_report report;
+    batten_surface_coons_options options = batten_surface_coons_defaults();
+    batten_surface_coons_report report;
     batten_surface *surface = NULL;
     CHECK_STATUS(batten_surface_coons(sides, &options, &report, &surface),
                  BATTEN_NOT_COMPATIBLE);
@@ -314,8 +314,8 @@ TEST(a_slope_that_does_not_fit_is_refused_or_repaired)
     frame_of_surface frame;
     frame_surface(bumpy(&random, 3, 3, 2, 2), &frame);
     tilt(&frame, BATTEN_EDGE_U1, 0, 0.25);
-    batten_coons_options options = batten_coons_defaults();
-    batten_coons_report report;
+    batten_surface_coons_options options = batten_surface_coons_defaults();
+    batten_surface_coons_report report;
     batten_surface *surface = NULL;
     options.order = 2;
     options.blending_u = options.blending_v = BATTEN_BLENDING_CUBIC;
@@ -383,12 +383,12 @@ TEST(twists_that_differ_go_by_the_policy_and_the_report_is_the_truth)
     frame_of_surface frame;
     frame_surface(bumpy(&random, 3, 3, 1, 1), &frame);
     wring(&frame, BATTEN_EDGE_V0, 0.1);
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     batten_surface *surface = NULL;
     options.order = 2;
     options.blending_u = options.blending_v = BATTEN_BLENDING_CUBIC;
     for (int policy = BATTEN_TWIST_KEEP_U; policy <= BATTEN_TWIST_GREGORY; policy++) {
-        batten_coons_report report;
+        batten_surface_coons_report report;
         double misses[4];
         options.twist = (batten_twist_policy)policy;
         CHECK_OK(batten_surface_coons(frame.sides, &options, &report, &surface));
@@ -422,7 +422,7 @@ TEST(gregorys_twists_leave_a_patch_that_is_smooth_inside_and_near_a_spline)
     frame_of_surface frame;
     frame_surface(bumpy(&random, 3, 3, 1, 1), &frame);
     wring(&frame, BATTEN_EDGE_V0, 0.1);
-    batten_coons_report report;
+    batten_surface_coons_report report;
     batten_surface *coons =
         patch(frame.sides, 2, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, &report);
     batten_surface *nurbs = NULL;
@@ -466,7 +466,7 @@ TEST(circles_that_share_their_weights_are_met_exactly_by_a_rational_surface)
     for (int e = 0; e < 4; e++)
         sides[e] = (batten_ribbon){curves[e], NULL, NULL};
     for (int f = 0; f < 4; f++) {
-        batten_coons_report report;
+        batten_surface_coons_report report;
         batten_surface *coons = patch(sides, 1, families[f], families[f], &report),
                        *nurbs = NULL;
         double error = 1;
@@ -490,7 +490,7 @@ TEST(circles_that_share_their_weights_are_met_exactly_by_a_rational_surface)
     batten_curve *other = NULL;
     CHECK_OK(batten_curve_moebius(curves[2], 2, 0, 1, 1, &other));
     sides[2].curve = other;
-    batten_coons_report report;
+    batten_surface_coons_report report;
     batten_surface *coons =
         patch(sides, 1, BATTEN_BLENDING_LINEAR, BATTEN_BLENDING_LINEAR, &report);
     batten_surface *nurbs = NULL;
@@ -515,7 +515,7 @@ TEST(given_blending_functions_are_used_and_checked)
     const double knots[] = {0, 0, 0.5, 1, 1}, f0[] = {1, 0.25, 0}, f1[] = {0, 0.75, 1};
     CHECK_OK(batten_curve_create(1, 1, 3, f0, NULL, knots, &functions[0]));
     CHECK_OK(batten_curve_create(1, 1, 3, f1, NULL, knots, &functions[1]));
-    batten_coons_options options = batten_coons_defaults();
+    batten_surface_coons_options options = batten_surface_coons_defaults();
     batten_surface *coons = NULL, *nurbs = NULL;
     options.blending_u = BATTEN_BLENDING_GIVEN;
     CHECK_STATUS(batten_surface_coons(sides, &options, NULL, &coons), BATTEN_BAD_ARGUMENT);
@@ -676,7 +676,7 @@ TEST(patches_with_the_slopes_of_a_torus_converge_with_the_fourth_power)
         CHECK_OK(batten_surface_set_domain(unit, BATTEN_V, 0, 1, &square));
         frame_of_surface around;
         frame_surface(square, &around);
-        batten_coons_report report;
+        batten_surface_coons_report report;
         batten_surface *coons =
             patch(around.sides, 2, BATTEN_BLENDING_CUBIC, BATTEN_BLENDING_CUBIC, &report);
         CHECK_NEAR(report.twist_gap, 0, 1e-12);
@@ -739,7 +739,7 @@ TEST(rounding_of_huge_numbers_is_no_gap)
         CHECK_OK(batten_surface_transform(small, &scale, &scaled));
         frame_of_surface frame;
         frame_surface(scaled, &frame);
-        batten_coons_report report;
+        batten_surface_coons_report report;
         batten_surface *coons =
             patch(frame.sides, 3, BATTEN_BLENDING_QUINTIC, BATTEN_BLENDING_COONS, &report);
         CHECK(report.exact && report.twist_gap <= 1e-12 * s);

@@ -239,8 +239,8 @@ static void check_join(const batten_surface *surface, double a, double b, double
                                     {curves[1], NULL, NULL},
                                     {curves[2], NULL, NULL},
                                     {curves[3], NULL, NULL}};
-    batten_coons_options options = batten_coons_defaults();
-    batten_coons_report report;
+    batten_surface_coons_options options = batten_surface_coons_defaults();
+    batten_surface_coons_report report;
     batten_surface *patch = NULL;
     options.order = 2;
     options.blending_u = options.blending_v = BATTEN_BLENDING_CUBIC;
@@ -325,8 +325,8 @@ TEST(curvatures_along_a_neighbour_are_its_own)
                                     {frame.curves[1][0], NULL, NULL},
                                     {frame.curves[2][0], NULL, NULL},
                                     {ribbon[0], ribbon[1], ribbon[2]}};
-    batten_coons_options options = batten_coons_defaults();
-    batten_coons_report report;
+    batten_surface_coons_options options = batten_surface_coons_defaults();
+    batten_surface_coons_report report;
     options.order = 3;
     options.blending_u = options.blending_v = BATTEN_BLENDING_QUINTIC;
     CHECK_OK(batten_surface_coons(sides, &options, &report, &patch));

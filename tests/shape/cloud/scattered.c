@@ -48,7 +48,7 @@ static double uv[2 * MANY], z[MANY];
 TEST(polynomials_of_the_degree_are_found_without_a_penalty)
 {
     for (int degree = 3; degree <= 5; degree++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         scatter(600, cubic, uv, z);
@@ -59,7 +59,7 @@ TEST(polynomials_of_the_degree_are_found_without_a_penalty)
         if (degree == 5)
             options.degree_v = 4;
         CHECK_OK(batten_surface_scattered(1, 600, uv, z, &options, NULL, &report, &s));
-        CHECK(report.max < 1e-10 && report.lambda == 0 && report.iterations == 0);
+        CHECK(report.error < 1e-10 && report.lambda == 0 && report.iterations == 0);
         CHECK_NEAR(value(s, 0.37, 0.61), cubic(0.37, 0.61), 1e-10);
         batten_surface_unref(s);
     }
@@ -70,7 +70,7 @@ TEST(polynomials_of_the_degree_are_found_without_a_penalty)
 TEST(residuals_are_square_to_the_basis_and_weights_count)
 {
     enum { N = 300 };
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL, *moved = NULL;
     double weights[N];
     scatter(N, franke, uv, z);
@@ -99,7 +99,7 @@ TEST(residuals_are_square_to_the_basis_and_weights_count)
 
 TEST(an_infinite_penalty_leaves_the_plane)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter(500, plane, uv, z);
@@ -117,7 +117,7 @@ TEST(an_infinite_penalty_leaves_the_plane)
 
 TEST(G9_where_data_leave_the_surface_open_a_small_penalty_decides)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter(400, plane, uv, z);
@@ -135,7 +135,7 @@ TEST(G9_where_data_leave_the_surface_open_a_small_penalty_decides)
 
 TEST(validation_and_the_target_see_the_noise)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     double truth = 0, before = 0;
     test_random random = test_random_begin("noise");
     scatter(MANY, franke, uv, z);
@@ -165,7 +165,7 @@ TEST(outliers_draw_a_robust_fit_less)
 {
     double off[2] = {0, 0};
     for (int huber = 0; huber < 2; huber++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         test_random random = test_random_begin("outliers");
@@ -195,7 +195,7 @@ TEST(conjugate_gradients_give_what_the_band_gives)
         at[2 * i + 1] = test_random_unit(&random);
         h[i] = franke(at[2 * i], at[2 * i + 1]);
     }
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s[2] = {NULL, NULL};
     batten_surface_fit_report report;
     options.by = BATTEN_SMOOTH_BY_LAMBDA;
@@ -219,7 +219,7 @@ TEST(conjugate_gradients_give_what_the_band_gives)
 
 TEST(swapped_parameters_give_the_swapped_surface)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL, *t = NULL;
     double vu[2 * 500];
     scatter(500, franke, uv, z);
@@ -247,7 +247,7 @@ TEST(frankes_function_is_met_within_the_tolerance)
     int last = 0;
     scatter(MANY, franke, uv, z);
     for (int c = 0; c < 3; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.tolerance = tolerances[c];
@@ -255,8 +255,8 @@ TEST(frankes_function_is_met_within_the_tolerance)
         double most = 0;
         for (int i = 0; i < MANY; i++)
             most = fmax(most, fabs(value(s, uv[2 * i], uv[2 * i + 1]) - z[i]));
-        CHECK_NEAR(most, report.max, 1e-12);
-        CHECK(report.max <= tolerances[c] && report.points_u * report.points_v > last);
+        CHECK_NEAR(most, report.error, 1e-12);
+        CHECK(report.error <= tolerances[c] && report.points_u * report.points_v > last);
         CHECK_NEAR(report.where[2], z[report.worst], 0);
         last = report.points_u * report.points_v;
         batten_surface_unref(s);
@@ -271,7 +271,7 @@ static double ridge(double x, double y)
 
 TEST(knots_go_across_the_direction_that_needs_them)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter(MANY, ridge, uv, z);
@@ -283,7 +283,7 @@ TEST(knots_go_across_the_direction_that_needs_them)
 
 TEST(a_tolerance_that_noise_forbids_is_not_claimed)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     scatter(200, franke, uv, z);
     for (int i = 0; i < 200; i++)
@@ -320,13 +320,13 @@ static void scatter_disc(int count, double noise)
 
 TEST(a_tolerance_near_the_noise_leaves_empty_corners_calm)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter_disc(400, 0.0025);
     options.tolerance = 0.002;
     CHECK_OK(batten_surface_scattered(1, 400, uv, z, &options, NULL, &report, &s));
-    CHECK(report.max <= 0.002 && report.empty > 0);
+    CHECK(report.error <= 0.002 && report.empty > 0);
     CHECK(report.outside_share < 4);
     for (int i = 0; i < 4; i++) /* 0.2, were the paraboloid to go on */
         CHECK_NEAR(value(s, i % 2 ? 0.95 : -0.95, i / 2 ? 0.95 : -0.95), 0.15, 0.25);
@@ -338,7 +338,7 @@ TEST(open_places_are_held_and_the_data_keep_their_fit)
 {
     double rms[2], share[2];
     for (int c = 0; c < 2; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         scatter_disc(1500, 0);
@@ -362,7 +362,7 @@ TEST(a_target_that_cannot_be_met_lets_nothing_go)
 {
     double share[2];
     for (int c = 0; c < 2; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         scatter_disc(400, 0.002);
@@ -392,7 +392,7 @@ TEST(a_surface_within_the_box_of_its_data_is_said_to_be)
 TEST(one_point_of_a_lattice_is_met_exactly)
 {
     const double at[] = {0, 0, 1, 1, 0.3, 0.6}, h[] = {0, 0, 7};
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     options.method = BATTEN_SCATTERED_MULTILEVEL;
     options.spans_u = options.spans_v = 20;
@@ -405,7 +405,7 @@ TEST(one_point_of_a_lattice_is_met_exactly)
 
 TEST(every_level_leaves_less_of_frankes_function)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     double last = HUGE_VAL;
     scatter(500, franke, uv, z);
     options.method = BATTEN_SCATTERED_MULTILEVEL;
@@ -425,7 +425,7 @@ TEST(every_level_leaves_less_of_frankes_function)
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     CHECK_OK(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s));
-    CHECK(report.max <= 0.02 && report.rounds < 9);
+    CHECK(report.error <= 0.02 && report.rounds < 9);
     batten_surface_unref(s);
     options.levels = 2;
     CHECK_STATUS(batten_surface_scattered(1, 500, uv, z, &options, NULL, &report, &s),
@@ -436,7 +436,7 @@ TEST(levels_end_when_the_data_are_few_and_the_report_says_so)
 {
     const int counts[] = {52, 400, MANY};
     for (int c = 0; c < 3; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         scatter(counts[c], franke, uv, z);
@@ -450,7 +450,7 @@ TEST(levels_end_when_the_data_are_few_and_the_report_says_so)
 
 TEST(levels_end_when_they_bring_nothing)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     scatter(1000, plane, uv, z);
@@ -474,7 +474,7 @@ TEST(a_closed_body_is_said_to_lie_in_layers)
     enum { N = 2000 };
     double *points = test_array(3 * N, sizeof *points);
     for (int c = 0; c < 2; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         test_random random = test_random_begin("ellipsoid");
@@ -513,7 +513,7 @@ TEST(corrected_parameters_are_as_good_as_true_ones)
     double *points = test_array(3 * N, sizeof *points), *at = test_array(2 * N, sizeof *at),
            *found = test_array(2 * N, sizeof *found);
     cylinder_points(N, points, at);
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL, *t = NULL;
     batten_surface_fit_report with_true, cloud;
     options.spans_u = 4;
@@ -528,7 +528,7 @@ TEST(corrected_parameters_are_as_good_as_true_ones)
         CHECK_OK(batten_surface_evaluate(t, found[2 * i], found[2 * i + 1], 1, p));
         const double r[] = {p[0] - points[3 * i], p[1] - points[3 * i + 1],
                             p[2] - points[3 * i + 2]};
-        CHECK(sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) <= cloud.max * (1 + 1e-9));
+        CHECK(sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) <= cloud.error * (1 + 1e-9));
     }
     batten_surface_unref(s);
     batten_surface_unref(t);
@@ -543,11 +543,11 @@ TEST(clouds_are_fitted_over_corners_and_within_a_tolerance)
     batten_surface *base = NULL, *s = NULL;
     batten_surface_fit_report report;
     cylinder_points(N, points, at);
-    CHECK_OK(batten_surface_of_corners(corners, &base));
-    batten_scattered_options options = batten_scattered_defaults();
+    CHECK_OK(batten_surface_from_corners(corners, &base));
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     options.tolerance = 1e-4;
     CHECK_OK(batten_surface_cloud(N, points, base, &options, NULL, NULL, &report, &s));
-    CHECK(report.max <= 1e-4 && report.points_u > report.points_v);
+    CHECK(report.error <= 1e-4 && report.points_u > report.points_v);
     CHECK_NEAR(batten_surface_domain(s, BATTEN_U).b, 1, 0);
     batten_surface_unref(s);
     batten_surface_unref(base);
@@ -558,7 +558,7 @@ TEST(a_square_cloud_has_a_square_domain)
 {
     enum { N = 3000 };
     double *points = test_array(3 * N, sizeof *points);
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     test_random random = test_random_begin("square");
@@ -596,7 +596,7 @@ TEST(a_graph_has_its_parameters_as_coordinates)
     batten_surface *s = NULL, *graph = NULL;
     scatter(300, franke, uv, z);
     CHECK_OK(batten_surface_scattered(1, 300, uv, z, NULL, NULL, NULL, &s));
-    CHECK_OK(batten_surface_graph(s, &graph));
+    CHECK_OK(batten_surface_from_function(s, &graph));
     const batten_interval u = batten_surface_domain(s, BATTEN_U);
     for (int k = 0; k <= 10; k++) {
         const double x = u.a + (u.b - u.a) * k / 10;
@@ -607,7 +607,7 @@ TEST(a_graph_has_its_parameters_as_coordinates)
         CHECK_NEAR(p[2], value(s, x, 0.5), 1e-14);
     }
     batten_surface *none = NULL;
-    CHECK_STATUS(batten_surface_graph(graph, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_surface_from_function(graph, &none), BATTEN_BAD_ARGUMENT);
     batten_surface_unref(graph);
     batten_surface_unref(s);
 }
@@ -641,7 +641,7 @@ TEST(the_eighty_data_of_dierckx_are_smoothed_to_their_noise)
         at[2 * i + 1] = table[3 * i + 1];
         h[i] = table[3 * i + 2];
     }
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     /* s = 80 with the weights 1 / 0.010257 of the published test: rms = 0.010257. */
@@ -669,7 +669,7 @@ TEST(measured_points_of_akima_are_met_within_a_tolerance)
         h[i] = table[3 * i + 2];
     }
     for (int c = 0; c < 2; c++) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.method = c ? BATTEN_SCATTERED_MULTILEVEL : BATTEN_SCATTERED_PENALISED;
@@ -681,7 +681,7 @@ TEST(measured_points_of_akima_are_met_within_a_tolerance)
             options.spans_u = options.spans_v = 12;
         }
         CHECK_OK(batten_surface_scattered(1, 50, at, h, &options, NULL, &report, &s));
-        CHECK(report.max <= (c ? 0.01 : 0.05));
+        CHECK(report.error <= (c ? 0.01 : 0.05));
         batten_surface_unref(s);
     }
 }
@@ -690,7 +690,7 @@ TEST(measured_points_of_akima_are_met_within_a_tolerance)
 
 TEST(N1_bad_scattered_data_are_refused)
 {
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     scatter(100, franke, uv, z);
     CHECK_STATUS(batten_surface_scattered(1, 2, uv, z, NULL, NULL, NULL, &s),
@@ -708,19 +708,19 @@ TEST(N1_bad_scattered_data_are_refused)
     options.domain[0][1] = options.domain[1][1] = 0.5;
     CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
                  BATTEN_OUT_OF_DOMAIN);
-    options = batten_scattered_defaults();
+    options = batten_surface_scattered_defaults();
     options.degree_u = 1;
     CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
                  BATTEN_BAD_DEGREE);
-    options = batten_scattered_defaults();
+    options = batten_surface_scattered_defaults();
     options.spans_u = options.spans_v = 100000;
     CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
                  BATTEN_TOO_LARGE);
-    options = batten_scattered_defaults();
+    options = batten_surface_scattered_defaults();
     options.tolerance = -1;
     CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
                  BATTEN_BAD_ARGUMENT);
-    options = batten_scattered_defaults();
+    options = batten_surface_scattered_defaults();
     double weights[100] = {0};
     options.weights = weights;
     CHECK_STATUS(batten_surface_scattered(1, 100, uv, z, &options, NULL, NULL, &s),
@@ -739,7 +739,7 @@ TEST(N2_scattered_data_of_any_size_are_fitted)
     scatter(200, franke, uv, z);
     for (int c = 0; c < 4; c++)
         for (int method = 0; method < 2; method++) {
-            batten_scattered_options options = batten_scattered_defaults();
+            batten_surface_scattered_options options = batten_surface_scattered_defaults();
             batten_surface *s = NULL;
             batten_surface_fit_report report;
             double at[400], h[200];

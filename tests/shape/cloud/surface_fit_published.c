@@ -26,7 +26,7 @@ TEST(the_volcano_is_fitted_with_ever_less_left)
     enum { U = 87, V = 61 };
     double *z = test_array(U * V, sizeof *z), last = HUGE_VAL;
     CHECK_INT(read_numbers("grids/volcano.txt", 1, z, U * V), U * V);
-    batten_grid_fit_options options = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
     double u[U], v[V];
     for (int i = 0; i < U; i++)
         u[i] = 10 * i;
@@ -41,7 +41,7 @@ TEST(the_volcano_is_fitted_with_ever_less_left)
         options.points_u = n;
         options.points_v = n;
         CHECK_OK(batten_surface_fit_grid(1, U, V, z, &options, NULL, NULL, NULL, &report, &s));
-        CHECK(report.rms < 0.7 * last && report.max < 60);
+        CHECK(report.rms < 0.7 * last && report.error < 60);
         last = report.rms;
         batten_surface_unref(s);
     }
@@ -66,14 +66,14 @@ TEST(akimas_grid_of_1974_is_reproduced)
     }
     for (int j = 0; j < V; j++)
         v[j] = j;
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     batten_surface *s = NULL;
-    batten_grid_report report;
+    batten_surface_interpolate_report report;
     options.parameters = BATTEN_GIVEN;
     options.given_u = u;
     options.given_v = v;
     CHECK_OK(batten_surface_interpolate(1, U, V, z, &options, NULL, NULL, NULL, &report, &s));
-    CHECK(report.residual < 1e-13 * 62);
+    CHECK(report.error < 1e-13 * 62);
     batten_surface_unref(s);
 }
 
@@ -107,7 +107,7 @@ TEST(the_deep_drawn_sheet_comes_nearer_with_every_knot)
     for (int i = 0; i < 2 * N; i++)
         uv[i % N * 2 + i / N] = rows[i];
     for (int spans = 5; spans <= 20; spans *= 2) {
-        batten_scattered_options options = batten_scattered_defaults();
+        batten_surface_scattered_options options = batten_surface_scattered_defaults();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         options.spans_u = options.spans_v = spans;
@@ -137,7 +137,7 @@ TEST(the_scan_of_a_face_is_fitted_over_its_plane)
     }
     fclose(file);
     CHECK_INT(count, N);
-    batten_scattered_options options = batten_scattered_defaults();
+    batten_surface_scattered_options options = batten_surface_scattered_defaults();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     options.huber = true;

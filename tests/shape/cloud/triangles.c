@@ -56,8 +56,8 @@ static double error_of(const batten_triangles *triangles, double (*f)(double, do
 }
 
 static double try_out(int n, double (*f)(double, double),
-                      const batten_scattered_triangles_options *options,
-                      batten_scattered_triangles_report *report)
+                      const batten_triangles_scattered_options *options,
+                      batten_triangles_scattered_report *report)
 {
     test_random random = test_random_begin("shaken");
     double *xy = test_array(2 * (size_t)(n * n), sizeof *xy);
@@ -72,20 +72,20 @@ static double try_out(int n, double (*f)(double, double),
 
 TEST(planes_are_met_by_every_element_and_quadratics_by_local_gradients)
 {
-    batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
-    batten_scattered_triangles_report report;
+    batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
+    batten_triangles_scattered_report report;
     for (int c = 0; c < 12; c++) {
         options.element = (batten_triangle_element)(c % 3);
         options.network = c / 3 % 2;
         options.data_dependent = c / 6;
         CHECK_NEAR(try_out(7, plane, &options, &report), 0, 1e-12);
-        CHECK_NEAR(report.max, 0, 0);
+        CHECK_NEAR(report.error, 0, 0);
         CHECK_INT(report.worst, -1);
         CHECK_INT(report.vertices, 49);
         CHECK_INT(report.pieces, report.triangles * (c % 3 == 0 ? 3 : c % 3 == 1 ? 6 : 1));
         CHECK_INT(report.swaps, 0);
     }
-    options = batten_scattered_triangles_defaults();
+    options = batten_triangles_scattered_defaults();
     for (int c = 0; c < 2; c++) {
         options.element = (batten_triangle_element)c;
         CHECK_NEAR(try_out(8, bowl, &options, &report), 0, 1e-12);
@@ -95,7 +95,7 @@ TEST(planes_are_met_by_every_element_and_quadratics_by_local_gradients)
 
 TEST(with_local_gradients_the_error_of_frankes_function_falls_with_the_third_power)
 {
-    batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
+    batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
     for (int c = 0; c < 4; c++) {
         options.element = (batten_triangle_element)(c % 2);
         options.network = c / 2;
@@ -123,7 +123,7 @@ TEST(G2_points_on_two_lines_or_round_a_hub_give_planes_where_no_quadratic_is_det
             xy[2 * i + 1] = c ? (i ? sin(turn) : 0) : 0.01 * (i / 2) + 0.003 * (i % 2);
             f[i] = plane(xy[2 * i], xy[2 * i + 1]);
         }
-        batten_scattered_triangles_report report;
+        batten_triangles_scattered_report report;
         batten_triangles *out = NULL;
         CHECK_OK(batten_triangles_scattered(N, xy, f, NULL, NULL, &report, &out));
         CHECK(c || report.planes > 0);
@@ -185,8 +185,8 @@ TEST(edges_follow_a_ridge_where_they_depend_on_the_data)
             i / N + 1e-3 * (i % N) * (i / N); /* Delaunay takes the other diagonals */
         f[i] = abs(i % N - i / N);
     }
-    batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
-    batten_scattered_triangles_report report;
+    batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
+    batten_triangles_scattered_report report;
     batten_triangles *out = NULL;
     options.element = BATTEN_ELEMENT_LINEAR;
     options.data_dependent = true;
@@ -207,14 +207,14 @@ TEST(edges_follow_a_ridge_where_they_depend_on_the_data)
 TEST(G1_points_at_one_place_give_their_mean_and_the_conflict_is_reported)
 {
     const double xy[] = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1, 1, 1, 2, 2}, f[] = {0, 0, 0, 0, 3, 5, 0};
-    batten_scattered_triangles_report report;
+    batten_triangles_scattered_report report;
     batten_triangles *out = NULL;
     CHECK_OK(batten_triangles_scattered(7, xy, f, NULL, NULL, &report, &out));
     CHECK_INT(report.vertices, 5);
     CHECK_INT(report.merged, 2);
     CHECK_NEAR(report.conflict, 2, 0);
     CHECK_INT(report.conflicting, 5);
-    CHECK_NEAR(report.max, 1, 0);
+    CHECK_NEAR(report.error, 1, 0);
     CHECK_INT(report.worst, 4);
     CHECK_NEAR(report.rms, sqrt(2.0 / 7), 1e-15);
     const double middle[2] = {1, 1};
@@ -251,7 +251,7 @@ TEST(N2_scattered_values_of_any_size_are_met_or_refused)
             xy[2 * i + 1] = width * y;
             f[i] = height * (0.6 * x - 0.3 * y);
         }
-        batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
+        batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
         options.network = c % 2;
         batten_triangles *out = NULL;
         batten_status status =
@@ -315,8 +315,8 @@ TEST(published_terrains_are_met_at_every_point)
         double xy[200], f[100], found[100];
         const int count = read_rows(names[c % 2], xy, f, 100);
         CHECK_INT(count, counts[c % 2]);
-        batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
-        batten_scattered_triangles_report report;
+        batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
+        batten_triangles_scattered_report report;
         batten_triangles *out = NULL;
         options.element = (batten_triangle_element)(c / 2 % 2);
         options.network = c / 4;

@@ -33,7 +33,7 @@ TEST(blends_join_as_asked_at_either_end)
              test_random_in(&random, 0.5, 2)},
             {n % 3 ? at_end : at_start, test_random_int(&random, 0, 3),
              test_random_in(&random, 0.5, 2)}};
-        batten_blend_report report;
+        batten_curves_blend_report report;
         CHECK_OK(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
         CHECK_INT(batten_curve_degree(blend), ends[0].continuity + ends[1].continuity + 1);
         batten_continuity join;
@@ -58,7 +58,7 @@ TEST(a_piece_cut_out_of_a_cubic_is_its_own_blend)
     CHECK_OK(batten_curve_subrange(whole, 0, 0.3, &a));
     CHECK_OK(batten_curve_subrange(whole, 0.8, 1, &b));
     batten_blend_end ends[2] = {{at_end, 1, 1}, {at_start, 1, 1}};
-    batten_blend_report report;
+    batten_curves_blend_report report;
     CHECK_OK(batten_curves_blend(a, &ends[0], b, &ends[1], &report, &blend));
     batten_curve_unref(blend);
     static const double at[2] = {0.3, 0.8};

@@ -43,7 +43,7 @@ TEST(an_extended_curve_contains_the_old_one_and_joins_as_promised)
         const batten_extension way = (batten_extension)(n % 4);
         const batten_curve_end end = n % 8 < 4 ? BATTEN_CURVE_END : BATTEN_CURVE_START;
         batten_curve *given = NULL, *made = NULL, *tail = NULL;
-        batten_extend_report report;
+        batten_curve_extend_report report;
         double length, error;
         random_curve(&random, dimension, n % 5 == 0, &given);
         CHECK_OK(batten_curve_extend(given, end, way, 0.4, 1e-8, &report, &made));
@@ -75,7 +75,7 @@ TEST(an_arc_goes_on_along_its_circle)
     CHECK_OK(batten_curve_arc(3, 1, &arc));
     static const double lengths[] = {0.3, 4, 3 * 5.28};
     for (int i = 0; i < COUNT(lengths); i++) {
-        batten_extend_report report;
+        batten_curve_extend_report report;
         CHECK_OK(batten_curve_extend(arc, BATTEN_CURVE_END, BATTEN_EXTEND_ARC, lengths[i], 1e-9,
                                      &report, &made));
         const batten_interval domain = batten_curve_domain(made);

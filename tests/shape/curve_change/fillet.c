@@ -15,7 +15,7 @@ static double length_of(const batten_curve *curve)
 
 /* Radius and tangents of an arc between two curves, by what is true of any. */
 static void check_arc(const batten_curve *a, const batten_curve *b, double radius,
-                      const batten_fillet_report *report, const batten_curve *arc)
+                      const batten_curves_fillet_report *report, const batten_curve *arc)
 {
     const batten_interval domain = batten_curve_domain(arc);
     const int d = batten_curve_dimension(a);
@@ -49,7 +49,7 @@ TEST(the_fillet_of_two_lines_is_where_it_must_be)
     batten_curve *a = NULL, *b = NULL, *arc = NULL;
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
-    batten_fillet_report report;
+    batten_curves_fillet_report report;
     CHECK_OK(batten_curves_fillet(a, b, 1.5, 1e-9, &report, &arc));
     const double leg = 1.5 * tan(PI / 6);
     CHECK(report.complete);
@@ -78,7 +78,7 @@ TEST(lines_that_cross_or_do_not_meet_are_rounded_where_they_would)
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_line(2, p + 4, p + 6, &b));
     CHECK_OK(batten_curve_line(2, p + 8, p + 10, &c));
-    batten_fillet_report report;
+    batten_curves_fillet_report report;
     CHECK_OK(batten_curves_fillet(a, b, 0.5, 1e-9, &report, &arc));
     CHECK_NEAR(report.center.x, 0.5, 1e-14);
     CHECK_NEAR(report.center.y, 0.5, 1e-14);
@@ -104,7 +104,7 @@ TEST(a_line_and_a_circle_are_rounded_as_the_triangle_says)
     batten_curve *a = NULL, *b = NULL, *arc = NULL;
     CHECK_OK(batten_curve_line(2, p, p + 2, &a));
     CHECK_OK(batten_curve_arc(1, PI / 2, &b));
-    batten_fillet_report report;
+    batten_curves_fillet_report report;
     const double r = 0.2;
     CHECK_OK(batten_curves_fillet(a, b, r, 1e-9, &report, &arc));
     CHECK_NEAR(report.center.x, sqrt((1 - r) * (1 - r) - r * r), 1e-13);
@@ -143,7 +143,7 @@ TEST(fillets_of_random_curves_touch_both_in_plane_and_space)
             batten_curve_unref(space);
             batten_curve_unref(flat);
         }
-        batten_fillet_report report;
+        batten_curves_fillet_report report;
         CHECK_OK(batten_curves_fillet(c[0], c[1], 0.5, 1e-9, &report, &arc));
         CHECK(report.gap < 1e-12);
         check_arc(c[0], c[1], 0.5, &report, arc);

@@ -6,10 +6,10 @@
 
 #define PI 3.14159265358979323846
 
-static batten_offset_options options_of(double tolerance, batten_loops loops,
-                                        batten_offset_corner corners)
+static batten_curve_offset_options options_of(double tolerance, batten_loops loops,
+                                              batten_offset_corner corners)
 {
-    batten_offset_options options = batten_offset_defaults();
+    batten_curve_offset_options options = batten_curve_offset_defaults();
     options.tolerance = tolerance;
     options.loops = loops;
     options.corners = corners;
@@ -49,7 +49,7 @@ TEST(the_offset_of_a_circle_is_a_circle_exactly)
     const double distances[] = {2, -3, 4.999};
     for (int i = 0; i < COUNT(distances); i++) {
         batten_curves made = {0, NULL};
-        batten_offset_report report;
+        batten_curve_offset_report report;
         CHECK_OK(batten_curve_offset(circle, distances[i], NULL, &report, &made));
         CHECK_INT(made.count, 1);
         CHECK(report.error == 0);
@@ -77,7 +77,8 @@ TEST(a_circle_offset_beyond_its_centre_leaves_nothing)
         batten_curves_release(&made);
     }
     /* All of it, in one piece: the reversed circle of radius 2. */
-    const batten_offset_options keep = options_of(1e-6, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
+    const batten_curve_offset_options keep =
+        options_of(1e-6, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
     batten_curves made = {0, NULL};
     double p[2];
     CHECK_OK(batten_curve_offset(circle, 7, &keep, NULL, &made));
@@ -99,8 +100,9 @@ TEST(the_offset_of_a_parabola_has_its_cusps_and_its_corner)
 {
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
-    batten_offset_report report;
-    const batten_offset_options keep = options_of(1e-7, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
+    batten_curve_offset_report report;
+    const batten_curve_offset_options keep =
+        options_of(1e-7, BATTEN_LOOPS_KEEP, BATTEN_OFFSET_ROUND);
     parabola(&curve);
     CHECK_OK(batten_curve_offset(curve, 1, &keep, &report, &made));
     CHECK_INT(report.cusps, 2);
@@ -123,7 +125,7 @@ TEST(the_offset_of_a_parabola_has_its_cusps_and_its_corner)
     batten_release(crossings.at);
     batten_curves_release(&made);
 
-    const batten_offset_options trim =
+    const batten_curve_offset_options trim =
         options_of(1e-7, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_OK(batten_curve_offset(curve, 1, &trim, &report, &made));
     CHECK_INT(made.count, 1);
@@ -145,7 +147,7 @@ TEST(the_offset_of_an_ellipse_is_shorter_by_two_pi_d)
     CHECK_OK(batten_curve_length(ellipse, 1e-12, &whole, NULL));
     const double distances[] = {0.5, 1.2, -1, -7};
     for (int i = 0; i < COUNT(distances); i++) {
-        const batten_offset_options o =
+        const batten_curve_offset_options o =
             options_of(1e-9, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         batten_curves made = {0, NULL};
         CHECK_OK(batten_curve_offset(ellipse, distances[i], &o, NULL, &made));
@@ -170,7 +172,7 @@ TEST(offset_there_and_back_is_the_curve)
         }
         const double knots[10] = {0, 0, 0, 0, 0.4, 0.5, 1, 1, 1, 1};
         const double tolerance = n % 2 ? 1e-4 : 1e-7;
-        const batten_offset_options o =
+        const batten_curve_offset_options o =
             options_of(tolerance, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         batten_curve *curve = NULL;
         batten_curves there = {0, NULL}, back = {0, NULL};
@@ -211,7 +213,8 @@ TEST(the_corners_of_a_square_are_round_mitred_or_square)
     batten_curve *curve = NULL;
     square(&curve);
     for (int i = 0; i < COUNT(cases); i++) {
-        const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, cases[i].corners);
+        const batten_curve_offset_options o =
+            options_of(1e-6, BATTEN_LOOPS_REMOVE, cases[i].corners);
         batten_curves made = {0, NULL};
         double length;
         CHECK_OK(batten_curve_offset(curve, cases[i].distance, &o, NULL, &made));
@@ -233,7 +236,8 @@ TEST(a_sharp_mitre_beyond_its_limit_becomes_square)
     const double limits[] = {4, 6};
     const double expected[] = {1, 1 / sin(a / 2)};
     for (int i = 0; i < 2; i++) {
-        batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
+        batten_curve_offset_options o =
+            options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
         o.mitre_limit = limits[i];
         batten_curves made = {0, NULL};
         CHECK_OK(batten_curve_offset(curve, 1, &o, NULL, &made));
@@ -260,11 +264,12 @@ TEST(an_offset_falls_apart_where_the_curve_is_narrow)
     batten_curves made = {0, NULL};
     double length;
     CHECK_OK(batten_curve_polyline(2, 13, p, &curve));
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
+    const batten_curve_offset_options o =
+        options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_MITRE);
     CHECK_OK(batten_curve_offset(curve, 0.4, &o, NULL, &made));
     CHECK_INT(made.count, 1);
     batten_curves_release(&made);
-    const batten_offset_options round =
+    const batten_curve_offset_options round =
         options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_OK(batten_curve_offset(curve, 0.75, &round, NULL, &made));
     CHECK_INT(made.count, 2);
@@ -288,7 +293,8 @@ TEST(an_offset_keeps_its_distance_from_the_end_of_the_curve_and_from_its_other_s
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
     CHECK_OK(batten_curve_polyline(2, 4, p, &curve));
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+    const batten_curve_offset_options o =
+        options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     for (int side = -1; side <= 1; side += 2) {
         CHECK_OK(batten_curve_offset(curve, 0.8 * side, &o, NULL, &made));
         CHECK(made.count > 0);
@@ -305,7 +311,7 @@ TEST(in_space_the_offset_goes_across_the_normal)
     const double breaks[2] = {0, 1};
     batten_curve *curve = NULL, *tipped = NULL;
     batten_curves made = {0, NULL};
-    batten_offset_report report;
+    batten_curve_offset_report report;
     CHECK_OK(batten_curve_from_bezier(3, 2, 1, p, w, breaks, &curve));
     CHECK_OK(batten_curve_offset(curve, -2, NULL, &report, &made));
     CHECK_INT(made.count, 1);
@@ -321,7 +327,7 @@ TEST(in_space_the_offset_goes_across_the_normal)
     /* The same turned about x by 90 degrees, with its axis. */
     const batten_affine map =
         batten_affine_rotation((batten_vec3){0, 0, 0}, (batten_vec3){1, 0, 0}, PI / 2);
-    batten_offset_options o = batten_offset_defaults();
+    batten_curve_offset_options o = batten_curve_offset_defaults();
     o.normal = (batten_vec3){0, -3, 0};
     CHECK_OK(batten_curve_transform(curve, &map, &tipped));
     CHECK_OK(batten_curve_offset(tipped, -2, &o, &report, &made));
@@ -349,7 +355,7 @@ TEST(a_spline_with_loops_in_its_offset_keeps_its_distance)
             points[2 * i + 1] = r * sin(PI * i / 6);
         }
         CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
-        const batten_offset_options o =
+        const batten_curve_offset_options o =
             options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         const double distances[] = {0.3, 0.7, 1, -0.5, -1.5};
         for (int i = 0; i < COUNT(distances); i++) {
@@ -391,7 +397,7 @@ TEST(the_sides_of_a_loop_narrower_than_the_error_of_the_pieces_are_joined)
             points[2 * i + 1] = rows[row].radii[i] * sin(PI * i / 6);
         }
         CHECK_OK(batten_curve_create_periodic(2, 3, 12, points, NULL, knots, &curve));
-        const batten_offset_options o =
+        const batten_curve_offset_options o =
             options_of(1e-5, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         CHECK_OK(batten_curve_offset(curve, rows[row].distance, &o, NULL, &made));
         CHECK_INT(made.count, 1);
@@ -420,7 +426,7 @@ TEST(what_comes_near_another_part_of_the_curve_is_removed)
         for (int side = -1; side <= 1; side += 2) {
             batten_curve *curve = NULL;
             batten_curves made = {0, NULL};
-            const batten_offset_options o =
+            const batten_curve_offset_options o =
                 options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
             CHECK_OK(batten_curve_polyline(2, rows[row].count, rows[row].points, &curve));
             CHECK_OK(batten_curve_offset(curve, 0.1 * side, &o, NULL, &made));
@@ -465,7 +471,7 @@ TEST(N6_distances_and_tolerances_that_mean_nothing_are_refused)
     bezier(2, 2, zeros, &point);
     CHECK_STATUS(batten_curve_offset(curve, NAN, NULL, NULL, &made), BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_curve_offset(curve, HUGE_VAL, NULL, NULL, &made), BATTEN_NOT_FINITE);
-    batten_offset_options o = options_of(0, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+    batten_curve_offset_options o = options_of(0, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
     o = options_of(NAN, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     CHECK_STATUS(batten_curve_offset(curve, 1, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
@@ -492,7 +498,8 @@ TEST(G3_an_end_where_the_curve_stands_still_has_its_offset)
     const double points[8] = {0, 0, 0, 0, 1, 1, 3, 0};
     batten_curve *curve = NULL;
     batten_curves made = {0, NULL};
-    const batten_offset_options o = options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
+    const batten_curve_offset_options o =
+        options_of(1e-6, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
     bezier(2, 3, points, &curve);
     CHECK_OK(batten_curve_offset(curve, 0.5, &o, NULL, &made));
     CHECK_INT(made.count, 1);
@@ -513,7 +520,7 @@ TEST(n2_curves_beyond_the_sizes_that_can_be_worked_with_have_no_offset)
         batten_curve *curve = NULL;
         batten_curves made;
         bezier(2, 2, points, &curve);
-        const batten_offset_options options =
+        const batten_curve_offset_options options =
             options_of(sizes[i] * 1e-4, BATTEN_LOOPS_REMOVE, BATTEN_OFFSET_ROUND);
         CHECK_STATUS(batten_curve_offset(curve, sizes[i] / 10, &options, NULL, &made),
                      BATTEN_BAD_ARGUMENT);

@@ -19,9 +19,9 @@ static const double square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 /* All but the first lie in the plane of the square. */
 static const double tilted[4][3] = {{0, 1, 1}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
 
-static batten_fill_options form_of(int form)
+static batten_surface_fill_options form_of(int form)
 {
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     options.form = (batten_fill_form)form;
     return options;
 }
@@ -31,7 +31,7 @@ TEST(G7_every_form_keeps_its_sides_where_ribbons_contradict_each_other_and_says_
     hole h;
     straight_hole(4, square, tilted, &h);
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-        const batten_fill_options options = form_of(form);
+        const batten_surface_fill_options options = form_of(form);
         CHECK_OK(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches));
         CHECK_NEAR(h.report.corner_angle * TESTS_DEGREES, 45, 1e-9); /* z = 0 and z = y */
         CHECK(h.report.corner == 0 || h.report.corner == 1);
@@ -51,7 +51,7 @@ TEST(contradicting_ribbons_that_mirror_each_other_make_fills_that_do)
     hole h;
     straight_hole(4, square, tilted, &h);
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-        const batten_fill_options options = form_of(form);
+        const batten_surface_fill_options options = form_of(form);
         CHECK_OK(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches));
         for (int pair = 0; pair < 4; pair += 2)
             for (int k = 0; k < 121; k++) {
@@ -78,7 +78,7 @@ TEST(G7_re_entrant_corners_with_ribbons_are_refused_by_name)
     hole h;
     straight_hole(6, bracket, inwards, &h);
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-        const batten_fill_options options = form_of(form);
+        const batten_surface_fill_options options = form_of(form);
         CHECK_STATUS(batten_surface_fill(6, h.ribbons, &options, NULL, h.patches),
                      BATTEN_NOT_COMPATIBLE);
         CHECK_MESSAGE("the corner between curves 3 and 4 is re-entrant");
@@ -102,7 +102,7 @@ TEST(G7_ribbons_that_point_out_are_told_from_re_entrant_corners)
                 slopes[i][c] = -slopes[i][c];
         straight_hole(4, square, (const double(*)[3])slopes, &h);
         for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-            const batten_fill_options options = form_of(form);
+            const batten_surface_fill_options options = form_of(form);
             CHECK_STATUS(batten_surface_fill(4, h.ribbons, &options, NULL, h.patches),
                          BATTEN_NOT_COMPATIBLE);
             CHECK_MESSAGE("points out of the hole");
@@ -127,7 +127,7 @@ TEST(G7_fills_that_leave_a_side_against_its_ribbon_are_folds)
     slopes[0][1] = -0.08; /* upright, and a little out of the hole */
     straight_hole(4, square, (const double(*)[3])slopes, &h);
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-        const batten_fill_options options = form_of(form);
+        const batten_surface_fill_options options = form_of(form);
         CHECK_STATUS(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches),
                      BATTEN_TOLERANCE_NOT_MET);
         CHECK_MESSAGE("folds over");
@@ -143,7 +143,7 @@ TEST(one_ribbon_and_the_side_beside_it_contradict_each_other_too)
     for (int i = 1; i < 4; i++)
         h.ribbons[i].slope = NULL;
     for (int form = BATTEN_FILL_SPLIT; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
-        const batten_fill_options options = form_of(form);
+        const batten_surface_fill_options options = form_of(form);
         CHECK_OK(batten_surface_fill(4, h.ribbons, &options, &h.report, h.patches));
         CHECK_NEAR(h.report.corner_angle * TESTS_DEGREES, 45, 1e-9);
         for (int i = 0; i < 4; i++)

@@ -116,7 +116,7 @@ TEST(ribbons_that_twist_against_each_other_are_left_in_small_zones_alone)
     static const double angles[] = {0.001, 0.01, 0.1};
     for (int k = 0; k < COUNT(angles); k++) {
         const double angle = angles[k];
-        batten_fill_options options = batten_fill_defaults();
+        batten_surface_fill_options options = batten_surface_fill_defaults();
         options.angle = angle / TESTS_DEGREES;
         CHECK_OK(batten_surface_fill(5, h.ribbons, &options, &h.report, h.patches));
         CHECK_INT(h.report.twisted, 5);
@@ -207,7 +207,7 @@ TEST(G7_open_loops_and_ribbons_that_cannot_be_are_refused_by_name)
     ribbons[2].slope = out;
     CHECK_STATUS(batten_surface_fill(5, ribbons, NULL, NULL, h.patches), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("the ribbon of curve 3 points out of the hole");
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     options.tolerance = -1;
     CHECK_STATUS(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches),
                  BATTEN_BAD_ARGUMENT);
@@ -288,7 +288,7 @@ TEST(curvature_is_taken_over_along_the_sides)
     for (int n = 3; n <= 8; n++) {
         hole h;
         batten_curve *curvatures[8] = {NULL};
-        batten_fill_options options = batten_fill_defaults();
+        batten_surface_fill_options options = batten_surface_fill_defaults();
         options.curvature = true;
         add_curved_sides(n, &h, curvatures);
         CHECK_OK(batten_surface_fill(n, h.ribbons, &options, &h.report, h.patches));

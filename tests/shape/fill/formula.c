@@ -2,9 +2,9 @@
 
 static const double round_corners[8] = {1, 1, 1, 1, 1, 1, 1, 1};
 
-static batten_fill_options form_of(batten_fill_form form)
+static batten_surface_fill_options form_of(batten_fill_form form)
 {
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     options.form = form;
     return options;
 }
@@ -15,7 +15,7 @@ TEST(formulas_over_polygons_have_the_positions_and_planes_of_their_ribbons)
     for (int form = BATTEN_FILL_KATO; form <= BATTEN_FILL_CHARROT_GREGORY; form++)
         for (int n = 3; n <= 8; n++) {
             hole h;
-            const batten_fill_options options = form_of((batten_fill_form)form);
+            const batten_surface_fill_options options = form_of((batten_fill_form)form);
             hole_on_paraboloid(n, round_corners, 0.8, &h);
             CHECK_OK(batten_surface_fill(n, h.ribbons, &options, &h.report, h.patches));
             CHECK_INT(h.report.count, n);
@@ -47,7 +47,7 @@ TEST(a_formula_without_slopes_or_with_twists_keeps_its_sides)
                                          {{1, 1.8, 0.2}, {0, 1, -0.4}, {0, 0, 0}}};
     for (int form = BATTEN_FILL_KATO; form <= BATTEN_FILL_CHARROT_GREGORY; form++) {
         hole h = {0};
-        const batten_fill_options options = form_of((batten_fill_form)form);
+        const batten_surface_fill_options options = form_of((batten_fill_form)form);
         for (int i = 0; i < 3; i++)
             hole_add(&h, 2, loop[i][0], 0, NULL);
         CHECK_OK(batten_surface_fill(3, h.ribbons, &options, &h.report, h.patches));
@@ -70,7 +70,7 @@ TEST(formulas_are_finite_in_their_corners)
     for (int form = BATTEN_FILL_KATO; form <= BATTEN_FILL_CHARROT_GREGORY; form++)
         for (int n = 3; n <= 6; n++) {
             hole h;
-            const batten_fill_options options = form_of((batten_fill_form)form);
+            const batten_surface_fill_options options = form_of((batten_fill_form)form);
             hole_on_paraboloid(n, round_corners, 0.8, &h);
             CHECK_OK(batten_surface_fill(n, h.ribbons, &options, NULL, h.patches));
             for (int i = 0; i < COUNT(at); i++)
@@ -89,7 +89,7 @@ TEST(formulas_are_finite_in_their_corners)
 TEST(a_formula_becomes_a_spline_within_the_tolerance)
 {
     hole h;
-    const batten_fill_options options = form_of(BATTEN_FILL_CHARROT_GREGORY);
+    const batten_surface_fill_options options = form_of(BATTEN_FILL_CHARROT_GREGORY);
     hole_on_paraboloid(5, round_corners, 0.8, &h);
     CHECK_OK(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches));
     batten_surface *spline = NULL;
@@ -103,7 +103,7 @@ TEST(a_formula_becomes_a_spline_within_the_tolerance)
 TEST(a_formula_takes_no_curvature)
 {
     hole h;
-    batten_fill_options options = form_of(BATTEN_FILL_KATO);
+    batten_surface_fill_options options = form_of(BATTEN_FILL_KATO);
     options.curvature = true;
     hole_on_paraboloid(5, round_corners, 0.8, &h);
     CHECK_STATUS(batten_surface_fill(5, h.ribbons, &options, NULL, h.patches),

@@ -37,7 +37,7 @@ TEST(G7_curvatures_around_that_contradict_each_other_are_refused_with_numbers)
 {
     hole h;
     batten_curve *bends[SIDES] = {NULL};
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     add_twisted_strips(&h, bends);
     CHECK_OK(batten_surface_fill(SIDES, h.ribbons, &options, &h.report, h.patches));
     CHECK(!h.report.folded);
@@ -72,7 +72,7 @@ TEST(G7_a_fill_that_folds_over_is_refused_unless_it_may)
     /* A flat hole that goes in so far that its middle is outside. */
     static const double corners[4][3] = {{-4, -3, 0}, {0, 3, 0}, {4, -3, 0}, {0, 4, 0}};
     hole h = {0};
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     for (int i = 0; i < 4; i++) {
         double side[2][3];
         memcpy(side[0], corners[i], sizeof side[0]);

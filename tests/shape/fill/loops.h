@@ -13,7 +13,7 @@ typedef struct {
     batten_curve *curves[9], *slopes[9];
     batten_ribbon ribbons[9];
     batten_surface *patches[BATTEN_FILL_SIDES];
-    batten_fill_report report;
+    batten_surface_fill_report report;
 } hole;
 
 /* Bezier curves of degree p over [0, 1] as side and slope; slope NULL for none. */

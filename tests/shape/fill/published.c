@@ -129,7 +129,7 @@ TEST(rational_sides_are_met_within_the_tolerance)
 {
     /* an octant of a sphere: three quarter circles, with the planes of the sphere */
     hole h = {0};
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     options.tolerance = 1e-6;
     static const int axes[3][2] = {{0, 1}, {1, 2}, {2, 0}};
     h.count = 3;

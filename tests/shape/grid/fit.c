@@ -23,9 +23,9 @@ static double wave(double u, double v)
 /* The parameters of the lines, and values of dimension 1. */
 static double us[NU], vs[NV], data[NU * NV];
 
-static batten_grid_fit_options begin(void)
+static batten_surface_fit_grid_options begin(void)
 {
-    batten_grid_fit_options options = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = us;
     options.given_v = vs;
@@ -52,7 +52,7 @@ static double value(const batten_surface *s, double u, double v)
 
 TEST(as_many_control_points_as_data_interpolate)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     fill(wave);
     options.points_u = NU;
     options.points_v = NV;
@@ -62,7 +62,7 @@ TEST(as_many_control_points_as_data_interpolate)
         options.hold_rims = hold;
         CHECK_OK(
             batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
-        CHECK(report.max < 1e-12);
+        CHECK(report.error < 1e-12);
         batten_surface_unref(s);
     }
 }
@@ -74,7 +74,7 @@ static double bicubic(double u, double v)
 
 TEST(bicubics_are_reproduced_with_few_control_points)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     fill(bicubic);
     options.points_u = 5;
     options.points_v = 6;
@@ -82,7 +82,7 @@ TEST(bicubics_are_reproduced_with_few_control_points)
     batten_surface_fit_report report;
     double u[NU], v[NV];
     CHECK_OK(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, u, v, &report, &s));
-    CHECK(report.max < 1e-12 * 150 && report.points_u == 5 && report.points_v == 6);
+    CHECK(report.error < 1e-12 * 150 && report.points_u == 5 && report.points_v == 6);
     CHECK(u[3] == us[3] && v[4] == vs[4]);
     CHECK_NEAR(value(s, 3.3, 7.7), bicubic(3.3, 7.7), 1e-11);
     batten_surface_unref(s);
@@ -109,7 +109,7 @@ static double gradient(const batten_surface *s, const double *wu, const double *
 
 TEST(residuals_are_square_to_the_basis)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     double wu[NU], wv[NV];
     fill(wave);
     for (int i = 0; i < NU; i++)
@@ -131,7 +131,7 @@ TEST(residuals_are_square_to_the_basis)
 
 TEST(a_held_rim_depends_on_its_own_data_alone_and_meets_the_corners)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     batten_surface *first = NULL, *second = NULL;
     fill(wave);
     CHECK_OK(
@@ -153,7 +153,7 @@ TEST(a_held_rim_depends_on_its_own_data_alone_and_meets_the_corners)
 
 TEST(a_knot_more_never_makes_squares_more)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     double last = HUGE_VAL;
     fill(wave);
     options.hold_rims = false;
@@ -183,14 +183,14 @@ TEST(few_control_points_keep_within_a_tolerance)
     const double tolerances[] = {0.3, 0.01, 1e-9};
     int last = 0;
     for (int c = 0; c < 3; c++) {
-        batten_grid_fit_options options = begin();
+        batten_surface_fit_grid_options options = begin();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         fill(wave);
         options.tolerance = tolerances[c];
         CHECK_OK(
             batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
-        CHECK(report.max <= tolerances[c] && report.points_u * report.points_v > last);
+        CHECK(report.error <= tolerances[c] && report.points_u * report.points_v > last);
         last = report.points_u * report.points_v;
         batten_surface_unref(s);
         fill(ridge); /* a line across needs no more */
@@ -201,7 +201,7 @@ TEST(few_control_points_keep_within_a_tolerance)
             batten_surface_unref(s);
         }
     }
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     batten_surface *s = NULL;
     options.tolerance = NAN;
     CHECK_STATUS(batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, NULL, &s),
@@ -218,7 +218,7 @@ static double noise(int i, int j)
 
 TEST(without_penalty_smoothing_is_least_squares)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     const double one[NU] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -236,7 +236,7 @@ TEST(without_penalty_smoothing_is_least_squares)
     options.points_u = options.points_v = 0;
     CHECK_OK(
         batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
-    CHECK(report.max < 1e-11 && report.points_u == NU && report.points_v == NV);
+    CHECK(report.error < 1e-11 && report.points_u == NU && report.points_v == NV);
     batten_surface_unref(s);
 }
 
@@ -259,7 +259,7 @@ static void check_polynomial(const batten_surface *s, int order)
 TEST(an_infinite_penalty_leaves_the_polynomial)
 {
     for (int c = 0; c < 4; c++) {
-        batten_grid_fit_options options = begin();
+        batten_surface_fit_grid_options options = begin();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         fill(tilted);
@@ -282,7 +282,7 @@ TEST(an_infinite_penalty_leaves_the_polynomial)
 
 TEST(the_rms_that_is_asked_for_is_met)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     batten_surface *s = NULL;
     batten_surface_fit_report report;
     fill(wave);
@@ -294,7 +294,7 @@ TEST(the_rms_that_is_asked_for_is_met)
     CHECK_OK(
         batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
     CHECK_NEAR(report.rms, 0.03, 1e-8);
-    CHECK(report.max >= report.most && report.most >= report.rms);
+    CHECK(report.error >= report.most && report.most >= report.rms);
     batten_surface_unref(s);
 }
 
@@ -307,7 +307,7 @@ TEST(validation_finds_the_surface_below_the_noise)
         at[i] = i * 0.25;
     for (int i = 0; i < N * N; i++)
         z[i] = wave(at[i / N], at[i % N]) + test_random_in(&random, -0.2, 0.2);
-    batten_grid_fit_options options = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = options.given_v = at;
     batten_surface *s = NULL;
@@ -336,8 +336,8 @@ TEST(grids_that_close_are_fitted_and_smoothed)
             p[(i * N + j) * 3 + 1] = r * sin(a);
             p[(i * N + j) * 3 + 2] = sin(b);
         }
-    batten_grid_fit_options options = batten_grid_fit_defaults();
-    options.periodic_u = options.periodic_v = true;
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
+    options.closed_u = options.closed_v = true;
     options.points_u = options.points_v = 12;
     for (int c = 0; c < 2; c++) {
         batten_surface *s = NULL;
@@ -348,7 +348,7 @@ TEST(grids_that_close_are_fitted_and_smoothed)
             3, N, N, p, &options, NULL, NULL, NULL, &report, &s));
         CHECK(batten_surface_is_periodic(s, BATTEN_U) &&
               batten_surface_is_periodic(s, BATTEN_V));
-        CHECK(report.max < 0.01);
+        CHECK(report.error < 0.01);
         batten_surface_unref(s);
     }
 }
@@ -383,7 +383,7 @@ TEST(dierckx_grid_is_smoothed_below_its_noise)
     fclose(file);
     for (int i = 0; i < 11; i++)
         at[i] = -1.5 + 0.3 * i;
-    batten_grid_fit_options options = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = options.given_v = at;
     batten_surface *s = NULL;
@@ -402,7 +402,7 @@ TEST(dierckx_grid_is_smoothed_below_its_noise)
 
 TEST(N1_bad_grids_and_options_are_refused)
 {
-    batten_grid_fit_options options = begin();
+    batten_surface_fit_grid_options options = begin();
     batten_surface *s = NULL;
     fill(wave);
     options.points_u = NU + 1;
@@ -454,7 +454,7 @@ TEST(N2_sizes_far_from_one_change_nothing_of_a_grid)
 {
     const double sizes[] = {1e80, 1e-80};
     for (int c = 0; c < 2; c++) {
-        batten_grid_fit_options options = begin();
+        batten_surface_fit_grid_options options = begin();
         batten_surface *s = NULL;
         batten_surface_fit_report report;
         fill(bicubic);
@@ -463,12 +463,12 @@ TEST(N2_sizes_far_from_one_change_nothing_of_a_grid)
         options.points_u = options.points_v = 6;
         CHECK_OK(
             batten_surface_fit_grid(1, NU, NV, data, &options, NULL, NULL, NULL, &report, &s));
-        CHECK(report.max < 1e-12 * 150 * sizes[c]);
+        CHECK(report.error < 1e-12 * 150 * sizes[c]);
         batten_surface_unref(s);
         options.by = BATTEN_SMOOTH_BY_LAMBDA;
         CHECK_OK(batten_surface_smooth_grid(1, NU, NV, data, &options, NULL, NULL, NULL,
                                             &report, &s));
-        CHECK(report.max < 1e-10 * 150 * sizes[c]);
+        CHECK(report.error < 1e-10 * 150 * sizes[c]);
         batten_surface_unref(s);
     }
 }
@@ -482,7 +482,7 @@ TEST(N2_distances_whose_squares_are_no_numbers_are_refused)
         points[3 * i + 1] = i % 4;
         points[3 * i + 2] = (i * 7 % 5 - 2) * 1e200;
     }
-    batten_grid_fit_options o = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options o = batten_surface_fit_grid_defaults();
     o.points_u = o.points_v = 2;
     o.degree_u = o.degree_v = 1;
     const batten_status status =

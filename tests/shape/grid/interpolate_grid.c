@@ -19,9 +19,9 @@ static double smooth(double u, double v)
     return sin(u) * cos(v);
 }
 
-static batten_grid_options given(const double *u, const double *v)
+static batten_surface_interpolate_options given(const double *u, const double *v)
 {
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = u;
     options.given_v = v;
@@ -58,14 +58,14 @@ TEST(bicubics_are_reproduced_by_both_families)
     double points[42];
     fill_bicubic(points);
     for (int c = 0; c < 3; c++) {
-        batten_grid_options options = given(us, vs);
+        batten_surface_interpolate_options options = given(us, vs);
         options.knots_at_data = c < 2;
         options.ends = kinds[c % 2];
         batten_surface *surface = NULL;
-        batten_grid_report report;
+        batten_surface_interpolate_report report;
         CHECK_OK(batten_surface_interpolate(1, 7, 6, points, &options, NULL, NULL, NULL,
                                             &report, &surface));
-        CHECK(report.residual < 1e-13 * 150 && report.spread_u == 0);
+        CHECK(report.error < 1e-13 * 150 && report.spread_u == 0);
         check_bicubic(surface);
         batten_surface_unref(surface);
     }
@@ -84,7 +84,7 @@ TEST(true_derivatives_on_the_rim_are_met_twists_included)
         for (int j = 0; j < 2; j++)
             twists[i * 2 + j] = bicubic(u, j ? vs[5] : vs[0], 1, 1);
     }
-    batten_grid_options options = given(us, vs);
+    batten_surface_interpolate_options options = given(us, vs);
     options.knots_at_data = true;
     options.du = du;
     options.dv = dv;
@@ -154,10 +154,10 @@ TEST(every_degree_family_and_period_passes_its_points)
         const int count_u = 2 + c % 7, count_v = 2 + c / 7 % 6;
         double points[8 * 7 * 3], u[8], v[7];
         fill(&random, count_u, count_v, points);
-        batten_grid_options options = batten_grid_defaults();
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
         options.parameters = (batten_parametrization)(c % 5);
-        options.periodic_u = c % 3 == 1;
-        options.periodic_v = c % 4 == 1;
+        options.closed_u = c % 3 == 1;
+        options.closed_v = c % 4 == 1;
         options.knots_at_data = c % 2;
         options.ends = kinds[c % 5];
         if (!options.knots_at_data) {
@@ -168,7 +168,7 @@ TEST(every_degree_family_and_period_passes_its_points)
         CHECK_OK(batten_surface_interpolate(3, count_u, count_v, points, &options, NULL, u, v,
                                             NULL, &surface));
         check_passes(surface, count_u, count_v, points, u, v);
-        CHECK(batten_surface_is_periodic(surface, BATTEN_U) == options.periodic_u);
+        CHECK(batten_surface_is_periodic(surface, BATTEN_U) == options.closed_u);
         batten_surface_unref(surface);
     }
 }
@@ -184,7 +184,7 @@ TEST(exchanging_u_and_v_exchanges_the_surface)
         for (int i = 0; i < 6; i++)
             for (int j = 0; j < 5; j++)
                 memcpy(swapped + (j * 6 + i) * 3, points + (i * 5 + j) * 3, 24);
-        batten_grid_options options = batten_grid_defaults();
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
         options.knots_at_data = c % 3 > 0;
         if (c % 3 == 2)
             options.du = du, options.dv = dv;
@@ -229,7 +229,7 @@ TEST(clamped_surfaces_converge_with_the_fourth_power_natural_ones_with_the_secon
                 twists[2 * e] = -cos(at) * sin(t[0]);
                 twists[2 * e + 1] = -cos(at) * sin(t[n - 1]);
             }
-            batten_grid_options options = given(t, t);
+            batten_surface_interpolate_options options = given(t, t);
             options.knots_at_data = true;
             options.ends = BATTEN_END_NATURAL;
             if (!natural)
@@ -261,8 +261,8 @@ TEST(a_torus_from_a_closed_grid_has_no_seam)
             const double p[3] = {r * cos(a), r * sin(a), sin(b)};
             memcpy(points + (i * 16 + j) * 3, p, sizeof p);
         }
-    batten_grid_options options = batten_grid_defaults();
-    options.periodic_u = options.periodic_v = true;
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
+    options.closed_u = options.closed_v = true;
     batten_surface *torus = NULL;
     CHECK_OK(batten_surface_interpolate(3, 16, 16, points, &options, NULL, NULL, NULL, NULL,
                                         &torus));
@@ -312,7 +312,7 @@ TEST(rows_with_other_spacings_are_reported)
             memcpy(points + (i * 5 + j) * 3, p, sizeof p);
         }
     batten_surface *surface = NULL;
-    batten_grid_report report;
+    batten_surface_interpolate_report report;
     CHECK_OK(
         batten_surface_interpolate(3, 4, 5, points, NULL, NULL, NULL, NULL, &report, &surface));
     CHECK(report.spread_v > 0.5);
@@ -340,7 +340,7 @@ TEST(affine_maps_commute_and_planes_stay_planes)
         q[1] = 3 * p[1] - p[2];
         q[2] = p[0];
     }
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.parameters = BATTEN_FOLEY;
     batten_surface *a = NULL, *b = NULL;
     CHECK_OK(batten_surface_interpolate(3, 6, 5, points, &options, NULL, NULL, NULL, NULL, &a));
@@ -387,11 +387,11 @@ TEST(N1_grids_that_are_not_finite_are_refused)
         BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 2 of point 3 is nan");
     points[11] = 0;
-    batten_grid_options options = given(u, v);
+    batten_surface_interpolate_options options = given(u, v);
     CHECK_STATUS(
         batten_surface_interpolate(3, 2, 2, points, &options, NULL, NULL, NULL, NULL, &surface),
         BATTEN_NOT_FINITE);
-    options = batten_grid_defaults();
+    options = batten_surface_interpolate_defaults();
     options.knots_at_data = true;
     options.du = du;
     du[4] = NAN;
@@ -407,17 +407,17 @@ TEST(grids_that_make_no_sense_are_refused)
     const double points[12] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, some[24] = {0};
     batten_surface *surface = NULL;
     for (int c = 0; c < 12; c++) {
-        batten_grid_options options = batten_grid_defaults();
+        batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
         options.knots_at_data = true;
         if (c == 0 || c == 1 || c == 2)
             options.du = some;
         if (c == 2) /* two orders, and no twists */
             options.dv = some, options.orders_v = 2, options.degree_v = 5;
-        options.periodic_u = c == 0;
+        options.closed_u = c == 0;
         if (c == 1)
             options.twists = some;
         if (c == 3)
-            options.dv = some, options.periodic_v = true;
+            options.dv = some, options.closed_v = true;
         if (c == 4)
             options.parameters = BATTEN_GIVEN;
         if (c == 5)
@@ -452,7 +452,7 @@ TEST(I8_a_grid_can_be_cancelled_and_has_a_budget)
 {
     double points[42];
     fill_bicubic(points);
-    batten_grid_options options = given(us, vs);
+    batten_surface_interpolate_options options = given(us, vs);
     batten_surface *surface = NULL;
     for (int at = 0; at < 3; at++) {
         int questions = at;

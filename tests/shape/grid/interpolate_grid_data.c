@@ -8,9 +8,9 @@ enum { NU = 8, NV = 7 };
 static const double us[NU] = {0, 0.3, 0.8, 1.1, 1.5, 1.9, 2.4, 3};
 static const double vs[NV] = {-1, -0.6, 0, 0.2, 0.5, 1.3, 1.6};
 
-static batten_grid_options given(void)
+static batten_surface_interpolate_options given(void)
 {
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given_u = us;
     options.given_v = vs;
@@ -72,7 +72,7 @@ TEST(biquintics_are_reproduced_with_two_derivatives_at_the_rims)
     rim_data r;
     fill(&r);
     for (int at_data = 0; at_data < 2; at_data++) {
-        batten_grid_options options = given();
+        batten_surface_interpolate_options options = given();
         batten_surface *s = NULL;
         options.degree_u = options.degree_v = 5;
         options.knots_at_data = at_data;
@@ -94,7 +94,7 @@ TEST(averaged_knots_take_derivatives_of_any_subset)
     rim_data r;
     fill(&r);
     for (int c = 0; c < 3; c++) {
-        batten_grid_options options = given();
+        batten_surface_interpolate_options options = given();
         batten_surface *s = NULL;
         options.degree_u = 4;
         options.degree_v = 2;
@@ -135,7 +135,7 @@ TEST(rational_surfaces_are_reproduced_from_points_and_weights)
             for (int k = 0; k < 3; k++)
                 points[(i * NV + j) * 3 + k] = xw[k] / xw[3];
         }
-    batten_grid_options options = given();
+    batten_surface_interpolate_options options = given();
     batten_surface *s = NULL;
     options.degree_u = 3; /* u w is cubic */
     options.degree_v = 2;
@@ -162,7 +162,7 @@ TEST(K8_weights_that_swing_too_much_are_refused_by_name)
         points[3 * i + 1] = vs[i % NV];
         weights[i] = i % 2 ? 1 : 1e-3;
     }
-    batten_grid_options options = given();
+    batten_surface_interpolate_options options = given();
     batten_surface *s = NULL;
     options.weights = weights;
     CHECK_STATUS(
@@ -200,9 +200,10 @@ TEST(a_plane_with_gaps_stays_plane)
             }
         }
     for (int c = 0; c < 2; c++) {
-        batten_grid_options options = c ? given() : batten_grid_defaults();
+        batten_surface_interpolate_options options =
+            c ? given() : batten_surface_interpolate_defaults();
         batten_surface *s = NULL;
-        batten_grid_report report;
+        batten_surface_interpolate_report report;
         options.gaps = gaps;
         CHECK_OK(batten_surface_interpolate(3, NU, NV, points, &options, NULL, NULL, NULL,
                                             &report, &s));
@@ -232,7 +233,7 @@ TEST(points_that_are_there_are_met_and_gaps_come_near)
         points[i] = wave(us[i / NV], vs[i % NV]);
     gaps[3 * NV + 3] = true;
     points[3 * NV + 3] = 1e300;
-    batten_grid_options options = given();
+    batten_surface_interpolate_options options = given();
     batten_surface *s = NULL;
     options.gaps = gaps;
     CHECK_OK(
@@ -255,9 +256,9 @@ TEST(a_torus_with_gaps_closes_smoothly)
             memcpy(points + (i * N + j) * 3, p, sizeof p);
             gaps[i * N + j] = (i == 0 && j < 2) || (i == N - 1 && j == 0);
         }
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     batten_surface *s = NULL;
-    options.periodic_u = options.periodic_v = true;
+    options.closed_u = options.closed_v = true;
     options.gaps = gaps;
     CHECK_OK(batten_surface_interpolate(3, N, N, points, &options, NULL, NULL, NULL, NULL, &s));
     double left[18], right[18], worst = 0;
@@ -279,7 +280,7 @@ TEST(G9_gaps_that_nothing_determines_are_refused)
     double points[NU * NV * 3] = {0};
     bool gaps[NU * NV];
     batten_surface *s = NULL;
-    batten_grid_options options = given();
+    batten_surface_interpolate_options options = given();
     for (int i = 0; i < NU * NV; i++)
         gaps[i] = i > 1;
     points[4] = 1;

@@ -36,7 +36,7 @@ static double apart(const batten_surface *a, const batten_surface *b, int order)
 static batten_surface *natural_bicubic(const double *points)
 {
     batten_surface *surface = NULL;
-    batten_grid_options o = batten_grid_defaults();
+    batten_surface_interpolate_options o = batten_surface_interpolate_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given_u = stations_u;
     o.given_v = stations_v;
@@ -50,7 +50,7 @@ static batten_surface *natural_bicubic(const double *points)
 static batten_surface *nu_surface(const double *points, double nu)
 {
     batten_surface *surface = NULL;
-    batten_nu_surface_options o = batten_nu_surface_defaults();
+    batten_surface_nu_options o = batten_surface_nu_defaults();
     o.u = stations_u;
     o.v = stations_v;
     o.nu_u = o.nu_v = nu;
@@ -61,7 +61,7 @@ static batten_surface *nu_surface(const double *points, double nu)
 static batten_surface *tension_surface(const double *points, double tension)
 {
     batten_surface *surface = NULL;
-    batten_tension_surface_options o = batten_tension_surface_defaults();
+    batten_surface_tension_options o = batten_surface_tension_defaults();
     o.u = stations_u;
     o.v = stations_v;
     o.tension_u = o.tension_v = tension;
@@ -195,7 +195,7 @@ TEST(the_other_direction_first_gives_the_same_surface)
     double points[NU * NV * 3], turned[NU * NV * 3];
     hills(points);
     swap_grid(points, turned);
-    batten_nu_surface_options o = batten_nu_surface_defaults();
+    batten_surface_nu_options o = batten_surface_nu_defaults();
     const double nus[NU] = {0, 3, 20, 0, 0};
     batten_surface *one = NULL, *other = NULL, *back = NULL;
     o.u = stations_u;
@@ -224,7 +224,7 @@ TEST(catmull_rom_is_the_matrix_form_on_an_inner_cell)
     double G[16], off = 1;
     for (int i = 0; i < 16; i++)
         G[i] = sin(1.7 * i) + 0.1 * i;
-    batten_catmull_rom_options o = batten_catmull_rom_defaults();
+    batten_curve_catmull_rom_options o = batten_curve_catmull_rom_defaults();
     batten_surface *surface = NULL;
     CHECK_OK(
         batten_surface_catmull_rom(1, 4, 4, G, steps, steps, &o, &o, NULL, &off, &surface));
@@ -257,9 +257,9 @@ TEST(closed_grids_close_smoothly)
             p[1] = (3 + cos(b)) * sin(a);
             p[2] = sin(b);
         }
-    batten_nu_surface_options nu = batten_nu_surface_defaults();
-    batten_tension_surface_options tension = batten_tension_surface_defaults();
-    batten_catmull_rom_options local = batten_catmull_rom_defaults();
+    batten_surface_nu_options nu = batten_surface_nu_defaults();
+    batten_surface_tension_options tension = batten_surface_tension_defaults();
+    batten_curve_catmull_rom_options local = batten_curve_catmull_rom_defaults();
     batten_surface *surfaces[3] = {NULL};
     nu.closed_u = nu.closed_v = tension.closed_u = tension.closed_v = local.closed = true;
     CHECK_OK(batten_surface_nu(3, 12, 8, points, &nu, NULL, &surfaces[0]));
@@ -327,7 +327,7 @@ TEST(bad_grids_are_refused_by_name) /* G5 G6 K7 */
     CHECK_STATUS(batten_surface_catmull_rom(3, NU, NV, points, falling, stations_v, NULL, NULL,
                                             NULL, NULL, &surface),
                  BATTEN_NOT_INCREASING);
-    batten_tension_surface_options o = batten_tension_surface_defaults();
+    batten_surface_tension_options o = batten_surface_tension_defaults();
     o.tension_v = -1;
     CHECK_STATUS(batten_surface_tension(3, NU, NV, points, &o, &surface), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("along v, line 0: the tension of span 0 is -1");

@@ -3,8 +3,8 @@
 #include "support/test.h"
 
 static batten_curve *find(int d, int count, const double *points,
-                          const batten_constrained_options *options, double *parameters,
-                          batten_constrained_report *report)
+                          const batten_curve_constrained_options *options, double *parameters,
+                          batten_curve_constrained_report *report)
 {
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_constrained(d, count, points, options, parameters, report, &curve));
@@ -34,10 +34,10 @@ static const double up[3] = {1}, down[3] = {-1};
 static const double abscissae[] = {0, 1, 2, 3, 4, 5, 6};
 static const double step[] = {0, 0, 0.05, 1, 1.05, 1.1, 1.5};
 
-static batten_constrained_options of_step(int constraint_count,
-                                          const batten_constraint *constraints)
+static batten_curve_constrained_options of_step(int constraint_count,
+                                                const batten_constraint *constraints)
 {
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = abscissae;
     options.constraint_count = constraint_count;
@@ -49,9 +49,9 @@ static batten_constrained_options of_step(int constraint_count,
 
 TEST(without_constraints_a_cubic_with_knots_at_the_points_is_the_natural_spline)
 {
-    batten_constrained_options options = of_step(0, NULL);
+    batten_curve_constrained_options options = of_step(0, NULL);
     options.degree = 3;
-    batten_interpolate_options natural = batten_interpolate_defaults();
+    batten_curve_interpolate_options natural = batten_curve_interpolate_defaults();
     natural.parameters = BATTEN_GIVEN;
     natural.given = abscissae;
     natural.knots_at_data = true;
@@ -59,7 +59,7 @@ TEST(without_constraints_a_cubic_with_knots_at_the_points_is_the_natural_spline)
     batten_curve *expected = NULL;
     CHECK_OK(batten_curve_interpolate(1, 7, step, &natural, NULL, &expected));
     for (options.pieces = 1; options.pieces <= 4; options.pieces++) {
-        batten_constrained_report report;
+        batten_curve_constrained_report report;
         batten_curve *curve = find(1, 7, step, &options, NULL, &report);
         for (int i = 0; i <= 60; i++) {
             double at, wanted;
@@ -79,12 +79,12 @@ TEST(bezier_curves_through_points_come_down_to_the_energy_of_the_natural_spline)
     /* y'' is a hat of height -3: its square has the integral 2 * 9 / 3. */
     double before = HUGE_VAL;
     for (int degree = 3; degree <= 15; degree += 2) {
-        batten_constrained_options options = batten_constrained_defaults();
+        batten_curve_constrained_options options = batten_curve_constrained_defaults();
         options.parameters = BATTEN_GIVEN;
         options.given = at;
         options.pieces = 0;
         options.degree = degree;
-        batten_constrained_report report;
+        batten_curve_constrained_report report;
         batten_curve *curve = find(1, 3, values, &options, NULL, &report);
         CHECK_INT(batten_curve_point_count(curve), degree + 1);
         CHECK(report.energy > 6 && report.energy < before + 1e-12);
@@ -99,7 +99,7 @@ TEST(a_cubic_bezier_curve_with_clamped_ends_is_hermites)
     static const double at[] = {0, 2}, values[] = {1, 4};
     const batten_constraint ends[] = {{BATTEN_CONSTRAINT_DIRECTION, 0, 0, {0.5}, 0, 0},
                                       {BATTEN_CONSTRAINT_DIRECTION, 1, 0, {-3}, 0, 0}};
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     options.pieces = 0;
@@ -123,14 +123,14 @@ TEST(a_floor_lifts_a_beam_as_it_does_in_mechanics)
     const batten_constraint constraints[] = {{BATTEN_CONSTRAINT_DIRECTION, 0, 0, {-0.8}, 0, 0},
                                              {BATTEN_CONSTRAINT_DIRECTION, 1, 0, {0.8}, 0, 0},
                                              {BATTEN_CONSTRAINT_VALUE, 0, 0, {1}, 0, 0}};
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     options.degree = 3;
     options.checks = 16;
     options.constraint_count = 3;
     options.constraints = constraints;
-    batten_constrained_report report;
+    batten_curve_constrained_report report;
     batten_curve *curve = find(1, 2, values, &options, NULL, &report);
     /* Hermite's cubic on [0, 1] from (0, 0) with slope 0 to (h, s): y'' = (6 h - 2 s) + (6 s -
      * 12 h) x. */
@@ -149,8 +149,8 @@ TEST(a_floor_lifts_a_beam_as_it_does_in_mechanics)
 
 TEST(inequalities_hold_at_every_parameter_and_cost_energy)
 {
-    batten_constrained_report free;
-    const batten_constrained_options none = of_step(0, NULL);
+    batten_curve_constrained_report free;
+    const batten_curve_constrained_options none = of_step(0, NULL);
     batten_curve *curve = find(1, 7, step, &none, NULL, &free);
     CHECK(least_of(curve, 0, up, 0, 6) < -0.01);
     CHECK(least_of(curve, 1, up, 0, 6) < -0.1);
@@ -163,8 +163,8 @@ TEST(inequalities_hold_at_every_parameter_and_cost_energy)
     };
     double before = free.energy;
     for (int count = 1; count <= 4; count++) {
-        const batten_constrained_options options = of_step(count, all);
-        batten_constrained_report report;
+        const batten_curve_constrained_options options = of_step(count, all);
+        batten_curve_constrained_report report;
         curve = find(1, 7, step, &options, NULL, &report);
         CHECK(least_of(curve, 0, up, 0, 6) >= -1e-13);
         if (count > 1)
@@ -184,10 +184,10 @@ TEST(inequalities_hold_at_every_parameter_and_cost_energy)
 TEST(more_checks_ask_for_less_than_fewer)
 {
     const batten_constraint floor = {BATTEN_CONSTRAINT_VALUE, 0, 0, {1}, 0, 0};
-    batten_constrained_options options = of_step(1, &floor);
+    batten_curve_constrained_options options = of_step(1, &floor);
     double before = HUGE_VAL;
     for (options.checks = 1; options.checks <= 16; options.checks *= 2) {
-        batten_constrained_report report;
+        batten_curve_constrained_report report;
         batten_curve_unref(find(1, 7, step, &options, NULL, &report));
         CHECK(report.energy <= before + 1e-12);
         before = report.energy;
@@ -198,8 +198,8 @@ TEST(a_function_stays_above_a_slanted_line)
 {
     const double values[] = {0, 0, 0, 0.6, 1, 1.3, 1.5};
     const batten_constraint line = {BATTEN_CONSTRAINT_VALUE, 0, 0, {1}, -0.02, 0.005};
-    const batten_constrained_options options = of_step(1, &line);
-    batten_constrained_report report;
+    const batten_curve_constrained_options options = of_step(1, &line);
+    batten_curve_constrained_report report;
     batten_curve *curve = find(1, 7, values, &options, NULL, &report);
     for (int i = 0; i <= 600; i++) {
         double at;
@@ -219,11 +219,11 @@ TEST(a_plane_curve_stays_within_a_band_and_goes_where_it_is_told)
         {BATTEN_CONSTRAINT_SLOPE, 0, 0, {1, 0}, 0, 0},
         {BATTEN_CONSTRAINT_DIRECTION, 2, 0, {2, 0}, 0, 0},
     };
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     options.constraint_count = 4;
     options.constraints = constraints;
     double u[5], at[4];
-    batten_constrained_report report;
+    batten_curve_constrained_report report;
     batten_curve *curve = find(2, 5, points, &options, u, &report);
     const double across[] = {0, 1}, against[] = {0, -1}, along[] = {1, 0};
     CHECK(least_of(curve, 0, across, 0, u[4]) >= -1e-13);
@@ -244,7 +244,7 @@ TEST(directions_in_space_and_mean_values_are_kept)
         {BATTEN_CONSTRAINT_DIRECTION, 3, 0, {0, 0, -1}, 0.6, 0},
         {BATTEN_CONSTRAINT_MEAN, 0, 0, {0, 1, 0}, 0.7, 0},
     };
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     options.constraint_count = 3;
     options.constraints = constraints;
     options.order = 3;
@@ -270,9 +270,9 @@ TEST(directions_in_space_and_mean_values_are_kept)
 TEST(points_with_weights_are_passed_near)
 {
     const double weights[] = {HUGE_VAL, 3, 3, 3, 3, 3, HUGE_VAL};
-    batten_constrained_options options = of_step(0, NULL);
+    batten_curve_constrained_options options = of_step(0, NULL);
     options.weights = weights;
-    batten_constrained_report report, through;
+    batten_curve_constrained_report report, through;
     batten_curve *curve = find(1, 7, step, &options, NULL, &report);
     double at;
     CHECK_OK(batten_curve_evaluate(curve, 6, 0, &at));
@@ -303,7 +303,7 @@ TEST(g9_constraints_that_contradict_each_other_are_named)
 {
     const batten_constraint ceiling[] = {{BATTEN_CONSTRAINT_VALUE, 0, 0, {1}, -5, 0},
                                          {BATTEN_CONSTRAINT_VALUE, 2, 4, {-1}, -0.5, 0}};
-    batten_constrained_options options = of_step(2, ceiling);
+    batten_curve_constrained_options options = of_step(2, ceiling);
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
                  BATTEN_NOT_COMPATIBLE);
@@ -343,12 +343,12 @@ TEST(n1_g1_s1_constrained_curves_refuse_what_they_cannot_use)
                                        {BATTEN_CONSTRAINT_BEND, 0, 0, {0}, 0, 0},
                                        {(batten_constraint_kind)9, 0, 0, {1}, 0, 0}};
     for (int i = 0; i < COUNT(wrong); i++) {
-        const batten_constrained_options options = of_step(1, &wrong[i]);
+        const batten_curve_constrained_options options = of_step(1, &wrong[i]);
         CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
                      BATTEN_BAD_ARGUMENT);
         CHECK_MESSAGE("constraint 0");
     }
-    batten_constrained_options options = of_step(0, NULL);
+    batten_curve_constrained_options options = of_step(0, NULL);
     options.degree = 26;
     CHECK_STATUS(batten_curve_constrained(1, 7, step, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);

@@ -18,9 +18,9 @@ static double value_of(const batten_curve *curve, double u, int order)
     return out[order];
 }
 
-static batten_interpolate_options given(const double *parameters)
+static batten_curve_interpolate_options given(const double *parameters)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     return options;
@@ -52,7 +52,7 @@ TEST(a_spline_passes_its_points_and_is_smooth_between_whatever_its_ends)
     for (int c = 0; c < test_cases(100); c++) {
         const int count = 3 + c / 10 % 7, d = 2 + c % 2;
         double points[30], u[10], left[12], right[12];
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = (batten_parametrization)(c % 5);
         options.start = (batten_end){(batten_end_kind)(c % 10), {0.5, 0.25, -0.5}};
         options.end = (batten_end){(batten_end_kind)((c / 10 + c) % 10), {0.3, 0.1, 0.2}};
@@ -79,7 +79,7 @@ TEST(cubics_are_reproduced_by_every_end_that_knows_them)
     for (int i = 0; i < 6; i++)
         y[i] = cubic(t[i], 0);
     for (int c = 0; c < 16; c++) {
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         const int order_a = kinds[c / 4] == BATTEN_END_SECOND ? 2 : 1;
         const int order_b = kinds[c % 4] == BATTEN_END_SECOND ? 2 : 1;
         options.start = (batten_end){kinds[c / 4], {cubic(0, order_a)}};
@@ -103,7 +103,7 @@ TEST(parabolas_are_reproduced_by_parabolic_and_bessel_ends)
         y[i] = t[i] * t[i] - 2 * t[i];
     for (int c = 0; c < 36; c++) {
         const int count = 2 + c / 9;
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.start.kind = kinds[c % 3];
         options.end.kind = kinds[c / 3 % 3];
         batten_curve *curve = NULL;
@@ -138,7 +138,7 @@ TEST(the_natural_spline_has_the_least_energy)
     for (int c = 0; c < test_cases(40); c++) {
         double y[6];
         fill(&random, 6, y);
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.start.kind = options.end.kind = BATTEN_END_NATURAL;
         batten_curve *natural = NULL, *other = NULL;
         CHECK_OK(batten_curve_interpolate(1, 6, y, &options, NULL, &natural));
@@ -157,7 +157,7 @@ TEST(the_natural_spline_has_the_least_energy)
 TEST(the_forces_on_a_natural_spline_are_in_equilibrium)
 {
     const double t[] = {0, 1, 1.5, 3, 4}, y[] = {0, 2, 1, 1, 3};
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(1, 5, y, &options, NULL, &curve));
@@ -187,7 +187,7 @@ TEST(clamped_splines_keep_the_bounds_of_hall_and_meyer)
     }
     const double h = 0.06, bound[3] = {5.0 / 384 * h * h * h * h * 81, h * h * h / 24 * 81,
                                        3.0 / 8 * h * h * 81};
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     options.start = (batten_end){BATTEN_END_CLAMPED, {3}};
     options.end = (batten_end){BATTEN_END_CLAMPED, {3 * cos(3)}};
     batten_curve *curve = NULL;
@@ -207,7 +207,7 @@ TEST(a_bump_dies_out_by_root_three_minus_two_for_each_interval)
     y[20] = 1;
     for (int i = 0; i < 41; i++)
         t[i] = i;
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(1, 41, y, &options, NULL, &curve));
     for (int i = 22; i < 30; i++)
@@ -220,7 +220,7 @@ TEST(fair_ends_find_the_slopes_of_a_sine)
     double y[21], t[21];
     for (int i = 0; i <= 20; i++)
         y[i] = sin(3 * (t[i] = i / 20.0));
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     options.start.kind = options.end.kind = BATTEN_END_FAIR;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(1, 21, y, &options, NULL, &curve));
@@ -249,7 +249,7 @@ TEST(fair_ends_make_the_jumps_least)
         const int count = 3 + c % 4;
         double y[6];
         fill(&random, 6, y);
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.start.kind = options.end.kind = BATTEN_END_FAIR;
         if (c % 2)
             options.start = (batten_end){BATTEN_END_CLAMPED, {1}};
@@ -301,9 +301,9 @@ TEST(closed_splines_approach_the_circle_with_the_fourth_power)
     double error[3], points[256];
     for (int s = 0; s < 3; s++) {
         const int count = 16 << s;
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = BATTEN_CHORD;
-        options.periodic = true;
+        options.closed = true;
         circle_points(2, 0, 4 * acos(0), count, true, points);
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_interpolate(2, count, points, &options, NULL, &curve));
@@ -320,7 +320,7 @@ TEST(ends_of_circles_and_of_given_curvature_know_the_circle)
     for (int kind = 0; kind < 4; kind++) {
         for (int s = 0; s < 2; s++) {
             const int count = 17 + 16 * s;
-            batten_interpolate_options options = batten_interpolate_defaults();
+            batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
             options.parameters = BATTEN_CHORD;
             circle_points(5, 0, 2, count, false, points);
             if (kind == 0)
@@ -355,7 +355,7 @@ TEST(curvature_ends_give_the_curvature_across_the_tangent)
 {
     const double points[] = {0, 0, 0, 1, 0, 0.5, 2, 1, 0, 4, 1, 1};
     const double wanted[3] = {0, 0, 0.5};
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start = (batten_end){BATTEN_END_CURVATURE, {wanted[0], wanted[1], wanted[2]}};
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(3, 4, points, &options, NULL, &curve));
@@ -385,9 +385,9 @@ TEST(periodic_curves_of_every_degree_close_smoothly_from_any_start)
             points[i] += test_random_in(&random, -0.2, 0.2);
         for (int i = 0; i < 2 * count; i++)
             turned[i] = points[(i + 2) % (2 * count)];
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.degree = degree;
-        options.periodic = true;
+        options.closed = true;
         batten_curve *curve = NULL, *other = NULL;
         CHECK_OK(batten_curve_interpolate(d, count, points, &options, u, &curve));
         CHECK_OK(batten_curve_interpolate(d, count, turned, &options, v, &other));
@@ -423,7 +423,7 @@ TEST(averaged_knots_reproduce_polynomials_of_their_degree)
             t[i] = i == 0 ? 0 : t[i - 1] + test_random_in(&random, 0.05, 0.2);
             y[i] = pow(t[i], degree);
         }
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.knots_at_data = false;
         options.degree = degree;
         batten_curve *curve = NULL;
@@ -456,7 +456,7 @@ TEST(derivatives_at_any_data_points_are_met)
                     fill(&random, 3, wanted[wanted_count++].value);
                 }
         fill(&random, 18, points);
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.degree = degree;
         options.knots_at_data = false;
         options.derivatives = wanted;
@@ -485,7 +485,7 @@ TEST(odd_degrees_stand_on_knots_at_the_data)
     const double T = t[11];
     const batten_derivative ends[] = {{0, 2, {0}}, {11, 1, {5 * pow(T, 4) - 1}}, {0, 1, {-1}}};
     for (int given_count = 0; given_count <= 3; given_count++) {
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.degree = 5;
         options.derivatives = ends;
         options.derivative_count = given_count;
@@ -504,7 +504,7 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
     for (int count = 2; count <= 5; count++)
         for (int averaged = 0; averaged < 2; averaged++)
             for (int degree = 1; degree <= 7; degree++) {
-                batten_interpolate_options options = batten_interpolate_defaults();
+                batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
                 options.degree = degree;
                 options.knots_at_data = !averaged;
                 double u[5];
@@ -521,7 +521,7 @@ TEST(G2_few_points_give_a_line_a_parabola_and_lower_degrees)
                 batten_curve_unref(curve);
             }
     batten_curve *line = NULL, *hermite = NULL;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
     CHECK_OK(batten_curve_interpolate(2, 2, points, &options, NULL, &line));
     CHECK_INT(batten_curve_degree(line), 1);
@@ -549,7 +549,7 @@ TEST(G9_schoenberg_and_whitney_speak_with_numbers)
     /* Four conditions at one point of a parabola's system leave others without a knot. */
     const double t[] = {0, 1, 2, 3, 4, 5}, y[] = {0, 1, 0, 1, 0, 1};
     const batten_derivative wanted[] = {{2, 1, {0}}, {2, 2, {0}}};
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     options.degree = 2;
     options.knots_at_data = false;
     options.derivatives = wanted;
@@ -569,7 +569,7 @@ TEST(G10_reversed_points_give_the_reversed_curve)
         for (int i = 0; i < 8; i++)
             for (int k = 0; k < 2; k++)
                 backward[2 * i + k] = points[2 * (7 - i) + k];
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         const batten_end_kind kinds[] = {BATTEN_END_NOT_A_KNOT, BATTEN_END_NATURAL,
                                          BATTEN_END_PARABOLIC,  BATTEN_END_BESSEL,
                                          BATTEN_END_CIRCLE,     BATTEN_END_FAIR};
@@ -600,15 +600,15 @@ TEST(N1_what_is_not_finite_is_refused)
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_interpolate(2, 2, bad, NULL, NULL, &curve), BATTEN_NOT_FINITE);
     CHECK_MESSAGE("coordinate 0 of point 1 is inf");
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    options = batten_interpolate_defaults();
+    options = batten_curve_interpolate_defaults();
     options.end = (batten_end){BATTEN_END_CLAMPED, {0, NAN}};
     CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
                  BATTEN_NOT_FINITE);
     const batten_derivative derivative = {0, 1, {NAN}};
-    options = batten_interpolate_defaults();
+    options = batten_curve_interpolate_defaults();
     options.derivatives = &derivative;
     options.derivative_count = 1;
     CHECK_STATUS(batten_curve_interpolate(2, 3, points, &options, NULL, &curve),
@@ -636,7 +636,7 @@ TEST(N2_size_does_not_matter_and_what_overflows_is_refused)
     }
     const double huge[] = {1.7e308, -1.7e308, 1.7e308, -1.7e308, 1.7e308},
                  t[] = {0, 1, 2, 3, 4};
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_interpolate(1, 5, huge, &options, NULL, &none), BATTEN_OVERFLOW);
     CHECK(none == NULL);
@@ -648,14 +648,14 @@ TEST(requests_that_make_no_sense_are_refused)
     const batten_derivative wrong[] = {{4, 1, {0}}, {-1, 1, {0}}, {1, 0, {0}}, {1, 4, {0}},
                                        {1, 1, {0}}, {0, 1, {0}},  {0, 1, {0}}};
     batten_curve *curve = NULL;
-    batten_interpolate_options options = given(t);
+    batten_curve_interpolate_options options = given(t);
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_NOT_INCREASING);
     CHECK_MESSAGE("parameter 2 is 1, not above the one before, 2");
     options = given(NULL);
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    options = batten_interpolate_defaults();
+    options = batten_curve_interpolate_defaults();
     const int degrees[] = {-1, 0, 26};
     for (int i = 0; i < 3; i++) {
         options.degree = degrees[i];
@@ -663,7 +663,7 @@ TEST(requests_that_make_no_sense_are_refused)
                      BATTEN_BAD_DEGREE);
     }
     for (int i = 0; i < 5; i++) {
-        options = batten_interpolate_defaults();
+        options = batten_curve_interpolate_defaults();
         options.derivatives = wrong + i;
         options.derivative_count = 1;
         CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
@@ -679,18 +679,18 @@ TEST(requests_that_make_no_sense_are_refused)
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the start has 2 conditions, and degree 3 takes 1");
-    options.periodic = true;
+    options.closed = true;
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     options.derivative_count = -1;
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    options = batten_interpolate_defaults();
+    options = batten_curve_interpolate_defaults();
     options.degree = 5;
     options.start.kind = BATTEN_END_FAIR;
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
-    options = batten_interpolate_defaults();
+    options = batten_curve_interpolate_defaults();
     options.start.kind = BATTEN_END_DIRECTION;
     CHECK_STATUS(batten_curve_interpolate(2, 4, points, &options, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
@@ -703,7 +703,7 @@ TEST(requests_that_make_no_sense_are_refused)
 TEST(circle_ends_fall_back_where_there_is_no_circle)
 {
     const double points[] = {0, 0, 1, 1, 0, 0, 2, 0}, twice[] = {0, 0, 1, 1, 1, 1, 2, 0};
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start.kind = options.end.kind = BATTEN_END_CIRCLE;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(2, 4, points, &options, NULL, &curve));
@@ -719,7 +719,7 @@ TEST(circle_ends_fall_back_where_there_is_no_circle)
 TEST(curvatures_that_rounding_keeps_from_the_last_digits_are_reached)
 {
     const double points[6] = {8, 4, 6, -9, 7, 8}, wanted[2][2] = {{-1.5, -1.7}, {0.6, 1}};
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_UNIFORM;
     options.start = (batten_end){BATTEN_END_CURVATURE, {wanted[0][0], wanted[0][1]}};
     options.end = (batten_end){BATTEN_END_CURVATURE, {wanted[1][0], wanted[1][1]}};

@@ -3,9 +3,9 @@
 
 #include "support/test.h"
 
-static batten_interpolate_options given(const double *parameters)
+static batten_curve_interpolate_options given(const double *parameters)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     return options;
@@ -30,7 +30,7 @@ static batten_curve *random_spline(test_random *random, int kind, nodes *out)
         out->t[i] = i ? out->t[i - 1] + test_random_in(random, 0.2, 2) : 0;
         out->y[i] = test_random_in(random, -1, 1);
     }
-    batten_interpolate_options options = given(out->t);
+    batten_curve_interpolate_options options = given(out->t);
     options.start = (batten_end){(batten_end_kind)kind, {0.7}};
     options.end = (batten_end){(batten_end_kind)kind, {-0.3}};
     batten_curve *curve = NULL;
@@ -172,7 +172,7 @@ TEST(bumps_between_the_points_add_their_energy_to_that_of_natural_and_clamped_sp
             derivatives(best, t[i], BATTEN_FROM_LEFT, at);
             y[i] = i % 2 ? at[0] + test_random_in(&random, -0.2, 0.2) : s.y[k];
         }
-        batten_interpolate_options options = given(t);
+        batten_curve_interpolate_options options = given(t);
         options.start.kind = c % 4 ? BATTEN_END_PARABOLIC : BATTEN_END_NATURAL;
         if (clamped) {
             options.start = (batten_end){BATTEN_END_CLAMPED, {s.m[0]}};
@@ -190,7 +190,7 @@ TEST(bumps_between_the_points_add_their_energy_to_that_of_natural_and_clamped_sp
 /* ---- orders and constants ---- */
 
 /* The largest errors of value, first and second derivative for sin 3 x on [0, 2]. */
-static void errors_of_sine(int spans, const batten_interpolate_options *how, double *out)
+static void errors_of_sine(int spans, const batten_curve_interpolate_options *how, double *out)
 {
     double *t = test_array((size_t)spans + 1, sizeof *t),
            *y = test_array((size_t)spans + 1, sizeof *y);
@@ -198,7 +198,7 @@ static void errors_of_sine(int spans, const batten_interpolate_options *how, dou
         t[i] = 2.0 * i / spans;
         y[i] = sin(3 * t[i]);
     }
-    batten_interpolate_options options = *how;
+    batten_curve_interpolate_options options = *how;
     options.parameters = BATTEN_GIVEN;
     options.given = t;
     batten_curve *curve = NULL;
@@ -219,7 +219,7 @@ static void errors_of_sine(int spans, const batten_interpolate_options *how, dou
  * 1 / 384, sqrt(3) / 216 and 1 / 12: in the notes 0.0026, 0.0080, 0.083. */
 TEST(clamped_splines_of_a_sine_have_the_observed_constants)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.start = (batten_end){BATTEN_END_CLAMPED, {3}};
     options.end = (batten_end){BATTEN_END_CLAMPED, {3 * cos(6)}};
     for (int spans = 64; spans <= 128; spans *= 2) {
@@ -240,7 +240,7 @@ TEST(natural_ends_cost_two_orders_and_not_a_knot_ends_none)
         double order;
     } rows[] = {{BATTEN_END_NATURAL, 2}, {BATTEN_END_NOT_A_KNOT, 4}};
     for (int i = 0; i < COUNT(rows); i++) {
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.end.kind = rows[i].kind; /* at x = 2 the second derivative does not vanish */
         double coarse[3], fine[3];
         errors_of_sine(128, &options, coarse);
@@ -259,7 +259,7 @@ static double spiral_error(batten_parametrization kind, int spans)
         points[2 * i] = r * cos(t);
         points[2 * i + 1] = r * sin(t);
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = kind;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(2, spans + 1, points, &options, NULL, &curve));
@@ -298,8 +298,8 @@ TEST(a_periodic_sine_through_16_points_has_no_seam)
         if (i < 16)
             y[i] = sin(t[i]);
     }
-    batten_interpolate_options options = given(t);
-    options.periodic = true;
+    batten_curve_interpolate_options options = given(t);
+    options.closed = true;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(1, 16, y, &options, NULL, &curve));
     const batten_interval domain = batten_curve_domain(curve);
@@ -323,7 +323,7 @@ static double map_error(batten_parametrization kind, const double *a, const doub
             image[2 * i + k] =
                 a[2 * k] * points[2 * i] + a[2 * k + 1] * points[2 * i + 1] + 3 * k - 1;
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = kind;
     options.given = t;
     batten_curve *before = NULL, *after = NULL;

@@ -18,7 +18,7 @@ static double value(const batten_curve *curve, double u, int order)
 static batten_curve *spline_of(int degree, bool knots_at_data, batten_end_kind ends, int count,
                                const double *x, const double *y)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     batten_curve *curve = NULL;
     options.degree = degree;
     options.knots_at_data = knots_at_data;
@@ -157,11 +157,11 @@ TEST(gsls_periodic_cubic_spline_is_reproduced)
 {
     gsl_case one;
     gsl_read("csplinep", &one);
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     batten_curve *curve = NULL;
     options.parameters = BATTEN_GIVEN;
     options.given = one.x;
-    options.periodic = true;
+    options.closed = true;
     CHECK_NEAR(one.y[0], one.y[one.count - 1], 1e-15);
     CHECK_OK(batten_curve_interpolate(1, one.count - 1, one.y, &options, NULL, &curve));
     gsl_check(&one, curve, 1e-13);
@@ -171,7 +171,7 @@ TEST(gsls_linear_and_polynomial_interpolants_are_reproduced)
 {
     gsl_case one;
     gsl_read("linear", &one);
-    batten_catmull_rom_options polygon = batten_catmull_rom_defaults();
+    batten_curve_catmull_rom_options polygon = batten_curve_catmull_rom_defaults();
     batten_curve *curve = NULL;
     polygon.blend = 1, polygon.local = 0, polygon.given = one.x;
     CHECK_OK(batten_curve_catmull_rom(1, one.count, one.y, &polygon, NULL, NULL, &curve));
@@ -222,7 +222,7 @@ TEST(pysplines_interpolants_of_a_helix_are_reproduced)
             t[i] = i / 99.0;
             points[i][0] = cos(angle), points[i][1] = sin(angle), points[i][2] = t[i];
         }
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         batten_curve *curve = NULL;
         options.degree = order - 1;
         options.knots_at_data = order == 4;

@@ -3,7 +3,7 @@
 #include "support/test.h"
 
 static batten_curve *through(int d, int n, const double *points,
-                             const batten_weighted_options *o)
+                             const batten_curve_weighted_options *o)
 {
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_weighted(d, n, points, o, NULL, &curve));
@@ -36,7 +36,7 @@ TEST(a_weighted_spline_obeys_its_law_at_every_point)
         }
         for (int i = 0; i < n * d; i++)
             points[i] = test_random_in(&random, -2, 2);
-        batten_weighted_options o = batten_weighted_defaults();
+        batten_curve_weighted_options o = batten_curve_weighted_defaults();
         o.parameters = BATTEN_GIVEN;
         o.given = x;
         o.closed = c % 4 == 3;
@@ -75,7 +75,7 @@ TEST(the_ends_of_a_weighted_spline_are_as_asked)
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4};
     for (int c = 0; c < 16; c++) {
         const int a = c % 4, b = c / 4;
-        batten_weighted_options o = batten_weighted_defaults();
+        batten_curve_weighted_options o = batten_curve_weighted_defaults();
         o.nu = 3;
         o.start = (batten_end){kind(a), {1, 2}};
         o.end = (batten_end){kind(b), {-1, 0.5}};
@@ -100,7 +100,7 @@ TEST(closed_weighted_splines_are_periodic_however_tight)
 {
     const double points[] = {0, 0, 3, 0.2, 4, 3, 1, 4}, nus[] = {0, 50, 1e9};
     for (int c = 0; c < 3; c++) {
-        batten_weighted_options o = batten_weighted_defaults();
+        batten_curve_weighted_options o = batten_curve_weighted_defaults();
         o.closed = true;
         o.nu = nus[c];
         double u[4], p[2], q[2];
@@ -124,10 +124,10 @@ TEST(without_nu_and_weights_it_is_the_cubic_spline)
 {
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4, 5, 3, 7, 7};
     for (int c = 0; c < 10; c++) {
-        batten_weighted_options o = batten_weighted_defaults();
-        batten_interpolate_options cubic = batten_interpolate_defaults();
+        batten_curve_weighted_options o = batten_curve_weighted_defaults();
+        batten_curve_interpolate_options cubic = batten_curve_interpolate_defaults();
         cubic.parameters = BATTEN_CHORD;
-        cubic.periodic = o.closed = c == 9;
+        cubic.closed = o.closed = c == 9;
         cubic.start = o.start = (batten_end){kind(c), {1, 2}};
         cubic.end = o.end = (batten_end){kind(c / 2), {0, 1}};
         batten_curve *a = through(2, 6, points, &o), *b = NULL;
@@ -167,7 +167,7 @@ TEST(a_weighted_spline_has_the_least_energy)
     const double x[N] = {0, 1, 1.5, 3, 4, 4.2, 6, 7}, y[N] = {0, 2, -1, 0, 3, 1, 1, 5};
     const double weights[N] = {1, 3, 0.2, 5, 1, 1, 0.7}, nus[N] = {0, 1, 4, 0, 2, 0.3, 9, 0};
     test_random random = test_random_begin("a_weighted_spline_has_the_least_energy");
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = x;
     o.weights = weights;
@@ -198,7 +198,7 @@ TEST(a_weighted_spline_has_the_least_energy)
 TEST(a_nu_spline_has_continuous_curvature)
 {
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4, 5, 3, 7, 7}, nus[] = {0, 5, 0.5, 40, 0, 0};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.nus = nus;
     double parameters[6];
     batten_curve *curve = NULL;
@@ -216,7 +216,7 @@ TEST(a_nu_spline_has_continuous_curvature)
 TEST(a_large_nu_makes_a_corner_and_large_ones_the_polygon)
 {
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4}, one[] = {0, 1e9, 0, 0};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     double parameters[4], p[4];
     o.nus = one;
     batten_curve *curve = NULL;
@@ -241,7 +241,7 @@ TEST(negative_nu_are_taken_while_there_is_a_least)
     /* Uniform, three points, natural: c = 1, the middle row leaves 4 + nu / 2 - 1 / 2 - 1 / 2.
      */
     const double y[] = {0, 1, 0}, x[] = {0, 1, 2, 3};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = x;
     o.nu = -5.99;
@@ -262,7 +262,7 @@ TEST(negative_nu_are_taken_while_there_is_a_least)
 TEST(weights_by_slope_hold_steep_data_down)
 {
     const double x[] = {0, 1, 2, 3, 4, 5, 6}, y[] = {0, 0, 0, 10, 10, 10, 10};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = x;
     batten_curve *plain = through(1, 7, y, &o);
@@ -287,7 +287,7 @@ TEST(g10_reversed_points_give_the_reversed_weighted_spline)
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4}, back[] = {4, 4, 3, 1, 1, 2, 0, 0};
     const double nus[] = {0, 2, 7, 0}, nus_back[] = {0, 7, 2, 0}, w[] = {1, 4, 2},
                  w_back[] = {2, 4, 1};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.nus = nus;
     o.weights = w;
     o.start.kind = BATTEN_END_BESSEL;
@@ -312,7 +312,7 @@ TEST(g10_reversed_points_give_the_reversed_weighted_spline)
 TEST(g2_few_points_give_the_least_weighted_spline)
 {
     const double points[] = {1, 2, 4, 6, 9, 1};
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.nu = 3;
     for (int i = 0; i < 4; i++) {
         o.start.kind = i % 2 ? BATTEN_END_PARABOLIC : BATTEN_END_NATURAL;
@@ -344,7 +344,7 @@ TEST(n1_weighted_splines_refuse_what_is_not_finite)
     const double points[] = {0, 0, 1, 2, 4, 4}, bad[] = {0, 0, NAN, 2, 4, 4},
                  nus[] = {0, NAN, 1}, weights[] = {1, 0};
     batten_curve *none = NULL;
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     CHECK_STATUS(batten_curve_weighted(2, 3, bad, &o, NULL, &none), BATTEN_NOT_FINITE);
     o.nus = nus;
     CHECK_STATUS(batten_curve_weighted(2, 3, points, &o, NULL, &none), BATTEN_NOT_FINITE);
@@ -370,7 +370,7 @@ TEST(a_nu_spline_meets_a_hundred_thousand_points)
         points[2 * i] = i;
         points[2 * i + 1] = sin(i * 0.7);
     }
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     o.nu = 1;
     o.parameters = BATTEN_UNIFORM;
     batten_curve *curve = through(2, N, points, &o);

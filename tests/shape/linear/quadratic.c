@@ -3,7 +3,7 @@
 #include "support/test.h"
 
 static batten_curve *through(int d, int n, const double *points,
-                             const batten_quadratic_options *o)
+                             const batten_curve_quadratic_options *o)
 {
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_quadratic(d, n, points, o, NULL, &curve));
@@ -23,9 +23,9 @@ static void mesh(test_random *random, int n, double *t)
     t[n - 1] = knot;
 }
 
-static batten_quadratic_options kind(int i, const double *t)
+static batten_curve_quadratic_options kind(int i, const double *t)
 {
-    batten_quadratic_options o = batten_quadratic_defaults();
+    batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     o.kind = (batten_quadratic_kind)i;
     o.parameters = BATTEN_GIVEN;
     o.given = t;
@@ -42,7 +42,7 @@ TEST(quadratic_splines_pass_their_points_with_one_tangent)
         mesh(&random, N, t);
         for (int i = 0; i < d * N; i++)
             points[i] = test_random_in(&random, -2, 2);
-        const batten_quadratic_options o = kind(c % 3, t);
+        const batten_curve_quadratic_options o = kind(c % 3, t);
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_quadratic(d, N, points, &o, parameters, &curve));
         CHECK_INT(batten_curve_degree(curve), 2);
@@ -74,7 +74,7 @@ TEST(quadratic_splines_reproduce_parabolas)
     for (int i = 0; i < N; i++)
         y[i] = 3 - t[i] + 2 * t[i] * t[i];
     for (int c = 0; c < 5; c++) {
-        batten_quadratic_options o = kind(c < 3 ? c : BATTEN_QUADRATIC_SEQUENTIAL, t);
+        batten_curve_quadratic_options o = kind(c < 3 ? c : BATTEN_QUADRATIC_SEQUENTIAL, t);
         o.slope = (batten_quadratic_slope)(c < 3 ? 0 : c - 2);
         o.vector[0] = c == 3 ? -1 : -1 + 4 * t[N - 1];
         batten_curve *curve = through(1, N, y, &o);
@@ -98,7 +98,7 @@ static double error_of(int which, int n)
         t[i] *= scale;
         y[i] = sin(3 * t[i]);
     }
-    const batten_quadratic_options o = kind(which, t);
+    const batten_curve_quadratic_options o = kind(which, t);
     batten_curve *curve = through(1, n, y, &o);
     double largest = 0;
     for (int i = 0; i <= 5000; i++) {
@@ -131,7 +131,7 @@ TEST(the_constant_of_a_quadratic_spline_is_stable_over_three_halvings)
 TEST(the_uniform_quadratic_spline_is_the_system_1_6_1)
 {
     const double points[] = {1, 3, -2, 0.5, 4, 2}; /* knots 0 .. 4 */
-    batten_quadratic_options o = batten_quadratic_defaults();
+    batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     o.kind = BATTEN_QUADRATIC_MIDPOINTS;
     double parameters[6], s[5];
     batten_curve *curve = NULL;
@@ -160,7 +160,7 @@ static double jumps(const batten_curve *curve, const double *t, int n)
 TEST(the_best_slope_makes_the_jumps_least)
 {
     const double t[] = {0, 1, 1.5, 3, 4, 4.2, 6}, y[] = {0, 2, -1, 0, 3, 1, 1};
-    batten_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
+    batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
     batten_curve *best = through(1, 7, y, &o);
     const double least = jumps(best, t, 7);
     double start[2], end[2];
@@ -180,7 +180,7 @@ TEST(the_best_slope_makes_the_jumps_least)
 TEST(an_error_of_the_first_slope_runs_through_a_sequential_spline_undamped)
 {
     const double t[] = {0, 1, 2, 3, 4, 5, 6, 7}, y[8] = {0};
-    batten_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
+    batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
     o.slope = BATTEN_QUADRATIC_AT_START;
     o.vector[0] = 1;
     batten_curve *curve = through(1, 8, y, &o);
@@ -204,7 +204,7 @@ TEST(g10_reversed_points_give_the_reversed_quadratic_spline)
             back[2 * (N - 1 - i) + k] = points[2 * i + k] = test_random_in(&random, -1, 1);
     }
     for (int which = 0; which < 3; which++) {
-        const batten_quadratic_options o = kind(which, t), r = kind(which, back_t);
+        const batten_curve_quadratic_options o = kind(which, t), r = kind(which, back_t);
         batten_curve *a = through(2, N, points, &o), *b = through(2, N, back, &r);
         for (int i = 0; i <= 40; i++) {
             double p[2], q[2];
@@ -221,7 +221,7 @@ TEST(g10_reversed_points_give_the_reversed_quadratic_spline)
 TEST(g2_few_points_give_the_least_quadratic_spline)
 {
     const double points[] = {0, 0, 1, 2, 2, 0};
-    batten_quadratic_options o = batten_quadratic_defaults();
+    batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     batten_curve *none = NULL;
     for (int which = 0; which < 3; which++) {
         o.kind = (batten_quadratic_kind)which;
@@ -252,7 +252,7 @@ TEST(g2_few_points_give_the_least_quadratic_spline)
 TEST(g1_coincident_points_are_named_by_quadratic_splines)
 {
     const double points[] = {0, 0, 1, 2, 1, 2, 3, 3};
-    batten_quadratic_options o = batten_quadratic_defaults();
+    batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_quadratic(2, 4, points, &o, NULL, &none), BATTEN_COINCIDENT);
     o.kind = BATTEN_QUADRATIC_SEQUENTIAL;
@@ -266,12 +266,12 @@ TEST(n1_quadratic_splines_refuse_what_is_not_finite)
     const double points[] = {0, 1, 2, 3}, bad[] = {0, NAN, 2, 3}, t[] = {0, 1, 2, NAN};
     batten_curve *none = NULL;
     for (int which = 0; which < 3; which++) {
-        batten_quadratic_options o = kind(which, t);
+        batten_curve_quadratic_options o = kind(which, t);
         CHECK_STATUS(batten_curve_quadratic(1, 4, points, &o, NULL, &none), BATTEN_NOT_FINITE);
         o.parameters = BATTEN_UNIFORM;
         CHECK_STATUS(batten_curve_quadratic(1, 4, bad, &o, NULL, &none), BATTEN_NOT_FINITE);
     }
-    batten_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
+    batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_SEQUENTIAL, t);
     o.parameters = BATTEN_UNIFORM;
     o.slope = BATTEN_QUADRATIC_AT_END;
     o.vector[0] = INFINITY;
@@ -284,7 +284,7 @@ TEST(n1_quadratic_splines_refuse_what_is_not_finite)
 TEST(g9_parameters_that_are_no_mid_points_are_refused)
 {
     const double y[] = {0, 1, 2, 3}, early[] = {0, 1, 1.5, 3}, late[] = {0, 1, 3, 5};
-    batten_quadratic_options o = kind(BATTEN_QUADRATIC_MIDPOINTS, early);
+    batten_curve_quadratic_options o = kind(BATTEN_QUADRATIC_MIDPOINTS, early);
     batten_curve *none = NULL;
     CHECK_STATUS(batten_curve_quadratic(1, 4, y, &o, NULL, &none), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("knot 2 would be 1");

@@ -5,9 +5,9 @@
 
 enum { MANY = 40 };
 
-static batten_operator_options given(const double *parameters, int degree)
+static batten_curve_schoenberg_options given(const double *parameters, int degree)
 {
-    batten_operator_options options = batten_operator_defaults();
+    batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     options.degree = degree;
@@ -39,11 +39,11 @@ TEST(schoenbergs_spline_keeps_lines_and_ends)
             uneven(&random, n, t);
             for (int i = 0; i < n; i++)
                 y[i] = 3 - 2 * t[i];
-            const batten_operator_options options = given(t, degree);
-            batten_operator_report report;
+            const batten_curve_schoenberg_options options = given(t, degree);
+            batten_curve_schoenberg_report report;
             batten_curve *curve = NULL;
             CHECK_OK(batten_curve_schoenberg(1, n, y, &options, NULL, &report, &curve));
-            CHECK(report.max < 1e-13);
+            CHECK(report.error < 1e-13);
             CHECK_INT(batten_curve_degree(curve), degree < n ? degree : n - 1);
             CHECK_BITS(at(curve, t[0]), y[0]);
             CHECK_BITS(at(curve, t[n - 1]), y[n - 1]);
@@ -72,7 +72,7 @@ TEST(schoenbergs_spline_crosses_no_line_more_often_than_the_polyline)
         const int n = 5 + c % 30;
         for (int i = 0; i < 2 * n; i++)
             q[i] = test_random_in(&random, -1, 1);
-        batten_operator_options options = batten_operator_defaults();
+        batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
         options.degree = 1 + c % 6;
         options.bernstein = c % 7 == 0;
         batten_curve *curve = NULL;
@@ -111,7 +111,7 @@ TEST(bernsteins_polynomials_of_an_exponential_are_known)
         double knots[52];
         for (int i = 0; i <= 2 * n + 1; i++)
             knots[i] = i > n;
-        batten_operator_report report;
+        batten_curve_schoenberg_report report;
         batten_curve *curve = NULL;
         CHECK_OK(batten_function_schoenberg(1, n, n + 1, knots, exponential, &rate, &report,
                                             &curve));
@@ -121,7 +121,7 @@ TEST(bernsteins_polynomials_of_an_exponential_are_known)
             CHECK_NEAR(at(curve, x), known, 1e-14 * known);
             most = fmax(most, known - exp(rate * x));
         }
-        CHECK_NEAR(report.max, most, 1e-13);
+        CHECK_NEAR(report.error, most, 1e-13);
         batten_curve_unref(curve);
     }
 }
@@ -136,10 +136,10 @@ TEST(schoenbergs_spline_of_a_convex_function_is_convex)
             knots[i] = j * j / 100.0;
         }
         batten_curve *curve = NULL;
-        batten_operator_report report;
+        batten_curve_schoenberg_report report;
         CHECK_OK(batten_function_schoenberg(1, degree, n, knots, exponential, &rate, &report,
                                             &curve));
-        CHECK(report.max > 0 && report.max < 0.1);
+        CHECK(report.error > 0 && report.error < 0.1);
         for (int i = 0; i <= 500; i++) {
             double p[3];
             CHECK_OK(batten_curve_evaluate(curve, knots[n] * i / 500, 2, p));
@@ -159,7 +159,7 @@ TEST(the_uniform_cubic_quasi_interpolant_has_the_known_weights)
         t[i] = i;
         y[i] = test_random_in(&random, -1, 1);
     }
-    const batten_operator_options options = given(t, 3);
+    const batten_curve_schoenberg_options options = given(t, 3);
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_quasi_interpolate(1, 20, y, &options, NULL, NULL, &curve));
     const double *c = batten_curve_points(curve);
@@ -183,7 +183,7 @@ TEST(quasi_interpolants_reproduce_polynomials_of_their_degree)
                 const double x = (t[i] - middle) / half;
                 y[i] = 1 - x + pow(x, degree);
             }
-            const batten_operator_options options = given(t, degree);
+            const batten_curve_schoenberg_options options = given(t, degree);
             batten_curve *curve = NULL;
             CHECK_OK(batten_curve_quasi_interpolate(1, n, y, &options, NULL, NULL, &curve));
             for (int i = 0; i <= 50; i++) {
@@ -205,7 +205,7 @@ TEST(quasi_interpolants_have_full_order)
                 t[i] = 3.0 * i / (n - 1);
                 y[i] = sin(2 * t[i]);
             }
-            const batten_operator_options options = given(t, degree);
+            const batten_curve_schoenberg_options options = given(t, degree);
             batten_curve *curve = NULL;
             CHECK_OK(batten_curve_quasi_interpolate(1, n, y, &options, NULL, NULL, &curve));
             error[k] = 0;
@@ -225,7 +225,7 @@ TEST(a_datum_bears_on_few_control_points)
         uneven(&random, MANY, t);
         for (int i = 0; i < MANY; i++)
             y[i] = test_random_in(&random, -1, 1);
-        const batten_operator_options options = given(t, degree);
+        const batten_curve_schoenberg_options options = given(t, degree);
         batten_curve *before = NULL, *after = NULL;
         CHECK_OK(batten_curve_quasi_interpolate(1, MANY, y, &options, NULL, NULL, &before));
         y[20] += 1;
@@ -253,9 +253,9 @@ TEST(closed_operators_go_on_over_the_seam)
                     q[2 * i] = cos(w);
                     q[2 * i + 1] = sin(w);
                 }
-                batten_operator_options options = given(t, degree);
-                options.periodic = true;
-                batten_operator_report report;
+                batten_curve_schoenberg_options options = given(t, degree);
+                options.closed = true;
+                batten_curve_schoenberg_report report;
                 batten_curve *curve = NULL;
                 CHECK_OK((how == 0 ? batten_curve_schoenberg : batten_curve_quasi_interpolate)(
                     2, n, q, &options, NULL, &report, &curve));
@@ -265,7 +265,7 @@ TEST(closed_operators_go_on_over_the_seam)
                 for (int i = 1; i < batten_curve_point_count(curve); i++)
                     CHECK_NEAR(hypot(c[2 * i], c[2 * i + 1]), hypot(c[0], c[1]), 1e-12);
                 if (n == 32)
-                    CHECK(report.max < (how == 0 ? 0.03 : 5 * pow(0.2, degree + 1)));
+                    CHECK(report.error < (how == 0 ? 0.03 : 5 * pow(0.2, degree + 1)));
                 batten_curve_unref(curve);
             }
 }
@@ -284,11 +284,12 @@ TEST(G10_reversed_points_give_the_reversed_operators)
     }
     for (int how = 0; how < 2; how++)
         for (int degree = 1; degree <= 6; degree++) {
-            const batten_operator_options one = given(t, degree), other = given(back, degree);
+            const batten_curve_schoenberg_options one = given(t, degree),
+                                                  other = given(back, degree);
             batten_curve *a = NULL, *b = NULL;
             batten_status (*const make)(int, int, const double *,
-                                        const batten_operator_options *, double *,
-                                        batten_operator_report *, batten_curve **) =
+                                        const batten_curve_schoenberg_options *, double *,
+                                        batten_curve_schoenberg_report *, batten_curve **) =
                 how == 0 ? batten_curve_schoenberg : batten_curve_quasi_interpolate;
             CHECK_OK(make(2, 12, q, &one, NULL, NULL, &a));
             CHECK_OK(make(2, 12, p, &other, NULL, NULL, &b));
@@ -320,12 +321,12 @@ TEST(splines_on_the_knots_are_reproduced_by_de_boor_and_fix)
                                 .most_points = 20};
         batten_curve *curve = test_curve(&random, &wish), *same = NULL;
         const int d = batten_curve_dimension(curve), n = batten_curve_point_count(curve);
-        batten_operator_report report;
+        batten_curve_schoenberg_report report;
         CHECK_OK(batten_function_de_boor_fix(d, batten_curve_degree(curve), n,
                                              batten_curve_knots(curve), of_curve, curve,
                                              &report, &same));
         const double size = test_curve_size(curve);
-        CHECK(report.max < 1e-9 * size);
+        CHECK(report.error < 1e-9 * size);
         for (int i = 0; i < n * d; i++)
             CHECK_NEAR(batten_curve_points(same)[i], batten_curve_points(curve)[i],
                        1e-9 * size);
@@ -345,11 +346,11 @@ TEST(de_boor_and_fix_meet_an_exponential_with_full_order)
                                     : i > spans + degree ? spans
                                                          : i - degree) /
                            spans;
-            batten_operator_report report;
+            batten_curve_schoenberg_report report;
             batten_curve *curve = NULL;
             CHECK_OK(batten_function_de_boor_fix(1, degree, spans + degree, knots, exponential,
                                                  &rate, &report, &curve));
-            error[k] = report.max;
+            error[k] = report.error;
             batten_curve_unref(curve);
         }
         CHECK_NEAR(log2(error[0] / error[1]), degree + 1, 0.3);
@@ -372,7 +373,7 @@ TEST(K9_degrees_and_knots_of_operators_are_checked)
                  falling[8] = {0, 0, 0, 1, 0, 1, 1, 1};
     double rate = 1;
     batten_curve *curve = NULL;
-    batten_operator_options options = batten_operator_defaults();
+    batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     for (int k = 0; k < 2; k++) {
         options.degree = k * 26;
         CHECK_STATUS(batten_curve_schoenberg(1, 6, y, &options, NULL, NULL, &curve),
@@ -401,14 +402,14 @@ TEST(G1_data_of_operators_are_checked)
     const double q[10] = {0, 0, 1, 1, 1, 1, 2, 3, 4, 4}, t[5] = {0, 1, 1, 2, 3};
     const double bad[4] = {0, NAN, 1, 2};
     batten_curve *curve = NULL;
-    batten_operator_options options = batten_operator_defaults();
+    batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     CHECK_STATUS(batten_curve_schoenberg(2, 5, q, &options, NULL, NULL, &curve),
                  BATTEN_COINCIDENT);
     CHECK_STATUS(batten_curve_schoenberg(2, 1, q, &options, NULL, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_curve_quasi_interpolate(2, 2, bad, &options, NULL, NULL, &curve),
                  BATTEN_NOT_FINITE);
-    options.periodic = true;
+    options.closed = true;
     CHECK_STATUS(batten_curve_quasi_interpolate(2, 2, q, &options, NULL, NULL, &curve),
                  BATTEN_TOO_FEW_POINTS);
     options.bernstein = true;

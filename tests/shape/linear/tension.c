@@ -6,7 +6,7 @@
 /* ---- helpers ---- */
 
 static batten_chain *through(int d, int n, const double *points,
-                             const batten_tension_options *o)
+                             const batten_chain_tension_options *o)
 {
     batten_chain *chain = NULL;
     CHECK_OK(batten_chain_tension(d, n, points, o, NULL, &chain));
@@ -14,9 +14,9 @@ static batten_chain *through(int d, int n, const double *points,
 }
 
 /* A function of given abscissae in the tension sigma, in no unit but theirs. */
-static batten_tension_options function(const double *x, int n, double sigma)
+static batten_chain_tension_options function(const double *x, int n, double sigma)
 {
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     o.parameters = BATTEN_GIVEN;
     o.given = x;
     o.tension = sigma * (x[n - 1] - x[0]) / (n - 1);
@@ -64,7 +64,7 @@ TEST(a_spline_in_tension_goes_smoothly_through_its_points)
         x[n] = x[n - 1] + 1;
         for (int i = 0; i < 12; i++)
             tensions[i] = pow(10, test_random_in(&random, -3, 3));
-        batten_tension_options o = batten_tension_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
         o.parameters = BATTEN_GIVEN;
         o.given = x;
         o.tensions = tensions;
@@ -90,7 +90,7 @@ TEST(a_spline_in_tension_goes_smoothly_through_its_points)
 TEST(the_ends_of_a_spline_in_tension_are_as_asked)
 {
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4};
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     o.tension = 2;
     o.start = (batten_end){BATTEN_END_CLAMPED, {0.5, -1}};
     o.end = (batten_end){BATTEN_END_SECOND, {2, 3}};
@@ -127,10 +127,10 @@ TEST(without_tension_it_is_the_cubic_spline)
     for (int c = 0; c < 14; c++) {
         double x[10], points[20];
         random_data(&random, 2, 9, x, points);
-        batten_tension_options o = batten_tension_defaults();
-        batten_interpolate_options cubic = batten_interpolate_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
+        batten_curve_interpolate_options cubic = batten_curve_interpolate_defaults();
         cubic.parameters = o.parameters;
-        o.closed = cubic.periodic = c >= 12;
+        o.closed = cubic.closed = c >= 12;
         o.tension = c % 2 ? 1e-3 : 0;
         o.start = cubic.start = (batten_end){kinds[c % 6], {0.5, 1}};
         o.end = cubic.end = (batten_end){kinds[c / 2 % 6], {0.25, 1}};
@@ -156,7 +156,7 @@ TEST(with_much_tension_it_is_the_polygon)
     const double x[] = {0, 1, 2, 3, 4, 5}, y[] = {0, 2, -1, 0, 3, 0};
     const double tensions[] = {1e3, 1e6, 1e300};
     for (int i = 0; i < COUNT(tensions); i++) {
-        const batten_tension_options o = function(x, 6, tensions[i]);
+        const batten_chain_tension_options o = function(x, 6, tensions[i]);
         batten_chain *chain = through(1, 6, y, &o);
         for (int k = 0; k < 500; k++) {
             const int at = k / 100;
@@ -171,7 +171,7 @@ TEST(a_spline_in_tension_has_the_least_energy)
 {
     /* Integral of s''^2 + sigma^2 s'^2, against the same with bumps that vanish at the data. */
     const double x[] = {0, 1, 2.5, 3, 4.2}, y[] = {0, 2, -1, 0, 3};
-    batten_tension_options o = function(x, 5, 1.7);
+    batten_chain_tension_options o = function(x, 5, 1.7);
     batten_chain *chain = through(1, 5, y, &o);
     double own = 0, work = 0, bump = 0;
     const int steps = 40000;
@@ -205,7 +205,7 @@ TEST(g10_reversed_points_give_the_reversed_spline_in_tension)
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4, 4, 6},
                  reversed[] = {4, 6, 4, 4, 3, 1, 1, 2, 0, 0};
     for (int rule = 0; rule < 3; rule++) {
-        batten_tension_options o = batten_tension_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
         o.tension = 1.5;
         o.rule = (batten_tension_rule)rule;
         batten_chain *a = through(2, 5, points, &o), *b = through(2, 5, reversed, &o);
@@ -225,7 +225,7 @@ TEST(g10_reversed_points_give_the_reversed_spline_in_tension)
 TEST(g2_few_points_give_the_least_spline_in_tension)
 {
     const double points[] = {1, 2, 4, 6, 5, 5};
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     o.tension = 3;
     const batten_end_kind straight[] = {BATTEN_END_NATURAL, BATTEN_END_PARABOLIC,
                                         BATTEN_END_BESSEL, BATTEN_END_CIRCLE};
@@ -264,25 +264,25 @@ TEST(n1_splines_in_tension_refuse_what_is_not_finite)
     const double points[] = {0, 0, 1, NAN, 4, 4}, good[] = {0, 0, 1, 2, 4, 4}, x[] = {0, 2, 2},
                  tensions[] = {1, -1};
     batten_chain *none = NULL;
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     CHECK_STATUS(batten_chain_tension(2, 3, points, &o, NULL, &none), BATTEN_NOT_FINITE);
     o.tension = NAN;
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
     o.tensions = tensions;
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("span 1");
-    o = batten_tension_defaults();
+    o = batten_chain_tension_defaults();
     o.slack = 0;
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
-    o = batten_tension_defaults();
+    o = batten_chain_tension_defaults();
     o.start = (batten_end){BATTEN_END_CLAMPED, {1, INFINITY}};
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_NOT_FINITE);
-    o = batten_tension_defaults();
+    o = batten_chain_tension_defaults();
     o.parameters = BATTEN_GIVEN;
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_BAD_ARGUMENT);
     o.given = x;
     CHECK_STATUS(batten_chain_tension(2, 3, good, &o, NULL, &none), BATTEN_NOT_INCREASING);
-    o = batten_tension_defaults();
+    o = batten_chain_tension_defaults();
     o.tension = 1e308;
     const double far[] = {0, 0, 1, 0, 3000, 0};
     CHECK_STATUS(batten_chain_tension(2, 3, far, &o, NULL, &none), BATTEN_OVERFLOW);
@@ -298,7 +298,7 @@ TEST(n2_splines_in_tension_have_the_same_shape_in_any_unit)
             double scaled[12];
             for (int i = 0; i < 12; i++)
                 scaled[i] = points[i] * sizes[s];
-            batten_tension_options o = batten_tension_defaults();
+            batten_chain_tension_options o = batten_chain_tension_defaults();
             o.tension = 1.5;
             o.rule = (batten_tension_rule)rule;
             batten_chain *a = through(2, 6, points, &o), *b = through(2, 6, scaled, &o);
@@ -320,7 +320,7 @@ TEST(n2_splines_in_tension_have_the_same_shape_in_any_unit)
 TEST(the_example_of_convex_data_needs_five_rounds)
 {
     const double x[] = {0, 1, 2, 3, 4, 5, 6}, y[] = {0, 0, 0, 0.2, 3, 10, 30};
-    batten_tension_options o = function(x, 7, 0);
+    batten_chain_tension_options o = function(x, 7, 0);
     o.rule = BATTEN_TENSION_CONVEX;
     o.slack = 10; /* points in line count for nothing */
     batten_chain *chain = through(1, 7, y, &o);
@@ -347,7 +347,7 @@ TEST(convex_data_give_convex_functions)
             y[i] = i ? y[i - 1] + slope * (x[i] - x[i - 1]) : 1;
             slope += pow(10, test_random_in(&random, -2, 1));
         }
-        batten_tension_options o = function(x, n, 0);
+        batten_chain_tension_options o = function(x, n, 0);
         o.rule = BATTEN_TENSION_CONVEX;
         batten_chain *chain = through(1, n, y, &o);
         for (int i = 0; i < 1000; i++)
@@ -363,7 +363,7 @@ TEST(a_function_bends_back_only_where_its_data_do)
         const int n = test_random_int(&random, 3, 14);
         double x[14], y[14];
         random_data(&random, 1, n, x, y);
-        batten_tension_options o = function(x, n, 0);
+        batten_chain_tension_options o = function(x, n, 0);
         o.rule = BATTEN_TENSION_CONVEX;
         batten_chain *chain = through(1, n, y, &o);
         for (int i = 1; i + 1 < n; i++) {
@@ -408,7 +408,7 @@ TEST(a_plane_curve_has_no_more_inflections_than_its_polygon)
             wanted += last && sign != last;
             last = sign;
         }
-        batten_tension_options o = batten_tension_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
         batten_chain *plain = through(2, n, points, &o);
         o.rule = BATTEN_TENSION_CONVEX;
         batten_chain *chain = through(2, n, points, &o);
@@ -423,7 +423,7 @@ TEST(a_plane_curve_has_no_more_inflections_than_its_polygon)
 TEST(a_closed_convex_polygon_gives_an_oval)
 {
     const double points[] = {0, 0, 10, 0, 10.1, 0.1, 10, 8, 5, 8.05, 0, 8};
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     o.closed = true;
     batten_chain *plain = through(2, 6, points, &o);
     CHECK(inflections(plain) > 0);
@@ -449,7 +449,7 @@ TEST(turns_of_a_curve_in_space_are_kept_in_any_position)
                 map, (batten_vec3){points[3 * i], points[3 * i + 1], points[3 * i + 2]});
             memcpy(turned + 3 * i, &p, sizeof p);
         }
-        batten_tension_options o = batten_tension_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
         o.rule = BATTEN_TENSION_CONVEX;
         batten_chain *a = through(3, 9, points, &o), *b = through(3, 9, turned, &o);
         for (int i = 0; i < 8; i++)
@@ -470,7 +470,7 @@ TEST(monotone_data_give_monotone_functions)
             x[i] = i ? x[i - 1] + pow(10, test_random_in(&random, -1, 1)) : 0;
             y[i] = i ? y[i - 1] + pow(10, test_random_in(&random, -3, 1)) : 1;
         }
-        batten_tension_options o = function(x, n, 0);
+        batten_chain_tension_options o = function(x, n, 0);
         o.rule = BATTEN_TENSION_MONOTONE;
         batten_chain *chain = through(1, n, y, &o);
         for (int i = 0; i <= 2000; i++)
@@ -486,7 +486,7 @@ TEST(a_function_turns_only_beside_points_where_its_data_turn)
         const int n = 12;
         double x[12], y[12];
         random_data(&random, 1, n, x, y);
-        batten_tension_options o = function(x, n, 0);
+        batten_chain_tension_options o = function(x, n, 0);
         o.rule = BATTEN_TENSION_MONOTONE;
         batten_chain *chain = through(1, n, y, &o);
         int wanted = 0, found = 0, last = 0;
@@ -506,7 +506,7 @@ TEST(a_function_turns_only_beside_points_where_its_data_turn)
 TEST(over_level_data_a_monotone_function_stays_nearly_level)
 {
     const double x[] = {0, 1, 2, 3, 4, 5}, y[] = {0, 0, 0, 1, 1, 1};
-    batten_tension_options o = function(x, 6, 0);
+    batten_chain_tension_options o = function(x, 6, 0);
     o.rule = BATTEN_TENSION_MONOTONE;
     batten_chain *chain = through(1, 6, y, &o);
     for (int i = 0; i <= 500; i++) {
@@ -522,7 +522,7 @@ TEST(over_level_data_a_monotone_function_stays_nearly_level)
 TEST(a_monotone_function_swings_nowhere_between_steep_and_level_data)
 {
     const double x[] = {0, 172.2, 172.201, 1062, 1101}, y[] = {0, 0, 58, 59.5, 59.5};
-    batten_tension_options o = function(x, 5, 0);
+    batten_chain_tension_options o = function(x, 5, 0);
     o.rule = BATTEN_TENSION_MONOTONE;
     batten_chain *chain = through(1, 5, y, &o);
     for (int k = 0; k < 4; k++)
@@ -544,7 +544,7 @@ TEST(a_spline_in_tension_meets_a_hundred_thousand_points)
         points[2 * i + 1] = sin(i * 0.7) + (i % 5 == 0);
     }
     for (int rule = 0; rule < 3; rule++) {
-        batten_tension_options o = batten_tension_defaults();
+        batten_chain_tension_options o = batten_chain_tension_defaults();
         o.tension = 1;
         o.rule = (batten_tension_rule)rule;
         o.parameters = BATTEN_UNIFORM;

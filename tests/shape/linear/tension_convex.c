@@ -54,7 +54,7 @@ static bool is_promised(const data *s)
 
 static batten_chain *spline_of(const data *s)
 {
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     double tensions[N];
     for (int i = 0; i < N; i++)
         tensions[i] = s->sigma[i] * s->x[N - 1] / (N - 1);

@@ -7,7 +7,7 @@ enum { MOST = 12 };
 static batten_curve *spline_of(int count, const double *x, const double *y,
                                const batten_end *start, const batten_end *end)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     batten_curve *curve = NULL;
     options.parameters = BATTEN_GIVEN;
     options.given = x;

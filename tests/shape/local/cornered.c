@@ -7,9 +7,9 @@
 static const double key[16] = {0, 0, 1, 1, 2, 1.2, 3, 1, 5, 0.5, 6, 0.6, 6.6, 1.2, 6.4, 2};
 static const int line_at[1] = {3};
 
-static batten_cornered_options with_line(void)
+static batten_curve_cornered_options with_line(void)
 {
-    batten_cornered_options o = batten_cornered_defaults();
+    batten_curve_cornered_options o = batten_curve_cornered_defaults();
     o.line_count = 1;
     o.lines = line_at;
     return o;
@@ -27,7 +27,7 @@ static void turn_at(const batten_curve *curve, double u, double *turn, double *c
 TEST(straight_runs_are_straight_and_touched)
 {
     for (int kind = 0; kind < 2; kind++) {
-        batten_cornered_options o = with_line();
+        batten_curve_cornered_options o = with_line();
         double t[8], at[2], turn, jump;
         batten_curve *made = NULL;
         o.transition = (batten_transition)kind;
@@ -60,7 +60,7 @@ TEST(straight_runs_are_straight_and_touched)
 TEST(corners_turn_and_nothing_else)
 {
     const int corners[2] = {2, 5};
-    batten_cornered_options o = batten_cornered_defaults();
+    batten_curve_cornered_options o = batten_curve_cornered_defaults();
     double t[8], turn, jump;
     batten_curve *made = NULL;
     o.corner_count = 2;
@@ -80,7 +80,7 @@ TEST(lines_that_meet_make_a_polyline)
 {
     const double square[10] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0};
     const int all[4] = {0, 1, 2, 3};
-    batten_cornered_options o = batten_cornered_defaults();
+    batten_curve_cornered_options o = batten_curve_cornered_defaults();
     double length;
     batten_curve *made = NULL;
     o.line_count = 4;
@@ -96,7 +96,7 @@ TEST(a_single_span_between_lines_meets_both)
     const double bend[8] = {0, 0, 2, 0, 3, 1, 3, 3};
     const int lines[2] = {0, 2};
     for (int kind = 0; kind < 2; kind++) {
-        batten_cornered_options o = batten_cornered_defaults();
+        batten_curve_cornered_options o = batten_curve_cornered_defaults();
         double t[4], turn, jump;
         batten_curve *made = NULL;
         o.line_count = 2;
@@ -116,7 +116,7 @@ TEST(a_single_span_between_lines_meets_both)
 TEST(g10_reversed_points_give_the_reversed_cornered_curve)
 {
     for (int kind = 0; kind < 2; kind++) {
-        batten_cornered_options o = with_line();
+        batten_curve_cornered_options o = with_line();
         double back[16], t[8], p[2], q[2];
         batten_curve *a = NULL, *b = NULL;
         const int corner = 5, corner_back = 2;
@@ -142,18 +142,18 @@ TEST(g10_reversed_points_give_the_reversed_cornered_curve)
 TEST(n4_corners_outside_the_points_are_refused)
 {
     const int corners[2] = {3, 3}, far = 7;
-    batten_cornered_options o = batten_cornered_defaults();
+    batten_curve_cornered_options o = batten_curve_cornered_defaults();
     batten_curve *made = NULL;
     o.corner_count = 2;
     o.corners = corners;
     CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("corner 1");
-    o = batten_cornered_defaults();
+    o = batten_curve_cornered_defaults();
     o.line_count = 1;
     o.lines = &far;
     CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("line 0");
-    o = batten_cornered_defaults();
+    o = batten_curve_cornered_defaults();
     o.ends = BATTEN_END_CLAMPED;
     CHECK_STATUS(batten_curve_cornered(2, 8, key, &o, NULL, &made), BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_curve_cornered(2, 1, key, NULL, NULL, &made), BATTEN_TOO_FEW_POINTS);
@@ -171,7 +171,7 @@ TEST(a_free_end_behind_a_flat_transition_is_natural_when_asked)
     const double points[] = {0, 0, 1, 0, 2, 0.3, 3, 1.2, 3.5, 2.5};
     const int lines[] = {0};
     for (int natural = 0; natural < 2; natural++) {
-        batten_cornered_options o = batten_cornered_defaults();
+        batten_curve_cornered_options o = batten_curve_cornered_defaults();
         batten_curve *curve = NULL;
         double c[6], start[6], t[5];
         o.lines = lines;

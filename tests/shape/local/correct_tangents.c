@@ -6,7 +6,7 @@
 
 static batten_curve *spline(int count, const double *points, batten_parametrization kind)
 {
-    batten_interpolate_options o = batten_interpolate_defaults();
+    batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
     batten_curve *curve = NULL;
     o.parameters = kind;
     o.start.kind = o.end.kind = BATTEN_END_NATURAL;
@@ -66,7 +66,7 @@ TEST(limits_are_those_of_the_classes)
 TEST(corrected_splines_have_no_excess)
 {
     batten_curve *curve = spline(7, uneven, BATTEN_UNIFORM), *made = NULL;
-    batten_correct_report report;
+    batten_curve_correct_tangents_report report;
     int changed[6];
     CHECK(count_bad(curve) > 0);
     CHECK_OK(batten_curve_correct_tangents(curve, NULL, changed, &report, &made));
@@ -95,8 +95,8 @@ TEST(random_splines_are_corrected_but_where_they_turn_too_far)
     test_random random = test_random_begin("correct");
     for (int n = test_cases(200); n > 0; n--) {
         double points[20];
-        batten_correct_report report;
-        batten_correct_options o = batten_correct_defaults();
+        batten_curve_correct_tangents_report report;
+        batten_curve_correct_tangents_options o = batten_curve_correct_tangents_defaults();
         o.joins = n % 2 ? BATTEN_CORRECT_CURVATURE : BATTEN_CORRECT_TANGENT;
         for (int i = 0; i < 10; i++) {
             points[2 * i] = i + test_random_in(&random, -0.45, 0.45);
@@ -115,8 +115,8 @@ TEST(random_splines_are_corrected_but_where_they_turn_too_far)
 TEST(curvatures_are_brought_together_where_they_can)
 {
     batten_curve *curve = spline(7, uneven, BATTEN_UNIFORM), *made = NULL, *loose = NULL;
-    batten_correct_options o = batten_correct_defaults();
-    batten_correct_report tangent, both;
+    batten_curve_correct_tangents_options o = batten_curve_correct_tangents_defaults();
+    batten_curve_correct_tangents_report tangent, both;
     CHECK_OK(batten_curve_correct_tangents(curve, &o, NULL, &tangent, &loose));
     o.joins = BATTEN_CORRECT_CURVATURE;
     CHECK_OK(batten_curve_correct_tangents(curve, &o, NULL, &both, &made));
@@ -137,8 +137,8 @@ TEST(curvatures_agree_wherever_both_sides_bend_to_one_side)
     int together = 0, apart = 0;
     for (int n = 60; n > 0; n--) {
         double points[20];
-        batten_correct_report report;
-        batten_correct_options o = batten_correct_defaults();
+        batten_curve_correct_tangents_report report;
+        batten_curve_correct_tangents_options o = batten_curve_correct_tangents_defaults();
         o.joins = BATTEN_CORRECT_CURVATURE;
         for (int i = 0; i < 10; i++) {
             points[2 * i] = i + test_random_in(&random, -0.45, 0.45);
@@ -165,7 +165,7 @@ TEST(a_good_curve_comes_back_itself)
 {
     const double points[8] = {0, 0, 1, 0.5, 2, 0.6, 3, 0};
     batten_curve *curve = spline(4, points, BATTEN_CHORD), *made = NULL;
-    batten_correct_report report;
+    batten_curve_correct_tangents_report report;
     int changed[3] = {7, 7, 7};
     CHECK_OK(batten_curve_correct_tangents(curve, NULL, changed, &report, &made));
     CHECK(made == curve);
@@ -180,7 +180,7 @@ TEST(g9_what_cannot_be_corrected_is_named)
     const double points[8] = {0, 0, 0, -1, 1, -1, 1, 0}, away[8] = {0, 0, -1, -2, 2, -2, 1, 0};
     const double breaks[2] = {0, 1};
     batten_curve *square = NULL, *far = NULL, *made = NULL;
-    batten_correct_report report;
+    batten_curve_correct_tangents_report report;
     CHECK_OK(batten_curve_from_bezier(2, 3, 1, points, NULL, breaks, &square));
     CHECK_OK(batten_curve_correct_tangents(square, NULL, NULL, &report, &made));
     CHECK_INT(report.incurable, 0); /* parallel tangents: plain */
@@ -196,11 +196,11 @@ TEST(g9_what_cannot_be_corrected_is_named)
 TEST(n6_corrections_to_nothing_are_refused)
 {
     batten_curve *curve = spline(7, uneven, BATTEN_UNIFORM), *made = NULL, *space = NULL;
-    batten_correct_options o = batten_correct_defaults();
+    batten_curve_correct_tangents_options o = batten_curve_correct_tangents_defaults();
     o.within = 0;
     CHECK_STATUS(batten_curve_correct_tangents(curve, &o, NULL, NULL, &made),
                  BATTEN_BAD_ARGUMENT);
-    o = batten_correct_defaults();
+    o = batten_curve_correct_tangents_defaults();
     o.joins = BATTEN_CORRECT_CURVATURE;
     CHECK_OK(batten_curve_to_dimension(curve, 3, &space));
     CHECK_STATUS(batten_curve_correct_tangents(space, &o, NULL, NULL, &made),

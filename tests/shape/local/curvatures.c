@@ -39,11 +39,11 @@ TEST(smooth_curves_are_met_with_order_six)
         const int count = (4 << r) + 1;
         ellipse(count, 0.2, 1.7, points, tangents, curvatures);
         batten_curve *curve = NULL;
-        batten_curvature_report report;
+        batten_curve_from_curvatures_report report;
         CHECK_OK(batten_curve_from_curvatures(count, points, tangents, curvatures, false, NULL,
                                               NULL, &report, &curve));
         CHECK_INT(report.fallen_back, 0);
-        CHECK(report.off < 1e-11);
+        CHECK(report.error < 1e-11);
         errors[r] = distance_from_ellipse(curve);
         batten_curve_unref(curve);
     }
@@ -60,7 +60,7 @@ TEST(directions_and_curvatures_are_continuous_open_and_closed)
     ellipse(13, 0, 2 * acos(-1), points, tangents, curvatures);
     for (int closed = 0; closed < 2; closed++) {
         batten_curve *curve = NULL;
-        batten_curvature_report report;
+        batten_curve_from_curvatures_report report;
         CHECK_OK(batten_curve_from_curvatures(12, points, tangents, curvatures, closed, t,
                                               solutions, &report, &curve));
         CHECK_INT(report.fallen_back, 0);
@@ -84,7 +84,7 @@ TEST(a_span_without_solution_falls_back_and_is_named)
     const double points[] = {0, 0, 1, 0, 2, 0, 3, 0}, tangents[] = {1, 0, 1, 0, 1, 0, 1, 0};
     const double curvatures[] = {0, 0, 1, 0};
     int solutions[3];
-    batten_curvature_report report;
+    batten_curve_from_curvatures_report report;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_from_curvatures(4, points, tangents, curvatures, false, NULL,
                                           solutions, &report, &curve));

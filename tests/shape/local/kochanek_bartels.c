@@ -5,7 +5,7 @@
 enum { N = 6 };
 static const double points[N][2] = {{0, 0}, {1, 2}, {3, 2.5}, {4, 0}, {6, 0.5}, {7, 3}};
 
-static batten_curve *curve_of(const batten_kochanek_bartels_options *options)
+static batten_curve *curve_of(const batten_tangents_kochanek_bartels_options *options)
 {
     double t[N + 1], leaving[N][2], arriving[N][2];
     batten_curve *curve = NULL;
@@ -22,8 +22,9 @@ TEST(zeros_give_the_curve_of_catmull_and_rom)
     for (int a = 0; a < COUNT(alphas); a++)
         for (int closed = 0; closed < 2; closed++)
             for (int kind = 0; kind <= BATTEN_PHANTOM_REPEAT; kind++) {
-                batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
-                batten_catmull_rom_options cr = batten_catmull_rom_defaults();
+                batten_tangents_kochanek_bartels_options options =
+                    batten_tangents_kochanek_bartels_defaults();
+                batten_curve_catmull_rom_options cr = batten_curve_catmull_rom_defaults();
                 batten_curve *expected = NULL;
                 options.alpha = cr.alpha = alphas[a];
                 options.closed = cr.closed = closed;
@@ -50,7 +51,8 @@ TEST(equal_steps_give_the_tangents_of_the_paper)
     double lists[3][N], u[N], leaving[N][2], arriving[N][2];
     for (int i = 0; i < N; i++)
         lists[0][i] = t, lists[1][i] = c, lists[2][i] = b;
-    batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+    batten_tangents_kochanek_bartels_options options =
+        batten_tangents_kochanek_bartels_defaults();
     options.tension = lists[0], options.continuity = lists[1], options.bias = lists[2];
     CHECK_OK(batten_tangents_kochanek_bartels(2, N, points[0], &options, u, leaving[0],
                                               arriving[0]));
@@ -74,7 +76,8 @@ TEST(extremes_are_the_polygon_the_chords_and_halts)
     const double ones[N] = {1, 1, 1, 1, 1, 1}, minus[N] = {-1, -1, -1, -1, -1, -1};
     double u[N], leaving[N][2], arriving[N][2];
     for (int which = 0; which < 4; which++) {
-        batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+        batten_tangents_kochanek_bartels_options options =
+            batten_tangents_kochanek_bartels_defaults();
         options.tension = which == 0 ? ones : NULL;
         options.continuity = which == 1 ? minus : NULL;
         options.bias = which == 2 ? ones : which == 3 ? minus : NULL;
@@ -96,7 +99,8 @@ TEST(extremes_are_the_polygon_the_chords_and_halts)
 TEST(tension_at_one_point_changes_its_two_spans_alone)
 {
     double tension[N] = {0};
-    batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+    batten_tangents_kochanek_bartels_options options =
+        batten_tangents_kochanek_bartels_defaults();
     options.tension = tension;
     batten_curve *loose = curve_of(&options);
     tension[2] = 0.5;
@@ -133,7 +137,8 @@ TEST(n1_s1_bad_numbers_and_few_points_are_refused)
     const double bad[N] = {0, 0, INFINITY, 0, 0, 0};
     double u[N + 1] = {7}, leaving[N][2], arriving[N][2];
     for (int which = 0; which < 3; which++) {
-        batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+        batten_tangents_kochanek_bartels_options options =
+            batten_tangents_kochanek_bartels_defaults();
         *(which == 0   ? &options.tension
           : which == 1 ? &options.continuity
                        : &options.bias) = bad;
@@ -143,7 +148,8 @@ TEST(n1_s1_bad_numbers_and_few_points_are_refused)
         CHECK_MESSAGE("at point 2 is inf");
         CHECK_BITS(u[0], 7);
     }
-    batten_kochanek_bartels_options closed = batten_kochanek_bartels_defaults();
+    batten_tangents_kochanek_bartels_options closed =
+        batten_tangents_kochanek_bartels_defaults();
     closed.closed = true;
     CHECK_STATUS(
         batten_tangents_kochanek_bartels(2, 2, points[0], &closed, u, leaving[0], arriving[0]),

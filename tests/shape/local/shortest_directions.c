@@ -16,7 +16,7 @@ TEST(without_directions_it_is_the_natural_spline)
     test_random random = test_random_begin("natural");
     double points[16], at[6], other[6];
     batten_curve *made = NULL, *natural = NULL;
-    batten_interpolate_options o = batten_interpolate_defaults();
+    batten_curve_interpolate_options o = batten_curve_interpolate_defaults();
     random_row(&random, 8, points);
     o.parameters = BATTEN_CHORD;
     o.start.kind = o.end.kind = BATTEN_END_NATURAL;
@@ -41,8 +41,8 @@ TEST(directions_are_met_and_energy_is_least)
         double points[12], t[6];
         batten_direction_at directions[2] = {{.index = 1, .vector = {1, 0.3}},
                                              {.index = 4, .vector = {2, -1}}};
-        batten_directed_options o = batten_directed_defaults();
-        batten_directed_report report;
+        batten_curve_directed_options o = batten_curve_directed_defaults();
+        batten_curve_directed_report report;
         batten_curve *made = NULL;
         random_row(&random, 6, points);
         o.direction_count = 2;
@@ -88,7 +88,7 @@ TEST(tension_makes_the_second_derivative_jump)
 {
     const double points[10] = {0, 0, 1, 1, 2, 0.2, 3, 1, 4, 0}, nu[5] = {0, 3, 0, 10, 0};
     const double given[5] = {0, 1, 2.5, 3, 4.5};
-    batten_directed_options o = batten_directed_defaults();
+    batten_curve_directed_options o = batten_curve_directed_defaults();
     batten_curve *made = NULL;
     o.tension = nu;
     o.parameters = BATTEN_GIVEN;
@@ -112,8 +112,8 @@ TEST(directions_against_the_points_are_clamped_and_reported)
 {
     const double points[6] = {0, 0, 1, 0, 2, 0};
     const batten_direction_at back = {.index = 1, .vector = {-1, 0.1}};
-    batten_directed_options o = batten_directed_defaults();
-    batten_directed_report report;
+    batten_curve_directed_options o = batten_curve_directed_defaults();
+    batten_curve_directed_report report;
     batten_curve *made = NULL;
     double at[4];
     o.direction_count = 1;
@@ -148,7 +148,7 @@ TEST(n1_directions_that_are_none_are_refused)
     const double points[6] = {0, 0, 1, 2, 3, 6}, nu[3] = {0, -1, 0};
     batten_direction_at at[2] = {{.index = 1, .vector = {0, 0}},
                                  {.index = 1, .vector = {1, 0}}};
-    batten_directed_options o = batten_directed_defaults();
+    batten_curve_directed_options o = batten_curve_directed_defaults();
     batten_curve *made = NULL;
     o.direction_count = 1;
     o.directions = at;

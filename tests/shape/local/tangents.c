@@ -6,19 +6,19 @@ enum { MOST = 40 };
 
 typedef struct {
     double t[MOST + 1], leaving[3 * MOST], arriving[3 * MOST];
-    batten_tangent_report report;
+    batten_tangents_report report;
 } tangents;
 
-static batten_tangent_options rule(batten_tangent_rule which, batten_tangent_length length)
+static batten_tangents_options rule(batten_tangent_rule which, batten_tangent_length length)
 {
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     options.rule = which;
     options.length = length;
     return options;
 }
 
 static tangents tangents_of(int d, int count, const double *points,
-                            const batten_tangent_options *options)
+                            const batten_tangents_options *options)
 {
     tangents made = {0};
     CHECK_OK(batten_tangents(d, count, points, options, made.t, made.leaving, made.arriving,
@@ -27,7 +27,7 @@ static tangents tangents_of(int d, int count, const double *points,
 }
 
 static batten_curve *curve_of(int d, int count, const double *points,
-                              const batten_tangent_options *options, tangents *made)
+                              const batten_tangents_options *options, tangents *made)
 {
     batten_curve *curve = NULL;
     *made = tangents_of(d, count, points, options);
@@ -57,7 +57,7 @@ TEST(circle_tangents_are_exact_on_circles_open_and_closed)
         const int count = test_random_int(&random, 3, 20);
         double points[3 * 20], direct[3 * 20];
         on_circle(&random, count, points, direct);
-        batten_tangent_options options = rule(BATTEN_TANGENT_CIRCLE, BATTEN_LENGTH_CHORD);
+        batten_tangents_options options = rule(BATTEN_TANGENT_CIRCLE, BATTEN_LENGTH_CHORD);
         options.closed = c % 2;
         const tangents made = tangents_of(3, count, points, &options);
         for (int k = 0; k < 3 * count; k++)
@@ -70,7 +70,7 @@ TEST(g2_points_in_line_give_that_line_whatever_the_rule_and_the_steps)
     const double line[] = {0, 0, 3, 4, 3.6, 4.8, 9, 12, 12, 16, 15, 20};
     for (int r = 0; r <= BATTEN_TANGENT_BISECTOR; r++)
         for (int l = 0; l <= BATTEN_LENGTH_RULE; l++) {
-            const batten_tangent_options options =
+            const batten_tangents_options options =
                 rule((batten_tangent_rule)r, (batten_tangent_length)l);
             for (int count = 2; count <= 6; count++) {
                 const tangents made = tangents_of(2, count, line, &options);
@@ -88,7 +88,7 @@ TEST(bessel_tangents_are_those_of_the_parabola_with_chord_parameters)
 {
     const double points[] = {0, 0, 1, 2, 4, 1};
     const double a = sqrt(5), b = sqrt(10);
-    const batten_tangent_options options = rule(BATTEN_TANGENT_BESSEL, BATTEN_LENGTH_RULE);
+    const batten_tangents_options options = rule(BATTEN_TANGENT_BESSEL, BATTEN_LENGTH_RULE);
     const tangents made = tangents_of(2, 3, points, &options);
     for (int k = 0; k < 2; k++) {
         const double d0 = (points[2 + k] - points[k]) / a,
@@ -98,7 +98,7 @@ TEST(bessel_tangents_are_those_of_the_parabola_with_chord_parameters)
         CHECK_NEAR(made.leaving[4 + k], d1 + b * second, 1e-14);
     }
     /* Three points determine the parabola nearest to five. */
-    const batten_tangent_options five = rule(BATTEN_TANGENT_PARABOLA, BATTEN_LENGTH_RULE);
+    const batten_tangents_options five = rule(BATTEN_TANGENT_PARABOLA, BATTEN_LENGTH_RULE);
     const tangents same = tangents_of(2, 3, points, &five);
     for (int k = 0; k < 6; k++)
         CHECK_NEAR(same.leaving[k], made.leaving[k], 1e-14);
@@ -107,7 +107,7 @@ TEST(bessel_tangents_are_those_of_the_parabola_with_chord_parameters)
 TEST(renner_keeps_straight_runs_and_rounds_or_keeps_the_corner_between_two)
 {
     const double points[] = {0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 3, 3, 3, 4};
-    batten_tangent_options options = rule(BATTEN_TANGENT_RENNER, BATTEN_LENGTH_MIDDLE);
+    batten_tangents_options options = rule(BATTEN_TANGENT_RENNER, BATTEN_LENGTH_MIDDLE);
     tangents made;
     batten_curve *curve = curve_of(2, 7, points, &options, &made);
     CHECK_NEAR(made.leaving[2 * 3], sqrt(0.5), 1e-15);
@@ -140,7 +140,7 @@ TEST(renner_weighs_the_chords_by_the_areas_of_their_neighbours)
     double points[10] = {0};
     for (int k = 0; k < 8; k++)
         points[k + 2] = points[k] + q[k];
-    const batten_tangent_options options = rule(BATTEN_TANGENT_RENNER, BATTEN_LENGTH_CHORD);
+    const batten_tangents_options options = rule(BATTEN_TANGENT_RENNER, BATTEN_LENGTH_CHORD);
     const tangents made = tangents_of(2, 5, points, &options);
     const double before = 0.6, after = 0.6, part = before / (before + after);
     double T[2];
@@ -163,7 +163,7 @@ TEST(akima_tangents_keep_what_is_straight_in_a_coordinate)
         points[2 * i] = 0.1 * i;
         points[2 * i + 1] = i < 4 ? 0 : 0.3 * (i - 4) + 0.3;
     }
-    const batten_tangent_options options = rule(BATTEN_TANGENT_AKIMA, BATTEN_LENGTH_RULE);
+    const batten_tangents_options options = rule(BATTEN_TANGENT_AKIMA, BATTEN_LENGTH_RULE);
     const tangents made = tangents_of(2, 9, points, &options);
     for (int i = 0; i < 9; i++) {
         const double T[2] = {made.leaving[2 * i], made.leaving[2 * i + 1]};
@@ -184,7 +184,7 @@ TEST(middle_lengths_give_each_span_speed_one_in_its_middle)
         double points[3 * 12];
         for (int k = 0; k < count * d; k++)
             points[k] = test_random_in(&random, -1, 1);
-        batten_tangent_options options =
+        batten_tangents_options options =
             rule((batten_tangent_rule)(c % 6), BATTEN_LENGTH_MIDDLE);
         options.closed = c % 3 == 0;
         tangents made;
@@ -210,7 +210,7 @@ TEST(curves_pass_their_points_with_their_tangents_open_and_closed)
         double points[3 * 12];
         for (int k = 0; k < count * d; k++)
             points[k] = test_random_in(&random, -1, 1);
-        batten_tangent_options options =
+        batten_tangents_options options =
             rule((batten_tangent_rule)(c % 6), (batten_tangent_length)(c / 6 % 3));
         options.closed = c % 5 == 0;
         tangents made;
@@ -240,7 +240,7 @@ TEST(g10_reversed_points_give_reversed_tangents)
             points[k] = test_random_in(&random, -1, 1);
         for (int i = 0; i < count; i++)
             memcpy(reversed + i * d, points + (count - 1 - i) * d, (size_t)d * sizeof *points);
-        batten_tangent_options options =
+        batten_tangents_options options =
             rule((batten_tangent_rule)(c % 6), (batten_tangent_length)(c / 6 % 3));
         options.closed = c % 5 == 0 && count > 2;
         options.corners = (batten_corner)(c % 2);
@@ -257,7 +257,7 @@ TEST(g3_points_where_the_polygon_turns_back_are_flagged_and_get_a_tangent_across
 {
     const double points[] = {0, 0, 1, 0, 3, 0, 2, 0, 2, 1};
     for (int r = 0; r <= BATTEN_TANGENT_BISECTOR; r++) {
-        const batten_tangent_options options =
+        const batten_tangents_options options =
             rule((batten_tangent_rule)r, BATTEN_LENGTH_MIDDLE);
         tangents made;
         batten_curve *curve = curve_of(2, 5, points, &options, &made);
@@ -267,7 +267,7 @@ TEST(g3_points_where_the_polygon_turns_back_are_flagged_and_get_a_tangent_across
         CHECK_NEAR(made.leaving[5], 1, 1e-15);
         batten_curve_unref(curve);
     }
-    const batten_tangent_options circle = rule(BATTEN_TANGENT_CIRCLE, BATTEN_LENGTH_CHORD);
+    const batten_tangents_options circle = rule(BATTEN_TANGENT_CIRCLE, BATTEN_LENGTH_CHORD);
     const double needle[] = {0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1};
     const tangents made = tangents_of(3, 3, needle + 3, &circle);
     CHECK_INT(made.report.turned_back, 0);
@@ -284,7 +284,7 @@ TEST(g1_coincident_points_are_named_by_tangents)
     double t[5], T[8];
     CHECK_STATUS(batten_tangents(2, 4, points, NULL, t, T, NULL, NULL), BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 1 and 2 coincide");
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     options.closed = true;
     CHECK_STATUS(batten_tangents(2, 4, ring, &options, t, T, NULL, NULL), BATTEN_COINCIDENT);
     CHECK_MESSAGE("points 3 and 0 coincide");
@@ -299,7 +299,7 @@ TEST(n1_what_is_not_finite_is_named_by_tangents)
     CHECK_NEAR(t[0], 7, 0);
     CHECK_STATUS(batten_tangents(2, 1, points, NULL, t, T, NULL, NULL), BATTEN_TOO_FEW_POINTS);
     CHECK_STATUS(batten_tangents(1, 4, fine, NULL, t, T, NULL, NULL), BATTEN_BAD_ARGUMENT);
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     options.closed = true;
     CHECK_STATUS(batten_tangents(2, 2, fine, &options, t, T, NULL, NULL),
                  BATTEN_TOO_FEW_POINTS);
@@ -315,7 +315,7 @@ TEST(n2_tiny_and_huge_points_have_the_same_tangents)
     const double scales[] = {1e-300, 1e-9, 1e9, 1e150, 1e300};
     for (int r = 0; r <= BATTEN_TANGENT_BISECTOR; r++)
         for (int s = 0; s < COUNT(scales); s++) {
-            const batten_tangent_options options =
+            const batten_tangents_options options =
                 rule((batten_tangent_rule)r, BATTEN_LENGTH_MIDDLE);
             const tangents plain = tangents_of(2, 5, points, &options);
             double scaled[10];
@@ -334,7 +334,7 @@ TEST(tangents_are_local)
 {
     test_random random = test_random_begin("local");
     for (int r = 0; r <= BATTEN_TANGENT_BISECTOR; r++) {
-        const batten_tangent_options options =
+        const batten_tangents_options options =
             rule((batten_tangent_rule)r, BATTEN_LENGTH_CHORD);
         double points[2 * 15];
         for (int k = 0; k < 30; k++)
@@ -353,7 +353,7 @@ TEST(given_tangents_are_taken_with_the_length_that_is_asked)
 {
     const double points[] = {0, 0, 2, 0, 2, 3}, given[] = {3, 0, 0, 5, 0, 2}, zero[6] = {1, 1};
     const double bad[] = {1, 0, NAN, 1, 1, 1};
-    batten_tangent_options options = rule(BATTEN_TANGENT_GIVEN, BATTEN_LENGTH_RULE);
+    batten_tangents_options options = rule(BATTEN_TANGENT_GIVEN, BATTEN_LENGTH_RULE);
     double t[3], T[6];
     CHECK_STATUS(batten_tangents(2, 3, points, &options, t, T, NULL, NULL),
                  BATTEN_BAD_ARGUMENT);

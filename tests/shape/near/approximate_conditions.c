@@ -5,9 +5,9 @@
 
 enum { MANY = 60 };
 
-static batten_least_squares_options given(const double *parameters, int point_count)
+static batten_curve_least_squares_options given(const double *parameters, int point_count)
 {
-    batten_least_squares_options options = batten_least_squares_defaults();
+    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     options.point_count = point_count;
@@ -59,7 +59,7 @@ TEST(equations_are_met_and_only_they_hold_the_curve_back)
                                       condition(BATTEN_CONDITION_EQUAL, 0.55, 1, -2),
                                       condition(BATTEN_CONDITION_EQUAL, 1, 2, 7)};
     for (int degree = 2; degree <= 6; degree++) {
-        batten_least_squares_options options = given(t, 14);
+        batten_curve_least_squares_options options = given(t, 14);
         options.degree = degree;
         options.conditions = asked;
         options.condition_count = 3;
@@ -97,7 +97,7 @@ TEST(a_point_to_pass_is_a_datum_of_endless_weight)
     noisy("weights", MANY, t, y);
     for (int i = 0; i < MANY; i++)
         w[i] = i == 20 ? 1e12 : 1;
-    batten_least_squares_options options = given(t, 9);
+    batten_curve_least_squares_options options = given(t, 9);
     const batten_condition pass = {BATTEN_CONDITION_EQUAL, 20, 0, 0, {y[20], 0, 0}};
     batten_curve *heavy = NULL, *fit = NULL;
     options.weights = w;
@@ -116,7 +116,7 @@ TEST(conditions_that_hold_anyway_change_nothing)
 {
     double t[MANY], y[MANY];
     noisy("none", MANY, t, y);
-    batten_least_squares_options options = given(t, 10);
+    batten_curve_least_squares_options options = given(t, 10);
     batten_curve *plain = NULL, *fit = NULL;
     batten_fit_report report;
     CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
@@ -153,7 +153,7 @@ TEST(ends_of_curves_have_the_directions_asked_for)
                 (batten_condition){BATTEN_CONDITION_DIRECTION, e * (MANY - 1), 0, 1, {0}};
             memcpy(asked[e].value, along[e], sizeof along[e]);
         }
-        batten_least_squares_options options = batten_least_squares_defaults();
+        batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
         options.point_count = 12;
         options.hold_start = options.hold_end = true;
         options.conditions = asked;
@@ -161,7 +161,7 @@ TEST(ends_of_curves_have_the_directions_asked_for)
         batten_curve *fit = NULL;
         batten_fit_report report;
         CHECK_OK(batten_curve_least_squares(d, MANY, p, &options, NULL, &report, &fit));
-        CHECK(report.max < 0.3);
+        CHECK(report.error < 0.3);
         const batten_interval domain = batten_curve_domain(fit);
         for (int e = 0; e < 2; e++) {
             double at[6], dot = 0, size = 0, length = 0;
@@ -206,7 +206,7 @@ TEST(functions_of_a_shape_have_it_everywhere_and_no_other_of_that_shape_is_neare
     noisy("shapes", MANY, t, y);
     for (int s = 0; s < COUNT(shapes); s++)
         for (int degree = 1; degree <= 5; degree++) {
-            batten_least_squares_options options = given(t, 12);
+            batten_curve_least_squares_options options = given(t, 12);
             options.degree = degree;
             options.shape = shapes[s];
             batten_fit_report report;
@@ -242,7 +242,7 @@ TEST(data_of_a_shape_are_fitted_as_without_it)
         t[i] = i / (MANY - 1.0);
         y[i] = exp(2 * t[i]);
     }
-    batten_least_squares_options options = given(t, 8);
+    batten_curve_least_squares_options options = given(t, 8);
     batten_curve *plain = NULL, *fit = NULL;
     CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
     options.shape = BATTEN_CONVEX | BATTEN_INCREASING;
@@ -259,7 +259,7 @@ TEST(one_sided_fits_keep_to_their_side_and_turn_over_with_the_data)
     noisy("sides", MANY, t, y);
     for (int i = 0; i < MANY; i++)
         minus[i] = -y[i];
-    batten_least_squares_options options = given(t, 10);
+    batten_curve_least_squares_options options = given(t, 10);
     options.side = BATTEN_FIT_OVER;
     batten_curve *over = NULL, *under = NULL;
     batten_fit_report report;
@@ -285,7 +285,7 @@ TEST(values_to_stay_over_and_under_are_kept)
     const batten_condition asked[] = {condition(BATTEN_CONDITION_AT_LEAST, 0.77, 0, 0.2),
                                       condition(BATTEN_CONDITION_AT_MOST, 0.31, 0, 0.4),
                                       condition(BATTEN_CONDITION_AT_MOST, 0, 1, -3)};
-    batten_least_squares_options options = given(t, 11);
+    batten_curve_least_squares_options options = given(t, 11);
     options.conditions = asked;
     options.condition_count = 3;
     batten_fit_report report;
@@ -310,19 +310,19 @@ TEST(a_band_bounds_every_coordinate_and_a_narrow_one_is_interpolation)
         q[2 * i] = i + test_random_in(&random, -0.1, 0.1);
         q[2 * i + 1] = test_random_in(&random, -1, 1);
     }
-    batten_least_squares_options options = given(t, 9);
+    batten_curve_least_squares_options options = given(t, 9);
     batten_fit_report plain, report;
     batten_curve *fit = NULL;
     CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &plain, &fit));
     batten_curve_unref(fit);
-    options.band = 0.8 * plain.max;
+    options.band = 0.8 * plain.error;
     CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit));
-    CHECK(report.max <= options.band * sqrt(2) && report.rms >= plain.rms);
+    CHECK(report.error <= options.band * sqrt(2) && report.rms >= plain.rms);
     batten_curve_unref(fit);
     options.point_count = 12;
     options.band = 1e-7;
     CHECK_OK(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit));
-    CHECK(report.max < 1e-7);
+    CHECK(report.error < 1e-7);
     batten_curve_unref(fit);
     options.point_count = 5;
     CHECK_STATUS(batten_curve_least_squares(2, 12, q, &options, NULL, &report, &fit),
@@ -342,8 +342,8 @@ TEST(a_ring_passes_what_it_shall)
     const batten_condition pass[2] = {{BATTEN_CONDITION_EQUAL, 0, 0, 0, {q[0], q[1], 0}},
                                       {BATTEN_CONDITION_EQUAL, 31, 0, 0, {q[62], q[63], 0}}};
     for (int n = 3; n <= 12; n += 3) {
-        batten_least_squares_options options = batten_least_squares_defaults();
-        options.periodic = true;
+        batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
+        options.closed = true;
         options.point_count = n;
         options.conditions = pass;
         options.condition_count = 2;
@@ -365,7 +365,7 @@ TEST(conditions_determine_what_data_do_not)
     const double knots[9] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1};
     const batten_condition asked[] = {condition(BATTEN_CONDITION_EQUAL, 1, 1, 0),
                                       condition(BATTEN_CONDITION_EQUAL, 1, 2, 3)};
-    batten_least_squares_options options = given(t, 5);
+    batten_curve_least_squares_options options = given(t, 5);
     options.knots = BATTEN_KNOTS_GIVEN;
     options.given_knots = knots;
     options.conditions = asked;
@@ -390,7 +390,7 @@ TEST(N2_conditions_do_not_depend_on_the_unit)
 {
     double t[MANY], y[MANY], scaled[MANY];
     noisy("units", MANY, t, y);
-    batten_least_squares_options options = given(t, 10);
+    batten_curve_least_squares_options options = given(t, 10);
     options.shape = BATTEN_CONCAVE;
     options.side = BATTEN_FIT_OVER;
     batten_curve *plain = NULL;
@@ -438,7 +438,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
     double t[MANY], y[MANY];
     noisy("refused", MANY, t, y);
     for (int i = 0; i < COUNT(rows); i++) {
-        batten_least_squares_options options = given(t, 10);
+        batten_curve_least_squares_options options = given(t, 10);
         options.conditions = rows[i].asked;
         options.condition_count = 2;
         options.shape = rows[i].shape;
@@ -448,7 +448,7 @@ TEST(G9_conditions_that_cannot_hold_together_are_named)
         CHECK_MESSAGE(rows[i].says);
         CHECK(fit == NULL);
     }
-    batten_least_squares_options options = given(t, 10);
+    batten_curve_least_squares_options options = given(t, 10);
     options.hold_start = options.hold_end = true;
     options.shape = BATTEN_INCREASING; /* sin 5 x ends below where it begins */
     y[0] = 1;
@@ -481,7 +481,7 @@ TEST(N1_conditions_of_no_sense_are_named)
     noisy("senseless", MANY, t, y);
     noisy("senseless", MANY, t, y + MANY);
     for (int i = 0; i < COUNT(rows); i++) {
-        batten_least_squares_options options = given(t, 10);
+        batten_curve_least_squares_options options = given(t, 10);
         options.conditions = &rows[i].asked;
         options.condition_count = 1;
         batten_curve *fit = NULL;
@@ -500,12 +500,12 @@ TEST(shapes_sides_and_bands_are_for_open_functions)
     noisy("open", MANY, t, y + MANY);
     t[MANY] = 1.1;
     batten_curve *fit = NULL;
-    batten_least_squares_options options = given(t, 10);
+    batten_curve_least_squares_options options = given(t, 10);
     options.shape = BATTEN_CONVEX;
     CHECK_STATUS(batten_curve_least_squares(2, MANY, y, &options, NULL, NULL, &fit),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("not for a curve");
-    options.periodic = true;
+    options.closed = true;
     CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("not for a closed one");
@@ -531,7 +531,7 @@ TEST(S5_more_unknowns_than_a_program_takes_are_refused)
     static double t[1200], y[1200];
     for (int i = 0; i < 1200; i++)
         t[i] = i;
-    batten_least_squares_options options = given(t, 1001);
+    batten_curve_least_squares_options options = given(t, 1001);
     options.shape = BATTEN_CONVEX;
     batten_curve *fit = NULL;
     CHECK_STATUS(batten_curve_least_squares(1, 1200, y, &options, NULL, NULL, &fit),
@@ -561,7 +561,7 @@ TEST(the_moisture_of_dierckx_is_concave_and_near)
     }
     double before = HUGE_VAL;
     for (int n = 5; n <= 8; n++) {
-        batten_least_squares_options options = given(x, n);
+        batten_curve_least_squares_options options = given(x, n);
         options.weights = w;
         options.shape = BATTEN_CONCAVE;
         batten_fit_report report;

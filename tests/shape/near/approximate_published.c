@@ -5,9 +5,9 @@
 
 /* Least squares and conditions on data that others have published. */
 
-static batten_least_squares_options given(const double *parameters, int point_count)
+static batten_curve_least_squares_options given(const double *parameters, int point_count)
 {
-    batten_least_squares_options options = batten_least_squares_defaults();
+    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     options.point_count = point_count;
@@ -31,7 +31,7 @@ TEST(least_squares_on_the_knots_of_fitpack_undercut_its_sums)
         published_array(text, "fp", c, 1, &sum);
         const int n = published_array(text, "t", c, 60, U) - 4;
         CHECK_INT(published_array(text, "c", c, 60, C), n);
-        batten_least_squares_options options = given(t, n);
+        batten_curve_least_squares_options options = given(t, n);
         options.knots = BATTEN_KNOTS_GIVEN;
         options.given_knots = U;
         batten_fit_report report;
@@ -67,7 +67,7 @@ TEST(ends_given_to_the_second_derivative_are_met_within_the_noise_of_dierckx)
         ends[k] = (batten_condition){
             BATTEN_CONDITION_EQUAL, k < 3 ? 0 : 30, 0, k % 3, {values[k][0], values[k][1]}};
     for (int degree = 3; degree <= 5; degree += 2) {
-        batten_least_squares_options options = given(u, degree == 3 ? 16 : 12);
+        batten_curve_least_squares_options options = given(u, degree == 3 ? 16 : 12);
         options.degree = degree;
         options.conditions = ends;
         options.condition_count = 6;
@@ -119,7 +119,7 @@ TEST(aerofoils_are_fitted_as_closely_as_before)
         CHECK(count > 50);
         double before = HUGE_VAL;
         for (int corrections = 0; corrections <= 20; corrections += 10) {
-            batten_least_squares_options options = batten_least_squares_defaults();
+            batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
             options.point_count = 29;
             options.knots = BATTEN_KNOTS_BY_CURVATURE;
             options.hold_start = options.hold_end = true;
@@ -129,7 +129,7 @@ TEST(aerofoils_are_fitted_as_closely_as_before)
             CHECK_OK(batten_curve_least_squares(2, count, q, &options, NULL, &report, &fit));
             CHECK(report.sum < before);
             before = report.sum;
-            CHECK(corrections < 20 || report.max < 7e-4);
+            CHECK(corrections < 20 || report.error < 7e-4);
             batten_curve_unref(fit);
         }
     }

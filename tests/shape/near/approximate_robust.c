@@ -5,10 +5,10 @@
 
 enum { MANY = 120 };
 
-static batten_least_squares_options robust(batten_robust how, const double *parameters,
-                                           int count)
+static batten_curve_least_squares_options robust(batten_robust how, const double *parameters,
+                                                 int count)
 {
-    batten_least_squares_options options = batten_least_squares_defaults();
+    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = parameters;
     options.point_count = count;
@@ -46,7 +46,7 @@ TEST(outliers_do_not_move_a_robust_fit)
     double t[MANY], y[MANY], off[4];
     spoilt(0.01, t, y);
     for (int how = 0; how < 4; how++) {
-        batten_least_squares_options options = robust((batten_robust)how, t, 7);
+        batten_curve_least_squares_options options = robust((batten_robust)how, t, 7);
         batten_fit_report report;
         batten_curve *fit = NULL;
         CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
@@ -69,7 +69,7 @@ TEST(absolute_distances_reproduce_what_most_data_lie_on)
 {
     double t[MANY], y[MANY];
     spoilt(0, t, y);
-    batten_least_squares_options options = robust(BATTEN_ABSOLUTE, t, 7);
+    batten_curve_least_squares_options options = robust(BATTEN_ABSOLUTE, t, 7);
     batten_fit_report report;
     batten_curve *fit = NULL;
     CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
@@ -102,7 +102,7 @@ TEST(the_gap_says_how_much_an_l1_fit_can_be_bettered)
             t[i] = i + test_random_in(&random, 0, 0.9);
             y[i] = test_random_in(&random, -1, 1);
         }
-        batten_least_squares_options options = robust(BATTEN_ABSOLUTE, t, 2);
+        batten_curve_least_squares_options options = robust(BATTEN_ABSOLUTE, t, 2);
         options.degree = 1;
         batten_fit_report report;
         batten_curve *fit = NULL;
@@ -125,7 +125,7 @@ TEST(hubers_forces_are_in_balance)
 {
     double t[MANY], y[MANY];
     spoilt(0.1, t, y);
-    batten_least_squares_options options = robust(BATTEN_HUBER, t, 6);
+    batten_curve_least_squares_options options = robust(BATTEN_HUBER, t, 6);
     options.threshold = 0.07;
     batten_fit_report report;
     batten_curve *fit = NULL;
@@ -149,7 +149,7 @@ TEST(a_threshold_beyond_all_data_is_least_squares)
 {
     double t[MANY], y[MANY];
     spoilt(0.1, t, y);
-    batten_least_squares_options options = robust(BATTEN_HUBER, t, 6);
+    batten_curve_least_squares_options options = robust(BATTEN_HUBER, t, 6);
     options.threshold = 100;
     batten_curve *fit = NULL, *plain = NULL;
     batten_fit_report report;
@@ -175,8 +175,8 @@ TEST(robust_fits_of_curves_rings_and_conditions)
         q[2 * i + 1] = r * sin(w) + test_random_in(&random, -0.01, 0.01);
     }
     for (int c = 0; c < 3; c++) {
-        batten_least_squares_options options = robust(BATTEN_TUKEY, t, 10);
-        options.periodic = c < 2;
+        batten_curve_least_squares_options options = robust(BATTEN_TUKEY, t, 10);
+        options.closed = c < 2;
         options.corrections = 5 * (c > 0);
         const batten_condition pass = {BATTEN_CONDITION_EQUAL, 60, 0, 0, {q[120], q[121], 0}};
         options.condition_count = c == 1;
@@ -201,12 +201,12 @@ TEST(data_on_a_curve_need_no_rounds_and_have_no_outliers)
         y[i] = 2 * t[i] + 1;
     }
     for (int how = 1; how < 4; how++) {
-        batten_least_squares_options options = robust((batten_robust)how, t, 5);
+        batten_curve_least_squares_options options = robust((batten_robust)how, t, 5);
         batten_curve *fit = NULL;
         batten_fit_report report;
         int outliers[MANY], count = -1;
         CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, &report, &fit));
-        CHECK(report.max < 1e-10);
+        CHECK(report.error < 1e-10);
         CHECK_INT(report.reweightings, 0);
         CHECK_OK(batten_curve_outliers(fit, MANY, y, t, NULL, 5, NULL, outliers, &count));
         CHECK_INT(count, 0);
@@ -219,7 +219,7 @@ TEST(N2_robust_fits_do_not_depend_on_the_unit)
     double t[MANY], y[MANY], scaled[MANY];
     spoilt(0.1, t, y);
     for (int how = 1; how < 4; how++) {
-        batten_least_squares_options options = robust((batten_robust)how, t, 6);
+        batten_curve_least_squares_options options = robust((batten_robust)how, t, 6);
         batten_curve *plain = NULL;
         CHECK_OK(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &plain));
         for (int k = -1; k < 2; k += 2) {
@@ -243,7 +243,7 @@ TEST(N1_thresholds_that_are_no_lengths_are_refused)
     spoilt(0.1, t, y);
     static const double bad[] = {NAN, -1, INFINITY};
     batten_curve *fit = NULL;
-    batten_least_squares_options options = robust(BATTEN_HUBER, t, 6);
+    batten_curve_least_squares_options options = robust(BATTEN_HUBER, t, 6);
     for (int i = 0; i < 3; i++) {
         options.threshold = bad[i];
         CHECK_STATUS(batten_curve_least_squares(1, MANY, y, &options, NULL, NULL, &fit),

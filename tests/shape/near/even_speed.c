@@ -22,7 +22,7 @@ TEST(a_circle_at_even_speed_is_where_its_arc_length_says)
 {
     batten_curve *circle = NULL, *even = NULL;
     CHECK_OK(batten_curve_circle(2, BATTEN_CIRCLE_SQUARE_9, &circle));
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     CHECK_OK(batten_curve_even_speed(circle, 1e-8, &report, &even));
     CHECK_NEAR(report.length, 4 * PI, 1e-10);
     CHECK(report.error <= 1e-8 && report.error > 0);
@@ -47,7 +47,7 @@ TEST(random_curves_at_even_speed_are_met_at_every_length)
     for (int n = test_cases(12); n > 0; n--) {
         const int dimension = test_random_int(&random, 2, 3);
         batten_curve *given = NULL, *even = NULL;
-        batten_even_speed_report report;
+        batten_curve_even_speed_report report;
         double length, s[101], u[101];
         random_curve(&random, dimension, &given);
         CHECK_OK(batten_curve_even_speed(given, 1e-6, &report, &even));
@@ -73,7 +73,7 @@ TEST(polylines_at_even_speed_are_exact)
 {
     const double p[] = {0, 0, 3, 4, 3, 4, 3, 16}, knots[] = {0, 0, 1, 2, 9, 9};
     batten_curve *path = NULL, *even = NULL;
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     CHECK_OK(batten_curve_create(2, 1, 4, p, NULL, knots, &path));
     CHECK_OK(batten_curve_even_speed(path, 1e-6, &report, &even));
     CHECK(report.error == 0 && report.length == 17);
@@ -93,7 +93,7 @@ TEST(G4_corners_and_cusps_stay_where_they_are)
      */
     const double p[] = {0, 0, 1, 1, 0, 1, 1, 0}, breaks[] = {0, 1};
     batten_curve *cusp = NULL, *even = NULL;
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     double length;
     CHECK_OK(batten_curve_from_bezier(2, 3, 1, p, NULL, breaks, &cusp));
     CHECK_OK(batten_curve_even_speed(cusp, 1e-4, &report, &even));

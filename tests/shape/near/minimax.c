@@ -29,7 +29,7 @@ static batten_status evaluate(void *user, double u, int order, double *out)
 }
 
 /* The errors at the places alternate and none is below the bound. */
-static void check_alternates(const batten_minimax_report *report, int degree,
+static void check_alternates(const batten_curve_minimax_report *report, int degree,
                              const double *errors)
 {
     for (int i = 0; i < degree + 2; i++) {
@@ -40,9 +40,9 @@ static void check_alternates(const batten_minimax_report *report, int degree,
     }
 }
 
-static batten_minimax_report best(function f, double a, double b, int degree)
+static batten_curve_minimax_report best(function f, double a, double b, int degree)
 {
-    batten_minimax_report report;
+    batten_curve_minimax_report report;
     batten_curve *curve = NULL;
     double errors[27], most = 0;
     CHECK_OK(batten_function_minimax(a, b, degree, evaluate, &f, &report, &curve));
@@ -67,7 +67,7 @@ static batten_minimax_report best(function f, double a, double b, int degree)
 TEST(chebyshevs_polynomials_are_the_errors_of_powers)
 {
     for (int n = 0; n <= 24; n++) {
-        const batten_minimax_report report = best((function){POWER, n + 1}, -1, 1, n);
+        const batten_curve_minimax_report report = best((function){POWER, n + 1}, -1, 1, n);
         CHECK_NEAR(report.error * ldexp(1, n), 1, 2e-6 + ldexp(1e-13, n));
     }
 }
@@ -77,7 +77,7 @@ TEST(the_errors_of_a_pole_are_those_of_chebyshev)
     /* 1 / (x - c) on [-1, 1]: (c - sqrt(c^2 - 1))^n / (c^2 - 1). */
     for (int n = 0; n <= 20; n++) {
         const double c = 1.5, root = sqrt(c * c - 1), known = pow(c - root, n) / (root * root);
-        const batten_minimax_report report = best((function){POLE, c}, -1, 1, n);
+        const batten_curve_minimax_report report = best((function){POLE, c}, -1, 1, n);
         CHECK_NEAR(report.error, known, 2e-6 * known + 3e-13);
         CHECK(report.bound <= known * (1 + 1e-9) + 1e-14);
     }
@@ -86,7 +86,7 @@ TEST(the_errors_of_a_pole_are_those_of_chebyshev)
 TEST(the_best_line_of_the_exponential_is_known)
 {
     const double slope = sinh(1), known = (exp(-1) + slope * log(slope)) / 2;
-    const batten_minimax_report report = best((function){EXPONENTIAL, 1}, -1, 1, 1);
+    const batten_curve_minimax_report report = best((function){EXPONENTIAL, 1}, -1, 1, 1);
     CHECK_NEAR(report.error, known, 1e-6 * known);
     CHECK_NEAR(report.places[1], log(slope), 1e-3);
 }
@@ -131,7 +131,7 @@ TEST(the_best_line_near_data_is_that_of_the_worst_triple)
             t[i] = i + test_random_in(&random, 0, 0.9);
             y[i] = c % 3 ? test_random_in(&random, -1, 1) : test_random_int(&random, -1, 1);
         }
-        batten_minimax_report report;
+        batten_curve_minimax_report report;
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_minimax(n, t, y, 1, &report, &curve));
         const double known = worst_triple(n, t, y);
@@ -153,7 +153,7 @@ TEST(data_of_any_degree_have_errors_that_alternate)
             t[i] = i + test_random_in(&random, 0, 0.5);
             y[i] = sin(t[i]) + test_random_in(&random, -1, 1);
         }
-        batten_minimax_report report;
+        batten_curve_minimax_report report;
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_minimax(n, t, y, degree, &report, &curve));
         CHECK_NEAR(report.error, report.bound, 1e-11);
@@ -178,7 +178,7 @@ TEST(data_of_a_polynomial_leave_no_error)
             t[i] = -1 + i / 19.5;
             y[i] = cos(degree * acos(fmax(-1, fmin(1, t[i]))));
         }
-        batten_minimax_report report;
+        batten_curve_minimax_report report;
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_minimax(40, t, y, degree, &report, &curve));
         CHECK(report.error < 1e-9 && report.bound <= report.error);
@@ -194,7 +194,7 @@ TEST(N2_least_errors_scale_with_the_data)
         t[i] = i;
         y[i] = cos(3.0 * i);
     }
-    batten_minimax_report plain, report;
+    batten_curve_minimax_report plain, report;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_minimax(12, t, y, 4, &plain, &curve));
     batten_curve_unref(curve);

@@ -26,7 +26,7 @@ TEST(points_on_a_line_give_it_back)
         batten_fitted_line line;
         batten_primitive_report report;
         CHECK_OK(batten_line_fit(d, n, q, &line, &report));
-        CHECK(report.max < 1e-13 * (10 + n * n));
+        CHECK(report.error < 1e-13 * (10 + n * n));
         for (int k = 0; k < d; k++) {
             CHECK_NEAR(line.direction[k], along[k] / size, 1e-12);
             CHECK_NEAR(line.point[k] + line.from * line.direction[k], q[k], 1e-12 * n * n);
@@ -44,7 +44,7 @@ TEST(a_line_minimises_distances_at_right_angles)
     CHECK_OK(batten_line_fit(2, 4, q, &line, &report));
     CHECK_NEAR(line.direction[0], sqrt(0.5), 1e-15); /* symmetric about the diagonal */
     CHECK_NEAR(line.direction[1], sqrt(0.5), 1e-15);
-    CHECK_NEAR(report.max, sqrt(0.5), 1e-15);
+    CHECK_NEAR(report.error, sqrt(0.5), 1e-15);
     CHECK_NEAR(report.rms, 0.5, 1e-15);
 }
 
@@ -91,7 +91,7 @@ TEST(points_on_a_circle_give_it_back_by_every_method)
         CHECK_NEAR(circle.radius, r, 1e-10 * r);
         CHECK_NEAR(circle.frame.origin.x, x, 1e-10 * r);
         CHECK_NEAR(circle.frame.origin.y, y, 1e-10 * r);
-        CHECK(report.max < 1e-10 * r);
+        CHECK(report.error < 1e-10 * r);
     }
 }
 
@@ -191,7 +191,7 @@ TEST(points_on_an_ellipse_give_it_back)
         CHECK_NEAR(e.center[0], x, 1e-10 * a);
         CHECK_NEAR(e.center[1], y, 1e-10 * a);
         CHECK_NEAR(fabs(e.axis[0] * cos(turn) + e.axis[1] * sin(turn)), 1, 1e-10);
-        CHECK(report.max < 1e-10 * a);
+        CHECK(report.error < 1e-10 * a);
         CHECK((e.angle > 0) == (sweep > 0));
     }
 }
@@ -247,7 +247,7 @@ TEST(points_on_a_clothoid_give_it_back)
         batten_span found;
         batten_primitive_report report;
         CHECK_OK(batten_clothoid_fit(n, q, &found, lengths, &report));
-        CHECK(report.max < 1e-11 * length);
+        CHECK(report.error < 1e-11 * length);
         CHECK_NEAR(found.length, span.length, 1e-10 * length);
         CHECK_NEAR(found.start[0], span.start[0], 1e-10 * length);
         CHECK_NEAR(found.curvature[0], span.curvature[0], 1e-9 / length);
@@ -303,7 +303,7 @@ TEST(points_far_from_any_clothoid_are_fitted_the_same_in_both_orders)
                    reversed.curvature[0],
                0, 1e-5);
     CHECK_OK(batten_clothoid_fit(6, stairs, &found, NULL, &one));
-    CHECK(one.max < 0.5 && found.length > 4);
+    CHECK(one.error < 0.5 && found.length > 4);
 }
 
 TEST(N1_what_is_not_finite_is_named_by_fits_of_primitives)

@@ -6,9 +6,10 @@
 
 enum { MOST = 200 };
 
-static batten_smooth_options by(batten_smooth_by what, double amount, const double *parameters)
+static batten_curve_smooth_options by(batten_smooth_by what, double amount,
+                                      const double *parameters)
 {
-    batten_smooth_options options = batten_smooth_defaults();
+    batten_curve_smooth_options options = batten_curve_smooth_defaults();
     options.by = what;
     options.amount = amount;
     options.parameters = parameters ? BATTEN_GIVEN : BATTEN_CHORD;
@@ -72,7 +73,7 @@ TEST(the_cubic_smoothing_spline_is_that_of_reinschs_equations)
         const double lambda = pow(10, c % 9 - 6);
         uneven(&random, n, t, y, w);
         reinsch(n, t, y, w, lambda, g);
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, lambda, t);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, lambda, t);
         options.weights = w;
         batten_fit_report report;
         batten_curve *curve = NULL;
@@ -104,16 +105,16 @@ TEST(between_its_limits_smoothing_goes_from_the_interpolant_to_the_line)
     batten_curve *curve = NULL;
     batten_fit_report report;
     for (double x = -9; x < 9; x += 1) {
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, pow(10, x), t);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, pow(10, x), t);
         CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
         CHECK(report.freedom < freedom);
         freedom = report.freedom;
         batten_curve_unref(curve);
     }
     CHECK_NEAR(freedom, 2, 1e-4);
-    batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 0, t);
+    batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 0, t);
     CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
-    CHECK(report.max < 1e-13 && report.freedom == 30 && report.p == 1);
+    CHECK(report.error < 1e-13 && report.freedom == 30 && report.p == 1);
     batten_curve_unref(curve);
     options.amount = HUGE_VAL;
     CHECK_OK(batten_curve_smooth(1, 30, y, &options, NULL, &report, &curve));
@@ -134,7 +135,7 @@ TEST(polynomials_that_a_penalty_does_not_see_stay_as_they_are)
     double t[25], y[25];
     for (int c = 0; c < 24; c++) {
         const int m = 1 + c % 4;
-        batten_smooth_options options =
+        batten_curve_smooth_options options =
             by(BATTEN_SMOOTH_BY_LAMBDA, c / 4 == 5 ? HUGE_VAL : pow(10, 2 * (c / 4) - 4), t);
         options.order = m;
         for (int i = 0; i < 25; i++) {
@@ -152,7 +153,7 @@ TEST(polynomials_that_a_penalty_does_not_see_stay_as_they_are)
                            : batten_curve_smooth)(1, 25, y, &options, NULL, &report, &curve));
             /* The derivative of order 4 of values near 10, at steps of 0.1, is lost below
              * 1e-11; the root of lambda weighs it. */
-            CHECK(report.max < 1e-7);
+            CHECK(report.error < 1e-7);
             batten_curve_unref(curve);
         }
     }
@@ -164,7 +165,7 @@ TEST(p_splines_of_great_lambda_are_polynomials)
     double t[60], y[60], w[60], a[60], b[60];
     uneven(&random, 60, t, y, w);
     for (int m = 1; m <= 4; m++) {
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 1e9, t);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 1e9, t);
         options.order = m;
         options.spans = 12;
         batten_curve *curve = NULL, *limit = NULL;
@@ -191,7 +192,7 @@ TEST(a_target_is_a_length_and_is_met)
     }
     for (double target = 0.02; target < 0.2; target *= 2)
         for (int kind = 0; kind < 2; kind++) {
-            batten_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, target, NULL);
+            batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, target, NULL);
             options.spans = 80;
             batten_fit_report report;
             batten_curve *curve = NULL;
@@ -200,7 +201,7 @@ TEST(a_target_is_a_length_and_is_met)
             CHECK_NEAR(report.rms, target, 2e-8 * target);
             batten_curve_unref(curve);
         }
-    batten_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 100, NULL);
+    batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 100, NULL);
     batten_fit_report report;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_smooth(2, 60, q, &options, NULL, &report, &curve));
@@ -208,7 +209,7 @@ TEST(a_target_is_a_length_and_is_met)
     batten_curve_unref(curve);
     options.amount = 0;
     CHECK_OK(batten_curve_smooth(2, 60, q, &options, NULL, &report, &curve));
-    CHECK(report.max < 1e-12);
+    CHECK(report.error < 1e-12);
     batten_curve_unref(curve);
 }
 
@@ -227,7 +228,7 @@ TEST(validation_finds_its_least_and_the_size_of_the_noise)
         y[i] += test_random_in(&random, -0.1 * sqrt(3), 0.1 * sqrt(3));
     }
     for (int kind = 0; kind < 2; kind++) {
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
         batten_fit_report report, other;
         batten_curve *curve = NULL;
         CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(1, MOST, y, &options,
@@ -261,8 +262,8 @@ TEST(a_ring_is_smoothed_alike_wherever_it_begins)
         r[i] = q[(i + 26) % 80];
     for (int m = 1; m <= 4; m++)
         for (int kind = 0; kind < 2; kind++) {
-            batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 2, u);
-            options.periodic = true;
+            batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, 2, u);
+            options.closed = true;
             options.order = m;
             options.spans = 40;
             batten_curve *a = NULL, *b = NULL;
@@ -296,15 +297,15 @@ TEST(all_rules_and_orders_work_on_rings_and_lines_of_any_number_of_points)
     for (int n = 2; n <= 10; n++)
         for (int c = 0; c < 40; c++) {
             const double amounts[] = {0, 0.01, 1, 1e6, HUGE_VAL};
-            batten_smooth_options options =
+            batten_curve_smooth_options options =
                 by((batten_smooth_by)(c % 5 == 0 ? 0 : 1 + c / 20), amounts[c % 5], NULL);
             options.order = 1 + c / 5 % 4;
-            options.periodic = n > 2 && c % 2;
+            options.closed = n > 2 && c % 2;
             batten_fit_report report;
             batten_curve *curve = NULL;
             CHECK_OK(batten_curve_smooth(2, n, q, &options, NULL, &report, &curve));
             CHECK(report.freedom < n + 1e-4 && report.freedom > 0.9);
-            CHECK(isfinite(report.max));
+            CHECK(isfinite(report.error));
             batten_curve_unref(curve);
         }
 }
@@ -315,7 +316,8 @@ TEST(G1_points_with_one_parameter_count_as_their_mean)
     const double once[] = {0, 1, 2, 3, 4}, mean[] = {0, 2, 2, 1, 0}, w[] = {1, 2, 1, 1, 1};
     for (int c = 0; c < 3; c++) {
         double a[5], b[5];
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, c == 2 ? HUGE_VAL : c, t);
+        batten_curve_smooth_options options =
+            by(BATTEN_SMOOTH_BY_LAMBDA, c == 2 ? HUGE_VAL : c, t);
         batten_curve *curve = NULL, *other = NULL;
         CHECK_OK(batten_curve_smooth(1, 6, y, &options, NULL, NULL, &curve));
         options.given = once;
@@ -333,7 +335,7 @@ TEST(G1_points_with_one_parameter_count_as_their_mean)
 TEST(N1_amounts_that_are_no_numbers_are_refused_by_smoothing)
 {
     const double q[] = {0, 0, 1, 1, 2, 0, 3, 1};
-    batten_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, NAN, NULL);
+    batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_LAMBDA, NAN, NULL);
     batten_curve *curve = NULL;
     CHECK_STATUS(batten_curve_smooth(2, 4, q, &options, NULL, NULL, &curve), BATTEN_NOT_FINITE);
     options.amount = -1;
@@ -361,7 +363,7 @@ TEST(N2_smoothing_does_not_depend_on_the_unit)
             q[2 * i] = i * sizes[s];
             q[2 * i + 1] = (sin(i / 4.0) + (i * 7 % 5) / 20.0) * sizes[s];
         }
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 0.05 * sizes[s], NULL);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, 0.05 * sizes[s], NULL);
         batten_curve *curve = NULL;
         CHECK_OK(batten_curve_smooth(2, 30, q, &options, t, NULL, &curve));
         at_data(curve, 30, t, values);
@@ -398,7 +400,7 @@ TEST(fitpack_and_we_meet_the_same_sum_of_squares)
         batten_fit_report report;
         batten_curve *curve = NULL;
         if (knots == 8) {
-            batten_least_squares_options cubic = batten_least_squares_defaults();
+            batten_curve_least_squares_options cubic = batten_curve_least_squares_defaults();
             cubic.parameters = BATTEN_GIVEN;
             cubic.given = t;
             cubic.point_count = 4;
@@ -407,7 +409,7 @@ TEST(fitpack_and_we_meet_the_same_sum_of_squares)
             for (int i = 0; i < 4; i++)
                 CHECK_NEAR(batten_curve_points(curve)[i], C[i], 1e-9);
         } else if (s > 0) {
-            batten_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, sqrt(s / count), t);
+            batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_RMS, sqrt(s / count), t);
             CHECK_OK(batten_curve_smooth(1, count, y, &options, NULL, &report, &curve));
             CHECK_NEAR(report.sum, s, 1e-6 * s);
             CHECK_NEAR(report.sum, sum, 2e-3 * s);
@@ -428,7 +430,7 @@ TEST(the_motorcycle_has_about_twelve_degrees_of_freedom)
         y[i] = table[2 * i + 1];
     }
     for (int kind = 0; kind < 2; kind++) {
-        batten_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
+        batten_curve_smooth_options options = by(BATTEN_SMOOTH_BY_VALIDATION, 0, t);
         batten_fit_report report;
         batten_curve *curve = NULL;
         CHECK_OK((kind ? batten_curve_p_spline : batten_curve_smooth)(1, count, y, &options,

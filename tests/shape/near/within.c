@@ -7,9 +7,10 @@ static const double PI = 3.14159265358979323846;
 
 /* Fit, and measure by other means: at the parameters that are told, and to the nearest place.
  * Returns the number of control points. */
-static int check_within(int d, int n, const double *q, const batten_within_options *options)
+static int check_within(int d, int n, const double *q,
+                        const batten_curve_within_options *options)
 {
-    batten_within_report report;
+    batten_curve_within_report report;
     batten_curve *curve = NULL;
     batten_deviation deviation;
     double *u = test_array((size_t)n, sizeof *u);
@@ -22,11 +23,11 @@ static int check_within(int d, int n, const double *q, const batten_within_optio
         for (int k = 0; k < d; k++)
             sum += (at[k] - q[i * d + k]) * (at[k] - q[i * d + k]);
         CHECK(sqrt(sum) <= options->tolerance);
-        CHECK(sqrt(sum) <= report.max * (1 + 1e-12));
+        CHECK(sqrt(sum) <= report.error * (1 + 1e-12));
     }
     if (d > 1) {
         CHECK_OK(batten_curve_deviation(curve, n, q, u, NULL, NULL, &deviation));
-        CHECK(deviation.max <= report.max * (1 + 1e-9));
+        CHECK(deviation.max <= report.error * (1 + 1e-9));
     }
     const int points = batten_curve_point_count(curve),
               wrapped = batten_curve_is_periodic(curve) ? options->degree : 0;
@@ -40,7 +41,7 @@ TEST(no_point_of_any_row_is_farther_than_the_tolerance_by_any_method)
     test_random random = test_random_begin(__func__);
     for (int c = 0; c < test_cases(48); c++) {
         const int d = 2 + c % 2, n = 4 + test_random_int(&random, 0, 60);
-        batten_within_options options = batten_within_defaults();
+        batten_curve_within_options options = batten_curve_within_defaults();
         double q[3 * 64];
         for (int i = 0; i < n; i++)
             for (int k = 0; k < d; k++)
@@ -64,7 +65,7 @@ TEST(data_of_a_polynomial_take_no_inner_knot)
 {
     for (int p = 1; p <= 5; p++) {
         double t[40], f[40];
-        batten_within_options options = batten_within_defaults();
+        batten_curve_within_options options = batten_curve_within_defaults();
         for (int i = 0; i < 40; i++) {
             t[i] = i / 10.0;
             f[i] = pow(t[i] - 1, p) - t[i];
@@ -80,7 +81,7 @@ TEST(data_of_a_polynomial_take_no_inner_knot)
 TEST(points_of_a_line_take_as_few_control_points_as_the_degree_allows)
 {
     double q[3 * 30];
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     options.tolerance = 1e-9;
     for (int i = 0; i < 30; i++)
         for (int k = 0; k < 3; k++)
@@ -95,7 +96,7 @@ TEST(points_of_a_line_take_as_few_control_points_as_the_degree_allows)
 TEST(a_sixteenth_of_the_tolerance_takes_twice_the_spans)
 {
     double t[800], f[800], spans[3];
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     for (int i = 0; i < 800; i++) {
         t[i] = i / 20.0;
         f[i] = sin(t[i]);
@@ -113,7 +114,7 @@ TEST(a_sixteenth_of_the_tolerance_takes_twice_the_spans)
 TEST(a_circle_is_closed_smoothly_with_few_control_points)
 {
     double q[2 * 100];
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     for (int i = 0; i < 100; i++) {
         q[2 * i] = cos(2 * PI * i / 100);
         q[2 * i + 1] = sin(2 * PI * i / 100);
@@ -141,8 +142,8 @@ TEST(corners_are_kept_exactly_open_and_closed)
             q[2 * i + k] = a[k] + i % 20 / 20.0 * (b[k] - a[k]);
         }
     for (int c = 0; c < 12; c++) {
-        batten_within_options options = batten_within_defaults();
-        batten_within_report report;
+        batten_curve_within_options options = batten_curve_within_defaults();
+        batten_curve_within_report report;
         batten_curve *curve = NULL;
         double u[81];
         options.tolerance = 1e-3;
@@ -171,7 +172,7 @@ TEST(the_curve_does_not_swing_between_data)
 {
     /* A step: through all points a polynomial would swing. */
     double t[24], f[24];
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     for (int i = 0; i < 24; i++) {
         t[i] = i;
         f[i] = i < 12 ? 0 : 1;
@@ -180,7 +181,7 @@ TEST(the_curve_does_not_swing_between_data)
     options.given = t;
     options.tolerance = 1e-6;
     for (int m = 0; m < 3; m++) {
-        batten_within_report report;
+        batten_curve_within_report report;
         batten_curve *curve = NULL;
         options.method = (batten_within_method)m;
         CHECK_OK(batten_curve_within(1, 24, f, &options, NULL, &report, &curve));
@@ -198,7 +199,7 @@ TEST(G2_two_and_three_points_and_coincident_ones)
 {
     const double two[] = {0, 0, 1, 2}, three[] = {0, 0, 1, 2, 3, 0},
                  doubled[] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 0, 2, 0}, one[] = {1, 1, 1, 1, 1, 1};
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     options.tolerance = 1e-6;
     for (int m = 0; m < 4; m++) {
         options.method = (batten_within_method)m;
@@ -219,7 +220,7 @@ TEST(N1_N6_K9_bad_input_is_refused)
     const double q[] = {0, 1, 1, 1, 2, 0, 3, 1}, bad[] = {0, 0, 1, NAN, 2, 0, 3, 1},
                  same[] = {0, 0, 1, 2};
     batten_curve *curve = NULL;
-    batten_within_options options = batten_within_defaults(), with;
+    batten_curve_within_options options = batten_curve_within_defaults(), with;
     CHECK_STATUS(batten_curve_within(2, 4, q, &options, NULL, NULL, &curve),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("the tolerance is 0");
@@ -280,7 +281,7 @@ TEST(published_aerofoils_take_few_control_points)
             n += sscanf(line, "%lf %lf", &q[2 * n], &q[2 * n + 1]) == 2;
         fclose(file);
         CHECK_INT(n, rows[r].of);
-        batten_within_options options = batten_within_defaults();
+        batten_curve_within_options options = batten_curve_within_defaults();
         options.tolerance = rows[r].tolerance;
         CHECK(check_within(2, n, q, &options) <= rows[r].fewest);
         options.method = BATTEN_WITHIN_BEZIER;
@@ -293,7 +294,7 @@ TEST(published_contours_take_a_tenth_of_their_points_within_a_millimetre)
     double *table = test_array(4 * 5000, sizeof *table), *q = test_array(3 * 5000, sizeof *q);
     const int n = published_table("contours/heart_contours.csv", 4, 5000, table);
     int all = 0, points = 0;
-    batten_within_options options = batten_within_defaults();
+    batten_curve_within_options options = batten_curve_within_defaults();
     options.tolerance = 1;
     options.closed = true;
     for (int i = 0; i < n;) {

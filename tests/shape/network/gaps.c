@@ -17,13 +17,13 @@ TEST(G7_sides_of_a_slit_stay_two_however_coarse_the_tolerance)
 {
     for (int i = 0; i < 4; i++) {
         network n = slit_tube();
-        const batten_gordon_options options = within(0.3 * pow(0.2, i));
-        batten_gordon_report report;
+        const batten_surface_gordon_options options = within(0.3 * pow(0.2, i));
+        batten_surface_gordon_report report;
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &report, &surface));
         CHECK_INT(report.repeated_count, 0);
         CHECK(!report.closed_u && report.seam == 0);
-        CHECK(report.deviation <= options.tolerance);
+        CHECK(report.error <= options.tolerance);
         CHECK_NEAR(report.nearest, 0.044, 1e-3); /* at v = 0: 2 pi 0.01 times 0.7 */
         CHECK(report.nearest_is_guide);
         CHECK(report.nearest_curves[0] + report.nearest_curves[1] == 3);
@@ -51,8 +51,8 @@ TEST(G7_a_mixed_list_with_a_slit_is_split_however_coarse_the_tolerance)
 TEST(a_curve_whose_ends_are_within_the_gap_closes_and_it_is_said)
 {
     network n = slit_tube();
-    batten_gordon_options options = within(0.01);
-    batten_gordon_report report;
+    batten_surface_gordon_options options = within(0.01);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     n.count[1] = 3;
     options.gap = 0.1;
@@ -72,8 +72,8 @@ TEST(a_guide_given_twice_is_named_and_so_is_how_far_it_is_from_the_first)
     }
     batten_curve_unref(n.curves[1][3]);
     n.curves[1][3] = draw(tube, (drawn){1, 1, 0, 1, 0, 20});
-    const batten_gordon_options options = within(2e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(2e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK_INT(report.repeated_count, 1);
@@ -96,15 +96,15 @@ TEST(G7_a_gap_wider_than_the_tolerance_is_bridged_midway)
     network n = network_on(shell, 4, 4, 40, 0);
     batten_curve_unref(n.curves[0][1]);
     n.curves[0][1] = draw(lifted, (drawn){0, 1 / 3.0, 0, 1, 0, 40});
-    batten_gordon_options options = within(1e-4);
-    batten_gordon_report report;
+    batten_surface_gordon_options options = within(1e-4);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("of 16 pairs 4 are apart, these are the worst");
     options.gap = 0.01;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.gap > 0.002 && report.gap <= 0.004);
-    CHECK(report.deviation > 1e-3 && report.deviation <= 1e-4 + report.gap);
+    CHECK(report.error > 1e-3 && report.error <= 1e-4 + report.gap);
     CHECK(report.node_error <= 1e-12);
     batten_surface_unref(surface);
     network_end(&n);
@@ -121,12 +121,12 @@ static void waved(double u, double v, double *p)
 TEST(waves_of_the_guides_are_measured)
 {
     network n = network_on(waved, 3, 3, 60, 0);
-    const batten_gordon_options options = within(1e-4);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-4);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
-    CHECK_NEAR(report.guides_off, 0.03, 1e-4);
-    CHECK_NEAR(fabs(report.guide_off_at.z), 0.03, 1e-3);
+    CHECK_NEAR(report.guide_error, 0.03, 1e-4);
+    CHECK_NEAR(fabs(report.guide_worst_at.z), 0.03, 1e-3);
     CHECK_NEAR(report.size, sqrt(2 + 0.06 * 0.06), 0.01);
     batten_surface_unref(surface);
     network_end(&n);

@@ -34,11 +34,11 @@ static double curve_off(const batten_curve *curve, const batten_surface *surface
 
 /* Is the deviation that is reported true of every curve? */
 static void check_curves(const network *n, const batten_surface *surface,
-                         const batten_gordon_report *report)
+                         const batten_surface_gordon_report *report)
 {
     for (int f = 0; f < 2; f++)
         for (int k = 0; k < n->count[f]; k++)
-            CHECK(curve_off(n->curves[f][k], surface) <= report->deviation * 1.02 + 1e-12);
+            CHECK(curve_off(n->curves[f][k], surface) <= report->error * 1.02 + 1e-12);
 }
 
 /* ---- what is exact ---- */
@@ -46,12 +46,12 @@ static void check_curves(const network *n, const batten_surface *surface,
 TEST(a_bicubic_polynomial_comes_back_exactly_from_its_net)
 {
     network n = network_on(bicubic, 4, 5, 9, 0);
-    const batten_gordon_options options = within(1e-6);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-6);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.exact_u && report.exact_v);
-    CHECK(report.deviation < 1e-14);
+    CHECK(report.error < 1e-14);
     CHECK(report.node_error < 1e-14);
     for (int i = 0; i <= 10; i++)
         for (int j = 0; j <= 10; j++) {
@@ -69,7 +69,7 @@ TEST(a_bicubic_polynomial_comes_back_exactly_from_its_net)
 TEST(four_curves_make_the_bilinear_surface_of_Coons)
 {
     network n = network_on(shell, 2, 2, 20, 0);
-    const batten_gordon_options options = within(1e-5);
+    const batten_surface_gordon_options options = within(1e-5);
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, NULL, &surface));
     for (int i = 0; i <= 8; i++)
@@ -99,7 +99,7 @@ TEST(a_finer_net_is_nearer_to_the_surface_it_lies_on)
     double last = 1;
     for (int count = 4; count <= 8; count += 4) {
         network n = network_on(shell, count, count, 40, 0);
-        const batten_gordon_options options = within(1e-7);
+        const batten_surface_gordon_options options = within(1e-7);
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, NULL, &surface));
         const double here = distance_from(shell, surface);
@@ -116,13 +116,13 @@ TEST(a_finer_net_is_nearer_to_the_surface_it_lies_on)
 TEST(curves_of_any_speed_are_reparametrised_within_the_tolerance)
 {
     network n = network_on(shell, 5, 6, 40, 0.6);
-    const batten_gordon_options options = within(1e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.spread > 0.05);
     CHECK(!report.exact_u && !report.exact_v);
-    CHECK(report.deviation <= 1e-3);
+    CHECK(report.error <= 1e-3);
     CHECK(report.node_error < 1e-14);
     CHECK(report.points_u < 40 && report.points_v < 40);
     CHECK(distance_from(shell, surface) < 5e-3);
@@ -138,8 +138,8 @@ TEST(K7_curves_with_knots_of_their_own_make_no_heavy_surface)
         for (int k = 0; k < n.count[f]; k++)
             n.curves[f][k] = draw(shell, (drawn){f, k / (n.count[f] - 1.0), 0, 1,
                                                  k % 2 ? 0.3 : -0.2, 23 + 2 * k});
-    const batten_gordon_options options = within(1e-4);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-4);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.exact_knots_u > 100 && report.exact_knots_v > 80);
@@ -161,8 +161,8 @@ TEST(G7_shuffled_and_reversed_curves_make_the_same_surface)
             else
                 other.curves[f][k] = batten_curve_ref(from);
         }
-    const batten_gordon_options options = within(1e-6);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-6);
+    batten_surface_gordon_report report;
     batten_surface *first = NULL, *second = NULL;
     CHECK_OK(gordon(&n, &options, NULL, &first));
     CHECK_OK(gordon(&other, &options, &report, &second));
@@ -185,13 +185,13 @@ TEST(the_other_cardinal_functions_meet_the_curves_too)
 {
     network n = network_on(shell, 4, 5, 16, 0);
     for (int blend = BATTEN_GORDON_LINEAR; blend <= BATTEN_GORDON_LAGRANGE; blend++) {
-        batten_gordon_options options = within(1e-3);
+        batten_surface_gordon_options options = within(1e-3);
         options.blend = (batten_gordon_blend)blend;
-        batten_gordon_report report;
+        batten_surface_gordon_report report;
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &report, &surface));
         check_curves(&n, surface, &report);
-        CHECK(report.deviation <= 1e-3);
+        CHECK(report.error <= 1e-3);
         batten_surface_unref(surface);
     }
     network_end(&n);
@@ -235,8 +235,8 @@ static void check_seam(const batten_surface *surface, bool along_u, double toler
 TEST(G6_closed_profiles_may_begin_anywhere_and_the_surface_closes_smoothly)
 {
     network n = closed_network(tube, 5, 6, false);
-    const batten_gordon_options options = within(1e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.closed_u && report.smooth_u && !report.closed_v);
@@ -252,8 +252,8 @@ TEST(G6_closed_profiles_may_begin_anywhere_and_the_surface_closes_smoothly)
 TEST(a_net_may_close_both_ways)
 {
     network n = closed_network(torus, 7, 6, true);
-    const batten_gordon_options options = within(1e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.smooth_u && report.smooth_v);
@@ -273,8 +273,8 @@ TEST(closed_profiles_with_two_guides_and_with_one_that_is_given_twice)
         n.count[1] = guides;
         if (guides == 3)
             CHECK_OK(batten_curve_reverse(n.curves[1][0], &n.curves[1][2]));
-        const batten_gordon_options options = within(2e-3);
-        batten_gordon_report report;
+        const batten_surface_gordon_options options = within(2e-3);
+        batten_surface_gordon_report report;
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &report, &surface));
         CHECK_INT(report.repeated_count, guides - 2);
@@ -289,8 +289,8 @@ TEST(closed_profiles_with_two_guides_and_with_one_that_is_given_twice)
 TEST(closed_profiles_with_one_guide)
 {
     network n = closed_network(tube, 4, 1, false);
-    const batten_gordon_options options = within(2e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(2e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.closed_u && report.smooth_u);
@@ -320,8 +320,8 @@ TEST(a_closed_profile_may_stand_among_open_ones)
             batten_curve_unref(n.curves[0][3]);
             n.curves[0][3] = reversed;
         }
-        const batten_gordon_options options = within(1e-3);
-        batten_gordon_report report;
+        const batten_surface_gordon_options options = within(1e-3);
+        batten_surface_gordon_report report;
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &report, &surface));
         CHECK(!report.closed_u);
@@ -348,8 +348,8 @@ static network meridians_and_parallels(int meridians, int parallels)
 TEST(G5_guides_that_end_in_a_point_make_poles)
 {
     network n = meridians_and_parallels(8, 3);
-    const batten_gordon_options options = within(1e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK_INT(report.pole_count, 2);
@@ -382,8 +382,8 @@ TEST(a_profile_may_be_a_point)
     const double pole[] = {0, 0, -1, 0, 0, -1}, knots[] = {0, 0, 1, 1};
     n.count[0] = 4;
     CHECK_OK(batten_curve_create(3, 1, 2, pole, NULL, knots, &n.curves[0][3]));
-    const batten_gordon_options options = within(2e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(2e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK_INT(report.pole_count, 1); /* that of the other end */
@@ -399,8 +399,8 @@ TEST(curves_that_go_on_are_cut_or_refused)
     network n = network_on(shell, 3, 3, 30, 0);
     batten_curve_unref(n.curves[0][1]);
     n.curves[0][1] = draw(shell, (drawn){0, 0.5, -0.2, 1.1, 0, 40});
-    batten_gordon_options options = within(1e-4);
-    batten_gordon_report report;
+    batten_surface_gordon_options options = within(1e-4);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK_INT(report.cut_count, 1);
@@ -426,7 +426,7 @@ TEST(G7_a_gap_is_refused_with_names_and_its_size)
     batten_curve_unref(n.curves[0][1]);
     n.curves[0][1] = draw(moved_shell, (drawn){0, 0.5, 0, 1, 0, 30});
     const char *ribs[] = {"rib 5", "rib 7", "rib 9"}, *spars[] = {"spar 1", "spar 2", "spar 3"};
-    batten_gordon_options options = within(1e-3);
+    batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     options.profile_names = ribs;
     options.guide_names = spars;
@@ -436,10 +436,10 @@ TEST(G7_a_gap_is_refused_with_names_and_its_size)
     CHECK_MESSAGE("more than the gap allowed, 0.001; of 9 pairs 3 are apart");
     CHECK_MESSAGE("a gap of 0.012 would join them");
     options.tolerance = 0.02;
-    batten_gordon_report report;
+    batten_surface_gordon_report report;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.gap > 0.008 && report.gap <= 0.0121);
-    CHECK(report.deviation >= report.gap / 2 * 0.9 && report.deviation <= 0.02);
+    CHECK(report.error >= report.gap / 2 * 0.9 && report.error <= 0.02);
     CHECK_INT(report.gap_profile, 1);
     check_curves(&n, surface, &report);
     batten_surface_unref(surface);
@@ -462,7 +462,7 @@ TEST(a_curve_that_crosses_another_twice_is_refused)
     const double a[] = {0, 0, 0, 4, 0, 0}, b[] = {0, 1, 0, 4, 1, 0}, c[] = {0, 0, 0, 0, 1, 0},
                  d[] = {2, 0, 0, 2, 1, 0, 3, 2, 0, 4, 1, 0, 4, 0.5, 0};
     network n = {{2, 2}, {{polyline(2, a), polyline(2, b)}, {polyline(2, c), polyline(5, d)}}};
-    const batten_gordon_options options = within(1e-3);
+    const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("profile 1 and guide 1 meet twice, at (2, 1, 0) and (4, 1, 0)");
@@ -476,7 +476,7 @@ TEST(another_order_of_crossings_is_refused)
     network n = {
         {2, 3},
         {{polyline(2, a), polyline(2, b)}, {polyline(2, c), polyline(2, d), polyline(2, e)}}};
-    const batten_gordon_options options = within(1e-3);
+    const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("profile 1 meets guide 1 and guide 2 in another order than profile 0 does");
@@ -490,7 +490,7 @@ TEST(two_guides_through_one_point_are_refused)
     network n = {
         {2, 3},
         {{polyline(2, a), polyline(2, b)}, {polyline(2, c), polyline(2, d), polyline(2, e)}}};
-    const batten_gordon_options options = within(1e-3);
+    const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_COINCIDENT);
     CHECK_MESSAGE(
@@ -503,7 +503,7 @@ TEST(curves_that_run_along_each_other_end_soon)
     network n = network_on(shell, 3, 3, 40, 0);
     batten_curve_unref(n.curves[1][1]);
     n.curves[1][1] = batten_curve_ref(n.curves[0][1]);
-    const batten_gordon_options options = within(1e-3);
+    const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     const batten_status status = gordon(&n, &options, NULL, &surface);
     CHECK(status == BATTEN_NOT_COMPATIBLE || status == BATTEN_OUT_OF_MEMORY);
@@ -517,11 +517,11 @@ TEST(corners_of_the_curves_stay)
     network n = {
         {2, 3},
         {{polyline(3, a), polyline(3, b)}, {polyline(2, c), polyline(2, d), polyline(2, e)}}};
-    const batten_gordon_options options = within(1e-3);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-3);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
-    CHECK(report.deviation < 1e-14);
+    CHECK(report.error < 1e-14);
     CHECK(report.points_u < 12);
     batten_surface_unref(surface);
     network_end(&n);
@@ -538,11 +538,11 @@ TEST(rational_curves_become_polynomial_within_the_tolerance)
     const double c[] = {1, 0, 0, 1, 0, 2}, d[] = {0, 1, 0, 0, 1, 2};
     n.curves[1][0] = polyline(2, c);
     n.curves[1][1] = polyline(2, d);
-    const batten_gordon_options options = within(1e-5);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(1e-5);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
-    CHECK(report.deviation <= 1e-5 && report.deviation > 0);
+    CHECK(report.error <= 1e-5 && report.error > 0);
     CHECK(!batten_surface_is_rational(surface));
     CHECK(curve_off(n.curves[0][1], surface) <= 1e-5);
     batten_surface_unref(surface);
@@ -554,7 +554,7 @@ TEST(rational_curves_become_polynomial_within_the_tolerance)
 TEST(N6_options_that_mean_nothing_are_refused)
 {
     network n = network_on(shell, 2, 2, 8, 0);
-    batten_gordon_options options = within(0);
+    batten_surface_gordon_options options = within(0);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_BAD_ARGUMENT);
     options.tolerance = NAN;
@@ -583,7 +583,7 @@ TEST(S5_too_many_nodes_are_refused_before_the_work)
     const batten_curve **curves = test_array((size_t)many, sizeof *curves);
     for (int k = 0; k < many; k++)
         curves[k] = n.curves[0][0];
-    const batten_gordon_options options = within(1e-3);
+    const batten_surface_gordon_options options = within(1e-3);
     batten_surface *surface = NULL;
     CHECK_STATUS(
         batten_surface_gordon(many, curves, many, curves, &options, NULL, NULL, &surface),
@@ -595,7 +595,7 @@ TEST(S5_too_many_nodes_are_refused_before_the_work)
 TEST(a_budget_of_work_ends_it)
 {
     network n = network_on(shell, 4, 4, 30, 0.4);
-    const batten_gordon_options options = within(1e-5);
+    const batten_surface_gordon_options options = within(1e-5);
     batten_job job = BATTEN_JOB;
     job.work_limit = 300;
     batten_surface *surface = NULL;
@@ -609,7 +609,7 @@ TEST(a_budget_of_work_ends_it)
 TEST(huge_and_tiny_networks_are_the_same_networks)
 {
     const double scales[] = {1, 1e80, 1e-80};
-    batten_gordon_report reports[3];
+    batten_surface_gordon_report reports[3];
     for (int s = 0; s < 3; s++) {
         network n = network_on(shell, 3, 4, 20, 0.3);
         const batten_affine map = batten_affine_scaling(scales[s], scales[s], scales[s]);
@@ -620,12 +620,12 @@ TEST(huge_and_tiny_networks_are_the_same_networks)
                 batten_curve_unref(n.curves[f][k]);
                 n.curves[f][k] = scaled;
             }
-        const batten_gordon_options options = within(1e-3 * scales[s]);
+        const batten_surface_gordon_options options = within(1e-3 * scales[s]);
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &reports[s], &surface));
         CHECK_INT(reports[s].points_u, reports[0].points_u);
         CHECK_INT(reports[s].points_v, reports[0].points_v);
-        CHECK_NEAR(reports[s].deviation / scales[s], reports[0].deviation, 1e-9);
+        CHECK_NEAR(reports[s].error / scales[s], reports[0].error, 1e-9);
         batten_surface_unref(surface);
         network_end(&n);
     }

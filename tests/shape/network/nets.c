@@ -60,11 +60,11 @@ static void check_near(const batten_curve *curve, const batten_surface *surface,
 static void check_row(const row *r)
 {
     network n = load_network(r->name);
-    const batten_gordon_options options = within(r->tolerance);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(r->tolerance);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
-    CHECK(report.deviation <= r->tolerance);
+    CHECK(report.error <= r->tolerance);
     CHECK(report.node_error <= 1e-12 * 4096);
     CHECK(report.points_u <= r->most_u && report.points_v <= r->most_v);
     CHECK(report.closed_u == r->closed && !report.closed_v);
@@ -107,11 +107,11 @@ TEST(a_blunt_trailing_edge_is_one_at_any_tolerance)
     static const double tolerances[] = {0.1, 0.03, 0.01, 0.003, 0.001, 3e-4};
     for (int i = 0; i < COUNT(tolerances); i++) {
         network n = load_network("wing2");
-        const batten_gordon_options options = within(tolerances[i]);
-        batten_gordon_report report;
+        const batten_surface_gordon_options options = within(tolerances[i]);
+        batten_surface_gordon_report report;
         batten_surface *surface = NULL;
         CHECK_OK(gordon(&n, &options, &report, &surface));
-        CHECK(!report.closed_u && report.deviation <= tolerances[i]);
+        CHECK(!report.closed_u && report.error <= tolerances[i]);
         CHECK_INT(report.repeated_count, 0);
         CHECK_NEAR(report.nearest, 0.00577, 1e-5);
         batten_surface_unref(surface);
@@ -122,14 +122,14 @@ TEST(a_blunt_trailing_edge_is_one_at_any_tolerance)
 TEST(the_small_end_of_a_fuselage_is_no_point_at_a_coarse_tolerance)
 {
     network n = load_network("fuselage1");
-    const batten_gordon_options options = within(0.1);
-    batten_gordon_report report;
+    const batten_surface_gordon_options options = within(0.1);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK(report.closed_u && report.repeated_count == 1);
     CHECK(report.repeated[0].used == 0 && report.repeated[0].left == 8);
-    CHECK(report.guides_off > 0.13 &&
-          report.guides_off < 0.15); /* guides that wave at the nose */
+    CHECK(report.guide_error > 0.13 &&
+          report.guide_error < 0.15); /* guides that wave at the nose */
     batten_surface_unref(surface);
     network_end(&n);
 }
@@ -137,13 +137,13 @@ TEST(the_small_end_of_a_fuselage_is_no_point_at_a_coarse_tolerance)
 TEST(a_small_wing_is_near_to_its_curves_though_they_miss_each_other_by_more)
 {
     network n = load_network("spiralwing");
-    batten_gordon_options options = within(1e-4);
-    batten_gordon_report report;
+    batten_surface_gordon_options options = within(1e-4);
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     options.gap = 0.1;
     CHECK_OK(gordon(&n, &options, &report, &surface));
     CHECK_NEAR(report.gap, 0.000384351, 1e-8);
-    CHECK(report.deviation <= 1e-4 + report.gap);
+    CHECK(report.error <= 1e-4 + report.gap);
     CHECK(report.closed_u && report.repeated_count == 1);
     batten_surface_unref(surface);
     network_end(&n);
@@ -152,7 +152,7 @@ TEST(a_small_wing_is_near_to_its_curves_though_they_miss_each_other_by_more)
 TEST(G7_a_leading_edge_that_misses_a_profile_is_named_with_the_gap)
 {
     network n = load_network("spiralwing");
-    const batten_gordon_options options = within(3e-4);
+    const batten_surface_gordon_options options = within(3e-4);
     batten_surface *surface = NULL;
     CHECK_STATUS(gordon(&n, &options, NULL, &surface), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("profile 4 misses guide 1 by 0.000384351");

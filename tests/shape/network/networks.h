@@ -26,7 +26,7 @@ static inline batten_curve *draw(surface_at at, drawn d)
         const double run = (1 - t) * d.from + t * d.to;
         at(d.family == 0 ? run : d.fixed, d.family == 0 ? d.fixed : run, points + 3 * i);
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;
@@ -61,15 +61,16 @@ static inline network network_on(surface_at at, int profiles, int guides, int po
     return n;
 }
 
-static inline batten_gordon_options within(double tolerance)
+static inline batten_surface_gordon_options within(double tolerance)
 {
-    batten_gordon_options options = batten_gordon_defaults();
+    batten_surface_gordon_options options = batten_surface_gordon_defaults();
     options.tolerance = tolerance;
     return options;
 }
 
-static inline batten_status gordon(const network *n, const batten_gordon_options *options,
-                                   batten_gordon_report *report, batten_surface **out)
+static inline batten_status gordon(const network *n,
+                                   const batten_surface_gordon_options *options,
+                                   batten_surface_gordon_report *report, batten_surface **out)
 {
     return batten_surface_gordon(n->count[0], (const batten_curve *const *)n->curves[0],
                                  n->count[1], (const batten_curve *const *)n->curves[1],

@@ -46,7 +46,7 @@ static batten_curve *space_cubic(double x, double y, double z)
 static batten_status develop(const batten_curve *a, const batten_curve *b, double tolerance,
                              batten_developable *out)
 {
-    batten_developable_options options = batten_developable_defaults();
+    batten_surface_developable_options options = batten_surface_developable_defaults();
     options.tolerance = tolerance;
     return batten_surface_developable(a, b, &options, out);
 }
@@ -190,7 +190,7 @@ TEST(the_tangents_of_a_helix_are_found_and_unroll_without_strain)
     CHECK_OK(develop(edges[0], edges[1], 1e-6, &made));
     CHECK(made.is_developable && made.error <= 1e-6 && !made.cone[0] && !made.cone[1]);
     CHECK(made.warp < 5e-4);
-    batten_unroll_options options = batten_unroll_defaults();
+    batten_surface_unroll_options options = batten_surface_unroll_defaults();
     options.tolerance = 1e-5;
     CHECK_OK(batten_surface_unroll(made.surface, &options, &flat));
     CHECK(flat.strain < 1e-7);
@@ -206,7 +206,7 @@ TEST(an_edge_of_regression_inside_the_plate_is_seen_with_its_place)
     batten_curve *edges[2] = {NULL, NULL};
     tangents_of_a_helix(-0.5, 1, edges);
     batten_developable made = {0};
-    batten_developable_options options = batten_developable_defaults();
+    batten_surface_developable_options options = batten_surface_developable_defaults();
     options.keep_matching = true;
     CHECK_OK(batten_surface_developable(edges[0], edges[1], &options, &made));
     CHECK(made.has_regression && !made.is_developable);
@@ -258,7 +258,7 @@ TEST(the_warp_of_skew_lines_is_reported)
     const double first[6] = {0, 0, 0, 1, 0, 0}, second[6] = {0, 1, 0, 1, 1, 0.1};
     batten_curve *a = line(first), *b = line(second);
     batten_developable made = {0};
-    batten_developable_options options = batten_developable_defaults();
+    batten_surface_developable_options options = batten_surface_developable_defaults();
     options.keep_matching = true;
     CHECK_OK(batten_surface_developable(a, b, &options, &made));
     CHECK(!made.is_developable);

@@ -9,9 +9,9 @@
 
 static const double pi = 3.14159265358979323846;
 
-static batten_fold_options options_of(const double *angle, double width)
+static batten_fold_create_options options_of(const double *angle, double width)
 {
-    batten_fold_options options = batten_fold_defaults();
+    batten_fold_create_options options = batten_fold_create_defaults();
     options.count = 1;
     options.values = angle;
     options.left = options.right = width;
@@ -53,7 +53,7 @@ TEST(a_circle_folds_into_two_cones_with_the_apex_at_r_by_cos_a)
     batten_fold fold;
     CHECK_OK(batten_curve_arc_in(&world, 2, 0, 3, &circle));
     const double a = pi / 6;
-    batten_fold_options options = options_of(&a, 0.5);
+    batten_fold_create_options options = options_of(&a, 0.5);
     CHECK_OK(batten_fold_create(circle, &options, &fold));
     CHECK_NEAR(fold.left.regression, 2 / cos(a), 1e-7);
     CHECK(isinf(fold.right.regression));
@@ -75,7 +75,7 @@ TEST(a_helix_with_constant_angle_has_rulings_of_constant_angle)
 {
     batten_curve *curve = helix(0.2, 3);
     const double a = 0.4, k = 5 / 25.04, tau = 0.2 / 25.04;
-    batten_fold_options options = options_of(&a, 0.8);
+    batten_fold_create_options options = options_of(&a, 0.8);
     batten_fold fold;
     CHECK_OK(batten_fold_create(curve, &options, &fold));
     const double b = atan2(1, tau / (k * sin(a)));
@@ -94,7 +94,7 @@ TEST(the_sheets_of_a_twisted_crease_are_developable_and_unfold_without_stretch)
 {
     batten_curve *curve = twisted();
     const double angles[3] = {0.3, 0.5, 0.35};
-    batten_fold_options options = options_of(angles, 0.15);
+    batten_fold_create_options options = options_of(angles, 0.15);
     batten_fold fold;
     options.count = 3;
     CHECK_OK(batten_fold_create(curve, &options, &fold));
@@ -125,7 +125,7 @@ TEST(the_osculating_plane_halves_the_angle_between_the_sheets)
 {
     batten_curve *curve = twisted();
     const double a = -0.4;
-    batten_fold_options options = options_of(&a, 0.1);
+    batten_fold_create_options options = options_of(&a, 0.1);
     batten_fold fold;
     CHECK_OK(batten_fold_create(curve, &options, &fold));
     const double at = 0.5;
@@ -154,7 +154,7 @@ TEST(a_flat_circle_with_an_angle_and_no_torsion_becomes_a_smaller_circle)
     batten_fold fold;
     CHECK_OK(batten_curve_arc(2, 2.5, &flat));
     const double a = 0.5;
-    batten_fold_options options = options_of(&a, 0.3);
+    batten_fold_create_options options = options_of(&a, 0.3);
     options.given = BATTEN_FOLD_FLAT;
     CHECK_OK(batten_fold_create(flat, &options, &fold));
     CHECK_NEAR(fold.length, 5, 1e-9);
@@ -173,7 +173,7 @@ TEST(the_curvature_of_the_flat_crease_determines_the_angle)
 {
     batten_curve *curve = helix(0.2, 2);
     const double k = 5 / 25.04, flat = k * cos(0.7);
-    batten_fold_options options = options_of(&flat, 0.5);
+    batten_fold_create_options options = options_of(&flat, 0.5);
     batten_fold fold;
     options.given = BATTEN_FOLD_CURVATURE;
     CHECK_OK(batten_fold_create(curve, &options, &fold));
@@ -193,7 +193,7 @@ TEST(folds_that_cannot_be_are_refused_with_the_place)
     const double ends[6] = {0, 0, 0, 1, 0, 0};
     batten_fold fold;
     double value = 0.3;
-    batten_fold_options options = options_of(&value, 0.5);
+    batten_fold_create_options options = options_of(&value, 0.5);
 
     options.given = BATTEN_FOLD_CURVATURE;
     CHECK_STATUS(batten_fold_create(curve, &options, &fold), BATTEN_NOT_COMPATIBLE);
@@ -291,7 +291,7 @@ TEST(sheets_are_developable_isometric_and_end_at_the_regression_of_their_rulings
     const double angles[2][3] = {{0.4, 0.4, 0.4}, {0.3, 0.5, 0.35}};
     for (int k = 0; k < 2; k++) {
         batten_curve *curve = k ? twisted() : helix(0.2, 3);
-        batten_fold_options options = options_of(angles[k], 0.15);
+        batten_fold_create_options options = options_of(angles[k], 0.15);
         batten_fold fold;
         options.count = 3;
         CHECK_OK(batten_fold_create(curve, &options, &fold));
@@ -317,7 +317,7 @@ TEST(the_rulings_of_a_plane_crease_go_straight_on_in_the_flat_sheet)
 {
     const batten_frame world = batten_frame_world();
     const double angles[3] = {0.3, 0.5, 0.35};
-    batten_fold_options options = options_of(angles, 0.15);
+    batten_fold_create_options options = options_of(angles, 0.15);
     batten_curve *circle = NULL;
     batten_fold fold;
     options.count = 3;
@@ -335,7 +335,7 @@ TEST(a_crease_that_bends_both_ways_is_refused_where_it_does)
     const double breaks[2] = {0, 1}, a = 0.4;
     batten_curve *curve = NULL;
     batten_fold fold;
-    batten_fold_options options = options_of(&a, 0.1);
+    batten_fold_create_options options = options_of(&a, 0.1);
     CHECK_OK(batten_curve_from_bezier(3, 3, 1, &points[0][0], NULL, breaks, &curve));
     CHECK_STATUS(batten_fold_create(curve, &options, &fold), BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("to the other side near the length 1.");

@@ -63,13 +63,13 @@ TEST(planks_of_a_dory_unroll_with_the_strain_that_their_warp_asks_for)
         batten_curve *high = edge(x, heights[k], widths[k]);
         batten_developable found = {0}, given = {0};
         batten_unrolled flat = {0};
-        batten_developable_options options = batten_developable_defaults();
+        batten_surface_developable_options options = batten_surface_developable_defaults();
         options.tolerance = 1e-3;
         CHECK_OK(batten_surface_developable(low, high, &options, &found));
         options.keep_matching = true;
         CHECK_OK(batten_surface_developable(low, high, &options, &given));
         CHECK(found.error <= 1e-3 && found.warp <= given.warp * (1 + 1e-6));
-        batten_unroll_options lay = batten_unroll_defaults();
+        batten_surface_unroll_options lay = batten_surface_unroll_defaults();
         lay.tolerance = 1e-3;
         CHECK_OK(batten_surface_unroll(found.surface, &lay, &flat));
         CHECK(flat.error <= 1e-3);

@@ -9,9 +9,9 @@
 
 static const double pi = 3.14159265358979323846;
 
-static batten_unroll_options within(double tolerance)
+static batten_surface_unroll_options within(double tolerance)
 {
-    batten_unroll_options options = batten_unroll_defaults();
+    batten_surface_unroll_options options = batten_surface_unroll_defaults();
     options.tolerance = tolerance;
     return options;
 }
@@ -29,7 +29,7 @@ TEST(a_cylinder_unrolls_to_a_rectangle)
     const batten_frame world = batten_frame_world();
     batten_surface *cylinder = NULL;
     batten_unrolled flat = {0};
-    const batten_unroll_options options = within(1e-9);
+    const batten_surface_unroll_options options = within(1e-9);
     CHECK_OK(batten_surface_cylinder(&world, 2, 3, &cylinder));
     CHECK_OK(batten_surface_unroll(cylinder, &options, &flat));
     const double *last = flat.points + 4 * (flat.count - 1);
@@ -50,7 +50,7 @@ TEST(a_cone_of_30_degrees_unrolls_to_a_sector_of_180)
     const batten_frame world = batten_frame_world();
     batten_surface *cone = NULL;
     batten_unrolled flat = {0};
-    const batten_unroll_options options = within(1e-8);
+    const batten_surface_unroll_options options = within(1e-8);
     CHECK_OK(batten_surface_cone(&world, 1, 0, sqrt(3), &cone));
     CHECK_OK(batten_surface_unroll(cone, &options, &flat));
     CHECK_NEAR(fabs(flat.turn), pi, 1e-11);
@@ -102,7 +102,7 @@ TEST(the_tangents_of_a_helix_unroll_without_strain_onto_the_tangents_of_a_circle
 {
     batten_surface *surface = tangents_of_a_helix();
     batten_unrolled flat = {0};
-    const batten_unroll_options options = within(1e-9);
+    const batten_surface_unroll_options options = within(1e-9);
     CHECK_OK(batten_surface_unroll(surface, &options, &flat));
     CHECK(flat.strain < 1e-10);
     CHECK_NEAR(flat.area[0], flat.area[1], 1e-9);
@@ -132,7 +132,7 @@ TEST(the_flat_edges_converge_with_the_fourth_order)
     double error = 0;
     int count = 0;
     for (int k = 0; k < 8; k++) {
-        const batten_unroll_options options = within(k == 0 ? 1e-3 : error / 1.01);
+        const batten_surface_unroll_options options = within(k == 0 ? 1e-3 : error / 1.01);
         batten_unrolled flat = {0};
         CHECK_OK(batten_surface_unroll(cone, &options, &flat));
         if (k > 0) {
@@ -186,7 +186,7 @@ TEST(a_sphere_cannot_be_unrolled_and_it_is_said_how_far_its_lines_are_from_strai
     CHECK_OK(batten_surface_sphere(&world, 1, &sphere));
     CHECK_STATUS(batten_surface_unroll(sphere, NULL, &flat), BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("from its chord");
-    batten_unroll_options options = within(-1);
+    batten_surface_unroll_options options = within(-1);
     CHECK_STATUS(batten_surface_unroll(sphere, &options, &flat), BATTEN_BAD_ARGUMENT);
     batten_surface_unref(sphere);
 }
@@ -216,7 +216,7 @@ TEST(huge_and_tiny_cylinders_unroll_alike)
         const double r = scales[k];
         batten_surface *cylinder = NULL;
         batten_unrolled flat = {0};
-        const batten_unroll_options options = within(1e-7 * r);
+        const batten_surface_unroll_options options = within(1e-7 * r);
         CHECK_OK(batten_surface_cylinder(&world, r, r, &cylinder));
         CHECK_OK(batten_surface_unroll(cylinder, &options, &flat));
         CHECK_NEAR(fabs(flat.points[4 * (flat.count - 1)]) / r, 2 * pi, 1e-10);

@@ -20,7 +20,7 @@ static double away(int d, const double *a, const double *b, const double *q)
 static int check_thin(int d, int n, const double *q, double tolerance, bool closed)
 {
     int *kept = test_array((size_t)n, sizeof *kept), count = -1;
-    batten_thin_report report;
+    batten_points_thin_report report;
     double largest = 0;
     CHECK_OK(batten_points_thin(d, n, q, tolerance, closed, kept, &count, &report));
     CHECK(count >= 1);
@@ -33,8 +33,8 @@ static int check_thin(int d, int n, const double *q, double tolerance, bool clos
                 fmax(largest, away(d, q + d * kept[j], q + d * (to % n), q + d * (i % n)));
     }
     CHECK(largest <= tolerance * (1 + 1e-12) + 1e-12);
-    CHECK_NEAR(report.max, largest, 1e-13);
-    CHECK(report.rms <= report.max);
+    CHECK_NEAR(report.error, largest, 1e-13);
+    CHECK(report.rms <= report.error);
     return count;
 }
 
@@ -110,7 +110,7 @@ TEST(few_and_coincident_points)
 {
     const double q[] = {1, 2, 1, 2, 1, 2, 3, 4};
     int kept[4], count = -1;
-    batten_thin_report report;
+    batten_points_thin_report report;
     for (int closed = 0; closed < 2; closed++) {
         CHECK_OK(batten_points_thin(2, 1, q, 0, closed, kept, &count, &report));
         CHECK_INT(count, 1);
@@ -120,7 +120,7 @@ TEST(few_and_coincident_points)
         CHECK_INT(count, 2);
         CHECK_OK(batten_points_thin(2, 4, q, 0, closed, kept, &count, &report));
         CHECK_INT(count, 2);
-        CHECK_NEAR(report.max, 0, 0);
+        CHECK_NEAR(report.error, 0, 0);
     }
 }
 

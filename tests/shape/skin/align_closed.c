@@ -27,9 +27,9 @@ static batten_curve *ring(double z, double turn, bool periodic, bool backwards)
         points[3 * i + 1] = sin(a) + 0.1 * cos(2 * a);
         points[3 * i + 2] = z;
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_UNIFORM;
-    options.periodic = periodic;
+    options.closed = periodic;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(3, periodic ? N : N + 1, points, &options, NULL, &curve));
     return curve;
@@ -53,10 +53,10 @@ TEST(closed_sections_turn_so_that_nothing_twists)
         batten_curve *sections[4];
         for (int k = 0; k < 4; k++)
             sections[k] = ring(k, 1.1 * k, periodic, k == 2);
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.degree = 1;
         batten_surface *twisted = NULL, *turned = NULL;
-        batten_skin_report report;
+        batten_surface_skin_report report;
         double v[4];
         CHECK_OK(
             batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &twisted));
@@ -84,10 +84,10 @@ TEST(closed_sections_begin_where_they_are_told)
             const batten_interval domain = batten_curve_domain(sections[k]);
             starts[k] = domain.a + (domain.b - domain.a) * (0.25 + 0.1 * k);
         }
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.starts = starts;
         batten_surface *surface = NULL;
-        batten_skin_report report;
+        batten_surface_skin_report report;
         double v[3];
         CHECK_OK(
             batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
@@ -125,7 +125,7 @@ TEST(G10_mirrored_sections_make_the_mirrored_surface)
             mirrored[k] = NULL;
             CHECK_OK(batten_curve_transform(sections[k], &mirror, &mirrored[k]));
         }
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.align = options.turn = true;
         options.tolerance = 1e-3;
         batten_surface *a = NULL, *b = NULL;
@@ -156,7 +156,7 @@ static batten_curve *both_sides(test_random *random, int count, double x)
         s[count - 1 + i] = (1 + at) / 2;
         s[count - 1 - i] = (1 - at) / 2;
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
@@ -171,12 +171,12 @@ TEST(symmetric_sections_make_a_symmetric_surface_with_few_knots_too)
     batten_curve *sections[8];
     for (int k = 0; k < 8; k++)
         sections[k] = both_sides(&random, 12, k / 7.0);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report report;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     options.tolerance = 5e-3;
     CHECK_OK(batten_surface_skin(8, (curves)sections, &options, NULL, NULL, &report, &surface));
-    CHECK(report.knot_count < report.exact_knot_count / 3 && report.deviation <= 5e-3);
+    CHECK(report.knot_count < report.exact_knot_count / 3 && report.error <= 5e-3);
     for (int i = 0; i <= 40; i++)
         for (int j = 0; j <= 20; j++)
             CHECK(apart_at(surface, surface, i / 40.0, j / 20.0, 1 - i / 40.0, 1) < 25e-12);
@@ -194,7 +194,7 @@ static batten_curve *hasty(double z, double power)
         const double a = acos(0) * pow(s[i], power);
         points[3 * i] = cos(a), points[3 * i + 1] = sin(a), points[3 * i + 2] = z;
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
     batten_curve *curve = NULL;
@@ -208,16 +208,16 @@ TEST(sections_matched_by_arc_length_have_straight_lines_across)
     batten_curve *sections[4];
     for (int k = 0; k < 4; k++)
         sections[k] = hasty(k, powers[k]);
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.match = BATTEN_MATCH_ARC_LENGTH;
     batten_surface *surface = NULL;
     CHECK_STATUS(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &surface),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("to match sections by arc length a tolerance is needed");
     options.tolerance = 1e-4;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &report, &surface));
-    CHECK(report.deviation <= 1e-4 && report.deviation > 0 && report.knot_count < 20);
+    CHECK(report.error <= 1e-4 && report.error > 0 && report.knot_count < 20);
     CHECK(report.crease < 1e-9);
     for (int i = 0; i <= 20; i++)
         for (int j = 0; j <= 20; j++) {
@@ -240,16 +240,16 @@ TEST(sections_matched_by_marks_have_them_at_one_parameter)
         marks[2 * k] = pow(1.0 / 3, 1 / powers[k]); /* a third and two thirds of the angle */
         marks[2 * k + 1] = pow(2.0 / 3, 1 / powers[k]);
     }
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.match = BATTEN_MATCH_MARKS;
     options.mark_count = 2;
     options.marks = marks;
     options.tolerance = 1e-4;
     batten_surface *surface = NULL;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     double v[4];
     CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, v, &report, &surface));
-    CHECK(report.deviation <= 1e-4);
+    CHECK(report.error <= 1e-4);
     for (int j = 0; j < 2; j++) {
         double mean = 0;
         for (int k = 0; k < 4; k++)
@@ -303,7 +303,7 @@ TEST(G7_sections_that_cross_or_stand_in_disorder_are_named)
     for (int k = 0; k < 5; k++)
         sections[k] = line_at(places[k], 0, 1);
     batten_surface *surface = NULL;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     CHECK_OK(batten_surface_skin(5, (curves)sections, NULL, NULL, NULL, &report, &surface));
     CHECK(report.disorder == 2 && report.disorder_count == 1 && report.crossing == -1);
     CHECK_MESSAGE("sections 2 and 3 are rather in the other order");
@@ -328,9 +328,9 @@ TEST(N2_sections_of_huge_and_tiny_size_are_turned_and_matched)
             sections[k] = NULL;
             CHECK_OK(batten_curve_transform(given[k], &scale, &sections[k]));
         }
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.turn = options.align = true;
-        batten_skin_report report;
+        batten_surface_skin_report report;
         batten_surface *surface = NULL;
         CHECK_OK(
             batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
@@ -341,7 +341,7 @@ TEST(N2_sections_of_huge_and_tiny_size_are_turned_and_matched)
         options.tolerance = 1e-3 * sizes[c];
         CHECK_OK(
             batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
-        CHECK(report.deviation <= options.tolerance);
+        CHECK(report.error <= options.tolerance);
         batten_surface_unref(surface);
         unref_all(3, sections);
         unref_all(3, given);

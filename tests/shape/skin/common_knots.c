@@ -21,24 +21,25 @@ static double measured(int count, batten_curve **sections, const double *v,
     return worst;
 }
 
-static batten_skin_report check_family(int count, int points, double tolerance, double length,
-                                       void (*at)(double, double, double *))
+static batten_surface_skin_report check_family(int count, int points, double tolerance,
+                                               double length,
+                                               void (*at)(double, double, double *))
 {
     test_random random = test_random_begin("family");
     batten_curve *sections[64];
     double v[64];
     for (int k = 0; k < count; k++)
         sections[k] = jittered(&random, points, length * k / (count - 1), at);
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = tolerance;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)sections, &options, NULL,
                                  v, &report, &surface));
-    CHECK(report.deviation <= tolerance);
+    CHECK(report.error <= tolerance);
     const double worst = measured(count, sections, v, surface);
-    CHECK(worst <= report.deviation * (1 + 1e-9));
-    CHECK(report.deviation < 3 * worst);
+    CHECK(worst <= report.error * (1 + 1e-9));
+    CHECK(report.error < 3 * worst);
     CHECK_INT(batten_surface_spans(surface, BATTEN_U, NULL) - 2, report.knot_count);
     CHECK_INT(report.exact_knot_count, count * (points - 4));
     batten_surface_unref(surface);
@@ -49,8 +50,8 @@ static batten_skin_report check_family(int count, int points, double tolerance, 
 TEST(K7_thirty_profiles_with_twenty_knots_each_share_few)
 {
     const int count = test_cases(30) < 30 ? 4 : 30;
-    const batten_skin_report loose = check_family(count, 24, 1e-3, 3, airfoil);
-    const batten_skin_report fine = check_family(count, 24, 1e-4, 3, airfoil);
+    const batten_surface_skin_report loose = check_family(count, 24, 1e-3, 3, airfoil);
+    const batten_surface_skin_report fine = check_family(count, 24, 1e-4, 3, airfoil);
     CHECK(loose.knot_count <= 20);
     CHECK(fine.knot_count <= 30);
     CHECK(fine.span_ratio > 0.1);
@@ -59,7 +60,7 @@ TEST(K7_thirty_profiles_with_twenty_knots_each_share_few)
 TEST(K7_the_frames_of_a_ship_share_few_knots_at_half_a_millimetre)
 {
     const int count = test_cases(41) < 41 ? 4 : 41;
-    const batten_skin_report report = check_family(count, 19, 0.5e-3, 1, hull);
+    const batten_surface_skin_report report = check_family(count, 19, 0.5e-3, 1, hull);
     CHECK(report.knot_count <= 30);
 }
 
@@ -79,14 +80,14 @@ TEST(corners_stay_where_they_are)
     batten_curve *smooth = jittered(&random, 20, 0.5, hull), *all[4];
     memcpy(all, sections, sizeof sections);
     all[3] = smooth;
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
     options.degree = 1;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)all, &options, NULL, NULL,
                                  &report, &surface));
-    CHECK(report.deviation <= 1e-3 && report.knot_count < report.exact_knot_count);
+    CHECK(report.error <= 1e-3 && report.knot_count < report.exact_knot_count);
     CHECK_NEAR(report.normal_jump, acos(0) - atan(0.2), 0.02);
     double out[3];
     CHECK_OK(batten_surface_evaluate(surface, 0.5, 0, 0, out));
@@ -101,13 +102,13 @@ TEST(when_corners_need_as_many_knots_as_the_union_the_skin_is_exact)
     batten_curve *sections[3] = {NULL, NULL, NULL};
     for (int k = 0; k < 3; k++)
         CHECK_OK(polyline_section(k, 0.3 + 0.2 * k, &sections[k]));
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
                                  &report, &surface));
-    CHECK(report.deviation < 1e-14 && report.knot_count == 3 && report.exact_knot_count == 3);
+    CHECK(report.error < 1e-14 && report.knot_count == 3 && report.exact_knot_count == 3);
     batten_surface_unref(surface);
     unref_all(3, sections);
 }
@@ -132,16 +133,16 @@ TEST(rational_sections_keep_the_tolerance_too)
         batten_curve_unref(space);
         batten_curve_unref(arc);
     }
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-4;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[4];
     CHECK_OK(batten_surface_skin(4, (const batten_curve *const *)sections, &options, NULL, v,
                                  &report, &surface));
     CHECK(batten_surface_is_rational(surface));
-    CHECK(report.deviation <= 1e-4 && report.knot_count < 12 && report.exact_knot_count == 25);
-    CHECK(measured(4, sections, v, surface) <= report.deviation * (1 + 1e-9) + 1e-12);
+    CHECK(report.error <= 1e-4 && report.knot_count < 12 && report.exact_knot_count == 25);
+    CHECK(measured(4, sections, v, surface) <= report.error * (1 + 1e-9) + 1e-12);
     batten_surface_unref(surface);
     unref_all(4, sections);
 }
@@ -151,7 +152,7 @@ TEST(N6_tolerances_are_checked)
     test_random random = test_random_begin("tolerance");
     batten_curve *sections[2] = {jittered(&random, 10, 0, airfoil),
                                  jittered(&random, 10, 1, airfoil)};
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface *surface = NULL;
     options.tolerance = 1e-15;
     CHECK_STATUS(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL,
@@ -169,11 +170,11 @@ TEST(N6_tolerances_are_checked)
     CHECK(surface == NULL);
     /* Larger than the sections: no knots are left. */
     options.tolerance = 100;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     CHECK_OK(batten_surface_skin(2, (const batten_curve *const *)sections, &options, NULL, NULL,
                                  &report, &surface));
     CHECK_INT(report.knot_count, 0);
-    CHECK(report.deviation > 0 && report.span_ratio == 1);
+    CHECK(report.error > 0 && report.span_ratio == 1);
     batten_surface_unref(surface);
     unref_all(2, sections);
 }
@@ -215,8 +216,8 @@ TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
     batten_curve *sections[6];
     for (int k = 0; k < 6; k++)
         sections[k] = uneven_section(k, 0.3 + 0.07 * k, 0.5 + 0.3 * k);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report exact, few;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report exact, few;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
                                  &exact, &surface));
@@ -225,7 +226,7 @@ TEST(sections_of_uneven_speed_make_a_surface_without_a_crease)
     CHECK_OK(batten_surface_skin(6, (const batten_curve *const *)sections, &options, NULL, NULL,
                                  &few, &surface));
     CHECK(exact.normal_jump > 0.01 && few.normal_jump == 0);
-    CHECK(few.deviation <= 2e-3);
+    CHECK(few.error <= 2e-3);
     batten_surface_unref(surface);
     unref_all(6, sections);
 }
@@ -242,7 +243,7 @@ TEST(I8_the_search_for_common_knots_can_be_cancelled)
     batten_curve *sections[4];
     for (int k = 0; k < 4; k++)
         sections[k] = jittered(&random, 12, k, airfoil);
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
     batten_surface *surface = NULL;
     for (int at = 0; at < 12; at++) {
@@ -264,13 +265,13 @@ TEST(as_many_knots_as_the_exact_union_are_not_better_than_it)
     batten_curve *sections[3] = {NULL, NULL, NULL};
     for (int k = 0; k < 3; k++)
         CHECK_OK(polyline_section(k, 0.5, &sections[k]));
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(3, (const batten_curve *const *)sections, &options, NULL, NULL,
                                  &report, &surface));
-    CHECK(report.knot_count == 1 && report.deviation == 0);
+    CHECK(report.knot_count == 1 && report.error == 0);
     batten_surface_unref(surface);
     unref_all(3, sections);
 }
@@ -285,10 +286,10 @@ static batten_curve *jittered_ring(test_random *random, int count, double x)
         points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a), points[3 * i + 2] = x;
     }
     s[count] = 1;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = s;
-    options.periodic = true;
+    options.closed = true;
     batten_curve *curve = NULL;
     CHECK_OK(batten_curve_interpolate(3, count, points, &options, NULL, &curve));
     return curve;
@@ -304,17 +305,17 @@ TEST(K7_closed_profiles_share_few_knots_and_stay_periodic)
         rings[k] = jittered_ring(&random, 32, 3.0 * k / (count - 1));
     const double tolerances[] = {1e-2, 1e-3};
     for (int c = 0; c < COUNT(tolerances); c++) {
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.tolerance = tolerances[c];
         double v[COUNT_ALL];
-        batten_skin_report report;
+        batten_surface_skin_report report;
         batten_surface *surface = NULL;
         CHECK_OK(batten_surface_skin(count, (const batten_curve *const *)rings, &options, NULL,
                                      v, &report, &surface));
         CHECK(batten_surface_is_periodic(surface, BATTEN_U));
-        CHECK(report.deviation <= tolerances[c] && report.knot_count < 40);
+        CHECK(report.error <= tolerances[c] && report.knot_count < 40);
         CHECK(report.exact_knot_count == 31 * count && report.span_ratio > 0.05);
-        CHECK(measured(count, rings, v, surface) <= report.deviation * (1 + 1e-9));
+        CHECK(measured(count, rings, v, surface) <= report.error * (1 + 1e-9));
         double low[18], high[18]; /* C2 over the seam */
         CHECK_OK(batten_surface_evaluate_side(surface, 0, 0.4, BATTEN_FROM_RIGHT,
                                               BATTEN_FROM_RIGHT, 2, low));
@@ -336,7 +337,7 @@ TEST(K7_held_knots_stand_in_the_result_to_the_bit)
     double deviation[2];
     bat_work work = {NULL, 0};
     for (int k = 0; k < 2; k++) {
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = k ? BATTEN_UNIFORM : BATTEN_CHORD;
         CHECK_OK(batten_curve_interpolate(3, 5, points, &options, NULL, &sections[k]));
     }

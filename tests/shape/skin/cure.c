@@ -26,8 +26,8 @@ TEST(speeds_that_jump_by_different_factors_make_the_crease_of_the_notes)
     batten_curve *sections[2] = {NULL, NULL};
     CHECK_OK(batten_curve_create(3, 1, 3, first, NULL, knots, &sections[0]));
     CHECK_OK(batten_curve_create(3, 1, 3, second, NULL, knots, &sections[1]));
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report report;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double left[9], right[9];
     CHECK_OK(batten_surface_skin(2, (curves)sections, &options, NULL, NULL, &report, &surface));
@@ -44,7 +44,7 @@ TEST(speeds_that_jump_by_different_factors_make_the_crease_of_the_notes)
     options.creases = BATTEN_CREASES_CURE;
     CHECK_OK(batten_surface_skin(2, (curves)sections, &options, NULL, NULL, &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_STRETCHED);
-    CHECK(report.crease < 1e-12 && report.deviation == 0);
+    CHECK(report.crease < 1e-12 && report.error == 0);
     batten_surface_unref(surface);
     unref_all(2, sections);
 }
@@ -54,8 +54,8 @@ TEST(creases_from_speeds_are_cured_exactly_when_asked)
     batten_curve *sections[4];
     for (int k = 0; k < 4; k++)
         sections[k] = uneven(k, 0.3 + 0.1 * k, 0.5 + 0.5 * k);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report kept, cured;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report kept, cured;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &kept, &surface));
     batten_surface_unref(surface);
@@ -64,7 +64,7 @@ TEST(creases_from_speeds_are_cured_exactly_when_asked)
     batten_surface_unref(surface);
     CHECK(kept.crease > 0.01 && kept.cure == BATTEN_CURE_NONE);
     CHECK(cured.crease < 1e-9 && cured.cure == BATTEN_CURE_STRETCHED);
-    CHECK(cured.deviation == 0);
+    CHECK(cured.error == 0);
     options.creases = BATTEN_CREASES_KEEP;
     options.tolerance = 1e-6;
     CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, &kept, &surface));
@@ -122,8 +122,8 @@ TEST(weights_that_jump_make_creases_and_are_rescaled_exactly)
     batten_curve *sections[3];
     for (int k = 0; k < 3; k++)
         sections[k] = two_arcs(k, 2 + 0.3 * k * k, 2.2, shares[k]);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report report;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[3];
     CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
@@ -132,7 +132,7 @@ TEST(weights_that_jump_make_creases_and_are_rescaled_exactly)
     options.creases = BATTEN_CREASES_CURE;
     CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_RESCALED);
-    CHECK(report.crease < 1e-9 && report.deviation == 0);
+    CHECK(report.crease < 1e-9 && report.error == 0);
     CHECK(batten_surface_is_rational(surface));
     for (int k = 0; k < 3; k++)
         CHECK(off_circle(surface, v[k], 2 + 0.3 * k * k) < 1e-12);
@@ -145,9 +145,9 @@ TEST(sections_with_proportional_weights_need_no_cure)
     batten_curve *sections[3];
     for (int k = 0; k < 3; k++)
         sections[k] = two_arcs(k, 2 + 0.3 * k * k, 2.2, 0.5);
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.creases = BATTEN_CREASES_CURE;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
     CHECK(report.cure == BATTEN_CURE_NONE && report.crease < 1e-12);
@@ -163,8 +163,8 @@ TEST(what_cannot_be_rescaled_becomes_polynomial_within_the_tolerance)
     const double shares[][3] = {{0.3, 0.4, 0.3}, {0.3, 0.3, 0.4}, {0.4, 0.25, 0.35}};
     for (int k = 0; k < 3; k++)
         sections[k] = arcs(k, 2 + 0.5 * k * k, 4 * acos(0), 3, shares[k]);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report report;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     options.creases = BATTEN_CREASES_CURE;
     CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, NULL, &report, &surface));
@@ -174,7 +174,7 @@ TEST(what_cannot_be_rescaled_becomes_polynomial_within_the_tolerance)
     options.creases = BATTEN_CREASES_WITHIN;
     double v[3];
     CHECK_OK(batten_surface_skin(3, (curves)sections, &options, NULL, v, &report, &surface));
-    CHECK(report.crease <= 1e-4 && report.deviation <= 1e-4);
+    CHECK(report.crease <= 1e-4 && report.error <= 1e-4);
     for (int k = 0; k < 3; k++)
         CHECK(off_circle(surface, v[k], 2 + 0.5 * k * k) <= 1e-4);
     batten_surface_unref(surface);
@@ -190,14 +190,14 @@ TEST(weights_that_would_fall_below_zero_are_cured_within_a_tolerance)
         sections[k] = NULL;
         CHECK_OK(batten_curve_create(3, 2, 3, points, w, knots, &sections[k]));
     }
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.tolerance = 1e-3;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     double v[6];
     CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, v, &report, &surface));
     CHECK_INT(report.cure, BATTEN_CURE_POLYNOMIAL);
-    CHECK(!batten_surface_is_rational(surface) && report.deviation <= 1e-3);
+    CHECK(!batten_surface_is_rational(surface) && report.error <= 1e-3);
     for (int k = 0; k < 6; k++)
         for (int i = 0; i <= 50; i++) {
             double p[3], q[3];

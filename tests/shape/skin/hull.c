@@ -68,8 +68,8 @@ TEST(the_sections_of_a_cargo_ship_need_few_control_points_at_a_millimetre)
     const batten_curve *sections[SECTIONS];
     for (int k = 0; k < SECTIONS; k++)
         sections[k] = section_of(model, k);
-    batten_skin_options options = batten_skin_defaults();
-    batten_skin_report exact, few;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    batten_surface_skin_report exact, few;
     batten_surface *heavy = NULL, *light = NULL;
     double v[SECTIONS];
     CHECK_OK(batten_surface_skin(SECTIONS, sections, &options, NULL, NULL, &exact, &heavy));
@@ -77,7 +77,7 @@ TEST(the_sections_of_a_cargo_ship_need_few_control_points_at_a_millimetre)
     options.match = BATTEN_MATCH_ARC_LENGTH;
     CHECK_OK(batten_surface_skin(SECTIONS, sections, &options, NULL, v, &few, &light));
     CHECK(exact.crease > 0.01 && few.crease == 0 && few.cure == BATTEN_CURE_STRETCHED);
-    CHECK(few.deviation <= 1e-3 && few.crossing == -1 && few.disorder == -1);
+    CHECK(few.error <= 1e-3 && few.crossing == -1 && few.disorder == -1);
     CHECK(batten_surface_point_count(heavy, BATTEN_U) >=
           10 * batten_surface_point_count(light, BATTEN_U));
     CHECK_INT(batten_surface_point_count(light, BATTEN_V), SECTIONS);

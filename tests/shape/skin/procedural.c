@@ -28,9 +28,9 @@ TEST(a_procedural_skin_is_the_exact_skin_of_polynomial_sections)
     for (int k = 0; k < 6; k++)
         sections[k] = jittered(&random, 9, k, airfoil);
     for (int c = 0; c < COUNT(kinds) + 2; c++) {
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.start = options.end = (batten_end){kinds[c % COUNT(kinds)], {1, 0.2, 0.1}};
-        options.periodic = c == COUNT(kinds);
+        options.closed = c == COUNT(kinds);
         if (c == COUNT(kinds) + 1) {
             options.degree = 2;
             options.start.kind = options.end.kind = BATTEN_END_NOT_A_KNOT;
@@ -115,7 +115,7 @@ TEST(a_procedural_skin_has_no_ends_with_a_direction)
     batten_curve *sections[3];
     for (int k = 0; k < 3; k++)
         sections[k] = jittered(&random, 6, k, airfoil);
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.end = (batten_end){BATTEN_END_DIRECTION, {1, 0, 0}};
     batten_surface *surface = NULL;
     CHECK_STATUS(batten_surface_skin_procedural(3, (curves)sections, &options, NULL, &surface),

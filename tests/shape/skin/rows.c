@@ -29,9 +29,9 @@ TEST(a_surface_passes_all_points_of_uneven_rows_with_few_knots)
     const int rows = test_cases(ROWS) < ROWS ? 4 : ROWS;
     for (int degree = 1; degree <= 4; degree++) {
         const int total = make_rows("rows", rows, 18, 26, counts, points);
-        batten_skin_rows_options options = batten_skin_rows_defaults();
+        batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
         options.degree = degree;
-        batten_skin_rows_report report;
+        batten_surface_skin_rows_report report;
         batten_surface *surface = NULL;
         CHECK_OK(batten_surface_skin_rows(3, rows, counts, points, &options, NULL, u, v,
                                           &report, &surface));
@@ -42,7 +42,7 @@ TEST(a_surface_passes_all_points_of_uneven_rows_with_few_knots)
                 for (int c = 0; c < 3; c++)
                     CHECK_NEAR(p[c], points[3 * i + c], 6e-11);
             }
-        CHECK(report.residual < 6e-11);
+        CHECK(report.error < 6e-11);
         CHECK_INT(report.separate_knot_count, total - rows * (degree + 1));
         CHECK_INT(batten_surface_spans(surface, BATTEN_U, NULL) - 2, report.knot_count);
         if (rows == ROWS && degree == 3) {
@@ -99,7 +99,7 @@ TEST(rows_that_share_their_parameters_share_all_knots)
         for (int i = 0; i < 12; i++)
             points[3 * (12 * k + i)] = k;
     }
-    batten_skin_rows_report report;
+    batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin_rows(3, 6, counts, points, NULL, NULL, NULL, NULL, &report,
                                       &surface));
@@ -120,7 +120,7 @@ TEST(what_points_leave_open_has_the_least_energy)
                                 : i < 11  ? 0.3 + (i - 6) * 0.05
                                 : i == 11 ? 0.55
                                           : 0.55 + (i - 11) * 0.1;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = places;
     options.start.kind = options.end.kind = BATTEN_END_NATURAL;
@@ -150,7 +150,7 @@ TEST(short_rows_between_long_ones_stay_calm)
             points[3 * at] = k, points[3 * at + 1] = s, points[3 * at + 2] = s * s;
         }
     batten_surface *surface = NULL;
-    batten_skin_rows_report report;
+    batten_surface_skin_rows_report report;
     double v[4];
     CHECK_OK(
         batten_surface_skin_rows(3, 4, counts, points, NULL, NULL, NULL, v, &report, &surface));
@@ -187,7 +187,7 @@ TEST(G9_rows_of_points_that_are_bad_are_named)
         batten_surface_skin_rows(3, 2, counts, points, NULL, NULL, NULL, NULL, NULL, &surface),
         BATTEN_NOT_FINITE);
     CHECK_MESSAGE("point 1 of row 1 is not finite");
-    batten_skin_rows_options options = batten_skin_rows_defaults();
+    batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
     options.degree = 0;
     CHECK_STATUS(batten_surface_skin_rows(3, 2, counts, points, &options, NULL, NULL, NULL,
                                           NULL, &surface),
@@ -214,11 +214,11 @@ TEST(N2_rows_of_huge_and_tiny_points_are_interpolated)
         const int total = make_rows("sizes", 5, 8, 12, counts, points);
         for (int i = 0; i < 3 * total; i++)
             points[i] *= sizes[c];
-        batten_skin_rows_report report;
+        batten_surface_skin_rows_report report;
         batten_surface *surface = NULL;
         CHECK_OK(batten_surface_skin_rows(3, 5, counts, points, NULL, NULL, NULL, NULL, &report,
                                           &surface));
-        CHECK(report.residual < 1e-11 * sizes[c]);
+        CHECK(report.error < 1e-11 * sizes[c]);
         batten_surface_unref(surface);
     }
 }

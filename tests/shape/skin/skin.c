@@ -30,7 +30,7 @@ TEST(a_skin_through_isocurves_of_a_bicubic_surface_is_that_surface)
         points[3 * i + 1] = i % 6 + test_random_in(&random, -0.2, 0.2);
         points[3 * i + 2] = test_random_unit(&random);
     }
-    batten_grid_options grid = batten_grid_defaults();
+    batten_surface_interpolate_options grid = batten_surface_interpolate_defaults();
     grid.knots_at_data = true;
     batten_surface *surface = NULL, *skin = NULL;
     CHECK_OK(batten_surface_interpolate(3, 7, 6, points, &grid, NULL, NULL, v, NULL, &surface));
@@ -39,13 +39,13 @@ TEST(a_skin_through_isocurves_of_a_bicubic_surface_is_that_surface)
         sections[k] = NULL;
         CHECK_OK(batten_surface_isocurve(surface, BATTEN_V, v[k], &sections[k]));
     }
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = v;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     CHECK_OK(batten_surface_skin(6, (curves)sections, &options, NULL, NULL, &report, &skin));
     CHECK(distance_on(surface, skin) < 1e-12 * 6);
-    CHECK(report.deviation == 0 && report.knot_count == report.exact_knot_count);
+    CHECK(report.error == 0 && report.knot_count == report.exact_knot_count);
     batten_surface_unref(skin);
     batten_surface_unref(surface);
     unref_all(6, sections);
@@ -73,7 +73,7 @@ TEST(circles_of_linear_radius_make_a_cone_exactly)
             given[k] = k * k + k;
             sections[k] = circle_at(1 + given[k] / 10, given[k]);
         }
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.degree = degree;
         options.parameters = BATTEN_GIVEN;
         options.given = given;
@@ -128,7 +128,7 @@ TEST(ends_hold_what_they_promise)
     for (int k = 0; k < 5; k++)
         sections[k] = jittered(&random, 8, k, airfoil);
     for (int c = 0; c < COUNT(kinds); c++) {
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.start = options.end = (batten_end){kinds[c], {1, 0.5, 0.25}};
         batten_surface *surface = NULL;
         CHECK_OK(
@@ -166,21 +166,21 @@ TEST(a_periodic_skin_closes_smoothly_in_both_directions)
             points[3 * i] = r * cos(a), points[3 * i + 1] = r * sin(a),
                        points[3 * i + 2] = sin(b);
         }
-        batten_interpolate_options ring = batten_interpolate_defaults();
-        ring.periodic = true;
+        batten_curve_interpolate_options ring = batten_curve_interpolate_defaults();
+        ring.closed = true;
         rings[k] = NULL;
         CHECK_OK(batten_curve_interpolate(3, 8, points, &ring, NULL, &rings[k]));
     }
-    batten_skin_options options = batten_skin_defaults();
-    options.periodic = true;
+    batten_surface_skin_options options = batten_surface_skin_defaults();
+    options.closed = true;
     options.tolerance = 1e-3; /* their knots are common already */
     double v[8];
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *torus = NULL;
     CHECK_OK(batten_surface_skin(8, (curves)rings, &options, NULL, v, &report, &torus));
     CHECK(batten_surface_is_periodic(torus, BATTEN_U) &&
           batten_surface_is_periodic(torus, BATTEN_V));
-    CHECK(report.deviation == 0);
+    CHECK(report.error == 0);
     double low[18], high[18];
     CHECK_OK(batten_surface_evaluate_side(torus, 0.3, 0, BATTEN_FROM_RIGHT, BATTEN_FROM_RIGHT,
                                           2, low));
@@ -204,7 +204,7 @@ TEST(sections_that_run_backwards_are_reversed_on_request_and_named)
         else
             turned[k] = batten_curve_ref(sections[k]);
     }
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     batten_surface *right = NULL, *aligned = NULL, *crossed = NULL;
     CHECK_OK(batten_surface_skin(4, (curves)sections, &options, NULL, NULL, NULL, &right));
     CHECK_OK(batten_surface_skin(4, (curves)turned, &options, NULL, NULL, NULL, &crossed));
@@ -250,7 +250,7 @@ TEST(equal_sections_on_a_straight_spine_make_a_cylinder)
     CHECK_OK(batten_curve_line(3, a, b, &spine));
     const batten_curve *sections[] = {circle, circle, circle, circle};
     const double twist[] = {0, 0.5, 1, 1.5}, scale[] = {1, 1, 1, 1};
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.spine = spine;
     batten_surface *cylinder = NULL, *screw = NULL;
     CHECK_OK(batten_surface_skin(4, sections, &options, NULL, NULL, NULL, &cylinder));
@@ -327,7 +327,7 @@ TEST(K7_the_knots_of_all_sections_are_in_the_union)
     batten_curve *sections[3];
     for (int k = 0; k < 3; k++)
         sections[k] = jittered(&random, 10, k, airfoil);
-    batten_skin_report report;
+    batten_surface_skin_report report;
     batten_surface *surface = NULL;
     CHECK_OK(batten_surface_skin(3, (curves)sections, NULL, NULL, NULL, &report, &surface));
     CHECK(report.knot_count == 18 && report.exact_knot_count == 18);
@@ -360,7 +360,7 @@ TEST(S5_skins_that_would_be_too_large_are_refused_before_the_work)
     for (int k = 0; k < count; k++)
         sections[k] = section;
     batten_surface *surface = NULL;
-    batten_skin_options options = batten_skin_defaults();
+    batten_surface_skin_options options = batten_surface_skin_defaults();
     options.parameters = BATTEN_UNIFORM;
     if (count > 10) {
         CHECK_STATUS(batten_surface_skin(count, sections, &options, NULL, NULL, NULL, &surface),
@@ -384,7 +384,7 @@ TEST(skins_that_make_no_sense_are_refused)
     CHECK_STATUS(batten_surface_skin(1, sections, NULL, NULL, NULL, NULL, &surface),
                  BATTEN_TOO_FEW_POINTS);
     for (int c = 0; c < 10; c++) {
-        batten_skin_options options = batten_skin_defaults();
+        batten_surface_skin_options options = batten_surface_skin_defaults();
         options.spine = c >= 6 ? section : NULL;
         options.degree = c == 0 ? 0 : c == 4 ? 2 : 3;
         if (c == 1)
@@ -454,7 +454,7 @@ TEST(sections_with_rounded_parameters_are_skinned)
                                      &sections[k]));
     }
     batten_surface *surface = NULL;
-    batten_skin_report report;
+    batten_surface_skin_report report;
     CHECK_OK(batten_surface_skin(3, (curves)sections, NULL, NULL, NULL, &report, &surface));
     CHECK_INT(report.knot_count, 2);
     batten_surface_unref(surface);

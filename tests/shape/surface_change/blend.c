@@ -25,8 +25,8 @@ static batten_surface *make_dome(double scale, double x0)
 static void set_ends(batten_surface_blend_end ends[2], batten_edge first, batten_edge second,
                      int continuity)
 {
-    ends[0] = batten_surface_blend_defaults(first);
-    ends[1] = batten_surface_blend_defaults(second);
+    ends[0] = batten_surfaces_blend_defaults(first);
+    ends[1] = batten_surfaces_blend_defaults(second);
     ends[0].continuity = ends[1].continuity = continuity;
 }
 
@@ -40,7 +40,7 @@ TEST(blends_go_over_into_both_surfaces_exactly)
     for (int i = 0; i < 16; i++)
         for (int order = 0; order < 3; order++) {
             batten_surface_blend_end ends[2];
-            batten_surface_blend_report report;
+            batten_surfaces_blend_report report;
             set_ends(ends, edges[i % 4], edges[i / 4], order);
             ends[0].bulge = 0.7;
             ends[1].from = 0.2;
@@ -71,7 +71,7 @@ TEST(a_blend_between_parts_of_a_plane_is_plane)
     CHECK_OK(batten_surface_subrange(rest, BATTEN_U, 2.0 / 3, 1, &high));
     const batten_surface *const pair[2] = {low, high};
     batten_surface_blend_end ends[2];
-    batten_surface_blend_report report;
+    batten_surfaces_blend_report report;
     set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
     CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
     CHECK(!report.folded && !report.reversed);
@@ -97,7 +97,7 @@ TEST(rational_edges_with_the_same_weights_are_blended_exactly)
     batten_frame frame = batten_frame_world();
     batten_surface *low = NULL, *high = NULL, *made = NULL, *sphere = NULL, *cap = NULL;
     batten_surface_blend_end ends[2];
-    batten_surface_blend_report report;
+    batten_surfaces_blend_report report;
     CHECK_OK(batten_surface_cylinder(&frame, 1, 1, &low));
     frame.origin.z = 3;
     CHECK_OK(batten_surface_cylinder(&frame, 0.5, 1, &high));
@@ -145,7 +145,7 @@ TEST(folds_of_blends_are_found)
     CHECK_OK(batten_surface_bilinear(q[0], q[1], q[2], q[3], &b));
     const batten_surface *const pair[2] = {a, b};
     batten_surface_blend_end ends[2];
-    batten_surface_blend_report report;
+    batten_surfaces_blend_report report;
     set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 1);
     ends[0].bulge = ends[1].bulge = 9; /* where it turns back there is no normal */
     CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
@@ -187,7 +187,7 @@ TEST(K7_huge_and_tiny_blends)
         batten_surface *made = NULL;
         const batten_surface *const pair[2] = {a, b};
         batten_surface_blend_end ends[2];
-        batten_surface_blend_report report;
+        batten_surfaces_blend_report report;
         set_ends(ends, BATTEN_EDGE_U1, BATTEN_EDGE_U0, 2);
         CHECK_OK(batten_surfaces_blend(pair, ends, 0, &report, &made));
         CHECK_NEAR(report.gap[0] / scales[i], 0, 1e-14);

@@ -148,8 +148,8 @@ TEST(closed_edges_that_run_against_each_other_are_seen)
                 p[1] = (1 + 0.1 * j) * sin(a);
                 p[2] = t ? 0.05 + j : -j;
             }
-        batten_grid_options o = batten_grid_defaults();
-        o.periodic_u = true;
+        batten_surface_interpolate_options o = batten_surface_interpolate_defaults();
+        o.closed_u = true;
         CHECK_OK(
             batten_surface_interpolate(3, 8, 4, points, &o, NULL, NULL, NULL, NULL, &tubes[t]));
     }

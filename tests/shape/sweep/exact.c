@@ -54,7 +54,7 @@ TEST(a_swing_along_the_unit_circle_is_the_surface_of_revolution)
     const double a[3] = {0.5, 0, -1}, b[3] = {2, 0, 0.2}, c[3] = {1, 0, 2};
     batten_curve *profile = NULL, *circle = arc(1, 2 * acos(-1));
     batten_surface *swung = NULL, *turned = NULL;
-    batten_swing_report report;
+    batten_surface_swung_report report;
     CHECK_OK(batten_curve_conic(3, a, b, c, 0.8, &profile));
     CHECK_OK(batten_surface_swung(profile, circle, 1, &report, &swung));
     CHECK_OK(batten_surface_revolved(profile, (batten_vec3){0, 0, 0}, (batten_vec3){0, 0, 1},
@@ -121,7 +121,7 @@ TEST(G5_a_cone_to_an_apex_has_a_pole_with_a_normal)
     batten_curve *circle = arc(1, 2 * acos(-1)), *point = NULL;
     batten_surface *surface = NULL;
     const batten_vec3 apex = {0, 0, 2};
-    CHECK_OK(batten_surface_cone_to(circle, apex, &surface));
+    CHECK_OK(batten_surface_conical(circle, apex, &surface));
     for (int i = 0; i <= 8; i++) {
         double s[3];
         batten_vec3 normal;
@@ -134,7 +134,7 @@ TEST(G5_a_cone_to_an_apex_has_a_pole_with_a_normal)
     const double same[6] = {0, 0, 2, 0, 0, 2}, knots[4] = {0, 0, 1, 1};
     CHECK_OK(batten_curve_create(3, 1, 2, same, NULL, knots, &point));
     batten_surface *none = NULL;
-    CHECK_STATUS(batten_surface_cone_to(point, apex, &none), BATTEN_COINCIDENT);
+    CHECK_STATUS(batten_surface_conical(point, apex, &none), BATTEN_COINCIDENT);
     CHECK_STATUS(batten_surface_translational(circle, point, &none), BATTEN_COINCIDENT);
     CHECK_MESSAGE("the path is a point, (0, 0, 2)");
     CHECK(none == NULL);
@@ -194,14 +194,14 @@ TEST(exact_sweeps_without_area_are_refused)
         CHECK_MESSAGE("no area: the curve and the path lie along one line");
         CHECK_STATUS(batten_surface_tabulated(line, up, 0, h, &made), BATTEN_COINCIDENT);
         CHECK_MESSAGE("no area: the curve lies along its lines");
-        CHECK_STATUS(batten_surface_cone_to(line, tip, &made), BATTEN_COINCIDENT);
+        CHECK_STATUS(batten_surface_conical(line, tip, &made), BATTEN_COINCIDENT);
         CHECK_MESSAGE("no area: the curve lies on a line through the apex");
         CHECK(made == NULL);
         CHECK_OK(batten_surface_translational(line, level, &made));
         batten_surface_unref(made);
         CHECK_OK(batten_surface_tabulated(line, aside, 0, h, &made));
         batten_surface_unref(made);
-        CHECK_OK(batten_surface_cone_to(level, tip, &made));
+        CHECK_OK(batten_surface_conical(level, tip, &made));
         batten_surface_unref(made);
         batten_curve_unref(level);
         batten_curve_unref(line);
@@ -241,7 +241,7 @@ TEST(exact_sweeps_refuse_what_they_cannot_do)
                  BATTEN_BAD_ARGUMENT);
     CHECK_STATUS(batten_surface_tabulated(curve, (batten_vec3){0, NAN, 1}, 0, 1, &none),
                  BATTEN_NOT_FINITE);
-    CHECK_STATUS(batten_surface_cone_to(curve, (batten_vec3){0, HUGE_VAL, 1}, &none),
+    CHECK_STATUS(batten_surface_conical(curve, (batten_vec3){0, HUGE_VAL, 1}, &none),
                  BATTEN_NOT_FINITE);
     CHECK_STATUS(batten_surface_ruled_by_length(curve, circle, 0, NULL, &none),
                  BATTEN_BAD_ARGUMENT);

@@ -34,8 +34,8 @@ TEST(the_ends_of_the_section_run_on_the_rails)
     batten_curve *section = arch(), *left = through(4, left_points),
                  *right = through(4, right_points);
     for (int fixed = 0; fixed < 2; fixed++) {
-        batten_rails_options options = batten_rails_defaults();
-        batten_sweep_report report;
+        batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
+        batten_surface_sweep_report report;
         batten_surface *surface = NULL;
         options.tolerance = 1e-5;
         options.fixed_height = fixed;
@@ -68,7 +68,7 @@ TEST(parallel_straight_rails_make_a_cylinder_to_rounding)
 {
     batten_curve *section = arch(), *left = NULL, *right = NULL;
     batten_surface *surface = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     CHECK_OK(batten_curve_line(3, (double[3]){0, 0, 0}, (double[3]){5, 0, 0}, &left));
     CHECK_OK(batten_curve_line(3, (double[3]){0, 2, 0}, (double[3]){5, 2, 0}, &right));
     CHECK_OK(batten_surface_two_rails(section, left, right, NULL, NULL, &report, &surface));
@@ -91,7 +91,7 @@ TEST(G5_rails_that_touch_at_an_end_make_a_pole)
     static const double l[12] = {0, 0, 0, 2, -1, 0, 4, -1.2, 0.2, 6, 0, 0},
                         r[12] = {0, 0, 0, 2, 1.3, 0, 4, 1.4, 0, 6, 0, 0};
     batten_curve *section = arch(), *left = through(4, l), *right = through(4, r);
-    batten_rails_options options = batten_rails_defaults();
+    batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *surface = NULL;
     options.tolerance = 1e-4;
     CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &surface));
@@ -114,10 +114,10 @@ TEST(rails_are_matched_by_length_and_by_planes)
 {
     batten_curve *section = arch(), *left = through(4, left_points),
                  *right = through(4, right_points);
-    batten_rails_options options = batten_rails_defaults();
+    batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     options.tolerance = 1e-4;
     batten_surface *surface = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     options.match = BATTEN_RAILS_BY_PLANES;
     options.across = (batten_vec3){2, 0, 0};
     CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, &report, &surface));
@@ -153,7 +153,7 @@ TEST(G7_rails_that_cross_are_refused_with_the_place)
                         back[12] = {0, 2, 0, 3, 1.5, 0, 2, 0.5, 0, 6, 0, 0};
     batten_curve *section = arch(), *left = through(4, l), *right = through(4, r),
                  *turning = through(4, back), *point = NULL, *ring = NULL;
-    batten_rails_options options = batten_rails_defaults();
+    batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *none = NULL;
     CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
@@ -172,7 +172,7 @@ TEST(G7_rails_that_cross_are_refused_with_the_place)
     CHECK_STATUS(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("rail 1 goes from height 0 to -6");
-    options = batten_rails_defaults();
+    options = batten_surface_two_rails_defaults();
     CHECK_OK(batten_curve_line(3, l, (double[3]){1e-9, 0, 0}, &point));
     CHECK_STATUS(batten_surface_two_rails(section, left, point, &options, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
@@ -197,7 +197,7 @@ TEST(N2_rails_of_huge_or_tiny_size_make_the_scaled_surface)
     static const double sizes[] = {1e80, 1e-80, 1e200, 1e-200};
     batten_curve *section = arch(), *left = through(4, left_points),
                  *right = through(4, right_points);
-    batten_rails_options options = batten_rails_defaults();
+    batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     batten_surface *plain = NULL;
     options.tolerance = 1e-4;
     CHECK_OK(batten_surface_two_rails(section, left, right, &options, NULL, NULL, &plain));

@@ -55,9 +55,9 @@ TEST(a_circle_along_a_circle_is_a_torus_within_the_tolerance)
     batten_curve *section = circle(0.5), *spine = circle(2);
     int sections = 0;
     for (int k = 0; k < COUNT(tolerances); k++) {
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.tolerance = tolerances[k];
-        batten_sweep_report report;
+        batten_surface_sweep_report report;
         batten_surface *surface = NULL;
         CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
                                       &surface));
@@ -84,7 +84,7 @@ TEST(a_section_on_a_straight_spine_is_a_cylinder_to_rounding)
     const double a[3] = {1, 2, 3}, b[3] = {1, 2, 8};
     batten_curve *section = circle(1.5), *spine = NULL;
     batten_surface *surface = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     CHECK_OK(batten_curve_line(3, a, b, &spine));
     CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, NULL, NULL, &report, &surface));
     CHECK_INT(report.section_count, 2);
@@ -104,7 +104,7 @@ static batten_curve *law(int count, const double *values)
 {
     double at[16];
     batten_curve *curve = NULL;
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     for (int i = 0; i < count; i++)
@@ -121,7 +121,7 @@ TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
     batten_curve *scale = law(5, scales), *flat = law(3, wide), *twist = law(2, turns);
     const batten_vec3 up = {0, 0, 1};
     for (int kind = 0; kind < 7; kind++) {
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.tolerance = 1e-5;
         options.degree = kind == 6 ? 5 : 3;
         if (kind == 1)
@@ -130,11 +130,11 @@ TEST(the_surface_keeps_its_tolerance_with_all_frames_and_laws)
         options.scale = kind >= 3 ? scale : NULL;
         options.scale_y = kind >= 4 ? flat : NULL;
         options.twist = kind >= 5 ? twist : NULL;
-        batten_sweep_report report;
+        batten_surface_sweep_report report;
         batten_surface *surface = NULL, *truth = NULL;
         CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
                                       &surface));
-        CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
         CHECK(deviation(surface, truth, 40) <= 1e-5);
         CHECK(report.error <= 1e-5 && report.section_count < 300);
         batten_surface_unref(truth);
@@ -187,18 +187,19 @@ TEST(the_error_that_a_sweep_reports_is_not_below_the_truth)
         }
         batten_curve *spine = through(6, points), *scale = law(6, scales);
         for (int kind = 1; kind < 6; kind += kind == 1 ? 2 : 1) {
-            batten_sweep_options options = batten_sweep_defaults();
+            batten_surface_sweep_options options = batten_surface_sweep_defaults();
             options.tolerance = tolerances[(n + kind) % 3];
             options.degree = kind == 3 ? 5 : kind == 4 ? 2 : 3;
             options.up = kind == 1 || kind == 5 ? &up : NULL;
             options.scale = kind >= 2 ? scale : NULL;
             options.twist = kind >= 4 ? twist : NULL;
             options.allow_folds = true;
-            batten_sweep_report report;
+            batten_surface_sweep_report report;
             batten_surface *surface = NULL, *truth = NULL;
             CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, &report,
                                           &surface));
-            CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+            CHECK_OK(
+                batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
             const double worst = worst_of(surface, truth);
             CHECK(worst <= report.error && report.error <= options.tolerance);
             batten_surface_unref(truth);
@@ -218,14 +219,14 @@ TEST(the_derivatives_of_the_true_sweep_are_those_of_its_points)
     batten_curve *scale = law(3, scales), *twist = law(3, turns);
     for (int kind = 0; kind < 3; kind++) {
         const batten_vec3 up = {0.1, 0, 1};
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.scale = scale;
         options.twist = twist;
         options.up = kind == 1 ? &up : NULL;
         options.guide = kind == 2 ? section : NULL;
         options.allow_folds = true;
         batten_surface *truth = NULL;
-        CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
         CHECK_TEXT(batten_surface_kind(truth), "sweep");
         const batten_interval v = batten_surface_domain(truth, BATTEN_V);
         const double at = v.a + 0.37 * (v.b - v.a), h = 1e-4 * (v.b - v.a);
@@ -252,7 +253,7 @@ TEST(the_derivatives_of_the_true_sweep_are_those_of_its_points)
 TEST(a_pipe_has_the_area_of_its_torus)
 {
     batten_curve *spine = circle(2);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-7;
     batten_surface **made = NULL;
     int count = 0;
@@ -280,7 +281,7 @@ TEST(a_pipe_has_the_area_of_its_torus)
                  BATTEN_NOT_COMPATIBLE);
     CHECK_MESSAGE("run into each other from 0 to 1 of the spine");
     options.allow_folds = true;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     CHECK_OK(batten_surfaces_pipe(2.5, spine, &options, NULL, &report, &count, &made));
     CHECK_NEAR(report.clearance, -0.25, 1e-12);
     batten_surface_unref(made[0]);
@@ -295,10 +296,10 @@ TEST(another_parameter_of_the_spine_leaves_the_image_alone)
     batten_curve *scale = law(4, scales);
     batten_surface *truth[2] = {NULL, NULL};
     CHECK_OK(batten_curve_moebius(spine, 2, 0, 0.1, 1.7, &other));
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.scale = scale;
-    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth[0]));
-    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, other, &options, &truth[1]));
+    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth[0]));
+    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, other, &options, &truth[1]));
     const batten_interval v = batten_curve_domain(spine);
     for (int j = 0; j <= 20; j++) {
         const double at = v.a + (v.b - v.a) * j / 20;
@@ -326,7 +327,7 @@ TEST(a_moved_and_turned_spine_makes_the_moved_and_turned_surface)
     batten_curve *spine = through(5, bend_points), *other = NULL;
     batten_surface *plain = NULL, *image = NULL, *expected = NULL;
     CHECK_OK(batten_curve_transform(spine, &map, &other));
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.x = (batten_vec3){0, 0, 1};
     CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
     const double *m = map.m[0];
@@ -354,14 +355,14 @@ TEST(G6_closing_frames_close_a_sweep_along_a_closed_space_curve)
         points[3 * i + 2] = sin(2 * t + 0.7) + 0.5 * cos(3 * t);
     }
     batten_curve *spine = NULL, *section = NULL;
-    batten_interpolate_options periodic = batten_interpolate_defaults();
-    periodic.periodic = true;
+    batten_curve_interpolate_options periodic = batten_curve_interpolate_defaults();
+    periodic.closed = true;
     CHECK_OK(batten_curve_interpolate(3, 12, points, &periodic, NULL, &spine));
     CHECK_OK(batten_curve_ellipse(0.5, 0.2, 0, 2 * PI, &section));
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.frames = BATTEN_FRAME_CLOSING;
     options.tolerance = 1e-4;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     batten_surface *surface = NULL;
     double angle;
     CHECK_OK(
@@ -391,9 +392,9 @@ TEST(mitred_corners_of_straight_sides_are_exact_and_close)
                                       0,   0.2, -0.2, 0,    0.2, 0.2, 0};
     batten_curve *section = NULL, *spine = frame_around();
     CHECK_OK(batten_curve_polyline(3, 5, square, &section));
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *surface = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     CHECK_STATUS(
         batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &surface),
         BATTEN_NOT_COMPATIBLE);
@@ -432,13 +433,13 @@ TEST(several_sections_are_met_where_they_stand)
     batten_curve *sections[3] = {circle(0.5), NULL, circle(0.3)}, *spine = circle(3);
     CHECK_OK(batten_curve_ellipse(0.7, 0.3, 0, 2 * PI, &sections[1]));
     static const double at[3] = {0, 0.25, 1};
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.at = at;
     options.tolerance = 1e-5;
     options.x = (batten_vec3){0, 0, 1};
     batten_surface *surface = NULL, *truth = NULL;
     CHECK_OK(batten_surface_sweep(3, (curves)sections, spine, &options, NULL, NULL, &surface));
-    CHECK_OK(batten_surface_true_sweep(3, (curves)sections, spine, &options, &truth));
+    CHECK_OK(batten_surface_sweep_procedural(3, (curves)sections, spine, &options, &truth));
     CHECK(deviation(surface, truth, 24) <= 1e-5);
     for (int i = 0; i <= 16; i++) {
         double p[3], q[3];
@@ -462,7 +463,7 @@ TEST(a_helical_surface_is_its_formula_within_the_tolerance)
     const double a[3] = {1, 0, 0}, b[3] = {3, 0, 0.5};
     batten_curve *line = NULL;
     batten_surface *surface = NULL, *none = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     const batten_vec3 origin = {0, 0, 0}, axis = {0, 0, 2};
     CHECK_OK(batten_curve_line(3, a, b, &line));
     CHECK_OK(
@@ -502,13 +503,13 @@ TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
                         knots[8] = {0, 0, 0, 0, 1, 1, 1, 1};
     batten_curve *section = circle(0.3), *spine = through(5, bend_points), *bad = NULL;
     batten_surface *none = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_curve *scale = law(3, falling);
     options.scale = scale;
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
                  BATTEN_BAD_ARGUMENT);
     CHECK_MESSAGE("it must stay above 0");
-    options = batten_sweep_defaults();
+    options = batten_surface_sweep_defaults();
     CHECK_OK(batten_curve_line(3, points, points + 3, &bad));
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, bad, &options, NULL, NULL, &none),
                  BATTEN_COINCIDENT);
@@ -525,14 +526,14 @@ TEST(sweeps_refuse_what_they_cannot_do_with_the_place)
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     CHECK_MESSAGE("runs along its upward direction");
-    options = batten_sweep_defaults();
+    options = batten_surface_sweep_defaults();
     options.frames = BATTEN_FRAME_FRENET;
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
                  BATTEN_SINGULAR_HERE);
     options.frames = BATTEN_FRAME_CLOSING;
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, line, &options, NULL, NULL, &none),
                  BATTEN_NOT_COMPATIBLE);
-    options = batten_sweep_defaults();
+    options = batten_surface_sweep_defaults();
     options.tolerance = 1e-16;
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
@@ -559,7 +560,7 @@ TEST(a_scale_that_touches_zero_is_refused_wherever_it_does)
         const double points[3] = {c * c, c * c - c, (1 - c) * (1 - c)};
         char place[60];
         CHECK_OK(batten_curve_create(1, 2, 3, points, NULL, knots, &scale));
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.scale = scale;
         CHECK_STATUS(
             batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
@@ -583,7 +584,7 @@ TEST(N6_a_sweep_within_less_than_rounding_is_refused)
     CHECK_STATUS(batten_surface_helical(line, origin, axis, 1e300, 9, 1e-3, NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
     CHECK_MESSAGE("the sweep cannot be within 0.001: its coordinates");
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-16;
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
                  BATTEN_TOLERANCE_NOT_MET);
@@ -609,7 +610,7 @@ TEST(S5_a_sweep_that_would_be_too_large_is_refused_before_the_work)
     }
     batten_curve *section = NULL, *spine = circle(3);
     batten_surface *none = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = 1e-7;
     CHECK_OK(batten_curve_polyline(3, POINTS, points, &section));
     CHECK_STATUS(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &none),
@@ -625,7 +626,7 @@ TEST(N2_a_sweep_of_huge_or_tiny_size_is_the_scaled_one)
 {
     static const double sizes[] = {1e80, 1e-80};
     batten_curve *section = circle(0.3), *spine = through(5, bend_points);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *plain = NULL;
     options.tolerance = 1e-4;
     CHECK_OK(batten_surface_sweep(1, (curves)&section, spine, &options, NULL, NULL, &plain));
@@ -661,8 +662,8 @@ TEST(where_a_pipe_is_too_thick_is_said)
     batten_curve *flat = NULL, *spine = NULL;
     int count = 0;
     batten_surface **made = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
-    batten_sweep_report report;
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
+    batten_surface_sweep_report report;
     options.tolerance = 1e-4;
     CHECK_OK(batten_curve_ellipse(2, 1, -PI / 2, PI, &flat));
     CHECK_OK(batten_curve_to_dimension(flat, 3, &spine));
@@ -682,7 +683,7 @@ TEST(where_a_pipe_is_too_thick_is_said)
 TEST(the_volume_of_a_pipe_around_a_circle_is_that_of_the_torus)
 {
     batten_curve *spine = circle(2);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface **made = NULL;
     int count = 0;
     options.tolerance = 1e-7;
@@ -707,11 +708,11 @@ TEST(every_degree_along_the_spine_keeps_the_tolerance_with_fewer_sections_the_hi
 {
     batten_curve *section = circle(0.3), *spine = through(5, bend_points);
     batten_surface *truth = NULL;
-    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, NULL, &truth));
+    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, NULL, &truth));
     int before = 10000;
     for (int degree = 2; degree <= 5; degree++) {
-        batten_sweep_options options = batten_sweep_defaults();
-        batten_sweep_report report;
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
+        batten_surface_sweep_report report;
         batten_surface *surface = NULL;
         options.tolerance = 1e-5;
         options.degree = degree;
@@ -741,7 +742,7 @@ TEST(sections_stand_across_the_spine_and_look_where_they_are_told)
     CHECK_OK(batten_curve_line(3, a, b, &section)); /* along y */
     CHECK_OK(batten_curve_line(3, (double[3]){0, 0, 9}, (double[3]){7, 0, 9}, &guide));
     for (int kind = 0; kind < 3; kind++) {
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         options.up = kind == 0 ? &up : NULL;
         options.guide = kind == 1 ? guide : NULL;
         if (kind == 2)
@@ -749,11 +750,11 @@ TEST(sections_stand_across_the_spine_and_look_where_they_are_told)
         batten_surface *truth = NULL;
         if (kind == 2) {
             CHECK_STATUS(
-                batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth),
+                batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth),
                 BATTEN_NOT_COMPATIBLE);
             continue;
         }
-        CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
         const batten_interval v = batten_curve_domain(spine);
         for (int j = 0; j <= 16; j++) {
             const double at = v.a + (v.b - v.a) * j / 16;
@@ -794,7 +795,7 @@ TEST(mitres_between_bent_parts_meet_in_the_plane_halfway)
     const batten_frame next = {{x - 3, y, 0}, {1, 0, 0}, {0, 0, 1}};
     CHECK_OK(batten_curve_arc_in(&next, 3, 0, PI / 4, &arcs[1]));
     CHECK_OK(batten_curve_join(arcs[0], arcs[1], 1e-9, &spine));
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *surface = NULL;
     options.corners = BATTEN_CORNER_MITRE;
     options.tolerance = 1e-5;
@@ -843,11 +844,11 @@ TEST(frenet_frames_look_to_the_centre_of_a_circle)
 {
     const double a[3] = {0, 0, 0}, b[3] = {0.5, 0, 0};
     batten_curve *section = NULL, *spine = circle(2);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *truth = NULL;
     options.frames = BATTEN_FRAME_FRENET;
     CHECK_OK(batten_curve_line(3, a, b, &section));
-    CHECK_OK(batten_surface_true_sweep(1, (curves)&section, spine, &options, &truth));
+    CHECK_OK(batten_surface_sweep_procedural(1, (curves)&section, spine, &options, &truth));
     for (int j = 0; j <= 16; j++) {
         double p[3], c[3];
         CHECK_OK(batten_curve_evaluate(spine, j / 16.0, 0, c));
@@ -874,8 +875,8 @@ TEST(G6_a_skew_loop_of_straight_sides_closes_with_mitres_and_closing_frames)
 {
     static const double corners[15] = {0, 0, 0, 4, 0, 1, 4, 3, -1, 0, 3, 2, 0, 0, 0};
     batten_curve *section = NULL, *spine = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
-    batten_sweep_report report;
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
+    batten_surface_sweep_report report;
     batten_surface *surface = NULL;
     options.corners = BATTEN_CORNER_MITRE;
     options.frames = BATTEN_FRAME_CLOSING;
@@ -896,7 +897,7 @@ TEST(a_spine_that_turns_back_has_no_mitre)
 {
     static const double points[9] = {0, 0, 0, 3, 0, 0, 1, 0, 0};
     batten_curve *section = circle(0.2), *spine = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *none = NULL;
     options.corners = BATTEN_CORNER_MITRE;
     CHECK_OK(batten_curve_polyline(3, 3, points, &spine));
@@ -914,7 +915,7 @@ TEST(K7_sections_of_different_knots_are_blended_exactly_where_they_stand)
                         hump[15] = {-1, 0.2, 0,   -0.7, 0.8, 0,   0, 0.3,
                                     0,  0.6, 0.9, 0,    1,   0.1, 0};
     batten_curve *sections[2] = {through(4, arch), through(5, hump)}, *spine = circle(5);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface *surface = NULL;
     options.x = (batten_vec3){1, 0, 0};
     options.tolerance = 1e-5;
@@ -947,8 +948,8 @@ static batten_curve *flower(double radius)
         points[3 * i + 1] = r * sin(2 * PI * i / 10);
     }
     batten_curve *curve = NULL;
-    batten_interpolate_options options = batten_interpolate_defaults();
-    options.periodic = true;
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
+    options.closed = true;
     CHECK_OK(batten_curve_interpolate(3, 10, points, &options, NULL, &curve));
     return curve;
 }
@@ -959,12 +960,13 @@ TEST(K5_periodic_sections_and_shifted_domains_are_swept_as_they_are)
     batten_curve *shifted = NULL;
     CHECK_OK(batten_curve_set_domain(spine, -7, -2, &shifted));
     for (int count = 1; count <= 2; count++) {
-        batten_sweep_options options = batten_sweep_defaults();
+        batten_surface_sweep_options options = batten_surface_sweep_defaults();
         batten_surface *surface = NULL, *truth = NULL;
         options.tolerance = 1e-4;
         CHECK_OK(batten_surface_sweep(count, (curves)sections, shifted, &options, NULL, NULL,
                                       &surface));
-        CHECK_OK(batten_surface_true_sweep(count, (curves)sections, shifted, &options, &truth));
+        CHECK_OK(batten_surface_sweep_procedural(count, (curves)sections, shifted, &options,
+                                                 &truth));
         CHECK(batten_surface_is_periodic(surface, BATTEN_U));
         CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).a, -7, 0);
         CHECK_NEAR(batten_surface_domain(surface, BATTEN_V).b, -2, 0);
@@ -981,7 +983,7 @@ TEST(K5_periodic_sections_and_shifted_domains_are_swept_as_they_are)
 TEST(G10_a_reversed_spine_makes_the_same_pipe)
 {
     batten_curve *spine = through(5, bend_points), *back = NULL;
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     batten_surface **made = NULL;
     int count = 0;
     options.tolerance = 1e-6;

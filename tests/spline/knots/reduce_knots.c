@@ -145,7 +145,7 @@ TEST(published_aerofoils_shrink)
             n += sscanf(line, "%lf %lf", &q[2 * n], &q[2 * n + 1]) == 2;
         fclose(file);
         CHECK_INT(n, rows[r].of);
-        batten_interpolate_options options = batten_interpolate_defaults();
+        batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
         options.parameters = BATTEN_CENTRIPETAL;
         batten_curve *curve = NULL, *thin = NULL;
         CHECK_OK(batten_curve_interpolate(2, n, q, &options, NULL, &curve));

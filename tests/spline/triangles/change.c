@@ -129,7 +129,7 @@ TEST(a_triangle_is_not_cut_at_its_edge)
     const double edge[3] = {0, 0.5, 0.5};
     CHECK_OK(random_triangles(&random, 3, 2, 1, false, NULL, &whole));
     CHECK_STATUS(batten_triangles_split(whole, 0, edge, &none), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_triangles_graph(whole, &none), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_from_function(whole, &none), BATTEN_BAD_ARGUMENT);
     CHECK(!none);
     batten_triangles_unref(whole);
 }

@@ -29,7 +29,7 @@ TEST(parts_of_one_polynomial_meet_with_equal_slopes)
     CHECK_NEAR(join.gap, 0, 1e-15);
     CHECK_NEAR(join.slope, 0, 1e-14);
     CHECK(join.angle == -1 && join.coplanarity == -1);
-    CHECK_OK(batten_triangles_graph(triangles, &graph));
+    CHECK_OK(batten_triangles_from_function(triangles, &graph));
     const batten_triangle_join smooth = only_join(graph);
     CHECK_NEAR(smooth.slope, 0, 1e-14);
     CHECK_NEAR(smooth.angle, 0, 1e-14);

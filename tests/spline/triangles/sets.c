@@ -21,7 +21,7 @@ TEST(selected_triangles_keep_their_domain_and_values)
     double at[3];
     CHECK_OK(batten_triangles_select(all, 1, which, &one));
     CHECK_INT(batten_triangles_count(one), 1);
-    CHECK_OK(batten_triangles_graph(one, &graph));
+    CHECK_OK(batten_triangles_from_function(one, &graph));
     CHECK_OK(batten_triangles_evaluate(graph, 0, (const double[3]){1, 0, 0}, 0, at));
     CHECK_NEAR(at[0], 1, 0);
     CHECK_NEAR(at[1], 1, 0);
@@ -51,8 +51,8 @@ TEST(sets_of_different_dimensions_are_not_put_together)
     CHECK_OK(batten_triangles_evaluate(both, 1, (const double[3]){0.5, 0.5, 0}, 0, at));
     CHECK_NEAR(at[0], 0.5, 1e-15);
     batten_triangles *graph = NULL;
-    CHECK_STATUS(batten_triangles_graph(space, &graph), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_triangles_graph(rational, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_from_function(space, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_triangles_from_function(rational, &graph), BATTEN_BAD_ARGUMENT);
     batten_triangles_unref(values);
     batten_triangles_unref(space);
     batten_triangles_unref(rational);
@@ -67,9 +67,9 @@ TEST(graphs_are_of_functions)
     CHECK_OK(batten_curve_create(2, 1, 2, plane, NULL, knots, &curve));
     CHECK_OK(batten_curve_create(1, 1, 2, line, weights, knots, &rational));
     CHECK_OK(batten_curve_create(1, 1, 2, line, NULL, knots, &function));
-    CHECK_STATUS(batten_curve_graph(curve, &graph), BATTEN_BAD_ARGUMENT);
-    CHECK_STATUS(batten_curve_graph(rational, &graph), BATTEN_UNSUPPORTED);
-    CHECK_OK(batten_curve_graph(function, &graph));
+    CHECK_STATUS(batten_curve_from_function(curve, &graph), BATTEN_BAD_ARGUMENT);
+    CHECK_STATUS(batten_curve_from_function(rational, &graph), BATTEN_UNSUPPORTED);
+    CHECK_OK(batten_curve_from_function(function, &graph));
     CHECK_NEAR(batten_curve_points(graph)[2], 1, 0);
     CHECK_NEAR(batten_curve_points(graph)[3], 4, 0);
     batten_curve_unref(curve);

@@ -31,7 +31,7 @@ TEST(derivatives_are_those_of_the_polynomial)
 {
     batten_triangles *triangles = NULL, *graph = NULL;
     CHECK_OK(example_triangles(2, &square, &triangles));
-    CHECK_OK(batten_triangles_graph(triangles, &graph));
+    CHECK_OK(batten_triangles_from_function(triangles, &graph));
     const double at[3] = {0.5, 0.2, 0.3};
     double table[10], point[3];
     CHECK_OK(batten_triangles_evaluate(triangles, 1, at, 3, table));

@@ -13,8 +13,8 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_mehlum_options options = batten_mehlum_defaults();
-    batten_mehlum_report report;
+    batten_chain_mehlum_options options = batten_chain_mehlum_defaults();
+    batten_chain_mehlum_report report;
     options.closed = bat_yes(run, "closed");
     options.arcs = bat_count(run, "arcs");
     options.tolerance = bat_number(run, "within");
@@ -25,7 +25,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     if (status == BATTEN_OK)
         bat_remark(run,
                    "'%s': %d arcs, %g from the elastica at most; curvature steps by up to %g",
-                   data->name, report.arcs, report.deviation, report.jump);
+                   data->name, report.arcs, report.error, report.jump);
     return status;
 }
 

@@ -10,7 +10,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_energy_options options = batten_energy_defaults();
+    batten_curve_minimum_energy_options options = batten_curve_minimum_energy_defaults();
     options.energy = strcmp(run->feature->name, "minimum-energy") == 0
                          ? BATTEN_ENERGY_BENDING
                          : BATTEN_ENERGY_VARIATION;

@@ -79,7 +79,7 @@ static batten_status find_kinds(const bat_run *run, int count, batten_spiro_kind
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_spiro_options options = batten_spiro_defaults();
+    batten_chain_spiro_options options = batten_chain_spiro_defaults();
     batten_spiro_kind *kinds = bat_array((size_t)data->count, sizeof *kinds);
     if (!kinds)
         return BATTEN_OUT_OF_MEMORY;

@@ -33,7 +33,7 @@ static batten_status blend(bat_run *run, const batten_curve *const curves[2],
 {
     const bat_argument *bulge = bat_argument_of(run, "bulge");
     batten_blend_end ends[2];
-    batten_blend_report report;
+    batten_curves_blend_report report;
     batten_curve *made = NULL;
     if (check_bulge(bulge) != BATTEN_OK)
         return BATTEN_BAD_ARGUMENT;
@@ -71,7 +71,7 @@ static batten_status surface_ends(const bat_run *run, batten_surface_blend_end e
         return bat_fail(BATTEN_BAD_ARGUMENT, "'parts' are four numbers, %d are given",
                         parts->count);
     for (int k = 0; k < 2; k++) {
-        ends[k] = batten_surface_blend_defaults((batten_edge)edges->items[k].count);
+        ends[k] = batten_surfaces_blend_defaults((batten_edge)edges->items[k].count);
         ends[k].continuity = bat_word(run, k ? "second" : "first");
         ends[k].bulge = bulge->items[bulge->count == 2 ? k : 0].number[0];
         if (parts->count == 0)
@@ -82,7 +82,7 @@ static batten_status surface_ends(const bat_run *run, batten_surface_blend_end e
     return check_bulge(bulge);
 }
 
-static void say(const bat_run *run, const batten_surface_blend_report *report)
+static void say(const bat_run *run, const batten_surfaces_blend_report *report)
 {
     const double degrees = 180 / 3.14159265358979323846;
     bat_remark(
@@ -98,7 +98,7 @@ static void say(const bat_run *run, const batten_surface_blend_report *report)
 static batten_status blend_surfaces(bat_run *run, const bat_objects *all)
 {
     batten_surface_blend_end ends[2];
-    batten_surface_blend_report report;
+    batten_surfaces_blend_report report;
     batten_surface *made = NULL;
     if (all->count != 2)
         return bat_fail(BATTEN_NOT_COMPATIBLE, "two surfaces are needed, there are %d",

@@ -14,7 +14,7 @@ static batten_status change(const bat_run *run, const batten_curve *curve, doubl
 {
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10;
-    batten_even_speed_report report;
+    batten_curve_even_speed_report report;
     const batten_status status = batten_curve_even_speed(curve, within, &report, out);
     if (status != BATTEN_OK)
         return status;

@@ -22,7 +22,7 @@ static const char *const names[2][2] = {{"start", "from"}, {"end", "to"}};
 
 /* One end of a curve, as asked. */
 static batten_status extend(const bat_run *run, const char *name, batten_curve_end end,
-                            const batten_curve *curve, batten_extend_report *report,
+                            const batten_curve *curve, batten_curve_extend_report *report,
                             batten_curve **out)
 {
     const batten_extension shape = (batten_extension)bat_word(run, "shape");
@@ -43,7 +43,7 @@ static batten_status change(bat_run *run, const batten_object *object)
     batten_status status = BATTEN_OK;
     for (int k = 0; k < 2 && status == BATTEN_OK; k++) {
         batten_curve *longer = NULL;
-        batten_extend_report report;
+        batten_curve_extend_report report;
         if (!bat_has(run, names[k][0]) && !bat_has(run, names[k][1]))
             continue;
         status = extend(run, object->name, (batten_curve_end)k, curve, &report, &longer);

@@ -131,12 +131,12 @@ static batten_status fair_points(const bat_run *run, const batten_object *object
 static batten_status fit_again(const bat_run *run, const batten_object *object,
                                const double *points, batten_curve **out)
 {
-    batten_interpolate_options options = run->result->fit;
+    batten_curve_interpolate_options options = run->result->fit;
     const int count = object->point_count;
     const bool periodic = batten_curve_is_periodic(object->curve);
     double *given = NULL;
     options.degree = batten_curve_degree(object->curve);
-    options.periodic = periodic;
+    options.closed = periodic;
     if (object->parameters) {
         given = bat_array((size_t)count + 1, sizeof *given);
         if (!given)
@@ -205,7 +205,7 @@ static batten_status fair_row(bat_run *run, const batten_object *object, int set
 static void inherit_fit(bat_run *run)
 {
     const bat_result *from = &run->results[bat_argument_of(run, "fair")->items[0].count];
-    run->result->fit = from->has_fit ? from->fit : batten_interpolate_defaults();
+    run->result->fit = from->has_fit ? from->fit : batten_curve_interpolate_defaults();
     run->result->has_fit = true;
 }
 
@@ -238,13 +238,13 @@ static batten_status fair_table(bat_run *run, const batten_object *object)
     const batten_fair_options options = options_of(run);
     const batten_fair_families families = (batten_fair_families)(bat_word(run, "families") + 1);
     batten_object made = *object;
-    batten_offsets *faired = NULL;
-    batten_status status = batten_fair_offsets(object->offsets, families, &options, run->job,
-                                               &run->result->fairing, &faired);
-    made.offsets = faired;
+    batten_offset_table *faired = NULL;
+    batten_status status = batten_fair_offset_table(object->offset_table, families, &options,
+                                                    run->job, &run->result->fairing, &faired);
+    made.offset_table = faired;
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &made);
-    batten_offsets_unref(faired);
+    batten_offset_table_unref(faired);
     return status;
 }
 
@@ -276,7 +276,7 @@ static batten_status run(bat_run *run)
     if (status != BATTEN_OK)
         return status;
     inherit_fit(run);
-    if (objects.at[0]->kind != BATTEN_OBJECT_OFFSETS)
+    if (objects.at[0]->kind != BATTEN_OBJECT_OFFSET_TABLE)
         status = fair_curves(run, &objects);
     else if (objects.count == 1)
         status = fair_table(run, objects.at[0]);

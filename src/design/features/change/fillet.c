@@ -36,7 +36,7 @@ static batten_status between(bat_run *run, const batten_curve *const curves[2],
                              batten_curve **out)
 {
     const bat_argument *radius = bat_argument_of(run, "radius");
-    batten_fillet_report report;
+    batten_curves_fillet_report report;
     batten_curve *arc = NULL;
     if (radius->count != 1)
         return bat_fail(BATTEN_BAD_ARGUMENT, "two curves have one corner and one radius");

@@ -45,7 +45,7 @@ batten_status bat_fold(bat_run *run, batten_fold *out)
     batten_status status = find_crease(run, &crease);
     if (status != BATTEN_OK)
         return status;
-    batten_fold_options options = batten_fold_defaults();
+    batten_fold_create_options options = batten_fold_create_defaults();
     double *values = numbers_of(run, by_curvature ? "flat-curvature" : "angle", &options.count);
     double *torsions = numbers_of(run, "torsion", &options.torsion_count);
     options.given = bat_word(run, "crease") == 1 ? BATTEN_FOLD_FLAT

@@ -25,9 +25,9 @@ static const batten_parameter parameters[] = {
      "surfaces: what turns over, the distance being more than a radius of curvature"},
 };
 
-static batten_offset_options options_of(const bat_run *run)
+static batten_curve_offset_options options_of(const bat_run *run)
 {
-    batten_offset_options options = batten_offset_defaults();
+    batten_curve_offset_options options = batten_curve_offset_defaults();
     options.tolerance =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run) / 10;
     options.corners = (batten_offset_corner)bat_word(run, "corners");
@@ -76,8 +76,8 @@ static batten_status offset_object(bat_run *run, const batten_object *object, do
 {
     if (object->kind == BATTEN_OBJECT_SURFACE)
         return offset_surface(run, object, distance);
-    const batten_offset_options options = options_of(run);
-    batten_offset_report report;
+    const batten_curve_offset_options options = options_of(run);
+    batten_curve_offset_report report;
     batten_curves made = {0, NULL};
     const int flat = batten_curve_dimension(object->curve) == 1;
     batten_status status =

@@ -181,7 +181,7 @@ static batten_status fit_mark(int count, const double *u, const double *plane, d
         every[2 * i + 1] = plane[4 * i + 1];
         at[i] = u[2 * i];
     }
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = at;
     batten_status status = batten_curve_interpolate(2, n, every, &options, NULL, out);
@@ -294,7 +294,7 @@ static batten_status run(bat_run *run)
     batten_status status = bat_gather(run, "unroll", BAT_SURFACES, &surfaces);
     if (status != BATTEN_OK)
         return status;
-    batten_unroll_options options = batten_unroll_defaults();
+    batten_surface_unroll_options options = batten_surface_unroll_defaults();
     options.straight = straight[bat_word(run, "rulings")];
     options.tolerance = bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
     batten_unrolled flat = {0};

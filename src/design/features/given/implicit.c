@@ -97,16 +97,16 @@ static batten_status trace_span(bat_run *run, const batten_object *object, const
                                 const batten_curve *flat, const batten_box *window)
 {
     batten_implicit *implicit = NULL;
-    batten_implicit_report report;
+    batten_implicit_from_curve_report report;
     batten_trace trace = {{0, NULL}, 0, NULL};
     const double within =
         bat_has(run, "within") ? bat_number(run, "within") : bat_tolerance(run);
-    batten_status status = batten_implicit_of_curve(flat, &report, &implicit);
+    batten_status status = batten_implicit_from_curve(flat, &report, &implicit);
     if (status == BATTEN_OK)
         status =
             batten_implicit_trace(implicit, *window, bat_count(run, "cells"), within, &trace);
     if (status == BATTEN_OK) {
-        bat_report_error(run, report.residual, report.residual);
+        bat_report_error(run, report.error, report.error);
         status = put_trace(run, object, p, &trace);
     }
     batten_trace_release(&trace);
@@ -175,5 +175,5 @@ const bat_feature bat_feature_implicit = {
          "  legs: {points: [[0, 0], [3 m, 2 m], [-1 m, 2 m], [2 m, 0]]}\n"
          "  loop: {bezier: legs}\n"
          "  whole: {implicit: loop}\n",
-         "[SAG84] [BG04]", "batten_implicit_of_curve", BAT_PARAMETERS(parameters), false},
+         "[SAG84] [BG04]", "batten_implicit_from_curve", BAT_PARAMETERS(parameters), false},
     .run = run};

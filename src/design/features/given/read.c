@@ -30,9 +30,9 @@ static void take_range(const bat_run *run, const char *parameter, batten_interva
 
 static batten_status add_offsets(bat_run *run, const batten_object *object, double factor)
 {
-    batten_offsets_selection selection = batten_offsets_everything();
+    batten_offset_table_selection selection = batten_offset_table_everything();
     batten_object made = *object;
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     selection.scale = factor;
     selection.unit_metres = bat_unit_metres(run);
     selection.upside_down = bat_yes(run, "upside-down");
@@ -41,11 +41,12 @@ static batten_status add_offsets(bat_run *run, const batten_object *object, doub
     take_range(run, "x", &selection.x);
     take_range(run, "y", &selection.y);
     take_range(run, "z", &selection.z);
-    batten_status status = batten_offsets_select(object->offsets, &selection, &offsets);
-    made.offsets = offsets;
+    batten_status status =
+        batten_offset_table_select(object->offset_table, &selection, &offsets);
+    made.offset_table = offsets;
     if (status == BATTEN_OK)
         status = batten_model_add(run->model, &made);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     return status;
 }
 
@@ -71,7 +72,7 @@ static batten_status find_factor(const bat_run *run, const batten_model *model, 
 static batten_status add_object(bat_run *run, const batten_object *object, double factor)
 {
     const batten_affine map = batten_affine_scaling(factor, factor, factor);
-    if (object->kind == BATTEN_OBJECT_OFFSETS)
+    if (object->kind == BATTEN_OBJECT_OFFSET_TABLE)
         return add_offsets(run, object, factor);
     return factor == 1 ? batten_model_add(run->model, object)
                        : bat_transform_object(run, &map, object);

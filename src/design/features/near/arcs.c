@@ -51,12 +51,12 @@ static batten_status of_points(bat_run *run, const bat_data *data, bat_made *mad
 {
     const batten_arcs_options options = options_of(run);
     batten_arcs_report report;
-    const batten_status status = batten_arcs_of_points(data->count, data->points, &options,
-                                                       made->parameters, &report, &made->chain);
+    const batten_status status = batten_arcs_from_points(
+        data->count, data->points, &options, made->parameters, &report, &made->chain);
     if (status != BATTEN_OK)
         return status;
     made->has_error = true;
-    made->error_max = made->error_rms = report.deviation;
+    made->error_max = made->error_rms = report.error;
     tell(run, data->name, &report);
     return BATTEN_OK;
 }
@@ -108,10 +108,10 @@ static batten_status of_curve(bat_run *run, const batten_object *object)
     batten_chain *arcs = NULL;
     batten_status status = flatten(object, &frame, &flat);
     if (status == BATTEN_OK)
-        status = batten_arcs_of_curve(flat, &options, &report, &arcs);
+        status = batten_arcs_from_curve(flat, &options, &report, &arcs);
     if (status == BATTEN_OK) {
         tell(run, object->name, &report);
-        bat_report_error(run, report.deviation, report.deviation);
+        bat_report_error(run, report.error, report.error);
         status = put(run, object, &frame, arcs);
     } else if (status != BATTEN_OUT_OF_MEMORY) {
         status = bat_fail(status, "%s: %s", object->name, batten_message());
@@ -160,5 +160,5 @@ const bat_feature bat_feature_arcs = {
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  edge: {interpolate: ducks}\n"
          "  path: {arcs: edge, within: 0.5 mm}\n",
-         "[MW95]", "batten_arcs_of_curve", BAT_PARAMETERS(parameters), false},
+         "[MW95]", "batten_arcs_from_curve", BAT_PARAMETERS(parameters), false},
     .run = run};

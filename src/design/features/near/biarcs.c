@@ -16,9 +16,9 @@ static const batten_parameter parameters[] = {
     BAT_CLOSED,
 };
 
-static batten_biarcs_options options_of(const bat_run *run)
+static batten_chain_biarcs_options options_of(const bat_run *run)
 {
-    batten_biarcs_options options = batten_biarcs_defaults();
+    batten_chain_biarcs_options options = batten_chain_biarcs_defaults();
     options.joint = (batten_biarc_joint)bat_word(run, "joint");
     options.place = bat_number(run, "place");
     options.closed = bat_yes(run, "closed");
@@ -27,8 +27,8 @@ static batten_biarcs_options options_of(const bat_run *run)
 
 static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made)
 {
-    const batten_biarcs_options options = options_of(run);
-    batten_biarcs_report report;
+    const batten_chain_biarcs_options options = options_of(run);
+    batten_chain_biarcs_report report;
     const batten_status status = batten_chain_biarcs(data->count, data->points, &options,
                                                      made->parameters, &report, &made->chain);
     if (status == BATTEN_OK && report.long_arcs > 0)
@@ -39,7 +39,7 @@ static batten_status in_plane(bat_run *run, const bat_data *data, bat_made *made
 
 static batten_status in_space(bat_run *run, const bat_data *data, bat_made *made)
 {
-    const batten_biarcs_options options = options_of(run);
+    const batten_chain_biarcs_options options = options_of(run);
     return batten_curve_biarcs(data->dimension, data->count, data->points, &options,
                                made->parameters, &made->curve);
 }

@@ -32,8 +32,8 @@ static batten_status corners_of(const bat_run *run, int *count, int **out)
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_within_options options = batten_within_defaults();
-    batten_within_report report = {0};
+    batten_curve_within_options options = batten_curve_within_defaults();
+    batten_curve_within_report report = {0};
     int *corners = NULL;
     options.tolerance = bat_number(run, "within");
     options.method = (batten_within_method)bat_word(run, "by");
@@ -57,7 +57,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
         data->name, report.points, bat_plural(report.points), data->count,
         bat_plural(data->count), report.corners, bat_plural(report.corners), report.apart);
     made->has_error = true;
-    made->error_max = report.max;
+    made->error_max = report.error;
     made->error_rms = report.rms;
     return BATTEN_OK;
 }

@@ -41,14 +41,14 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_least_squares_options options = batten_least_squares_defaults();
+    batten_curve_least_squares_options options = batten_curve_least_squares_defaults();
     options.degree = bat_count(run, "degree");
     options.point_count = bat_count(run, "points");
     options.parameters = bat_parametrization_of(run, data);
     options.given = data->abscissae;
     options.knots = (batten_knot_choice)bat_word(run, "knots");
-    options.periodic = bat_yes(run, "closed");
-    options.hold_start = options.hold_end = bat_yes(run, "hold-ends") && !options.periodic;
+    options.closed = bat_yes(run, "closed");
+    options.hold_start = options.hold_end = bat_yes(run, "hold-ends") && !options.closed;
     options.corrections = data->dimension > 1 ? bat_count(run, "corrections") : 0;
     options.robust = (batten_robust)bat_word(run, "robust");
     batten_fit_report report = {0};

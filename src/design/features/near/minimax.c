@@ -13,7 +13,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_minimax_report report = {0};
+    batten_curve_minimax_report report = {0};
     const batten_status status =
         batten_curve_minimax(data->count, data->abscissae, data->points,
                              bat_count(run, "degree"), &report, &made->curve);

@@ -16,7 +16,7 @@ static inline batten_status bat_made_primitive(const batten_primitive_report *re
                                                batten_status status, bat_made *made)
 {
     made->has_error = status == BATTEN_OK;
-    made->error_max = report->max;
+    made->error_max = report->error;
     made->error_rms = report->rms;
     return status;
 }

@@ -16,19 +16,19 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_operator_options options = batten_operator_defaults();
+    batten_curve_schoenberg_options options = batten_curve_schoenberg_defaults();
     options.degree = bat_count(run, "degree");
     options.parameters = bat_parametrization_of(run, data);
     options.given = data->abscissae;
-    options.periodic = bat_yes(run, "closed");
+    options.closed = bat_yes(run, "closed");
     options.bernstein = bat_word(run, "knots") == 1;
-    batten_operator_report report = {0};
+    batten_curve_schoenberg_report report = {0};
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK)
         status = batten_curve_schoenberg(data->dimension, data->count, data->points, &options,
                                          made->parameters, &report, &made->curve);
     made->has_error = status == BATTEN_OK;
-    made->error_max = report.max;
+    made->error_max = report.error;
     made->error_rms = report.rms;
     return status;
 }

@@ -16,7 +16,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     const double degree = BAT_PI / 180;
     const double start =
         bat_has(run, "start-angle") ? bat_number(run, "start-angle") : (double)NAN;
-    batten_sequential_report report;
+    batten_chain_sequential_arcs_report report;
     const batten_status status = batten_chain_sequential_arcs(
         data->count, data->points, start, NULL, made->parameters, &report, &made->chain);
     if (status != BATTEN_OK)

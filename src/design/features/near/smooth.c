@@ -16,7 +16,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_smooth_options options = batten_smooth_defaults();
+    batten_curve_smooth_options options = batten_curve_smooth_defaults();
     return bat_make_smooth(run, data, batten_curve_smooth, &options, made);
 }
 

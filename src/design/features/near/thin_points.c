@@ -17,7 +17,7 @@ static const batten_parameter parameters[] = {
 static batten_status thin(bat_run *run, const char *name, int of, const double *all,
                           bool closed, double **points, int *count)
 {
-    batten_thin_report report;
+    batten_points_thin_report report;
     int *kept = bat_array((size_t)of, sizeof *kept);
     double *made = bat_array3((size_t)of, 3, sizeof *made);
     batten_status status = kept && made ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
@@ -34,7 +34,7 @@ static batten_status thin(bat_run *run, const char *name, int of, const double *
                    : bat_fail(status, "%s: %s", name, batten_message());
     }
     bat_remark(run, "'%s': %d of %d points stay", name, *count, of);
-    bat_report_error(run, report.max, report.rms);
+    bat_report_error(run, report.error, report.rms);
     *points = made;
     return BATTEN_OK;
 }

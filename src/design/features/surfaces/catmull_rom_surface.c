@@ -15,11 +15,11 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    batten_catmull_rom_options u = batten_catmull_rom_defaults();
+    batten_curve_catmull_rom_options u = batten_curve_catmull_rom_defaults();
     double off = 0;
     u.blend = bat_count(run, "blend");
     u.local = bat_count(run, "local");
-    batten_catmull_rom_options v = u;
+    batten_curve_catmull_rom_options v = u;
     u.closed = bat_yes(run, "closed-u");
     v.closed = bat_yes(run, "closed-v");
     const batten_status status =

@@ -15,7 +15,7 @@ static batten_status run(bat_run *run)
         return status;
     for (int i = 0; i < curves.count && status == BATTEN_OK; i++) {
         batten_surface *surface = NULL;
-        status = batten_surface_cone_to(curves.at[i]->curve, bat_point(run, "apex"), &surface);
+        status = batten_surface_conical(curves.at[i]->curve, bat_point(run, "apex"), &surface);
         status = bat_put_surface_like(run, status, surface, curves.at[i]);
     }
     bat_objects_release(&curves);
@@ -29,5 +29,5 @@ const bat_feature bat_feature_cone_to = {
               "features:\n"
               "  oval: {ellipse: 2 m, b: 1 m}\n"
               "  tent: {cone-to: oval, apex: [1 m, 0, 3 m]}\n",
-              "[PT97]", "batten_surface_cone_to", BAT_PARAMETERS(parameters), false},
+              "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false},
     .run = run};

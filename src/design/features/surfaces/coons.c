@@ -27,7 +27,7 @@ static const batten_parameter parameters[] = {
 /* What a run takes and holds. */
 typedef struct {
     bat_run *run;
-    batten_coons_options options;
+    batten_surface_coons_options options;
     double twists[12];
     batten_curve *functions[6];
     bat_boundary boundary;
@@ -125,7 +125,7 @@ static const char *edge_name(int edge)
 #define DEGREES (180 / BAT_PI)
 
 /* What helps where a boundary curve leaves the tangent plane of a surface beside it. */
-static batten_status advise(const work *w, const batten_coons_report *found,
+static batten_status advise(const work *w, const batten_surface_coons_report *found,
                             batten_status status)
 {
     if (status != BATTEN_NOT_COMPATIBLE || !(found->slope_gap > w->options.tolerance) ||
@@ -138,7 +138,7 @@ static batten_status advise(const work *w, const batten_coons_report *found,
 }
 
 /* The slopes that gave way: how far from smooth the joins are now. */
-static void report_repair(const work *w, const batten_coons_report *found)
+static void report_repair(const work *w, const batten_surface_coons_report *found)
 {
     int worst = 0;
     for (int e = 1; e < 4; e++)
@@ -153,7 +153,7 @@ static void report_repair(const work *w, const batten_coons_report *found)
 }
 
 /* What did not fit, and what became of it. */
-static void report(const work *w, const batten_coons_report *found)
+static void report(const work *w, const batten_surface_coons_report *found)
 {
     bat_run *run = w->run;
     const double tolerance = w->options.tolerance;
@@ -180,7 +180,7 @@ static void report(const work *w, const batten_coons_report *found)
 
 static batten_status make(work *w, batten_surface **out)
 {
-    batten_coons_report found = {0};
+    batten_surface_coons_report found = {0};
     choose_kind(w);
     w->options.twist = (batten_twist_policy)bat_word(w->run, "policy");
     w->options.repair = bat_yes(w->run, "repair");
@@ -204,7 +204,7 @@ static batten_status make(work *w, batten_surface **out)
 static batten_status run(bat_run *run)
 {
     batten_surface *surface = NULL;
-    work w = {.run = run, .options = batten_coons_defaults()};
+    work w = {.run = run, .options = batten_surface_coons_defaults()};
     const batten_status status = make(&w, &surface);
     bat_boundary_release(&w.boundary);
     for (int i = 0; i < 6; i++)

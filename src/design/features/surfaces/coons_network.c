@@ -24,7 +24,8 @@ static const batten_parameter parameters[] = {
      "how far curves may miss each other; of itself the design's tolerance"},
 };
 
-static batten_status from_points(bat_run *run, const batten_network_options *options,
+static batten_status from_points(bat_run *run,
+                                 const batten_surface_coons_network_options *options,
                                  batten_surface **out)
 {
     bat_grid grid = {0};
@@ -98,7 +99,8 @@ static batten_status stretch(family *f, const family *others)
     return status;
 }
 
-static batten_status from_curves(bat_run *run, const batten_network_options *options,
+static batten_status from_curves(bat_run *run,
+                                 const batten_surface_coons_network_options *options,
                                  batten_surface **out)
 {
     family along = {0}, across = {0};
@@ -131,7 +133,7 @@ static batten_status from_curves(bat_run *run, const batten_network_options *opt
 
 static batten_status run(bat_run *run)
 {
-    batten_network_options options = batten_network_defaults();
+    batten_surface_coons_network_options options = batten_surface_coons_network_defaults();
     batten_surface *surface = NULL;
     options.blending = (batten_blending)bat_word(run, "blend");
     options.twists = (batten_twists)bat_word(run, "twists");

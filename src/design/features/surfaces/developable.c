@@ -36,7 +36,7 @@ static void say(bat_run *run, const batten_developable *made)
 static batten_status develop(bat_run *run, const batten_curve *first,
                              const batten_curve *second)
 {
-    batten_developable_options options = batten_developable_defaults();
+    batten_surface_developable_options options = batten_surface_developable_defaults();
     batten_developable made = {0};
     options.keep_matching = bat_word(run, "match") == 1;
     options.keep_regression = bat_word(run, "regression") == 1;

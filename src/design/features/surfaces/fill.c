@@ -166,7 +166,7 @@ static void remark_excess(const bat_run *run, const bat_objects *curves, const b
 }
 
 static void report_edges(const bat_run *run, const bat_objects *curves, const bounds *most,
-                         const batten_fill_report *reached)
+                         const batten_surface_fill_report *reached)
 {
     worst_edges worst = {NULL, NULL, NULL};
     for (int i = 0; i < 2 * reached->count; i++)
@@ -178,14 +178,15 @@ static void report_edges(const bat_run *run, const bat_objects *curves, const bo
         remark_excess(run, curves, most, &reached->inner[i]);
 }
 
-static const char *curve_name(const bat_objects *curves, const batten_fill_report *reached,
-                              int side)
+static const char *curve_name(const bat_objects *curves,
+                              const batten_surface_fill_report *reached, int side)
 {
     return curves->at[reached->outer[side % reached->count].curve]->name;
 }
 
 static void report(const bat_run *run, const bat_objects *curves,
-                   const batten_fill_options *options, const batten_fill_report *reached)
+                   const batten_surface_fill_options *options,
+                   const batten_surface_fill_report *reached)
 {
     const char *unit = batten_unit_name(bat_unit_metres(run));
     /* An angle of exactly the bound is met but for rounding; without curvature taken over there
@@ -213,7 +214,7 @@ static void report(const bat_run *run, const bat_objects *curves,
 
 /* How far the fill is from the curves that were given: the sides that it was made of from
  * these, and it from the sides. */
-static double missed(const batten_fill_report *reached)
+static double missed(const batten_surface_fill_report *reached)
 {
     double gap = 0;
     for (int i = 0; i < reached->count; i++)
@@ -255,9 +256,9 @@ static batten_status put_all(bat_run *run, int count, double within, batten_surf
 
 static batten_status fill(bat_run *run, const bat_objects *curves, const sides *all)
 {
-    batten_fill_options options = batten_fill_defaults();
+    batten_surface_fill_options options = batten_surface_fill_defaults();
     batten_surface *surfaces[BATTEN_FILL_SIDES] = {NULL};
-    batten_fill_report *reached = bat_array(1, sizeof *reached);
+    batten_surface_fill_report *reached = bat_array(1, sizeof *reached);
     if (!reached)
         return BATTEN_OUT_OF_MEMORY;
     options.tolerance = all->within;

@@ -32,9 +32,9 @@ static const batten_parameter parameters[] = {
      "the first row follows the last"},
 };
 
-static batten_grid_fit_options options_of(const bat_run *run)
+static batten_surface_fit_grid_options options_of(const bat_run *run)
 {
-    batten_grid_fit_options options = batten_grid_fit_defaults();
+    batten_surface_fit_grid_options options = batten_surface_fit_grid_defaults();
     options.degree_u = bat_count(run, "degree-u");
     options.degree_v = bat_count(run, "degree-v");
     options.points_u = bat_count(run, "points-u");
@@ -43,8 +43,8 @@ static batten_grid_fit_options options_of(const bat_run *run)
     options.hold_rims = bat_yes(run, "hold-rims");
     options.penalty = (batten_grid_penalty)bat_word(run, "penalty");
     options.order = bat_count(run, "order");
-    options.periodic_u = bat_yes(run, "periodic-u");
-    options.periodic_v = bat_yes(run, "periodic-v");
+    options.closed_u = bat_yes(run, "periodic-u");
+    options.closed_v = bat_yes(run, "periodic-v");
     return options;
 }
 
@@ -130,17 +130,17 @@ static batten_status find_heights(const bat_grid *grid, heights *h)
 /* ---- fits ---- */
 
 static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
-                         batten_grid_fit_options *options, batten_surface_fit_report *report,
-                         batten_surface **out)
+                         batten_surface_fit_grid_options *options,
+                         batten_surface_fit_report *report, batten_surface **out)
 {
-    batten_status (*method)(int, int, int, const double *, const batten_grid_fit_options *,
-                            const batten_job *, double *, double *, batten_surface_fit_report *,
-                            batten_surface **) =
-        smooth ? batten_surface_smooth_grid : batten_surface_fit_grid;
+    batten_status (*method)(
+        int, int, int, const double *, const batten_surface_fit_grid_options *,
+        const batten_job *, double *, double *, batten_surface_fit_report *,
+        batten_surface **) = smooth ? batten_surface_smooth_grid : batten_surface_fit_grid;
     if (bat_word(run, "as") == 0)
         return method(3, grid->count_u, grid->count_v, grid->points, options, run->job, NULL,
                       NULL, report, out);
-    if (options->periodic_u || options->periodic_v)
+    if (options->closed_u || options->closed_v)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a function of x and y does not close");
     heights h = {NULL, NULL, NULL};
     batten_surface *function = NULL;
@@ -152,7 +152,7 @@ static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
         status = method(1, grid->count_u, grid->count_v, h.z, options, run->job, NULL, NULL,
                         report, &function);
     if (status == BATTEN_OK)
-        status = batten_surface_graph(function, out);
+        status = batten_surface_from_function(function, out);
     batten_surface_unref(function);
     heights_end(&h);
     return status;
@@ -160,7 +160,7 @@ static batten_status fit(const bat_run *run, const bat_grid *grid, bool smooth,
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    batten_grid_fit_options options = options_of(run);
+    batten_surface_fit_grid_options options = options_of(run);
     batten_surface_fit_report report;
     batten_status status = bat_smoothness_of(run, &options.by, &options.amount);
     const bool smooth =

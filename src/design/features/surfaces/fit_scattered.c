@@ -49,7 +49,7 @@ static batten_status base_of_corners(const bat_run *run, batten_surface **base)
     const int order[4] = {0, 1, 3, 2}; /* around, to rows */
     for (int i = 0; i < 4; i++)
         memcpy(corners + 3 * i, given->items[order[i]].number, 3 * sizeof *corners);
-    return batten_surface_of_corners(corners, base);
+    return batten_surface_from_corners(corners, base);
 }
 
 static batten_status find_base(const bat_run *run, batten_surface **base)
@@ -77,7 +77,7 @@ static batten_status find_base(const bat_run *run, batten_surface **base)
 /* ---- fits ---- */
 
 static batten_status fit_function(const bat_run *run, const cloud *data,
-                                  const batten_scattered_options *options,
+                                  const batten_surface_scattered_options *options,
                                   batten_surface_fit_report *report, batten_surface **out)
 {
     const size_t n = (size_t)data->count;
@@ -93,7 +93,7 @@ static batten_status fit_function(const bat_run *run, const cloud *data,
         status = batten_surface_scattered(1, data->count, uv, z, options, run->job, report,
                                           &heights);
     if (status == BATTEN_OK)
-        status = batten_surface_graph(heights, out);
+        status = batten_surface_from_function(heights, out);
     batten_surface_unref(heights);
     bat_release(z);
     bat_release(uv);
@@ -101,7 +101,7 @@ static batten_status fit_function(const bat_run *run, const cloud *data,
 }
 
 static batten_status fit(const bat_run *run, const cloud *data,
-                         const batten_scattered_options *options,
+                         const batten_surface_scattered_options *options,
                          batten_surface_fit_report *report, batten_surface **out)
 {
     batten_surface *base = NULL;
@@ -118,9 +118,9 @@ static batten_status fit(const bat_run *run, const cloud *data,
     return status;
 }
 
-static batten_status options_of(const bat_run *run, batten_scattered_options *options)
+static batten_status options_of(const bat_run *run, batten_surface_scattered_options *options)
 {
-    *options = batten_scattered_defaults();
+    *options = batten_surface_scattered_defaults();
     options->method = (batten_scattered_method)bat_word(run, "method");
     options->spans_u = bat_count(run, "spans-u");
     options->spans_v = bat_count(run, "spans-v");
@@ -144,7 +144,7 @@ static batten_status options_of(const bat_run *run, batten_scattered_options *op
 
 static batten_status run(bat_run *run)
 {
-    batten_scattered_options options;
+    batten_surface_scattered_options options;
     batten_surface_fit_report report;
     batten_surface *surface = NULL;
     cloud data = {0, NULL};

@@ -150,7 +150,7 @@ static double one_digit(double x)
 }
 
 /* Would what `within` allows be seen, at the size of the network or beside its neighbours? */
-static void tell_coarse(bat_run *run, const network *n, const batten_gordon_report *r)
+static void tell_coarse(bat_run *run, const network *n, const batten_surface_gordon_report *r)
 {
     const double parts = r->size / WITHIN_PARTS, tenth = r->nearest / 10;
     char names[2][LABEL];
@@ -167,7 +167,7 @@ static void tell_coarse(bat_run *run, const network *n, const batten_gordon_repo
 }
 
 /* Curves that are not used as they were given. */
-static void tell_changes(bat_run *run, const network *n, const batten_gordon_report *r)
+static void tell_changes(bat_run *run, const network *n, const batten_surface_gordon_report *r)
 {
     char names[2][LABEL];
     if (r->cut_count > 0)
@@ -192,34 +192,34 @@ static void tell_changes(bat_run *run, const network *n, const batten_gordon_rep
                    bat_plural(r->pole_count));
 }
 
-static void tell(bat_run *run, const network *n, const batten_gordon_report *r)
+static void tell(bat_run *run, const network *n, const batten_surface_gordon_report *r)
 {
     char names[2][LABEL];
     bat_remark(run, "%d profile%s and %d guide%s: %d by %d control points", n->profiles.count,
                bat_plural(n->profiles.count), n->guides.count, bat_plural(n->guides.count),
                r->points_u, r->points_v);
-    if (r->worst >= 0 && r->deviation > 0)
+    if (r->worst >= 0 && r->error > 0)
         bat_remark(run, "%s is %.3g away, the farthest",
-                   label(n, r->worst_is_guide, r->worst, names[0]), r->deviation);
+                   label(n, r->worst_is_guide, r->worst, names[0]), r->error);
     if (r->gap > n->within / 100)
         bat_remark(run, "%s and %s are %.3g apart, the widest gap",
                    label(n, false, r->gap_profile, names[0]),
                    label(n, true, r->gap_guide, names[1]), r->gap);
-    if (r->guides_off > n->within)
+    if (r->guide_error > n->within)
         bat_remark(
             run,
             "what the guides do between the profiles is in the surface, waves too: %s "
             "leaves the skin of the profiles alone by up to %.3g, near (%.4g, %.4g, %.4g)",
-            label(n, true, r->guide_off, names[0]), r->guides_off, r->guide_off_at.x,
-            r->guide_off_at.y, r->guide_off_at.z);
+            label(n, true, r->guide_worst, names[0]), r->guide_error, r->guide_worst_at.x,
+            r->guide_worst_at.y, r->guide_worst_at.z);
     tell_coarse(run, n, r);
     tell_changes(run, n, r);
 }
 
 static batten_status make(bat_run *run, const network *n)
 {
-    batten_gordon_options options = batten_gordon_defaults();
-    batten_gordon_report report;
+    batten_surface_gordon_options options = batten_surface_gordon_defaults();
+    batten_surface_gordon_report report;
     batten_surface *surface = NULL;
     options.tolerance = n->within;
     options.gap = n->gap;
@@ -233,7 +233,7 @@ static batten_status make(bat_run *run, const network *n)
     if (status != BATTEN_OK)
         return status;
     tell(run, n, &report);
-    bat_report_error(run, report.deviation, report.deviation);
+    bat_report_error(run, report.error, report.error);
     return bat_put_surface(run, status, surface);
 }
 

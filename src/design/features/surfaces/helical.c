@@ -23,7 +23,7 @@ static batten_status run(bat_run *run)
         return status;
     for (int i = 0; i < curves.count && status == BATTEN_OK; i++) {
         batten_surface *surface = NULL;
-        batten_sweep_report report;
+        batten_surface_sweep_report report;
         status = batten_surface_helical(curves.at[i]->curve, bat_point(run, "at"), axis,
                                         bat_number(run, "pitch"),
                                         2 * BAT_PI * bat_number(run, "turns"),

@@ -24,16 +24,16 @@ static const batten_parameter parameters[] = {
      "the first row follows the last"},
 };
 
-static batten_grid_options options_of(const bat_run *run)
+static batten_surface_interpolate_options options_of(const bat_run *run)
 {
-    batten_grid_options options = batten_grid_defaults();
+    batten_surface_interpolate_options options = batten_surface_interpolate_defaults();
     options.degree_u = bat_count(run, "degree-u");
     options.degree_v = bat_count(run, "degree-v");
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.knots_at_data = bat_word(run, "knots") == 1;
     options.ends = (batten_end_kind)bat_word(run, "ends");
-    options.periodic_u = bat_yes(run, "periodic-u");
-    options.periodic_v = bat_yes(run, "periodic-v");
+    options.closed_u = bat_yes(run, "periodic-u");
+    options.closed_v = bat_yes(run, "periodic-v");
     return options;
 }
 
@@ -78,7 +78,7 @@ static batten_status find_gaps(const bat_run *run, const bat_grid *grid, bool **
     return BATTEN_OK;
 }
 
-static void say(bat_run *run, const batten_grid_report *report)
+static void say(bat_run *run, const batten_surface_interpolate_report *report)
 {
     if (bat_max(report->spread_u, report->spread_v) > 0.5)
         bat_note(run,
@@ -88,13 +88,13 @@ static void say(bat_run *run, const batten_grid_report *report)
                  bat_max(report->spread_u, report->spread_v));
     if (report->filled > 0)
         bat_remark(run, "%d gaps are filled with the points of least energy", report->filled);
-    bat_report_error(run, report->residual, report->residual);
+    bat_report_error(run, report->error, report->error);
 }
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    batten_grid_options options = options_of(run);
-    batten_grid_report report;
+    batten_surface_interpolate_options options = options_of(run);
+    batten_surface_interpolate_report report;
     double *weights = NULL;
     bool *gaps = NULL;
     batten_status status = find_weights(run, grid, &weights);

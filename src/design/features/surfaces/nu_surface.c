@@ -16,7 +16,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    batten_nu_surface_options o = batten_nu_surface_defaults();
+    batten_surface_nu_options o = batten_surface_nu_defaults();
     double *nus[2] = {NULL, NULL};
     o.closed_u = bat_yes(run, "closed-u");
     o.closed_v = bat_yes(run, "closed-v");

@@ -12,7 +12,7 @@ static batten_status pipe(bat_run *run, const batten_curve *spine)
     const batten_box box = batten_curve_box(spine);
     const double size = fabs(box.low.x) + fabs(box.low.y) + fabs(box.low.z) + fabs(box.high.x) +
                         fabs(box.high.y) + fabs(box.high.z);
-    batten_sweep_options options = batten_sweep_defaults();
+    batten_surface_sweep_options options = batten_surface_sweep_defaults();
     options.tolerance = bat_sweep_within(run);
     options.degree = bat_count(run, "degree");
     options.corners = (batten_corner_kind)bat_word(run, "corners");
@@ -21,7 +21,7 @@ static batten_status pipe(bat_run *run, const batten_curve *spine)
     if (batten_curve_is_closed(spine, 1e-10 * size))
         options.frames = BATTEN_FRAME_CLOSING;
     batten_surface **made = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     int parts = 0;
     const batten_status status = batten_surfaces_pipe(
         bat_number(run, "radius"), spine, &options, run->job, &report, &parts, &made);

@@ -19,11 +19,11 @@ static const batten_parameter parameters[] = {
      "triangles on the rim lower than this part of their side are left out"},
 };
 
-static void remark(bat_run *run, const batten_scattered_triangles_report *report)
+static void remark(bat_run *run, const batten_triangles_scattered_report *report)
 {
-    bat_report_error(run, report->max, report->rms);
+    bat_report_error(run, report->error, report->rms);
     bat_remark(run, "%d triangles between %d vertices, in %d pieces; distance at most %.3g",
-               report->triangles, report->vertices, report->pieces, report->max);
+               report->triangles, report->vertices, report->pieces, report->error);
     if (report->slivers > 0)
         bat_remark(run, "%d slivers on the rim are left out", report->slivers);
     if (report->swaps > 0)
@@ -53,9 +53,9 @@ static void remark(bat_run *run, const batten_scattered_triangles_report *report
 }
 
 static batten_status make(const bat_run *run, int count, const double *points,
-                          batten_scattered_triangles_report *report, batten_triangles **out)
+                          batten_triangles_scattered_report *report, batten_triangles **out)
 {
-    batten_scattered_triangles_options options = batten_scattered_triangles_defaults();
+    batten_triangles_scattered_options options = batten_triangles_scattered_defaults();
     options.element = (batten_triangle_element)bat_word(run, "method");
     options.network = bat_word(run, "gradients") == 1;
     options.data_dependent = bat_word(run, "triangles") == 1;
@@ -75,7 +75,7 @@ static batten_status make(const bat_run *run, int count, const double *points,
         status =
             batten_triangles_scattered(count, xy, z, &options, run->job, report, &function);
     if (status == BATTEN_OK)
-        status = batten_triangles_graph(function, out);
+        status = batten_triangles_from_function(function, out);
     batten_triangles_unref(function);
     bat_release(z);
     bat_release(xy);
@@ -86,7 +86,7 @@ static batten_status run(bat_run *run)
 {
     int count = 0;
     double *points = NULL;
-    batten_scattered_triangles_report report;
+    batten_triangles_scattered_report report;
     batten_triangles *triangles = NULL;
     batten_status status = bat_gather_points(run, "scattered-surface", &count, &points);
     if (status == BATTEN_OK)

@@ -77,7 +77,7 @@ typedef struct {
 } lists;
 
 static batten_status list_marks(const bat_run *run, int count, const batten_curve **sections,
-                                batten_skin_options *options, lists *out)
+                                batten_surface_skin_options *options, lists *out)
 {
     const int given = bat_argument_of(run, "marks")->count;
     if (given == 0)
@@ -95,7 +95,7 @@ static batten_status list_marks(const bat_run *run, int count, const batten_curv
 }
 
 static batten_status make_lists(const bat_run *run, int count, const batten_curve **sections,
-                                batten_skin_options *options, lists *out)
+                                batten_surface_skin_options *options, lists *out)
 {
     batten_status status = list_numbers(run, "twist", count, &out->twist);
     if (status == BATTEN_OK)
@@ -120,15 +120,15 @@ static void release_lists(lists *l)
     bat_release(l->marks);
 }
 
-static void read_options(const bat_run *run, batten_skin_options *options)
+static void read_options(const bat_run *run, batten_surface_skin_options *options)
 {
-    *options = batten_skin_defaults();
+    *options = batten_surface_skin_defaults();
     options->degree = bat_count(run, "degree");
     options->tolerance = bat_number(run, "within");
     options->parameters = (batten_parametrization)bat_word(run, "parameters");
     options->start = bat_end(run, "start", "start-vector");
     options->end = bat_end(run, "end", "end-vector");
-    options->periodic = bat_yes(run, "periodic");
+    options->closed = bat_yes(run, "periodic");
     options->align = bat_yes(run, "align");
     options->frames = (batten_frame_kind)bat_word(run, "frames");
     options->turn = bat_yes(run, "turn");
@@ -138,7 +138,7 @@ static void read_options(const bat_run *run, batten_skin_options *options)
 
 /* ---- what is said ---- */
 
-static void say(const bat_run *run, const batten_skin_report *found)
+static void say(const bat_run *run, const batten_surface_skin_report *found)
 {
     static const char *const cures[] = {
         "", "spans of sections were stretched so that their speed does not jump",
@@ -169,7 +169,7 @@ static void say(const bat_run *run, const batten_skin_report *found)
 
 static batten_status skin(bat_run *run, int count, const batten_curve **sections)
 {
-    batten_skin_options options;
+    batten_surface_skin_options options;
     batten_surface *surface = NULL;
     lists given = {0};
     read_options(run, &options);
@@ -204,7 +204,7 @@ static batten_status run(bat_run *run)
         return BATTEN_OK;
     say(run, &run->result->skin);
     run->result->shown.skin = &run->result->skin;
-    bat_report_error(run, run->result->skin.deviation, run->result->skin.deviation);
+    bat_report_error(run, run->result->skin.error, run->result->skin.error);
     return BATTEN_OK;
 }
 

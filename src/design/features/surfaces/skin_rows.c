@@ -80,18 +80,18 @@ static batten_status gather(const bat_objects *objects, all_rows *all)
 
 static batten_status skin(bat_run *run, const all_rows *all)
 {
-    batten_skin_options across = batten_skin_defaults();
+    batten_surface_skin_options across = batten_surface_skin_defaults();
     across.degree = bat_count(run, "degree-v");
     across.parameters = (batten_parametrization)bat_word(run, "across");
     across.start = bat_end(run, "start", "start-vector");
     across.end = bat_end(run, "end", "end-vector");
-    across.periodic = bat_yes(run, "periodic");
-    batten_skin_rows_options options = batten_skin_rows_defaults();
+    across.closed = bat_yes(run, "periodic");
+    batten_surface_skin_rows_options options = batten_surface_skin_rows_defaults();
     options.degree = bat_count(run, "degree-u");
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.margin = bat_number(run, "margin");
     options.across = &across;
-    batten_skin_rows_report report;
+    batten_surface_skin_rows_report report;
     batten_surface *surface = NULL;
     const batten_status status =
         batten_surface_skin_rows(3, all->count, all->counts, all->points, &options, run->job,
@@ -102,7 +102,7 @@ static batten_status skin(bat_run *run, const all_rows *all)
                    "row%s with fewer points than control points",
                    report.knot_count, bat_plural(report.knot_count), report.separate_knot_count,
                    report.free_rows, bat_plural(report.free_rows));
-        bat_report_error(run, report.residual, report.residual);
+        bat_report_error(run, report.error, report.error);
     }
     return bat_put_surface(run, status, surface);
 }

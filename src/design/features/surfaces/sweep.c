@@ -30,7 +30,7 @@ typedef struct {
     batten_curve *scale, *scale_y, *twist;
     batten_vec3 up;
     double *at;
-    batten_sweep_options options;
+    batten_surface_sweep_options options;
 } settings;
 
 static batten_status find_places(const bat_run *run, int sections, double **at)
@@ -49,8 +49,8 @@ static batten_status find_places(const bat_run *run, int sections, double **at)
 
 static batten_status set(const bat_run *run, int sections, settings *s)
 {
-    batten_sweep_options *o = &s->options;
-    *o = batten_sweep_defaults();
+    batten_surface_sweep_options *o = &s->options;
+    *o = batten_surface_sweep_defaults();
     o->tolerance = bat_sweep_within(run);
     o->degree = bat_count(run, "degree");
     o->frames = (batten_frame_kind)bat_word(run, "frames");
@@ -84,7 +84,7 @@ static batten_status sweep(bat_run *run, int count, const batten_curve *const *s
     settings s = {.scale = NULL};
     const batten_curve *spine = NULL;
     batten_surface **made = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     int parts = 0;
     batten_status status = bat_one_curve(run, "spine", &spine);
     if (status == BATTEN_OK)

@@ -14,7 +14,7 @@ static batten_status swing(bat_run *run, const batten_object *profile,
                            const batten_curve *trajectory)
 {
     batten_surface *surface = NULL;
-    batten_swing_report report;
+    batten_surface_swung_report report;
     batten_status status = batten_surface_swung(profile->curve, trajectory,
                                                 bat_number(run, "factor"), &report, &surface);
     if (status == BATTEN_OK && report.least_x < 0 && report.largest_x > 0)

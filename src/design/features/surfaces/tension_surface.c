@@ -15,7 +15,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_grid *grid, batten_surface **surface)
 {
-    batten_tension_surface_options o = batten_tension_surface_defaults();
+    batten_surface_tension_options o = batten_surface_tension_defaults();
     double *amounts[2] = {NULL, NULL};
     o.closed_u = bat_yes(run, "closed-u");
     o.closed_v = bat_yes(run, "closed-v");

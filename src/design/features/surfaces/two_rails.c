@@ -17,10 +17,10 @@ static const batten_parameter parameters[] = {
 
 static batten_status sweep(bat_run *run, const bat_objects *rails)
 {
-    batten_rails_options options = batten_rails_defaults();
+    batten_surface_two_rails_options options = batten_surface_two_rails_defaults();
     const batten_curve *section = NULL;
     batten_surface *surface = NULL;
-    batten_sweep_report report;
+    batten_surface_sweep_report report;
     if (rails->count != 2)
         return bat_fail(BATTEN_BAD_ARGUMENT, "2 rails are needed, not %d", rails->count);
     options.tolerance = bat_sweep_within(run);

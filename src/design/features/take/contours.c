@@ -123,8 +123,8 @@ static batten_status make_polyline(const batten_polyline *line, batten_curve **o
 static batten_status make_curve(const wanted *w, const batten_polyline *line, double rise,
                                 double *error, batten_curve **out)
 {
-    batten_within_options options = batten_within_defaults();
-    batten_within_report report = {0};
+    batten_curve_within_options options = batten_curve_within_defaults();
+    batten_curve_within_report report = {0};
     options.tolerance = 0.5 * w->within;
     options.corner = 20 * BAT_PI / 180;
     options.closed = line->closed;
@@ -132,7 +132,7 @@ static batten_status make_curve(const wanted *w, const batten_polyline *line, do
     if (w->smooth && line->count >= 4) {
         const batten_status status =
             batten_curve_within(3, line->count, line->points, &options, NULL, &report, out);
-        *error = bat_max(report.max, report.apart) + rise;
+        *error = bat_max(report.error, report.apart) + rise;
         if (status == BATTEN_OK && *error <= w->within)
             return BATTEN_OK;
         if (status == BATTEN_OK)

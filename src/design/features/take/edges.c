@@ -60,7 +60,7 @@ static batten_status edges_of(bat_run *run, const batten_object *object)
     if (object->kind == BATTEN_OBJECT_BODY)
         return add_edges(run, object, object->body);
     batten_status status =
-        batten_body_of_surface(object->name, object->surface, bat_tolerance(run), &body);
+        batten_body_from_surface(object->name, object->surface, bat_tolerance(run), &body);
     if (status == BATTEN_OK)
         status = add_edges(run, object, body);
     batten_body_unref(body);

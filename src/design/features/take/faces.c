@@ -54,7 +54,7 @@ static batten_status is_trimmed(const batten_body_parts *parts, const batten_bod
     batten_status status = BATTEN_OK;
     *out = false;
     if (face->count)
-        status = batten_body_of_surface("", face->surface, tolerance, &border);
+        status = batten_body_from_surface("", face->surface, tolerance, &border);
     for (int l = 0; l < face->count && status == BATTEN_OK && !*out; l++) {
         const batten_body_loop *loop = &parts->loops[face->first + l];
         for (int k = 0; k < loop->count && status == BATTEN_OK && !*out; k++) {

@@ -98,7 +98,7 @@ static batten_status put_crosses(bat_run *run, const batten_object *like, const 
 static batten_status make_rail(const bat_frames *all, double side, batten_curve **out)
 {
     double *points = bat_array3((size_t)all->count, 3, sizeof *points);
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     options.parameters = BATTEN_GIVEN;
     options.given = all->at;
     if (!points)

@@ -18,10 +18,10 @@ static batten_status mesh_shape(const bat_run *run, const batten_object *object,
                                 batten_mesh **out)
 {
     if (object->kind == BATTEN_OBJECT_SURFACE)
-        return batten_mesh_of_surface(object->surface, options, run->job, report, out);
+        return batten_mesh_from_surface(object->surface, options, run->job, report, out);
     if (object->kind == BATTEN_OBJECT_TRIANGLES)
-        return batten_mesh_of_triangles(object->triangles, options, run->job, report, out);
-    return batten_mesh_of_body(object->body, options, run->job, run->notes, report, out);
+        return batten_mesh_from_triangles(object->triangles, options, run->job, report, out);
+    return batten_mesh_from_body(object->body, options, run->job, run->notes, report, out);
 }
 
 static void say(bat_run *run, const batten_object *object, const batten_mesh *mesh,
@@ -41,7 +41,7 @@ static void say(bat_run *run, const batten_object *object, const batten_mesh *me
             "there are up to %g off their faces",
             object->name, report->beyond, bat_plural(report->beyond),
             bat_one_or_many(report->beyond, "is", "are"), report->chord, report->asked,
-            report->off);
+            report->error);
 }
 
 static batten_status add_mesh(bat_run *run, const batten_object *object,
@@ -93,5 +93,5 @@ const bat_feature bat_feature_mesh = {
          "features:\n"
          "  ball: {sphere: 1 m}\n"
          "  facets: {mesh: ball, chord: 1 cm}\n",
-         "[FMM86]", "batten_mesh_of_body", BAT_PARAMETERS(parameters), false},
+         "[FMM86]", "batten_mesh_from_body", BAT_PARAMETERS(parameters), false},
     .run = run};

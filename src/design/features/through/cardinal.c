@@ -15,7 +15,8 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+    batten_tangents_kochanek_bartels_options options =
+        batten_tangents_kochanek_bartels_defaults();
     double *tension = NULL;
     batten_status status = bat_numbers_each(run, "tension", data->count, "points", &tension);
     options.tension = tension;

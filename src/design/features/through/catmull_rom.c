@@ -18,8 +18,8 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_catmull_rom_options options = batten_catmull_rom_defaults();
-    batten_catmull_rom_report report = {0};
+    batten_curve_catmull_rom_options options = batten_curve_catmull_rom_defaults();
+    batten_curve_catmull_rom_report report = {0};
     options.blend = bat_count(run, "blend");
     options.local = bat_count(run, "local");
     options.alpha = bat_number(run, "alpha");
@@ -36,7 +36,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     bat_release(t);
     if (status == BATTEN_OK && !report.through)
         bat_note(run, "'%s': the curve passes near the points, up to %g away", data->name,
-                 report.off);
+                 report.error);
     return status;
 }
 

@@ -22,7 +22,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     const double a = bat_number(run, "start-angle"), b = bat_number(run, "end-angle");
     const double tangents[] = {cos(a), sin(a), cos(b), sin(b)};
     double curvatures[2] = {0, 0};
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     options.kind = first ? BATTEN_CONICS_PAIRS : BATTEN_CONICS_PARABOLAS;
     options.tangents = tangents;
     options.start_share = bat_number(run, "start-share");

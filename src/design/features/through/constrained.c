@@ -168,7 +168,7 @@ static batten_status gather(gathering *g)
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     gathering g = {run, data, NULL, 0};
-    batten_constrained_options options = batten_constrained_defaults();
+    batten_curve_constrained_options options = batten_curve_constrained_defaults();
     batten_status status = gather(&g);
     options.degree = bat_count(run, "degree");
     options.pieces = bat_count(run, "pieces");

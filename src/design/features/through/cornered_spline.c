@@ -22,7 +22,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
     static const batten_end_kind ends[] = {BATTEN_END_NATURAL, BATTEN_END_NOT_A_KNOT,
                                            BATTEN_END_PARABOLIC, BATTEN_END_BESSEL,
                                            BATTEN_END_CIRCLE};
-    batten_cornered_options options = batten_cornered_defaults();
+    batten_curve_cornered_options options = batten_curve_cornered_defaults();
     int *corners = NULL, *lines = NULL;
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.transition = (batten_transition)bat_word(run, "transition");

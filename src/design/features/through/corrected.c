@@ -28,8 +28,9 @@ static batten_status lift(const batten_curve *flat, int axis, double at, batten_
 }
 
 static batten_status correct_in_plane(const batten_curve *curve,
-                                      const batten_correct_options *options,
-                                      batten_correct_report *report, batten_curve **out)
+                                      const batten_curve_correct_tangents_options *options,
+                                      batten_curve_correct_tangents_report *report,
+                                      batten_curve **out)
 {
     const double *points = batten_curve_points(curve);
     const int axis = bat_flat_axis(batten_curve_point_count(curve), points);
@@ -50,8 +51,8 @@ static batten_status correct_in_plane(const batten_curve *curve,
 
 static batten_status correct(const bat_run *run, const batten_curve *curve, batten_curve **out)
 {
-    batten_correct_options options = batten_correct_defaults();
-    batten_correct_report report;
+    batten_curve_correct_tangents_options options = batten_curve_correct_tangents_defaults();
+    batten_curve_correct_tangents_report report;
     options.within = bat_number(run, "within");
     options.joins = (batten_correct_joins)bat_word(run, "joins");
     const batten_status status =

@@ -16,7 +16,7 @@ static const batten_parameter parameters[] = {
      "centripetal chord uniform foley foley-chord", "how points get parameters"},
 };
 
-static batten_status find_directions(const bat_run *run, batten_directed_options *options,
+static batten_status find_directions(const bat_run *run, batten_curve_directed_options *options,
                                      batten_direction_at **out)
 {
     const bat_argument *at = bat_argument_of(run, "at");
@@ -38,7 +38,7 @@ static batten_status find_directions(const bat_run *run, batten_directed_options
 }
 
 static batten_status find_tension(const bat_run *run, int count,
-                                  batten_directed_options *options, double **out)
+                                  batten_curve_directed_options *options, double **out)
 {
     const bat_argument *given = bat_argument_of(run, "tension");
     if (given->count == 0)
@@ -56,8 +56,8 @@ static batten_status find_tension(const bat_run *run, int count,
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_directed_options options = batten_directed_defaults();
-    batten_directed_report report = {0};
+    batten_curve_directed_options options = batten_curve_directed_defaults();
+    batten_curve_directed_report report = {0};
     batten_direction_at *directions = NULL;
     double *tension = NULL;
     options.parameters = (batten_parametrization)bat_word(run, "parameters");

@@ -55,10 +55,10 @@ static batten_status make_quintic(const bat_run *run, const bat_data *data, cons
 }
 
 static batten_status make_open_quintic(bat_run *run, const bat_data *data,
-                                       const batten_tangent_options *options, bat_made *made)
+                                       const batten_tangents_options *options, bat_made *made)
 {
     const size_t n = (size_t)data->count, d = (size_t)data->dimension;
-    batten_tangent_report report;
+    batten_tangents_report report;
     double *tangents = bat_array3(n, d, sizeof *tangents);
     batten_status status = tangents ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && options->closed)
@@ -78,7 +78,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     enum { QUINTIC = 1 };
     double *given = NULL;
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     batten_status status = bat_vectors(run, data, "tangents", &given);
     options.rule =
         given ? BATTEN_TANGENT_GIVEN : (batten_tangent_rule)bat_word(run, "estimate");

@@ -34,16 +34,16 @@ static const batten_parameter parameters[] = {
     BAT_AS,
 };
 
-static batten_interpolate_options options_of(const bat_run *run)
+static batten_curve_interpolate_options options_of(const bat_run *run)
 {
-    batten_interpolate_options options = batten_interpolate_defaults();
+    batten_curve_interpolate_options options = batten_curve_interpolate_defaults();
     const int where = bat_word(run, "knots");
     options.degree = bat_count(run, "degree");
     options.parameters = (batten_parametrization)bat_word(run, "parameters");
     options.knots_at_data = where == KNOTS_AUTO ? options.degree == 3 : where == KNOTS_AT_DATA;
     options.start = bat_end(run, "start", "start-vector");
     options.end = bat_end(run, "end", "end-vector");
-    options.periodic = bat_yes(run, "periodic");
+    options.closed = bat_yes(run, "periodic");
     return options;
 }
 
@@ -139,13 +139,14 @@ static batten_status fit_object(bat_run *run, const batten_object *object)
     for (int i = 0; i < rows.count && status == BATTEN_OK; i++) {
         if (rows.rows[i].count >= 2)
             status = fit_row(run, &rows.rows[i], object, &e);
-        else if (rows.rows[i].count == 1 && !lines && object->kind == BATTEN_OBJECT_OFFSETS)
+        else if (rows.rows[i].count == 1 && !lines &&
+                 object->kind == BATTEN_OBJECT_OFFSET_TABLE)
             status = fit_point(run, &rows.rows[i], object);
         else
             bat_note(run, "'%s' has %d point%s and is left out; a curve needs 2",
                      rows.rows[i].name, rows.rows[i].count, bat_plural(rows.rows[i].count));
     }
-    if (status == BATTEN_OK && object->kind == BATTEN_OBJECT_OFFSETS)
+    if (status == BATTEN_OK && object->kind == BATTEN_OBJECT_OFFSET_TABLE)
         note_excursion(run, &e);
     bat_rows_release(&rows);
     return status;
@@ -182,7 +183,7 @@ static batten_status find_bend(const bat_data *data, int sign, const batten_curv
 }
 
 static batten_status note_convexity(bat_run *run, const bat_data *data,
-                                    const batten_interpolate_options *options,
+                                    const batten_curve_interpolate_options *options,
                                     const batten_curve *curve)
 {
     const double *x = data->abscissae, *y = data->points;
@@ -221,16 +222,15 @@ static batten_status check_period(const bat_data *data)
 
 static batten_status make_function(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_interpolate_options options = options_of(run);
+    batten_curve_interpolate_options options = options_of(run);
     options.parameters = BATTEN_GIVEN;
     options.given = data->abscissae;
     memcpy(made->parameters, data->abscissae, (size_t)data->count * sizeof *made->parameters);
-    batten_status status = options.periodic ? check_period(data) : BATTEN_OK;
+    batten_status status = options.closed ? check_period(data) : BATTEN_OK;
     if (status == BATTEN_OK)
-        status = batten_curve_interpolate(1, data->count - options.periodic, data->points,
+        status = batten_curve_interpolate(1, data->count - options.closed, data->points,
                                           &options, NULL, &made->curve);
-    if (status == BATTEN_OK && options.knots_at_data && options.degree == 3 &&
-        !options.periodic)
+    if (status == BATTEN_OK && options.knots_at_data && options.degree == 3 && !options.closed)
         status = note_convexity(run, data, &options, made->curve);
     return status;
 }

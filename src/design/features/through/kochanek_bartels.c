@@ -19,7 +19,8 @@ static const batten_parameter parameters[] = {
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     static const char *const names[] = {"tension", "continuity", "bias"};
-    batten_kochanek_bartels_options options = batten_kochanek_bartels_defaults();
+    batten_tangents_kochanek_bartels_options options =
+        batten_tangents_kochanek_bartels_defaults();
     double *lists[3] = {NULL};
     batten_status status = BATTEN_OK;
     for (int l = 0; l < 3 && status == BATTEN_OK; l++)

@@ -13,7 +13,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_conics_options options = batten_conics_defaults();
+    batten_curve_conics_options options = batten_curve_conics_defaults();
     double *tangents = NULL;
     options.kind = BATTEN_CONICS_SINGLE;
     options.closed = bat_yes(run, "closed");

@@ -9,7 +9,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_tangent_options options = batten_tangent_defaults();
+    batten_tangents_options options = batten_tangents_defaults();
     options.rule = BATTEN_TANGENT_CIRCLE;
     options.length = BATTEN_LENGTH_MIDDLE;
     options.closed = bat_yes(run, "closed");

@@ -14,7 +14,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     double *nus = NULL;
     batten_status status = bat_check_closed(run, data);
     if (status == BATTEN_OK)

@@ -17,7 +17,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_quadratic_options o = batten_quadratic_defaults();
+    batten_curve_quadratic_options o = batten_curve_quadratic_defaults();
     const batten_vec3 v = bat_point(run, "vector");
     o.kind = (batten_quadratic_kind)bat_word(run, "knots");
     o.slope = (batten_quadratic_slope)bat_word(run, "slope");

@@ -19,8 +19,8 @@ static batten_status find(bat_run *run, const bat_data *data, double **tangents,
                           double **curvatures)
 {
     const size_t n = (size_t)data->count;
-    batten_tangent_options options = batten_tangent_defaults();
-    batten_tangent_report report = {0};
+    batten_tangents_options options = batten_tangents_defaults();
+    batten_tangents_report report = {0};
     options.closed = bat_yes(run, "closed");
     double *t = bat_array(n + 1, sizeof *t);
     batten_status status =
@@ -49,7 +49,7 @@ static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
     const size_t n = (size_t)data->count;
     double *tangents = NULL, *curvatures = NULL, *t = bat_array(n + 1, sizeof *t);
-    batten_curvature_report report;
+    batten_curve_from_curvatures_report report;
     batten_status status = t ? find(run, data, &tangents, &curvatures) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = batten_curve_from_curvatures(data->count, data->points, tangents, curvatures,

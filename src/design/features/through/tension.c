@@ -20,7 +20,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_tension_options o = batten_tension_defaults();
+    batten_chain_tension_options o = batten_chain_tension_defaults();
     double *tensions = NULL;
     o.closed = bat_yes(run, "closed");
     o.rule = (batten_tension_rule)bat_word(run, "rule");

@@ -14,7 +14,7 @@ static const batten_parameter parameters[] = {
 
 static batten_status make(bat_run *run, const bat_data *data, bat_made *made)
 {
-    batten_weighted_options o = batten_weighted_defaults();
+    batten_curve_weighted_options o = batten_curve_weighted_defaults();
     double *weights = NULL;
     const int spans = data->count - !bat_yes(run, "closed");
     o.rule = bat_has(run, "weights") ? BATTEN_WEIGHTS_GIVEN : BATTEN_WEIGHTS_SLOPE;

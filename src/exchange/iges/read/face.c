@@ -334,7 +334,7 @@ static batten_status put_border(const bat_iges_face *face, bat_builder *builder)
     batten_body *body = NULL;
     int *vertices = NULL, *edges = NULL;
     batten_status status =
-        batten_body_of_surface("", face->ground.surface, face->ground.tolerance, &body);
+        batten_body_from_surface("", face->ground.surface, face->ground.tolerance, &body);
     if (status != BATTEN_OK)
         return status;
     const batten_body_parts *p = batten_body_view(body);

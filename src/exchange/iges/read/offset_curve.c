@@ -9,8 +9,8 @@
 static batten_status offset(bat_iges_item *item, const batten_curve *base, double distance,
                             const double normal[3])
 {
-    batten_offset_options options = batten_offset_defaults();
-    batten_offset_report report;
+    batten_curve_offset_options options = batten_curve_offset_defaults();
+    batten_curve_offset_report report;
     batten_curves made = {0, NULL};
     options.tolerance = bat_iges_tolerance(item->reading, bat_iges_size_of_curve(base));
     options.normal = (batten_vec3){normal[0], normal[1], normal[2]};

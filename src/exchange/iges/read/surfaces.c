@@ -148,7 +148,7 @@ static batten_status rail(bat_iges_item *item, int id, bool even, bool reversed,
                           batten_curve **out)
 {
     const batten_curve *curve = NULL;
-    batten_even_speed_report report = {.error = 0};
+    batten_curve_even_speed_report report = {.error = 0};
     batten_curve *made = NULL, *turned_around = NULL;
     batten_status status = bat_iges_curve(item->reading, id, &curve);
     if (status != BATTEN_OK)

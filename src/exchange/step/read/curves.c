@@ -50,8 +50,8 @@ batten_status bat_step_offset_curve(const bat_step_reading *reading,
 {
     const bat_step_instance *basis = NULL, *across = NULL;
     double distance = 0;
-    batten_offset_options options = batten_offset_defaults();
-    batten_offset_report report;
+    batten_curve_offset_options options = batten_curve_offset_defaults();
+    batten_curve_offset_report report;
     batten_curves made = {0, NULL};
     batten_curve *base = NULL;
     batten_status status = bat_step_check_arguments(reading->file, record, 5);

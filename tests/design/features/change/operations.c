@@ -90,7 +90,7 @@ TEST(operations_make_the_objects_they_promise)
          "1.4142135623730951], [-2, 0]]}",
          1, "a", BATTEN_OBJECT_CURVE},
         {"{collect: [l1, l1, l1]}", 3, "l1 (3)", BATTEN_OBJECT_CURVE},
-        {"{select: t, names: offsets.csv}", 0, NULL, BATTEN_OBJECT_OFFSETS},
+        {"{select: t, names: offsets.csv}", 0, NULL, BATTEN_OBJECT_OFFSET_TABLE},
         {"{interpolate: t, each: line}", 5, NULL, BATTEN_OBJECT_CURVE},
         {"{interpolate: t, degree: 2}", 5, NULL, BATTEN_OBJECT_CURVE},
         {"{interpolate: p, periodic: yes}", 1, "a", BATTEN_OBJECT_CURVE},
@@ -121,10 +121,10 @@ TEST(operations_make_the_objects_they_promise)
          1, "a", BATTEN_OBJECT_SURFACE},
         {"{skin: [l1, l2, l3], parameters: uniform, degree: 2}", 1, "a", BATTEN_OBJECT_SURFACE},
         {"{fair: c, within: 10 cm, order: worst-first}", 1, "a", BATTEN_OBJECT_CURVE},
-        {"{fair: t, within: 10 cm, families: stations}", 1, NULL, BATTEN_OBJECT_OFFSETS},
-        {"{read: offsets.csv, unit: ft, scale: 2}", 1, NULL, BATTEN_OBJECT_OFFSETS},
+        {"{fair: t, within: 10 cm, families: stations}", 1, NULL, BATTEN_OBJECT_OFFSET_TABLE},
+        {"{read: offsets.csv, unit: ft, scale: 2}", 1, NULL, BATTEN_OBJECT_OFFSET_TABLE},
         {"{read: offsets.csv, x: [0.5, 3.5], y: [0, 4], z: [0, 3], trim-centre: yes}", 1, NULL,
-         BATTEN_OBJECT_OFFSETS},
+         BATTEN_OBJECT_OFFSET_TABLE},
     };
     for (int i = 0; i < COUNT(rows); i++)
         check_promise(&rows[i]);

@@ -106,7 +106,7 @@ TEST(a_cube_is_a_solid_with_its_outside_outside_whatever_the_flags)
         CHECK_INT(p->face_count, 6);
         CHECK(p->is_solid && p->shells[0].closed);
         CHECK(p->faces[0].has_colour && !p->faces[1].has_colour);
-        batten_trace_report report;
+        batten_body_trace_report report;
         batten_body *traced = NULL;
         batten_body_measures measures;
         batten_notes *notes = NULL;

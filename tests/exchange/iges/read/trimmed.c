@@ -45,7 +45,7 @@ static batten_model *read_body(iges_text *file, const char *note)
 
 static void check_area(const batten_model *model, double area)
 {
-    batten_trace_report report;
+    batten_body_trace_report report;
     batten_body *traced = NULL;
     batten_body_measures measures;
     CHECK_OK(batten_body_trace(batten_model_object(model, 0)->body, 1e-6, NULL, NULL, &report,

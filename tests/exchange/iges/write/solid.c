@@ -186,7 +186,7 @@ TEST(a_ball_that_is_a_solid_stays_one)
     batten_body *sheet = NULL, *ball = NULL;
     batten_body_measures m;
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
-    CHECK_OK(batten_body_of_surface("ball", sphere, 1e-6, &sheet));
+    CHECK_OK(batten_body_from_surface("ball", sphere, 1e-6, &sheet));
     batten_body_parts parts = *batten_body_view(sheet);
     const batten_body_shell closed = {0, 1, true};
     parts.shells = &closed;

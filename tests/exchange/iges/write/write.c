@@ -108,9 +108,9 @@ TEST(N5_minus_0_and_denormal_numbers_pass_through_IGES)
 
 TEST(what_IGES_cannot_hold_is_noted)
 {
-    const batten_offset_point side = {0, 1, 2, -1};
-    const batten_station station = {"0", 0, 1, &side};
-    batten_offsets *offsets = NULL;
+    const batten_table_point side = {0, 1, 2, -1};
+    const batten_table_station station = {"0", 0, 1, &side};
+    batten_offset_table *offsets = NULL;
     batten_model *model = NULL, *back = NULL;
     batten_notes *notes = NULL;
     char *data = NULL;
@@ -120,11 +120,11 @@ TEST(what_IGES_cannot_hold_is_noted)
     options.date = "2026-11-21T10:25:30";
     test_random random = test_random_begin(__func__);
     batten_curve *curve = random_curve(&random);
-    CHECK_OK(batten_offsets_create(1, 0, NULL, 1, &station, &offsets));
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 1, &station, &offsets));
     CHECK_OK(batten_model_create(1, &model));
-    CHECK_OK(batten_model_add(
-        model,
-        &(batten_object){.name = "table", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "table",
+                                                      .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                                      .offset_table = offsets}));
     CHECK_OK(batten_model_add(
         model,
         &(batten_object){.name = "two\nlines", .kind = BATTEN_OBJECT_CURVE, .curve = curve}));
@@ -137,7 +137,7 @@ TEST(what_IGES_cannot_hold_is_noted)
     CHECK_TEXT(batten_model_object(back, 0)->name, "two lines");
     batten_release(data);
     batten_notes_free(notes);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     batten_curve_unref(curve);
     batten_model_unref(back);
     batten_model_unref(model);
@@ -282,7 +282,7 @@ static double volume_of_faces(const batten_model *model)
         const batten_mesh_options options = batten_mesh_defaults();
         batten_mesh *mesh = NULL;
         CHECK_INT(object->kind, BATTEN_OBJECT_BODY);
-        CHECK_OK(batten_mesh_of_body(object->body, &options, NULL, NULL, NULL, &mesh));
+        CHECK_OK(batten_mesh_from_body(object->body, &options, NULL, NULL, NULL, &mesh));
         const batten_mesh_parts *m = batten_mesh_view(mesh);
         for (int t = 0; t < m->triangle_count; t++) {
             const double *a = m->points + 3 * m->corners[3 * t];
@@ -364,7 +364,7 @@ TEST(faces_of_bodies_read_back_and_write_the_same_bytes)
     batten_model *model = NULL;
     CHECK_OK(drilled_box(&bodies[0]));
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
-    CHECK_OK(batten_body_of_surface("ball", sphere, 1e-6, &bodies[1]));
+    CHECK_OK(batten_body_from_surface("ball", sphere, 1e-6, &bodies[1]));
     CHECK_OK(batten_model_create(0.001, &model));
     for (int i = 0; i < 2; i++)
         CHECK_OK(batten_model_add(model, &(batten_object){.name = i ? "ball" : "block",

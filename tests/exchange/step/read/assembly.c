@@ -77,17 +77,17 @@ TEST(what_is_mirrored_or_scaled_is_copied_with_a_note)
 
 TEST(what_a_definition_holds_that_STEP_does_not_is_noted)
 {
-    const batten_offset_point side = {0, 1, 2, -1};
-    const batten_station station = {"0", 0, 1, &side};
+    const batten_table_point side = {0, 1, 2, -1};
+    const batten_table_station station = {"0", 0, 1, &side};
     const double point[3] = {1, 2, 3};
-    batten_offsets *offsets = NULL;
+    batten_offset_table *offsets = NULL;
     batten_notes *notes = NULL;
     batten_model *part = new_model(), *all = new_model();
     CHECK_OK(batten_notes_create(5, &notes));
-    CHECK_OK(batten_offsets_create(1, 0, NULL, 1, &station, &offsets));
-    CHECK_OK(batten_model_add(
-        part,
-        &(batten_object){.name = "table", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 1, &station, &offsets));
+    CHECK_OK(batten_model_add(part, &(batten_object){.name = "table",
+                                                     .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                                     .offset_table = offsets}));
     CHECK_OK(batten_model_add(part, &(batten_object){.name = "mark",
                                                      .kind = BATTEN_OBJECT_POINTS,
                                                      .point_count = 1,
@@ -100,5 +100,5 @@ TEST(what_a_definition_holds_that_STEP_does_not_is_noted)
     batten_notes_free(notes);
     batten_model_unref(all);
     batten_model_unref(part);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
 }

@@ -135,7 +135,7 @@ TEST(bodies_and_instances_read_back)
     batten_surface *surface = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_torus(&frame, 5, 1, &surface));
-    CHECK_OK(batten_body_of_surface("ring", surface, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("ring", surface, 1e-6, &body));
     batten_body_parts solid = *batten_body_view(body);
     solid.is_solid = true;
     batten_body *made = NULL;

@@ -125,7 +125,7 @@ TEST(seams_have_two_curves_in_the_parameters_and_poles_none)
     batten_surface *sphere = NULL;
     batten_body *body = NULL;
     CHECK_OK(batten_surface_sphere(&frame, 2, &sphere));
-    CHECK_OK(batten_body_of_surface("ball", sphere, 1e-6, &body));
+    CHECK_OK(batten_body_from_surface("ball", sphere, 1e-6, &body));
     batten_surface_unref(sphere);
     batten_model *model = model_of(body, "ball");
     const char *text = step_text(model, NULL);

@@ -77,23 +77,23 @@ TEST(faces_and_curves_have_representations_of_their_own)
 TEST(points_are_written_and_tables_are_not)
 {
     const double points[] = {1, 2, 3, 4, 5, 6};
-    const batten_offset_point side = {0, 1, 2, -1};
-    const batten_station station = {"0", 0, 1, &side};
-    batten_offsets *offsets = NULL;
+    const batten_table_point side = {0, 1, 2, -1};
+    const batten_table_station station = {"0", 0, 1, &side};
+    batten_offset_table *offsets = NULL;
     batten_model *model = NULL;
     batten_notes *notes = NULL;
     CHECK_OK(batten_model_create(1, &model));
     CHECK_OK(batten_notes_create(4, &notes));
-    CHECK_OK(batten_offsets_create(1, 0, NULL, 1, &station, &offsets));
+    CHECK_OK(batten_offset_table_create(1, 0, NULL, 1, &station, &offsets));
     CHECK_OK(batten_model_add(model, &(batten_object){.name = "data",
                                                       .kind = BATTEN_OBJECT_POINTS,
                                                       .point_count = 2,
                                                       .points = points}));
     CHECK_OK(batten_model_add(model,
                               &(batten_object){.name = "none", .kind = BATTEN_OBJECT_POINTS}));
-    CHECK_OK(batten_model_add(
-        model,
-        &(batten_object){.name = "table", .kind = BATTEN_OBJECT_OFFSETS, .offsets = offsets}));
+    CHECK_OK(batten_model_add(model, &(batten_object){.name = "table",
+                                                      .kind = BATTEN_OBJECT_OFFSET_TABLE,
+                                                      .offset_table = offsets}));
     const char *text = step_text(model, notes);
     step_check(text);
     CHECK_INT(step_count(text, "GEOMETRIC_CURVE_SET"), 1);
@@ -101,7 +101,7 @@ TEST(points_are_written_and_tables_are_not)
     CHECK(batten_notes_dropped(notes) ||
           has_note(notes, "left out: STEP files hold points, curves"));
     batten_notes_free(notes);
-    batten_offsets_unref(offsets);
+    batten_offset_table_unref(offsets);
     batten_model_unref(model);
 }
 
