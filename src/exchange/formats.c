@@ -11,7 +11,7 @@
 #include "exchange/off/off.h"
 #include "exchange/pcd/pcd.h"
 #include "exchange/ply/ply.h"
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 #include "exchange/step/step.h"
 #include "exchange/stl/stl.h"
 #include "exchange/svg/svg.h"

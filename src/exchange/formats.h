@@ -1,7 +1,7 @@
 /* The one table of formats: their names, who reads and who writes them. */
 #ifndef BAT_FORMATS_H
 #define BAT_FORMATS_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "exchange/formats.h"
+#include "exchange/reading/scan.h"
 #include "exchange/recognise.h"
-#include "exchange/scan.h"
 #include <stdio.h>
 
 static batten_status read_as(bat_input *input, batten_format format, batten_model **out)

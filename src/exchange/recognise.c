@@ -1,7 +1,7 @@
 #include "exchange/recognise.h"
 #include "exchange/csv/csv.h"
 #include "exchange/formats.h"
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 
 /* Beginnings of files that are known and not read. */
 static const struct {

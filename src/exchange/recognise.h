@@ -1,7 +1,7 @@
 /* Which format bytes are in. */
 #ifndef BAT_RECOGNISE_H
 #define BAT_RECOGNISE_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 /*
  * By content alone. Formats that are known but not read are refused by name.

@@ -1,4 +1,4 @@
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 #include "exchange/shapes.h"
 
 #include <batten/standard.h>

@@ -1,5 +1,5 @@
 #include "exchange/3mf/3mf.h"
-#include "exchange/bytes.h"
+#include "exchange/reading/bytes.h"
 
 uint32_t bat_crc32(const char *bytes, size_t length)
 {

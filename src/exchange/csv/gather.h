@@ -8,7 +8,7 @@
  */
 #ifndef BAT_GATHER_H
 #define BAT_GATHER_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 typedef struct {
     double station; /* x of the station */

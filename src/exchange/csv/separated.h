@@ -6,7 +6,7 @@
  */
 #ifndef BAT_SEPARATED_H
 #define BAT_SEPARATED_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/text.h>
 
 typedef struct {

@@ -2,7 +2,7 @@
 #ifndef BAT_DXF_H
 #define BAT_DXF_H
 #include "exchange/dxf/colours.h"
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

@@ -2,7 +2,7 @@
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/round.h"
-#include "exchange/path.h"
+#include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 
 #include <batten/interpolate.h>

@@ -4,8 +4,8 @@
  */
 #ifndef BAT_DXF_PAIRS_H
 #define BAT_DXF_PAIRS_H
-#include "exchange/census.h"
-#include "exchange/input.h"
+#include "exchange/reading/census.h"
+#include "exchange/reading/input.h"
 #include <batten/geometry.h>
 
 typedef struct {

@@ -1,5 +1,5 @@
 #include "exchange/dxf/entities.h"
-#include "exchange/indexed.h"
+#include "exchange/meshes/indexed.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -4,7 +4,7 @@
 #include "exchange/dxf/entities.h"
 #include "exchange/dxf/insert.h"
 #include "exchange/dxf/survey.h"
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 
 #include <limits.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/round.h"
-#include "exchange/path.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/path.h"
+#include "exchange/shapes/prepare.h"
 #include "numeric/vector.h"
 
 #include <stdlib.h>

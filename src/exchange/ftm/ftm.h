@@ -5,7 +5,7 @@
  */
 #ifndef BAT_FTM_H
 #define BAT_FTM_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 batten_status bat_ftm_recognise(const bat_input *input, bool *is_ftm);
 /* The faces of each layer as a mesh: the control net itself, not the surface it stands for. */

@@ -1,8 +1,8 @@
 #include "base/plural.h"
-#include "exchange/census.h"
-#include "exchange/facets.h"
 #include "exchange/ftm/ftm.h"
-#include "exchange/scan.h"
+#include "exchange/meshes/facets.h"
+#include "exchange/reading/census.h"
+#include "exchange/reading/scan.h"
 
 #include <batten/text.h>
 #include <limits.h>

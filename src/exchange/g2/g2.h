@@ -6,8 +6,8 @@
 #define BAT_G2_H
 #include "body/builder.h"
 #include "body/elementary/elementary.h"
-#include "exchange/census.h"
-#include "exchange/words.h"
+#include "exchange/reading/census.h"
+#include "exchange/reading/words.h"
 #include <batten/text.h>
 
 batten_status bat_g2_recognise(const bat_input *input, bool *is_g2);

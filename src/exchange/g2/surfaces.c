@@ -1,6 +1,6 @@
 /* Surfaces of .g2 files: splines, and elementary ones with their ranges, as exact NURBS. */
 #include "exchange/g2/g2.h"
-#include "exchange/net.h"
+#include "exchange/shapes/net.h"
 #include "numeric/vector.h"
 
 #include <batten/standard.h>

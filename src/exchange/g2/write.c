@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "exchange/g2/g2.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 
 #include <batten/standard.h>
 #include <stdio.h>

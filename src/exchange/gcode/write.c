@@ -1,5 +1,5 @@
 #include "exchange/gcode/gcode.h"
-#include "exchange/path.h"
+#include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 
 #include <batten/text.h>

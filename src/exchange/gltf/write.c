@@ -1,6 +1,6 @@
-#include "exchange/bytes.h"
-#include "exchange/facets.h"
 #include "exchange/gltf/gltf.h"
+#include "exchange/meshes/facets.h"
+#include "exchange/reading/bytes.h"
 #include "model/definitions.h"
 #include "model/palette.h"
 

@@ -1,7 +1,7 @@
 /* Reading and writing IGES 5.3. */
 #ifndef BAT_IGES_H
 #define BAT_IGES_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/text.h>
 
 /* Is it an IGES file? UNSUPPORTED for the compressed and the binary form. */

@@ -5,8 +5,8 @@
  */
 #ifndef BAT_OBJ_H
 #define BAT_OBJ_H
-#include "exchange/input.h"
-#include "exchange/scan.h"
+#include "exchange/reading/input.h"
+#include "exchange/reading/scan.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

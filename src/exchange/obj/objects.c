@@ -1,5 +1,5 @@
 /* The objects of a file whose statements have been read. */
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 #include "exchange/obj/obj.h"
 
 #include <limits.h>

@@ -1,6 +1,6 @@
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 #include "exchange/obj/obj.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 
 #include <string.h>
 

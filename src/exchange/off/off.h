@@ -1,7 +1,7 @@
 /* OFF: vertices and polygons as text. It is read. Source: [Geomview]. */
 #ifndef BAT_OFF_H
 #define BAT_OFF_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 
 /* By the first word: OFF, with C for colours and N for normals before it. Other forms are

@@ -1,6 +1,6 @@
-#include "exchange/indexed.h"
+#include "exchange/meshes/indexed.h"
 #include "exchange/off/off.h"
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 
 #include <limits.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * LZF. It is read. Source: [PCD]. */
 #ifndef BAT_PCD_H
 #define BAT_PCD_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 
 batten_status bat_pcd_recognise(const bat_input *input, bool *is_such);

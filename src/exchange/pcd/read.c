@@ -1,7 +1,7 @@
 #include "base/plural.h"
-#include "exchange/bytes.h"
 #include "exchange/pcd/pcd.h"
-#include "exchange/scan.h"
+#include "exchange/reading/bytes.h"
+#include "exchange/reading/scan.h"
 
 #include <limits.h>
 

@@ -1,5 +1,5 @@
-#include "exchange/scan.h"
 #include "exchange/ply/ply.h"
+#include "exchange/reading/scan.h"
 
 batten_status bat_ply_recognise(const bat_input *input, bool *is_such)
 {

@@ -1,5 +1,5 @@
-#include "exchange/bytes.h"
 #include "exchange/ply/ply.h"
+#include "exchange/reading/bytes.h"
 
 size_t bat_ply_least(bat_ply_form form, const bat_ply_property *properties, size_t count)
 {

@@ -2,8 +2,8 @@
  * Source: [Turk94]. */
 #ifndef BAT_PLY_H
 #define BAT_PLY_H
-#include "exchange/input.h"
-#include "exchange/scan.h"
+#include "exchange/reading/input.h"
+#include "exchange/reading/scan.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

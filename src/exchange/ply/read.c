@@ -1,4 +1,4 @@
-#include "exchange/indexed.h"
+#include "exchange/meshes/indexed.h"
 #include "exchange/ply/ply.h"
 
 #include <limits.h>

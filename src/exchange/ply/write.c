@@ -1,6 +1,6 @@
-#include "exchange/bytes.h"
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 #include "exchange/ply/ply.h"
+#include "exchange/reading/bytes.h"
 
 #include <batten/text.h>
 #include <limits.h>

@@ -4,7 +4,7 @@
  */
 #ifndef BAT_STEP_H
 #define BAT_STEP_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

@@ -1,7 +1,7 @@
 #include "base/plural.h"
-#include "exchange/bytes.h"
-#include "exchange/facets.h"
-#include "exchange/scan.h"
+#include "exchange/meshes/facets.h"
+#include "exchange/reading/bytes.h"
+#include "exchange/reading/scan.h"
 #include "exchange/stl/stl.h"
 
 #include <limits.h>

@@ -1,5 +1,5 @@
 /* One solid of an STL file while its triangles are read, and the mesh that it becomes. */
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 #include "exchange/stl/stl.h"
 
 #include <limits.h>

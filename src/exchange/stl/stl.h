@@ -1,8 +1,8 @@
 /* STL: triangles without sharing, as text or as bytes. It has no units. */
 #ifndef BAT_STL_H
 #define BAT_STL_H
-#include "exchange/input.h"
-#include "exchange/scan.h"
+#include "exchange/reading/input.h"
+#include "exchange/reading/scan.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

@@ -1,5 +1,5 @@
 /* The readable form: solid, facet normal, outer loop, three vertices, endloop, endfacet ... */
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 #include "exchange/stl/stl.h"
 
 #include <string.h>

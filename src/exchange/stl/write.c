@@ -1,5 +1,5 @@
-#include "exchange/bytes.h"
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
+#include "exchange/reading/bytes.h"
 #include "exchange/stl/stl.h"
 
 #include <batten/text.h>

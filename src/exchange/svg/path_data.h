@@ -1,7 +1,7 @@
 /* What SVG says of shapes in short: numbers, path data, transforms, colours. */
 #ifndef BAT_PATH_DATA_H
 #define BAT_PATH_DATA_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/curve.h>
 
 /* x' = a x + c y + e, y' = b x + d y + f */

@@ -1,5 +1,5 @@
-#include "exchange/census.h"
-#include "exchange/scan.h"
+#include "exchange/reading/census.h"
+#include "exchange/reading/scan.h"
 #include "exchange/svg/shapes.h"
 #include "exchange/svg/svg.h"
 #include "exchange/svg/xml.h"

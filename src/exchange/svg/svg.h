@@ -1,7 +1,7 @@
 /* SVG at true scale: what a laser or a knife cuts. Pictures are drawn elsewhere. */
 #ifndef BAT_SVG_H
 #define BAT_SVG_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 #include <batten/text.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/path.h"
+#include "exchange/shapes/path.h"
 #include "exchange/svg/elliptical.h"
 #include "exchange/svg/svg.h"
 #include "numeric/vector.h"

@@ -1,7 +1,7 @@
 /* The elements of an XML text, one after another: as much of XML as drawings need. */
 #ifndef BAT_XML_H
 #define BAT_XML_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 typedef enum { BAT_XML_BEGIN, BAT_XML_END, BAT_XML_ALONE, BAT_XML_NONE } bat_xml_kind;
 

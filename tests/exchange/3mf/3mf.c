@@ -1,6 +1,6 @@
 #include "exchange/3mf/3mf.h"
-#include "exchange/bytes.h"
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
+#include "exchange/reading/bytes.h"
 
 TEST(the_checksum_of_zip_is_that_of_the_standard)
 {

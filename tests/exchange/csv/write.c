@@ -1,5 +1,5 @@
-#include "exchange/paths.h"
 #include "exchange/reading.h"
+#include "exchange/shapes/paths.h"
 
 /* Read, write, read again, write again: the same table, the same bytes. */
 static void check_round_trip(const char *text, batten_format format)

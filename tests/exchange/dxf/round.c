@@ -1,6 +1,6 @@
 /* Lines, circles, arcs, ellipses and polylines in space are written as such. */
-#include "exchange/paths.h"
 #include "exchange/reading.h"
+#include "exchange/shapes/paths.h"
 
 #include <batten/standard.h>
 

@@ -1,6 +1,6 @@
 #include "exchange/dxf/dxf.h"
-#include "exchange/paths.h"
 #include "exchange/reading.h"
+#include "exchange/shapes/paths.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/paths.h"
+#include "exchange/shapes/paths.h"
 
 #include <batten/exchange.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-#include "exchange/bytes.h"
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
+#include "exchange/reading/bytes.h"
 #include "support/json.h"
 
 /* A tetrahedron, and two places of a model with one. */

@@ -1,4 +1,4 @@
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 #include "exchange/shapes.h"
 
 static const char start[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";

@@ -1,4 +1,4 @@
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 TEST(vertices_and_faces_of_off_are_read)
 {

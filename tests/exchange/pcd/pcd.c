@@ -1,6 +1,6 @@
 #include "exchange/pcd/pcd.h"
 
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 #define HEADER "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
 #define XYZ HEADER "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"

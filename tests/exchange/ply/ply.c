@@ -1,4 +1,4 @@
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 static const char square[] = "ply\n"
                              "format ascii 1.0\n"

@@ -1,4 +1,4 @@
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 static const char one_triangle[] = "solid part one\n"
                                    "facet normal 0 0 1\n"

@@ -1,5 +1,5 @@
-#include "exchange/paths.h"
 #include "exchange/reading.h"
+#include "exchange/shapes/paths.h"
 
 TEST(svg_is_at_true_scale_with_arcs_as_arcs)
 {

@@ -8,8 +8,8 @@
  */
 #ifndef BAT_IGES_READING_H
 #define BAT_IGES_READING_H
-#include "exchange/census.h"
 #include "exchange/iges/text/records.h"
+#include "exchange/reading/census.h"
 
 typedef struct bat_iges_item bat_iges_item;
 

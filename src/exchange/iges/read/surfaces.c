@@ -1,7 +1,7 @@
 #include "exchange/iges/read/surfaces.h"
 #include "exchange/iges/read/curves.h"
 #include "exchange/iges/read/references.h"
-#include "exchange/net.h"
+#include "exchange/shapes/net.h"
 #include "shape/near/even_speed.h"
 #include "spline/surface/surface.h"
 

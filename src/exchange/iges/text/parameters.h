@@ -1,7 +1,7 @@
 /* The parameters of an entity, told apart and read as numbers. */
 #ifndef BAT_IGES_PARAMETERS_H
 #define BAT_IGES_PARAMETERS_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 #include <stdint.h>
 

@@ -6,7 +6,7 @@
  * mirrored there: their control points only change signs.
  */
 #include "exchange/iges/write/writing.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 #include "spline/curve/curve.h"
 
 #include <string.h>

@@ -4,7 +4,7 @@
  * a face with its outside against the normal are turned, and the shell says which these are.
  */
 #include "exchange/iges/write/writing.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* A model as an IGES file. */
 #include "exchange/iges/write/writing.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,8 @@
  */
 #ifndef BAT_STEP_INSTANCES_H
 #define BAT_STEP_INSTANCES_H
-#include "exchange/census.h"
-#include "exchange/input.h"
+#include "exchange/reading/census.h"
+#include "exchange/reading/input.h"
 
 typedef enum {
     BAT_STEP_NOTHING, /* $ */

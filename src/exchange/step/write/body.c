@@ -2,7 +2,7 @@
  * Bodies as STEP has them: first the surfaces, then the edges, each once however many faces
  * share it, with its curves in the parameters of the surfaces; then faces and shells.
  */
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 #include "exchange/step/step.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* A model as a STEP file: a product for the model and for each that it places. */
 #include "base/real.h"
 #include "exchange/formats.h"
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 #include "exchange/step/write/writing.h"
 
 #include <string.h>

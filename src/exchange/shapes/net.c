@@ -1,4 +1,4 @@
-#include "exchange/net.h"
+#include "exchange/shapes/net.h"
 
 #include <string.h>
 

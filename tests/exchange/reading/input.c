@@ -1,4 +1,4 @@
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 #include "exchange/reading.h"
 

@@ -1,4 +1,4 @@
-#include "exchange/kept_mesh.h"
+#include "exchange/meshes/kept_mesh.h"
 
 batten_status bat_mesh_kept(const bat_format_row *row, const batten_object *object,
                             batten_notes *notes, batten_mesh **out)

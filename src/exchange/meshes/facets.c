@@ -1,4 +1,4 @@
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 
 #include "exchange/shapes.h"
 

@@ -1,7 +1,7 @@
 /* What a reader met: how many entities of each kind it read, and how many it left out. */
 #ifndef BAT_CENSUS_H
 #define BAT_CENSUS_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 typedef struct {
     bat_list rows; /* names with counts, by name */

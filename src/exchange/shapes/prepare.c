@@ -1,4 +1,4 @@
-#include "exchange/prepare.h"
+#include "exchange/shapes/prepare.h"
 #include "base/plural.h"
 #include "model/object_notes.h"
 #include "spline/surface/surface.h"

@@ -1,7 +1,7 @@
 /* Nets of control points, which files list with u fastest. */
 #ifndef BAT_NET_H
 #define BAT_NET_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 /* count_u x count_v numbers, `width` at a time, that run with u fastest, in our order, v
  * fastest; the caller releases them. */

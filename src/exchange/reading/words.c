@@ -1,4 +1,4 @@
-#include "exchange/words.h"
+#include "exchange/reading/words.h"
 
 #include <batten/text.h>
 #include <string.h>

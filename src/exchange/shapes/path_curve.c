@@ -1,6 +1,6 @@
 /* Paths of lines and arcs as curves. */
 #include "base/plural.h"
-#include "exchange/path.h"
+#include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 
 #include <batten/standard.h>

@@ -1,5 +1,5 @@
-#include "exchange/path.h"
-#include "exchange/paths.h"
+#include "exchange/shapes/path.h"
+#include "exchange/shapes/paths.h"
 
 /* The point of a path half way along vertex i's move, from its bulge. */
 static void middle(const bat_path *path, int i, double at[2])

@@ -1,4 +1,4 @@
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include "base/plural.h"
 
 #include <limits.h>

@@ -1,4 +1,4 @@
-#include "exchange/scan.h"
+#include "exchange/reading/scan.h"
 
 #include <batten/text.h>
 #include <limits.h>

@@ -1,8 +1,8 @@
 /* Numbers of a text where line ends mean nothing, with failures that say the line. */
 #ifndef BAT_WORDS_H
 #define BAT_WORDS_H
-#include "exchange/input.h"
-#include "exchange/scan.h"
+#include "exchange/reading/input.h"
+#include "exchange/reading/scan.h"
 
 typedef struct {
     bat_input *input;

@@ -1,5 +1,5 @@
 /* Meshes whose coordinates a format keeps with 32 bits. */
-#include "exchange/facets.h"
+#include "exchange/meshes/facets.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* What the formats of meshes share: triangles of polygons, normals, names, remarks on units. */
 #ifndef BAT_FACETS_H
 #define BAT_FACETS_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 #include <batten/exchange.h>
 
 /* The unit normal of a triangle; 0 0 0 when it has none. Right for corners of any size. */

@@ -1,7 +1,7 @@
 /* Words and numbers of a stretch of text, by lines or over them. */
 #ifndef BAT_SCAN_H
 #define BAT_SCAN_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 typedef struct {
     const char *at, *end;

@@ -1,7 +1,7 @@
 /* A mesh of vertices and polygons, as readers gather it. */
 #ifndef BAT_INDEXED_H
 #define BAT_INDEXED_H
-#include "exchange/input.h"
+#include "exchange/reading/input.h"
 
 typedef struct {
     bat_input *input;

@@ -1,7 +1,7 @@
-#include "exchange/indexed.h"
+#include "exchange/meshes/indexed.h"
 #include "base/plural.h"
-#include "exchange/facets.h"
-#include "exchange/scan.h"
+#include "exchange/meshes/facets.h"
+#include "exchange/reading/scan.h"
 
 #include <limits.h>
 #include <stdint.h>

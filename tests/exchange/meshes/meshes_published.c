@@ -1,5 +1,5 @@
 /* Meshes and clouds of other programs, with the counts that were published of them. */
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 typedef struct {
     const char *name;

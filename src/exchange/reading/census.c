@@ -1,4 +1,4 @@
-#include "exchange/census.h"
+#include "exchange/reading/census.h"
 
 #include <stdio.h>
 #include <string.h>

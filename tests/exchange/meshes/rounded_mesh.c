@@ -1,5 +1,5 @@
 /* What 32 bits for a coordinate do to a mesh. */
-#include "exchange/meshes.h"
+#include "exchange/meshes/meshes.h"
 
 /* A closed box 1000 away from the origin of which the sides are cut into strips as narrow as a
  * part of what 32 bits tell apart there. */

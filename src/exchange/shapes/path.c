@@ -1,4 +1,4 @@
-#include "exchange/path.h"
+#include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"
 #include <batten/arcs.h>
