@@ -3,9 +3,9 @@
 #include "exchange/formats.h"
 #include "exchange/losses.h"
 #include "exchange/meshes/kept_mesh.h"
-#include "model/change.h"
-#include "model/meshed.h"
-#include "model/painted.h"
+#include "model/rebuild.h"
+#include "model/as_meshes.h"
+#include "model/inherited_colours.h"
 
 #include <string.h>
 

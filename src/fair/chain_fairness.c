@@ -1,6 +1,6 @@
 /* The numbers behind the word "fair", of a chain. */
 #include "base/plural.h"
-#include "fair/criteria.h"
+#include "fair/fairness.h"
 #include "inspect/local.h"
 #include "numeric/polynomial.h"
 #include "numeric/quadrature.h"

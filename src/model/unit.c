@@ -1,5 +1,5 @@
-#include "model/change.h"
-#include "model/near_decimal.h"
+#include "model/rebuild.h"
+#include "model/short_decimal.h"
 
 #include <batten/text.h>
 #include <stdio.h>

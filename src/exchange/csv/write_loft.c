@@ -1,6 +1,6 @@
 /* Tables of offsets as boat builders write them: in feet, inches and eighths of an inch. */
 #include "exchange/csv/csv.h"
-#include "model/near_decimal.h"
+#include "model/short_decimal.h"
 
 #include <batten/text.h>
 

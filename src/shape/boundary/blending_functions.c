@@ -3,7 +3,7 @@
  * ones: C2 cubics on three fixed spans have six coefficients, and there are six conditions.
  */
 #include "base/plural.h"
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 #include "spline/curve/curve.h"
 

@@ -6,7 +6,7 @@
  * boundary curves are there.
  */
 #include "numeric/vector.h"
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 #include "spline/curve/curve.h"
 #include "spline/product.h"
 #include "spline/surface/surface.h"

@@ -1,6 +1,6 @@
 /* The angles between a Coons patch and what it was to be smooth with. */
 #include "numeric/vector.h"
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 enum { PLACES = 64 };
 /* Two directions at less than this have no plane. */

@@ -1,6 +1,6 @@
 /* The patch of what is known at its corners alone: all lines of the formula are made of these.
  */
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 #include <string.h>
 

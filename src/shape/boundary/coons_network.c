@@ -7,7 +7,7 @@
  * slopes blended from those of the curves leave no other terms (see coons_patch.c).
  */
 #include "base/plural.h"
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 #include "shape/grid/net_twists.h"
 
 #include "numeric/vector.h"

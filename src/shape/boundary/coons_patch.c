@@ -11,7 +11,7 @@
  * in the formula are terms of corners.
  */
 #include "base/plural.h"
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"

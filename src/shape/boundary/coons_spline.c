@@ -6,7 +6,7 @@
  * Rational lines along a direction that share their weight function w are multiplied by it, and
  * so are the blending functions there: the formula times w(u) w'(v) is polynomial.
  */
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 #include "numeric/vector.h"
 #include "shape/points/near_knots.h"

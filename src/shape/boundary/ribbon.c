@@ -6,7 +6,7 @@
  * beside their axis) far simpler, S' = (A' - c A) / w, S'' = (A'' - 2 c A' + (2 c^2 - e) A) /
  * w.
  */
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"

@@ -1,6 +1,6 @@
 /* Which surface lies beside a curve, and its ribbon along it. */
 #include "base/base.h"
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 #include <batten/fill.h>
 
 /* A parameter, or the break that it is but for rounding: no sliver of a span is left. */

@@ -4,12 +4,15 @@
  */
 #ifndef BAT_SCATTERED_H
 #define BAT_SCATTERED_H
-#include "shape/grid/fit.h"
+#include "shape/grid/fit_frame.h"
 #include "shape/near/smooth.h"
 #include <batten/scattered.h>
 
 #define BAT_SCATTER_SHARE 1e-4
 #define BAT_SCATTER_HOLD 1e-2
+
+/* The highest degree of a net in both directions. */
+enum { BAT_SCATTER_MAX_DEGREE = 9, BAT_SCATTER_WIDE = BAT_SCATTER_MAX_DEGREE + 1 };
 
 /* One direction of the net. */
 typedef struct {
@@ -66,10 +69,12 @@ struct bat_scatter {
     batten_status (*correct)(bat_scatter *s, batten_status (*fit)(bat_scatter *s), int most);
 };
 
-/* ---- scattered.c ---- */
+/* ---- the data (scattered_data.c) ---- */
 
 batten_status bat_scatter_begin(bat_scatter *s, const double *uv, const batten_job *job);
 void bat_scatter_end(bat_scatter *s);
+/* ---- the net (fitted_net.c) ---- */
+
 /* Even knots. */
 batten_status bat_scatter_even(bat_net_axis *axis, int degree, int spans, double side);
 /* Basis at datum t: first control points and values in both directions. */
@@ -84,6 +89,8 @@ batten_status bat_scatter_net(const bat_scatter *s, batten_surface **out);
 batten_status bat_scatter_take(bat_scatter *s, const batten_surface *surface);
 /* The surface of the control points, in the caller's units. */
 batten_status bat_scatter_surface(const bat_scatter *s, batten_surface **out);
+/* ---- around a fit ---- */
+
 /* Coordinates in the plane of least squares, [count][2]; COINCIDENT when points lie on a line.
  */
 batten_status bat_scatter_on_plane(size_t count, const double *points, double *uv);
@@ -96,7 +103,7 @@ batten_status bat_scatter_report(bat_scatter *s);
 /* By the method of the options. */
 batten_status bat_scatter_fit(bat_scatter *s);
 
-/* ---- scattered_system.c ---- */
+/* ---- the equations (net_equations.c, energy_without_data.c) ---- */
 
 batten_status bat_scatter_make(bat_scatter *s);
 void bat_scatter_release(bat_net_system *system);

@@ -1,6 +1,6 @@
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "shape/curve_change/corners.h"
+#include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/extend.h"
 #include "spline/curve/curve.h"
 #include <batten/measure.h>

@@ -1,7 +1,7 @@
 #include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "shape/curve_change/corners.h"
+#include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/extend.h"
 #include "spline/curve/curve.h"
 #include <batten/blend.h>

@@ -10,7 +10,7 @@
 #include "inspect/nearest/self_crossings.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "shape/curve_change/corners.h"
+#include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 

@@ -25,7 +25,7 @@ typedef struct {
     bat_offset_run *runs;
 } bat_offset;
 
-/* Runs of the whole curve, and the corners between them (curve_offset_runs.c). */
+/* Runs of the whole curve, and the corners between them (offset_runs.c). */
 batten_status bat_offset_runs(bat_offset *o);
 void bat_offset_runs_release(bat_offset *o);
 /* Is a curve of the plane straight, and run one way? */
@@ -33,18 +33,14 @@ bool bat_plan_is_line(const batten_curve *part);
 /* Take a run over, also after a failure. */
 batten_status bat_offset_add(bat_offset *o, batten_status status, batten_curve *curve);
 /* From q to r around the outside of the corner at p: `turn` is the angle from the tangent
- * before, `t`, to that behind (curve_offset_corners.c). */
+ * before, `t`, to that behind (offset_corners.c). */
 batten_status bat_offset_corner(bat_offset *o, const double *p, const double *t, double turn,
                                 const double *q, const double *r);
 /* Where runs cross the rest of the rim of all that is nearer than the distance: the offset on
  * the other side and the round caps of the ends. Each is added with the passage of the run in
- * both places (curve_offset_entries.c). */
+ * both places (offset_entries.c). */
 batten_status bat_offset_entries(const bat_offset *o, bat_crossings *out);
 /* What is far enough from the curve, in one curve for each unbroken part
- * (curve_offset_trim.c). */
+ * (offset_trim.c). */
 batten_status bat_offset_trim(bat_offset *o, batten_curves *out);
-/* Curves end to end as one, in rounds of neighbours: cost n log n. */
-batten_status bat_curves_chain(int count, batten_curve *const *curves, double tolerance,
-                               batten_curve **out);
-
 #endif

@@ -32,7 +32,7 @@ typedef struct {
     double centre[3], size; /* coordinates are centre + size times those of the sides */
 } bat_fill_loop;
 
-/* The loop in order, divided at corners, approximated where it is rational (fill_loop.c). */
+/* The loop in order, divided at corners, approximated where it is rational (boundary_loop.c). */
 batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double tolerance,
                                  batten_surface_fill_report *report, bat_fill_loop *out);
 void bat_fill_loop_free(bat_fill_loop *loop);
@@ -52,7 +52,7 @@ typedef struct {
     bool back;                          /* D points to where T does not */
 } bat_fill_seen;
 
-/* The corners, for all forms (fill_corners.c). */
+/* The corners, for all forms (hole_corners.c). */
 void bat_fill_cross(const double a[3], const double b[3], double out[3]);
 /* D in a corner: from the side that starts there (which 0) that of the `other` one, back. */
 void bat_fill_across(int which, const bat_fill_place *other, double out[3]);
@@ -110,35 +110,35 @@ void bat_fill_hermite(int derivatives, double t, int order, double out[][6]);
  * [4][FILL_ORDERS][N + 1][3]. */
 batten_status bat_fill_edges(const bat_fill *fill, int quad, int place, double t, double *out);
 
-/* The fairest unknowns (fill_energy.c). @param plane  as for bat_fill_make */
+/* The fairest unknowns (least_energy.c). @param plane  as for bat_fill_make */
 batten_status bat_fill_relax(bat_fill *fill, batten_surface *const *plane);
 
 /* The map of each quad into a polygon whose sides have the proportions of the loop's, made the
- * way the fill is made (fill_plane.c). */
+ * way the fill is made (polygon.c). */
 batten_status bat_fill_plane(const bat_fill_loop *loop, batten_surface **plane);
 
 /* A vector or number with the unknowns known. */
 void bat_fill_vector(const bat_fill *fill, const double *vector, double out[3]);
 double bat_fill_number(const bat_fill *fill, const double *number);
 
-/* Quad i as a B-spline surface, in the loop's coordinates (fill_patch.c). */
+/* Quad i as a B-spline surface, in the loop's coordinates (quad.c). */
 batten_status bat_fill_patch(const bat_fill *fill, int quad, double angle,
                              batten_surface **out);
 
 /* Curvature taken over along the sides with `bend`, of surfaces that have the tangent planes
- * already (fill_bend.c). */
+ * already (side_curvature.c). */
 batten_status bat_fill_bend(const bat_fill_loop *loop, batten_surface **patches);
 /* What S_vv of a quad lacks along half of a side, at t from the corner to the middle, for the
  * normal curvature of the ribbon across the side: a vector along the normal, 0 where there is
- * none (fill_measure.c). */
+ * none (report.c). */
 batten_status bat_fill_lack(const bat_fill_loop *loop, int side, int half,
                             const batten_surface *patch, double t, double out[3]);
 
-/* Quad i of a fill that is a formula, in the loop's coordinates (fill_formula.c). */
+/* Quad i of a fill that is a formula, in the loop's coordinates (polygon_formulas.c). */
 batten_status bat_fill_formula(const bat_fill_loop *loop, int quad, batten_fill_form form,
                                batten_surface **out);
 
-/* What was reached (fill_measure.c). @param patches in the loop's coordinates */
+/* What was reached (report.c). @param patches in the loop's coordinates */
 batten_status bat_fill_measure(const bat_fill_loop *loop, batten_surface *const *patches,
                                batten_surface_fill_report *report);
 

@@ -1,4 +1,4 @@
-/* A network of curves on its way to a surface: what the files gordon_*.c share. */
+/* A network of curves on its way to a surface: what the files of this room share. */
 #ifndef BAT_GORDON_H
 #define BAT_GORDON_H
 #include "inspect/nearest/meetings.h"
@@ -51,7 +51,7 @@ static inline const bat_network_curve *bat_network_at(const bat_network *net, in
     return &net->family[family].curves[k];
 }
 
-/* Take the curves of both families: in space, polynomial, of one scale (gordon_take.c). */
+/* Take the curves of both families: in space, polynomial, of one scale (given_curves.c). */
 batten_status bat_network_take(bat_network *net, const batten_curve *const *profiles,
                                const batten_curve *const *guides);
 /* One of them; *moved is how far it is from the given one. */
@@ -63,7 +63,7 @@ batten_status bat_network_scale(int count, const batten_curve *const *curves, do
 void bat_network_free(bat_network *net);
 
 /* Find where each profile meets each guide, and order, turn and cut all curves so that the
- * nodes rise along each (gordon_nodes.c, gordon_order.c). */
+ * nodes rise along each (nodes.c, curve_order.c). */
 batten_status bat_network_find_nodes(bat_network *net);
 /* What the nodes of all pairs are before they are in order: parameters on the profile and on
  * the guide, and points midway; [profiles][guides] with room for more. */
@@ -89,7 +89,7 @@ static inline double bat_network_snap(const bat_network *net)
 {
     return bat_min(net->tolerance / 16, 1e-5 * net->size);
 }
-/* Which curves close, when it is known what meets them where (gordon_seam.c). */
+/* Which curves close, when it is known what meets them where (closed_curves.c). */
 batten_status bat_network_find_closed(bat_network *net, const bat_network_pairs *pairs);
 /* Are two curves of a family one? *distance: how far the second is from the first. */
 batten_status bat_network_are_same(const bat_network *net, const bat_network_curve *a,
@@ -99,20 +99,20 @@ double bat_network_same(const bat_network *net, const bat_network_curve *a,
                         const bat_network_curve *b);
 /* Curves of a family that were given twice, at the seam of closed ones, are dropped, or
  * refused; a point in which all of a family end becomes a curve of the other one
- * (gordon_poles.c). */
+ * (poles.c). */
 batten_status bat_network_drop_repeated(bat_network *net, bat_network_pairs *pairs, int family);
 batten_status bat_network_find_poles(bat_network *net, bat_network_pairs *pairs, int family);
 batten_status bat_network_order(bat_network *net, const bat_network_pairs *pairs);
-/* In gordon_turn.c: cut, turn and rotate one curve of a family; `ranked` are the parameters
+/* In reverse_curves.c: cut, turn and rotate one curve of a family; `ranked` are the parameters
  * [count] of the nodes on it as it is, in their order. */
 batten_status bat_network_turn(bat_network *net, int family, bat_network_curve *curve,
                                int count, const double *ranked, bool reversed);
 
 /* Parameters of the surface, maps from there to the curves, points of the nodes
- * (gordon_map.c). */
+ * (common_parameters.c). */
 batten_status bat_network_parametrize(bat_network *net);
 /* The curve as the surface runs along it, cubic, within the tolerance; corners keep their place
- * (gordon_redraw.c). */
+ * (redraw.c). */
 batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
                                  const double *parameters, double tolerance,
                                  batten_curve **out);
@@ -120,7 +120,7 @@ batten_status bat_network_redraw(const bat_network_curve *curve, int node_count,
 batten_status bat_network_point(const bat_network_curve *curve, double u, double *point);
 
 /* The functions that are 1 at one node of a family's curves and 0 at the others, over [0, 1];
- * as wide as there are nodes, of a periodic one without the last (gordon_cardinal.c). */
+ * as wide as there are nodes, of a periodic one without the last (cardinal_functions.c). */
 batten_status bat_network_make_cardinal(const bat_network *net, int family, bool periodic,
                                         bat_spline *out);
 /* One family with common knots, and the cardinal functions of the other: all on the same
@@ -137,11 +137,11 @@ typedef struct {
 batten_status bat_network_make_side(bat_network *net, int family, bat_network_side *out);
 void bat_network_side_free(bat_network_side *side);
 
-/* A + B - T, and the check against all curves and nodes (gordon_sum.c). */
+/* A + B - T, and the check against all curves and nodes (boolean_sum.c). */
 batten_status bat_network_sum(bat_network *net, bat_network_side sides[2],
                               batten_surface **out);
 /* How near neighbours come, and how far the guides are from the skin of the profiles: for the
- * report (gordon_measure.c). */
+ * report (report.c). */
 batten_status bat_network_measure(bat_network *net, const bat_network_side sides[2]);
 
 #endif

@@ -1,5 +1,5 @@
 #include "numeric/vector.h"
-#include "shape/plate/flat_normal.h"
+#include "shape/plate/flat_step.h"
 #include "shape/plate/fold_parts.h"
 
 /* From sample i to the next: direction and point of the flat crease. */

@@ -1,6 +1,6 @@
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
-#include "shape/plate/flat_normal.h"
+#include "shape/plate/flat_step.h"
 #include "shape/plate/unroll_parts.h"
 
 #include <string.h>

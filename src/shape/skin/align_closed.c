@@ -1,5 +1,5 @@
 /* Sections with another parameter, so that what belongs together stands at equal ones. */
-#include "shape/skin/parts.h"
+#include "shape/skin/steps.h"
 #include <batten/approximate.h>
 #include <batten/local.h>
 #include <batten/nearest.h>

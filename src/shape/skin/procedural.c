@@ -4,7 +4,7 @@
  * knots are merged and no weights are blended, so no slivers and no creases arise. [FB89]
  */
 #include "shape/formula/formula.h"
-#include "shape/skin/parts.h"
+#include "shape/skin/steps.h"
 #include <batten/approximate.h>
 
 #include <stdlib.h>

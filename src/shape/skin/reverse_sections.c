@@ -1,6 +1,6 @@
 /* Which way sections run, and where closed ones begin: by the least sum of squared distances
  * from the section before. */
-#include "shape/skin/parts.h"
+#include "shape/skin/steps.h"
 
 #include <string.h>
 

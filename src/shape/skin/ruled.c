@@ -1,6 +1,6 @@
 /* Skins of two sections. */
 #include "numeric/vector.h"
-#include "shape/skin/skin.h"
+#include "shape/skin/sections.h"
 
 batten_status batten_surface_ruled(const batten_curve *first, const batten_curve *second,
                                    batten_surface **out)

@@ -1,6 +1,6 @@
 /* Where the sections of a skin stand along its spine. */
 #include "numeric/vector.h"
-#include "shape/skin/skin.h"
+#include "shape/skin/sections.h"
 #include "spline/curve/curve.h"
 #include <batten/curvature.h>
 

@@ -1,5 +1,5 @@
 #include "base/plural.h"
-#include "shape/skin/parts.h"
+#include "shape/skin/steps.h"
 
 #include <string.h>
 

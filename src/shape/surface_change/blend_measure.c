@@ -2,7 +2,7 @@
 #include "shape/surface_change/blend.h"
 
 #include "numeric/vector.h"
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 #include <batten/curvature.h>
 
 enum { SAMPLES = 33 };

@@ -2,7 +2,7 @@
 #include "shape/surface_change/extend.h"
 
 #include "numeric/vector.h"
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 #include "spline/surface/surface.h"
 
 #include <float.h>

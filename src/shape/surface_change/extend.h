@@ -10,7 +10,7 @@ batten_status bat_surface_straight_on(const batten_surface *surface, double way,
 /* The last patches until v = end + way; exact. BAD_WEIGHT where that is too far. */
 batten_status bat_surface_go_on(const batten_surface *surface, double way,
                                 batten_surface **out);
-/* Along circles, within the tolerance (surface_extend_arc.c). */
+/* Along circles, within the tolerance (extend_arc.c). */
 batten_status bat_surface_arc_on(const batten_surface *surface, double way, double tolerance,
                                  double *error, batten_surface **out);
 

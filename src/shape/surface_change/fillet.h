@@ -27,7 +27,7 @@ typedef struct {
 batten_status bat_ball_in_plane(const bat_rolling *r, const double guess[4],
                                 const batten_vec3 *point, const batten_vec3 *normal,
                                 bat_ball *out, bool *found);
-/* Stations from end to end; release the balls (surface_fillet_spine.c). */
+/* Stations from end to end; release the balls (fillet_spine.c). */
 batten_status bat_spine_find(const bat_rolling *r, const double *start, bat_spine *out,
                              batten_fillet_end ends[2]);
 

@@ -4,7 +4,7 @@
 
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include "shape/boundary/ribbon_fit.h"
+#include "shape/boundary/edge_fit.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
 

@@ -5,18 +5,18 @@
 #include <batten/offset.h>
 
 /* The jets of the unit normal of a NURBS surface from its derivatives up to order 4, at
- * collapsed edges 5 (surface_offset_normal.c). `out` [BATTEN_SURFACE_DERIVATIVES(order)][3]:
+ * collapsed edges 5 (offset_normal.c). `out` [BATTEN_SURFACE_DERIVATIVES(order)][3]:
  * S + distance n and its derivatives, order <= 3. SINGULAR_HERE without a normal. */
 batten_status bat_offset_point(const batten_surface *surface, double distance, double u,
                                double v, batten_side side_u, batten_side side_v, int order,
                                double *out);
 
-/* The curvatures and the factor of the report (surface_offset_curvature.c). */
+/* The curvatures and the factor of the report (offset_curvature.c). */
 batten_status bat_offset_curvatures(const batten_surface *surface, double distance,
                                     batten_surface_offset_report *report);
 
 /* The offset with the knots and weights of the clamped surface, if there is one
- * (surface_offset_exact.c); else *out stays NULL. */
+ * (offset_exact.c); else *out stays NULL. */
 batten_status bat_offset_exact(const batten_surface *surface, double distance,
                                batten_surface **out);
 

@@ -1,6 +1,6 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include "shape/sweep/truth.h"
+#include "shape/sweep/true_sweep.h"
 #include "spline/curve/curve.h"
 
 #include <batten/skin.h>

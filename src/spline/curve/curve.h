@@ -121,6 +121,10 @@ void bat_pieces_free(bat_pieces *pieces);
 /* The frame with axes square and of length one, z kept; and its y-axis. */
 batten_status bat_frame_square(const batten_frame *frame, batten_frame *square, batten_vec3 *y);
 
+/* Curves end to end as one, in rounds of neighbours: cost n log n. */
+batten_status bat_curves_chain(int count, batten_curve *const *curves, double tolerance,
+                               batten_curve **out);
+
 /* Put another curve in the place of one that is given back. */
 static inline void bat_curve_take(batten_curve **curve, batten_curve *by)
 {

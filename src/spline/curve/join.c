@@ -124,3 +124,38 @@ batten_status batten_curve_join(const batten_curve *first, const batten_curve *s
     batten_curve_unref(a);
     return status;
 }
+
+batten_status bat_curves_chain(int count, batten_curve *const *curves, double tolerance,
+                               batten_curve **out)
+{
+    batten_curve **waiting = bat_array((size_t)count, sizeof *waiting);
+    if (!waiting)
+        return BATTEN_OUT_OF_MEMORY;
+    batten_status status = BATTEN_OK;
+    for (int i = 0; i < count; i++)
+        waiting[i] = batten_curve_ref(curves[i]);
+    for (int left = count; status == BATTEN_OK && left > 1; left = (left + 1) / 2)
+        for (int i = 0; status == BATTEN_OK && 2 * i + 1 < left + 1; i++) {
+            batten_curve *joined = NULL;
+            batten_curve *a = waiting[2 * i], *b = 2 * i + 1 < left ? waiting[2 * i + 1] : NULL;
+            if (b)
+                status = batten_curve_join(a, b, tolerance, &joined);
+            if (status != BATTEN_OK)
+                break;
+            waiting[2 * i] = NULL;
+            if (b) {
+                waiting[2 * i + 1] = NULL;
+                batten_curve_unref(b);
+                batten_curve_unref(a);
+            }
+            waiting[i] = b ? joined : a;
+        }
+    if (status == BATTEN_OK) {
+        *out = waiting[0];
+        waiting[0] = NULL;
+    }
+    for (int i = 0; i < count; i++)
+        batten_curve_unref(waiting[i]);
+    bat_release(waiting);
+    return status;
+}

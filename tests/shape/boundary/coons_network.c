@@ -1,4 +1,4 @@
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 #include <batten/grid.h>
 #include <batten/interpolate.h>

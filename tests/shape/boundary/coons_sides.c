@@ -1,4 +1,4 @@
-#include "shape/boundary/coons.h"
+#include "shape/boundary/coons_formula.h"
 
 static batten_curve *bow(const double *a, const double *b, double rise)
 {

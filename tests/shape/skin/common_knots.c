@@ -1,7 +1,7 @@
 #include "shape/sections.h"
 
 #include "shape/skin/common_knots.h"
-#include "shape/skin/skin.h"
+#include "shape/skin/sections.h"
 
 #include <batten/standard.h>
 

@@ -1,6 +1,6 @@
 /* What is placed often: subfigures and their instances. */
 #include "exchange/iges/write/writing.h"
-#include "model/change.h"
+#include "model/rebuild.h"
 
 #include <string.h>
 

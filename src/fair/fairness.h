@@ -1,0 +1,51 @@
+/* The numbers behind the word "fair". */
+#ifndef BAT_CRITERIA_H
+#define BAT_CRITERIA_H
+#include "fair/elastic_batten.h"
+
+/*
+ * The fewest inflections of any curve that passes every point within its bound: the least
+ * number of changes between pieces that turn left only and pieces that turn right only. In the
+ * plane; of a function (width 1) over t; in space 0. `within` NULL: the bounds are roundoff,
+ * and what is counted are the sign changes of the circle rate. Cost: count log(count).
+ */
+batten_status bat_required_inflections(int width, int count, const double *t,
+                                       const double *points, const double *within, int *out);
+
+/* Fairness of a curve when `required` inflections are no fault, and neither are those that
+ * would go if its points moved by `uncertainty`. */
+batten_status bat_curve_fairness(const batten_curve *curve, int required, double uncertainty,
+                                 batten_fairness *out);
+
+/* What joints are measured by: the largest curvature of the whole, and what rounding alone may
+ * make of the direction and of the curvature on both sides. */
+typedef struct {
+    double largest, direction_noise, curvature_noise;
+} bat_joint_scale;
+
+/* Add a joint: the square of the jump of the derivative of the curvature vector by arc length,
+ * across the tangent (of a function of the third derivative), and whether it is a corner or a
+ * jump of curvature. From the point and three derivatives [4][d] on both sides. */
+void bat_add_joint(int d, const double *before, const double *after,
+                   const bat_joint_scale *scale, batten_fairness *out);
+/* After all joints: energy and variation are infinite where these make them so. */
+void bat_judge_joints(batten_fairness *out);
+
+/* Curvatures along a curve, walked through in order. Begins with {.from = the first}. */
+typedef struct {
+    int sign, direction; /* of the last curvature that was not 0, of the last change */
+    double from;         /* the curvature from which changes are measured */
+    int inflections, extrema;
+} bat_scan;
+/* Changes of up to `flat` and curvatures up to `zero` are none. */
+void bat_scan_walk(int count, const double *curvature, double zero, double flat,
+                   bat_scan *scan);
+
+/* Of a batten through z; required is what the points within their bounds require. */
+batten_status bat_batten_fairness(const bat_batten *batten, int width, const double *points,
+                                  const double *within, const double *z, batten_fairness *out);
+
+/* The fairness of a family: sums, maxima, all fair. Begins with {.fair = true}. */
+void bat_fairness_add(batten_fairness *sum, const batten_fairness *one);
+
+#endif

@@ -1,0 +1,306 @@
+/* Surfaces, Bezier triangles and bodies as meshes, for formats that hold nothing else. */
+#include "model/as_meshes.h"
+#include "model/addresses.h"
+#include "model/rebuild.h"
+#include "model/object_notes.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What became of a shape; copies of a definition share theirs. */
+typedef struct {
+    const batten_model *of; /* the definition */
+    const char *name;       /* of its object */
+    batten_mesh *mesh;      /* NULL: it cannot be meshed */
+} meshed_shape;
+
+typedef struct {
+    unsigned kinds; /* that become meshes */
+    double unit_metres;
+    batten_mesh_options options;
+    int left;            /* of options.most, by the objects before */
+    char too_large[512]; /* what is said of the first that alone is; "" */
+    const batten_job *job;
+    batten_notes *notes;
+    bat_addresses addresses; /* the number in `done` of a surface, triangles or a body */
+    meshed_shape *done;
+    size_t count, capacity;
+} meshing;
+
+/* What is not farther than that from the shape may lie on it. */
+static double rounding(const batten_mesh *mesh)
+{
+    const batten_box box = batten_mesh_box(mesh);
+    const double ends[6] = {box.low.x,  box.low.y,  box.low.z,
+                            box.high.x, box.high.y, box.high.z};
+    double size = 0;
+    for (int k = 0; k < 6; k++)
+        size = fmax(size, fabs(ends[k]));
+    return 8 * DBL_EPSILON * size;
+}
+
+/* How near the triangles are, and why no nearer when that is not what was asked. */
+static void say_chord(const batten_object *object, const batten_mesh_report *report,
+                      const batten_mesh *mesh, batten_notes *notes)
+{
+    const int count = batten_mesh_view(mesh)->triangle_count;
+    if (report->chord > rounding(mesh))
+        batten_notes_remark(notes, "", 0, object->name,
+                            "approximated within %g by %d triangles", report->chord, count);
+    else if (count > 0)
+        batten_notes_remark(notes, "", 0, object->name,
+                            "meshed exactly by %d triangles, as far as was measured", count);
+    if (report->beyond > 0 && report->error > 0.5 * report->asked)
+        batten_notes_add(notes, "", 0, object->name,
+                         "the chord of %g is not met: %d of %d triangles are up to %g from the "
+                         "shape, for edges are up to %g off their faces there",
+                         report->asked, report->beyond, count, report->chord, report->error);
+    else if (report->beyond > 0)
+        batten_notes_add(notes, "", 0, object->name,
+                         "the chord of %g is not met: %d of %d triangles are up to %g from the "
+                         "shape and could not be divided",
+                         report->asked, report->beyond, count, report->chord);
+}
+
+/* What is said of faces is said of the object. */
+static batten_status mesh_body(const batten_object *object, meshing *m,
+                               batten_mesh_report *report, batten_mesh **out)
+{
+    batten_notes *said = NULL;
+    batten_status status = batten_notes_create(INT_MAX, &said);
+    if (status == BATTEN_OK)
+        status = batten_mesh_from_body(object->body, &m->options, m->job, said, report, out);
+    if (said)
+        bat_object_notes(said, object->name, m->unit_metres, m->notes);
+    batten_notes_free(said);
+    return status;
+}
+
+/* The shape of one object as a mesh. */
+static batten_status mesh_shape(const batten_object *object, meshing *m, batten_mesh **out)
+{
+    batten_mesh_report report = {.failed = 0};
+    batten_status status;
+    if (object->kind == BATTEN_OBJECT_SURFACE)
+        status = batten_mesh_from_surface(object->surface, &m->options, m->job, &report, out);
+    else if (object->kind == BATTEN_OBJECT_TRIANGLES)
+        status =
+            batten_mesh_from_triangles(object->triangles, &m->options, m->job, &report, out);
+    else
+        status = mesh_body(object, m, &report, out);
+    if (status == BATTEN_OK)
+        say_chord(object, &report, *out, m->notes);
+    if (status == BATTEN_OK && report.failed > 0)
+        batten_notes_add(m->notes, "", 0, object->name, "faces left out of the mesh: %d",
+                         report.failed);
+    if (status == BATTEN_OK && report.failed > 0 &&
+        batten_mesh_view(*out)->triangle_count == 0) {
+        batten_mesh_unref(*out);
+        *out = NULL;
+        return bat_fail(BATTEN_NOT_COMPATIBLE, "none of its %d faces can be", report.failed);
+    }
+    return status;
+}
+
+static batten_status keep_shape(meshing *m, const void *address, const meshed_shape *shape)
+{
+    if (m->count == m->capacity) {
+        const size_t capacity = m->capacity ? 2 * m->capacity : 16;
+        meshed_shape *done = bat_resize(m->done, capacity, sizeof *done);
+        if (!done)
+            return BATTEN_OUT_OF_MEMORY;
+        m->done = done;
+        m->capacity = capacity;
+    }
+    const batten_status status = bat_addresses_add(&m->addresses, address, (int)m->count);
+    if (status == BATTEN_OK)
+        m->done[m->count++] = *shape;
+    return status;
+}
+
+/* What a face looks like. Without a colour it is light grey among those that have one. */
+static void colour_of(const batten_object *object, const batten_body_face *face,
+                      double colour[3])
+{
+    static const double grey[3] = {0.8, 0.8, 0.8};
+    memcpy(colour,
+           face->has_colour     ? face->colour
+           : object->has_colour ? object->colour
+                                : grey,
+           sizeof grey);
+}
+
+static bool has_one_colour(const batten_object *object, const batten_body_parts *parts)
+{
+    double first[3], other[3];
+    for (int i = 0; i < parts->face_count; i++) {
+        colour_of(object, &parts->faces[i], i ? other : first);
+        if (i && memcmp(first, other, sizeof first) != 0)
+            return false;
+    }
+    return true;
+}
+
+static batten_status colour_triangles(const batten_object *object, batten_mesh **mesh)
+{
+    batten_mesh_parts parts = *batten_mesh_view(*mesh);
+    double *colours = bat_array3((size_t)parts.triangle_count, 3, sizeof *colours);
+    batten_mesh *made = NULL;
+    if (!colours)
+        return BATTEN_OUT_OF_MEMORY;
+    for (size_t i = 0; i < (size_t)parts.triangle_count; i++)
+        colour_of(object, &batten_body_view(object->body)->faces[parts.faces[i]],
+                  colours + 3 * i);
+    parts.triangle_colours = colours;
+    const batten_status status = batten_mesh_create(&parts, &made);
+    bat_release(colours);
+    if (status == BATTEN_OK) {
+        batten_mesh_unref(*mesh);
+        *mesh = made;
+    }
+    return status;
+}
+
+/* Faces that all look the same give the object its colour, others their triangles. */
+static batten_status take_colours(const batten_object *object, batten_object *meshed,
+                                  batten_mesh **mesh)
+{
+    if (object->kind != BATTEN_OBJECT_BODY)
+        return BATTEN_OK;
+    const batten_body_parts *parts = batten_body_view(object->body);
+    bool any = false;
+    for (int i = 0; i < parts->face_count; i++)
+        any |= parts->faces[i].has_colour;
+    if (!any)
+        return BATTEN_OK;
+    if (!has_one_colour(object, parts))
+        return colour_triangles(object, mesh);
+    meshed->has_colour = true;
+    colour_of(object, &parts->faces[0], meshed->colour);
+    return BATTEN_OK;
+}
+
+/* What ends all work, and not that on one object alone. */
+static bool is_final(batten_status status)
+{
+    return status == BATTEN_OUT_OF_MEMORY || status == BATTEN_CANCELLED ||
+           status == BATTEN_INCOMPLETE;
+}
+
+/* Note that the shape is left out. One that needs more triangles than are allowed for all may
+ * be damaged, and the others are not. */
+static void leave_out(meshing *m, const batten_object *object, batten_status status)
+{
+    batten_notes_add(m->notes, "", 0, object->name, "left out, as this %s cannot be meshed: %s",
+                     batten_object_kind_name(object->kind), batten_message());
+    if (status == BATTEN_TOO_LARGE && !*m->too_large)
+        snprintf(m->too_large, sizeof m->too_large, "%.*s", (int)sizeof m->too_large - 1,
+                 batten_message());
+}
+
+/* Each alone may have what is allowed for all. */
+static batten_status count_triangles(meshing *m, const batten_object *object,
+                                     const batten_mesh *mesh)
+{
+    const int count = batten_mesh_view(mesh)->triangle_count;
+    if (count > m->left)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "the shapes up to '%.60s' have more than the %d triangles that are "
+                        "allowed for all",
+                        object->name, m->options.most);
+    m->left -= count;
+    return BATTEN_OK;
+}
+
+/* The mesh of the object's shape, which may be that of the same object in a copy of the
+ * definition; NULL, with a note, when there is none. */
+static batten_status find_mesh(meshing *m, const batten_model *of, const batten_object *object,
+                               batten_mesh **mesh)
+{
+    const void *address = object->surface     ? (const void *)object->surface
+                          : object->triangles ? (const void *)object->triangles
+                                              : (const void *)object->body;
+    const int found = bat_addresses_find(&m->addresses, address);
+    const meshed_shape *before = found < 0 ? NULL : &m->done[found];
+    if (before && before->of != of && strcmp(before->name, object->name) == 0) {
+        *mesh = before->mesh ? batten_mesh_ref(before->mesh) : NULL;
+        return BATTEN_OK;
+    }
+    meshed_shape shape = {.of = of, .name = object->name};
+    batten_status status = mesh_shape(object, m, &shape.mesh);
+    if (status == BATTEN_OK) {
+        status = count_triangles(m, object, shape.mesh);
+    } else if (!is_final(status)) {
+        leave_out(m, object, status);
+        status = BATTEN_OK;
+    }
+    if (status == BATTEN_OK && !before)
+        status = keep_shape(m, address, &shape);
+    if (status == BATTEN_OK && shape.mesh)
+        *mesh = before ? shape.mesh : batten_mesh_ref(shape.mesh);
+    else if (status != BATTEN_OK)
+        batten_mesh_unref(shape.mesh);
+    return status;
+}
+
+static batten_status add_meshed(void *context, const batten_model *from, int index,
+                                batten_model *made, const batten_object *object)
+{
+    (void)index;
+    meshing *m = context;
+    batten_mesh *mesh = NULL;
+    batten_object meshed = *object;
+    if (!(m->kinds & 1u << object->kind))
+        return batten_model_add(made, object);
+    batten_status status = find_mesh(m, from, object, &mesh);
+    if (status != BATTEN_OK || !mesh)
+        return status;
+    meshed.kind = BATTEN_OBJECT_MESH;
+    meshed.surface = NULL;
+    meshed.triangles = NULL;
+    meshed.body = NULL;
+    status = take_colours(object, &meshed, &mesh);
+    meshed.mesh = mesh;
+    if (status == BATTEN_OK)
+        status = batten_model_add(made, &meshed);
+    batten_mesh_unref(mesh);
+    return status;
+}
+
+batten_status bat_model_meshed(const batten_model *model, unsigned kinds,
+                               const batten_mesh_options *options, const batten_job *job,
+                               batten_notes *notes, batten_model **out)
+{
+    const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
+    meshing m = {.kinds = kinds,
+                 .unit_metres = batten_model_unit_metres(model),
+                 .options = chosen,
+                 .left = chosen.most,
+                 .job = job,
+                 .notes = notes};
+    batten_status status =
+        bat_model_change(model, batten_model_unit_metres(model), 1, add_meshed, &m, out);
+    bool any = false;
+    for (size_t i = 0; i < m.count; i++) {
+        any = any || m.done[i].mesh;
+        batten_mesh_unref(m.done[i].mesh);
+    }
+    if (status == BATTEN_OK && !any && *m.too_large) {
+        batten_model_unref(*out);
+        *out = NULL;
+        status = bat_fail(BATTEN_TOO_LARGE, "%s", m.too_large);
+    }
+    bat_release(m.done);
+    bat_addresses_end(&m.addresses);
+    return status;
+}
+
+batten_status batten_model_meshed(const batten_model *model, const batten_mesh_options *options,
+                                  const batten_job *job, batten_notes *notes,
+                                  batten_model **out)
+{
+    return bat_model_meshed(model, BAT_SHAPES, options, job, notes, out);
+}

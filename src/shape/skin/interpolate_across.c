@@ -1,0 +1,176 @@
+/* From sections with common knots to the surface through them. */
+#include "shape/skin/steps.h"
+
+#include <string.h>
+
+/* ---- across the sections ---- */
+
+batten_status bat_skin_rows(bat_skin *t)
+{
+    t->rows = bat_array3((size_t)t->count, (size_t)t->points * t->width, sizeof *t->rows);
+    if (!t->rows)
+        return BATTEN_OUT_OF_MEMORY;
+    const size_t d = (size_t)t->dimension;
+    double *row = t->rows;
+    for (int k = 0; k < t->count; k++) {
+        const double *P = batten_curve_points(t->unified[k]);
+        const double *w = batten_curve_weights(t->unified[k]);
+        for (int i = 0; i < t->points; i++, row += t->width) {
+            for (size_t c = 0; c < d; c++)
+                row[c] = (w ? w[i] : 1) * P[(size_t)i * d + c];
+            if (w)
+                row[d] = w[i];
+        }
+    }
+    return BATTEN_OK;
+}
+
+batten_status bat_skin_parameters(bat_skin *t)
+{
+    const size_t d = (size_t)t->dimension, row = (size_t)t->points * d;
+    double *points = NULL;
+    t->v = bat_array((size_t)t->count + 1, sizeof *t->v);
+    if (!t->v)
+        return BATTEN_OUT_OF_MEMORY;
+    if (t->rational) { /* else the rows are the points */
+        points = bat_array3((size_t)t->count, row, sizeof *points);
+        if (!points)
+            return BATTEN_OUT_OF_MEMORY;
+        for (int k = 0; k < t->count; k++)
+            memcpy(points + (size_t)k * row, batten_curve_points(t->unified[k]),
+                   row * sizeof *points);
+    }
+    const bat_family family = {.name = "sections",
+                               .dimension = t->dimension,
+                               .count = t->count,
+                               .lines = t->points,
+                               .point_step = row,
+                               .line_step = d,
+                               .periodic = t->options->closed,
+                               .points = points ? points : t->rows,
+                               .given = t->options->given};
+    double spread = 0;
+    const batten_status status =
+        bat_family_parametrize(&family, t->options->parameters, t->v, &spread);
+    bat_release(points);
+    return status;
+}
+
+static batten_end_kind linear_kind(batten_end_kind kind)
+{
+    return kind == BATTEN_END_DIRECTION ? BATTEN_END_CLAMPED : kind;
+}
+
+bat_request bat_skin_request(const batten_surface_skin_options *o, int count, const double *v)
+{
+    return (bat_request){.degree = o->degree,
+                         .count = count,
+                         .parameters = v,
+                         .knots_at_data = o->degree % 2 == 1,
+                         .periodic = o->closed,
+                         .start = linear_kind(o->start.kind),
+                         .end = linear_kind(o->end.kind)};
+}
+
+/* What the end asks of each control point: the same derivative of the surface along the whole
+ * section, or the same direction with the length of the chord. Weights do not change there. */
+static void fill_end(const bat_skin *t, const batten_end *end, int here, int next,
+                     double *values)
+{
+    const size_t d = (size_t)t->dimension;
+    const double step = fabs(t->v[next] - t->v[here]), length = bat_norm((int)d, end->vector);
+    const double *P = batten_curve_points(t->unified[here]),
+                 *Q = batten_curve_points(t->unified[next]);
+    const double *w = batten_curve_weights(t->unified[here]);
+    for (size_t i = 0; i < (size_t)t->points; i++) {
+        double factor = w ? w[i] : 1;
+        if (end->kind == BATTEN_END_DIRECTION)
+            factor *= bat_distance((int)d, P + i * d, Q + i * d) / step / length;
+        for (size_t c = 0; c < d; c++)
+            values[i * t->width + c] = factor * end->vector[c];
+    }
+}
+
+batten_status bat_skin_across(bat_skin *t)
+{
+    const batten_surface_skin_options *o = t->options;
+    const bat_request request = bat_skin_request(o, t->count, t->v);
+    batten_status status = bat_operator_make(&request, &t->across);
+    if (status != BATTEN_OK)
+        return status;
+    const size_t row = (size_t)t->points * t->width;
+    double *ends = bat_array3(2, row, sizeof *ends);
+    t->control = bat_array3((size_t)t->across.count, row, sizeof *t->control);
+    if (!ends || !t->control)
+        status = BATTEN_OUT_OF_MEMORY;
+    else {
+        fill_end(t, &o->start, 0, 1, ends);
+        fill_end(t, &o->end, t->count - 1, t->count - 2, ends + row);
+        status =
+            bat_operator_apply(&t->across, row, t->rows, ends, ends + row, NULL, t->control);
+    }
+    bat_release(ends);
+    return status;
+}
+
+/* ---- the surface ---- */
+
+/* From homogeneous rows across to Cartesian points and weights along. */
+static batten_status divide(const bat_skin *t, double *points, double *weights)
+{
+    const size_t d = (size_t)t->dimension, across = (size_t)t->across.count;
+    for (size_t j = 0; j < across; j++)
+        for (size_t i = 0; i < (size_t)t->points; i++) {
+            const double *row = t->control + (j * (size_t)t->points + i) * t->width;
+            const double weight = t->rational ? row[d] : 1;
+            if (!(weight > 0))
+                return bat_fail(BATTEN_NOT_COMPATIBLE,
+                                "between the sections the weight of control point (%zu, %zu) "
+                                "becomes %g: their "
+                                "weights differ too much",
+                                i, j, weight);
+            for (size_t c = 0; c < d; c++)
+                points[(i * across + j) * d + c] = row[c] / weight;
+            if (t->rational)
+                weights[i * across + j] = weight;
+        }
+    return BATTEN_OK;
+}
+
+/* The first and the last section are the rims to the last bit, so a point stays a pole. */
+static void keep_rims(const bat_skin *t, double *points, double *weights)
+{
+    const size_t d = (size_t)t->dimension, across = (size_t)t->across.count;
+    for (size_t end = 0; end < 2 && !t->options->closed; end++) {
+        const batten_curve *section = t->unified[end == 0 ? 0 : t->count - 1];
+        const size_t j = end == 0 ? 0 : across - 1;
+        for (size_t i = 0; i < (size_t)t->points; i++) {
+            memcpy(points + (i * across + j) * d, batten_curve_points(section) + i * d,
+                   d * sizeof *points);
+            if (t->rational)
+                weights[i * across + j] = batten_curve_weights(section)[i];
+        }
+    }
+}
+
+batten_status bat_skin_surface(const bat_skin *t, batten_surface **surface)
+{
+    const size_t total = (size_t)t->points * (size_t)t->across.count;
+    double *points = bat_array3(total, (size_t)t->dimension, sizeof *points);
+    double *weights = bat_array(total, sizeof *weights);
+    batten_status status =
+        points && weights ? divide(t, points, weights) : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK) {
+        const int p = batten_curve_degree(t->unified[0]);
+        const double *U = batten_curve_knots(t->unified[0]) + (t->periodic_u ? p : 0);
+        const batten_axis u = {p, t->points, U, t->periodic_u};
+        const batten_axis v = {t->across.degree, t->across.count, t->across.knots,
+                               t->across.periodic};
+        keep_rims(t, points, weights);
+        status = batten_surface_create(t->dimension, &u, &v, points,
+                                       t->rational ? weights : NULL, surface);
+    }
+    bat_release(weights);
+    bat_release(points);
+    return status;
+}

@@ -1,0 +1,489 @@
+/* NURBS surfaces near true sweeps: the control points of the section are followed along v by
+ * splines through sections at Greville's abscissae; sections are added where it is too far. */
+#include "base/plural.h"
+#include "numeric/banded.h"
+#include "numeric/vector.h"
+#include "shape/sweep/true_sweep.h"
+#include "spline/curve/curve.h"
+#include "spline/surface/surface.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    MOST_SECTIONS = 2000,
+    PLACES = 5,       /* at which a span is measured */
+    LAST_PLACES = 11, /* the last time */
+    MOST_PLACES = 63, /* where the error is largest */
+    MOST_PARTS = 8    /* that a span is cut into at once */
+};
+
+typedef struct {
+    const bat_sweep *sweep;
+    int degree;
+    double tolerance;
+    int points;       /* of the section */
+    size_t width;     /* of one of them */
+    size_t row;       /* points * width */
+    int mesh_count;   /* breaks of v */
+    double *mesh;     /* [MOST_SECTIONS + 2] */
+    int *times;       /* [MOST_SECTIONS + 2] multiplicities */
+    double *error;    /* [MOST_SECTIONS + 1] of each span */
+    int count;        /* sections, and control rows */
+    double *knots;    /* [count + degree + 1] */
+    double *rows;     /* [count][row] */
+    double *band;     /* [count][2 degree + 1] */
+    double *true_row; /* [row] */
+    double *made_row; /* [row] */
+    double size;      /* of the coordinates */
+    double worst;
+} fitting;
+
+/* ---- knots ---- */
+
+static int count_rows(const fitting *f)
+{
+    int count = f->degree + 1;
+    for (int i = 1; i + 1 < f->mesh_count; i++)
+        count += f->times[i];
+    return count;
+}
+
+static void lay_knots(fitting *f)
+{
+    double *knot = f->knots;
+    for (int i = 0; i < f->mesh_count; i++) {
+        const bool end = i == 0 || i + 1 == f->mesh_count;
+        for (int k = 0; k < (end ? f->degree + 1 : f->times[i]); k++)
+            *knot++ = f->mesh[i];
+    }
+}
+
+static double greville(const fitting *f, int i)
+{
+    double sum = 0;
+    if (i == 0)
+        return f->knots[0];
+    if (i + 1 == f->count)
+        return f->knots[f->count];
+    for (int k = 1; k <= f->degree; k++)
+        sum += f->knots[i + k];
+    return bat_min(f->knots[i + f->degree], bat_max(f->knots[i + 1], sum / f->degree));
+}
+
+static batten_status make_room(fitting *f)
+{
+    const size_t count = (size_t)f->count, band = 2 * (size_t)f->degree + 1;
+    bat_release(f->knots);
+    bat_release(f->rows);
+    bat_release(f->band);
+    f->knots = bat_array(count + (size_t)f->degree + 1, sizeof *f->knots);
+    f->rows = bat_array3(count, f->row, sizeof *f->rows);
+    f->band = bat_array3(count, band, sizeof *f->band);
+    return f->knots && f->rows && f->band ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+}
+
+/* ---- one interpolation ---- */
+
+static batten_status interpolate(fitting *f)
+{
+    const int q = f->degree, n = f->count;
+    const size_t band = 2 * (size_t)q + 1;
+    for (int i = 0; i < n; i++) {
+        double basis[BATTEN_MAX_DEGREE + 1];
+        const double v = greville(f, i);
+        const int span = bat_knots_span(q, n, f->knots, v, BATTEN_FROM_RIGHT);
+        bat_basis(q, f->knots, span, v, 0, basis);
+        for (int k = 0; k <= q; k++) {
+            const int column = span - q + k - i + q;
+            if (column >= 0 && column < (int)band)
+                f->band[(size_t)i * band + (size_t)column] = basis[k];
+        }
+        const batten_status status =
+            bat_sweep_rows(f->sweep, v, i + 1 < n ? BATTEN_FROM_RIGHT : BATTEN_FROM_LEFT,
+                           f->rows + (size_t)i * f->row);
+        if (status != BATTEN_OK)
+            return status;
+    }
+    f->size = bat_largest((int)(f->row * (size_t)n), f->rows);
+    if (!isfinite(f->size))
+        return bat_fail(BATTEN_OVERFLOW, "the sweep has coordinates that are no numbers");
+    const batten_status status = bat_banded_factor(n, q, q, f->band);
+    if (status == BATTEN_OK)
+        bat_banded_solve(n, q, q, f->band, f->row, f->rows);
+    return status;
+}
+
+/* ---- its error ---- */
+
+static void made_at(const fitting *f, double v, double *out)
+{
+    double basis[BATTEN_MAX_DEGREE + 1];
+    const int q = f->degree;
+    const int span = bat_knots_span(q, f->count, f->knots, v, BATTEN_FROM_RIGHT);
+    bat_basis(q, f->knots, span, v, 0, basis);
+    memset(out, 0, f->row * sizeof *out);
+    for (int k = 0; k <= q; k++) {
+        const double *from = f->rows + (size_t)(span - q + k) * f->row;
+        for (size_t c = 0; c < f->row; c++)
+            out[c] += basis[k] * from[c];
+    }
+}
+
+/* With weights that are followed too: A'/w' - A/w is the mean, weighted by w', of what control
+ * points miss and of (P - S)(w' - w) / w', where no two points are farther than `extent`. */
+static double homogeneous_distance(const fitting *f, const double *made, const double *truth)
+{
+    double worst = 0, least = HUGE_VAL, extent = 0;
+    const double *first = truth;
+    for (int i = 0; i < f->points; i++) {
+        double p[3], q[3];
+        const double w = made[4 * i + 3], w0 = truth[4 * i + 3];
+        if (!(w > 0))
+            return HUGE_VAL;
+        for (int c = 0; c < 3; c++) {
+            p[c] = truth[4 * i + c] / w0;
+            q[c] = first[c] / first[3];
+        }
+        extent = bat_max(extent, 2 * bat_distance(3, p, q));
+        least = bat_min(least, w);
+    }
+    for (int i = 0; i < f->points; i++) {
+        const double w = made[4 * i + 3], w0 = truth[4 * i + 3];
+        double p[3], q[3];
+        for (int c = 0; c < 3; c++) {
+            p[c] = made[4 * i + c] / w;
+            q[c] = truth[4 * i + c] / w0;
+        }
+        worst = bat_max(worst, w * bat_distance(3, p, q) + extent * fabs(w - w0));
+    }
+    return worst / least;
+}
+
+/* No point of the section is farther off than this. */
+static double distance(const fitting *f, const double *made, const double *truth)
+{
+    double worst = 0;
+    if (f->width == 4)
+        return homogeneous_distance(f, made, truth);
+    for (int i = 0; i < f->points; i++)
+        worst = bat_max(worst, bat_distance(3, made + 3 * i, truth + 3 * i));
+    return worst;
+}
+
+static batten_status measure_span(fitting *f, int s, int places, double *error)
+{
+    *error = 0;
+    for (int i = 0; i < places; i++) {
+        const double t = (i + 0.5) / places;
+        const double v = (1 - t) * f->mesh[s] + t * f->mesh[s + 1];
+        const batten_status status =
+            bat_sweep_rows(f->sweep, v, BATTEN_FROM_RIGHT, f->true_row);
+        if (status != BATTEN_OK)
+            return status;
+        made_at(f, v, f->made_row);
+        *error = bat_max(*error, distance(f, f->made_row, f->true_row));
+    }
+    return BATTEN_OK;
+}
+
+static batten_status measure(fitting *f, int places)
+{
+    f->worst = 0;
+    for (int s = 0; s + 1 < f->mesh_count; s++) {
+        const batten_status status = measure_span(f, s, places, &f->error[s]);
+        if (status != BATTEN_OK)
+            return status;
+        f->worst = bat_max(f->worst, f->error[s]);
+    }
+    return BATTEN_OK;
+}
+
+/* Of the coordinates. */
+static double rounding_of(const fitting *f)
+{
+    return 4 * DBL_EPSILON * f->size;
+}
+
+/* The last time: spans that may be the worst at more places, and what more places found is
+ * added once more for those that lie between. */
+static batten_status measure_last(fitting *f)
+{
+    batten_status status = measure(f, LAST_PLACES);
+    const double found = f->worst;
+    for (int s = 0; s + 1 < f->mesh_count && status == BATTEN_OK; s++) {
+        double error = 0;
+        if (f->error[s] < 0.5 * found)
+            continue;
+        status = measure_span(f, s, MOST_PLACES, &error);
+        f->error[s] = bat_max(error, f->error[s]) + bat_max(0, error - f->error[s]);
+        f->worst = bat_max(f->worst, f->error[s]);
+    }
+    f->worst += rounding_of(f);
+    return status;
+}
+
+/* ---- more sections ---- */
+
+/* Into how many parts a span should be cut: its error falls with the power degree + 1. */
+static int parts_of(const fitting *f, int span)
+{
+    const double ratio = f->error[span] / f->tolerance;
+    if (!(ratio > 1))
+        return 1;
+    const double parts = ceil(1.1 * pow(bat_min(ratio, 1e30), 1.0 / (f->degree + 1)));
+    return bat_max_int(2, (int)bat_min(parts, MOST_PARTS));
+}
+
+/* False when there would be too many, `needed`, or when breaks could not be told apart. */
+static bool cut_spans(fitting *f, int *needed)
+{
+    int added = 0;
+    for (int s = 0; s + 1 < f->mesh_count; s++)
+        added += parts_of(f, s) - 1;
+    *needed = count_rows(f) + added;
+    if (added == 0 || *needed > MOST_SECTIONS)
+        return false;
+    int to = f->mesh_count + added - 1;
+    for (int s = f->mesh_count - 2; s >= 0; s--) {
+        const double a = f->mesh[s], b = f->mesh[s + 1];
+        const int parts = parts_of(f, s), times = f->times[s + 1];
+        f->mesh[to] = b;
+        f->times[to--] = times;
+        for (int k = parts - 1; k > 0; k--) {
+            f->mesh[to] = a + (b - a) * k / parts;
+            f->times[to--] = 1;
+            if (!(f->mesh[to + 1] < f->mesh[to + 2]))
+                return false;
+        }
+        if (!(a < f->mesh[to + 1]))
+            return false;
+    }
+    f->mesh_count += added;
+    return true;
+}
+
+static batten_status not_met(const fitting *f, int needed)
+{
+    int s = 0;
+    char why[80] = "whose spans cannot be cut any more";
+    if (needed > MOST_SECTIONS)
+        snprintf(why, sizeof why, "and would need about %d; the limit is %d", needed,
+                 (int)MOST_SECTIONS);
+    for (int i = 0; i + 1 < f->mesh_count; i++)
+        if (f->error[i] > f->error[s])
+            s = i;
+    return bat_fail(
+        BATTEN_TOLERANCE_NOT_MET,
+        "the sweep is still %g from its true shape, more than %g, between %.17g and "
+        "%.17g of the path, with %d section%s, %s",
+        f->worst, f->tolerance, f->mesh[s], f->mesh[s + 1], f->count, bat_plural(f->count),
+        why);
+}
+
+static batten_status too_many_spans(const bat_motion *m)
+{
+    return bat_fail(BATTEN_TOO_LARGE,
+                    "the path has %d spans, too many for a sweep of at most %d sections",
+                    m->break_count - 1, (int)MOST_SECTIONS);
+}
+
+/* The breaks of the motion inside the part, as often as it is not smooth there. */
+static batten_status begin_mesh(fitting *f)
+{
+    const bat_motion *m = f->sweep->motion;
+    const batten_interval part = f->sweep->part;
+    f->mesh_count = 0;
+    for (int i = 0; i < m->break_count; i++) {
+        const double at = m->breaks[i];
+        if (at < part.a || at > part.b)
+            continue;
+        const bool inner = at > part.a && at < part.b;
+        if (inner && m->smoothness[i] < 0)
+            return bat_fail(BATTEN_NOT_COMPATIBLE,
+                            "the sections do not meet at the corner of the spine at %.17g", at);
+        if (f->mesh_count == MOST_SECTIONS)
+            return too_many_spans(m);
+        f->mesh[f->mesh_count] = at;
+        f->times[f->mesh_count++] =
+            f->degree - (inner ? bat_min_int(m->smoothness[i], f->degree - 1) : 0);
+    }
+    return count_rows(f) <= MOST_SECTIONS ? BATTEN_OK : too_many_spans(m);
+}
+
+static batten_status one_round(fitting *f, bat_work *work, int places)
+{
+    f->count = count_rows(f);
+    const double total = (double)f->count * f->points;
+    if (total > BAT_MAX_MADE_POINTS)
+        return bat_fail(BATTEN_TOO_LARGE,
+                        "%d sections of %d control points make a surface of %.3g; the limit "
+                        "is %d",
+                        f->count, f->points, total, (int)BAT_MAX_MADE_POINTS);
+    batten_status status = make_room(f);
+    if (status == BATTEN_OK)
+        status = bat_work_step(work, (uint64_t)f->count * (uint64_t)f->points * 8,
+                               bat_min(0.9, f->count / 200.0), "sweep");
+    if (status != BATTEN_OK)
+        return status;
+    lay_knots(f);
+    status = interpolate(f);
+    if (status == BATTEN_OK)
+        status = measure(f, places);
+    return status;
+}
+
+/* A path of straight lines makes a surface of degree 1. */
+static batten_status try_straight(fitting *f, bat_work *work, bool *met)
+{
+    const int degree = f->degree;
+    f->degree = 1;
+    batten_status status = begin_mesh(f);
+    if (status == BATTEN_OK)
+        status = one_round(f, work, LAST_PLACES);
+    if (status == BATTEN_OK && f->tolerance < rounding_of(f))
+        status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
+                          "the sweep cannot be within %g: its coordinates, as large as %g, are "
+                          "known to %.3g",
+                          f->tolerance, f->size, rounding_of(f));
+    *met = status == BATTEN_OK && f->worst <= 32 * DBL_EPSILON * f->size &&
+           f->worst + rounding_of(f) <= f->tolerance;
+    if (*met)
+        f->worst += rounding_of(f);
+    else
+        f->degree = degree;
+    return status;
+}
+
+static batten_status refine(fitting *f, bat_work *work)
+{
+    bool met = false;
+    int needed = 0;
+    batten_status status = try_straight(f, work, &met);
+    if (status != BATTEN_OK || met)
+        return status;
+    status = begin_mesh(f);
+    while (status == BATTEN_OK && !met) {
+        status = one_round(f, work, PLACES);
+        if (status == BATTEN_OK && f->worst <= f->tolerance)
+            status = measure_last(f);
+        met = status == BATTEN_OK && f->worst <= f->tolerance;
+        if (status == BATTEN_OK && !met && !cut_spans(f, &needed))
+            status = not_met(f, needed);
+    }
+    return status;
+}
+
+/* ---- handing over ---- */
+
+/* A path that comes back to its start closes to the bit. */
+static void close_seam(fitting *f)
+{
+    double *last = f->rows + (size_t)(f->count - 1) * f->row;
+    double gap = 0;
+    for (size_t c = 0; c < f->row; c++)
+        gap = bat_max(gap, fabs(f->rows[c] - last[c]));
+    if (gap > bat_min(1e-9 * f->size, f->tolerance / 16))
+        return;
+    memcpy(last, f->rows, f->row * sizeof *last);
+    f->worst += gap;
+}
+
+static void fill_knots_u(const bat_sweep *s, bat_nurbs *made)
+{
+    const double *knots =
+        s->row ? batten_surface_knots(s->row, BATTEN_U) : batten_curve_knots(s->section);
+    const int count = s->row ? batten_surface_knot_count(s->row, BATTEN_U)
+                             : batten_curve_knot_count(s->section);
+    memcpy(made->axes[BATTEN_U].knots, knots, (size_t)count * sizeof *knots);
+}
+
+static batten_status make_surface(const fitting *f, batten_surface **out)
+{
+    const bat_sweep *s = f->sweep;
+    const double *w = s->row ? NULL : batten_curve_weights(s->section);
+    const bat_nurbs_shape shape = {
+        3,
+        {s->row ? batten_surface_degree(s->row, BATTEN_U) : batten_curve_degree(s->section),
+         f->degree},
+        {f->points, f->count},
+        {s->row ? batten_surface_is_periodic(s->row, BATTEN_U)
+                : batten_curve_is_periodic(s->section),
+         false},
+        w || f->width == 4};
+    bat_nurbs *made;
+    const batten_status status = bat_nurbs_make(&shape, &made);
+    if (status != BATTEN_OK)
+        return status;
+    for (int i = 0; i < f->points; i++)
+        for (int j = 0; j < f->count; j++) {
+            const double *from = f->rows + (size_t)j * f->row + (size_t)i * f->width;
+            const size_t at = (size_t)i * (size_t)f->count + (size_t)j;
+            const double weight = f->width == 4 ? from[3] : 1;
+            for (size_t c = 0; c < 3; c++)
+                made->points[3 * at + c] = from[c] / weight;
+            if (made->weights)
+                made->weights[at] = w ? w[i] : weight;
+        }
+    fill_knots_u(s, made);
+    memcpy(made->axes[BATTEN_V].knots, f->knots,
+           (size_t)(f->count + f->degree + 1) * sizeof *f->knots);
+    return bat_nurbs_finish(made, out);
+}
+
+static void release(fitting *f)
+{
+    bat_release(f->mesh);
+    bat_release(f->times);
+    bat_release(f->error);
+    bat_release(f->knots);
+    bat_release(f->rows);
+    bat_release(f->band);
+    bat_release(f->true_row);
+    bat_release(f->made_row);
+}
+
+static batten_status check(int degree, double tolerance)
+{
+    if (degree < 1 || degree > BATTEN_MAX_DEGREE)
+        return bat_fail(BATTEN_BAD_DEGREE, "the degree along the path is %d, not 1 to %d",
+                        degree, BATTEN_MAX_DEGREE);
+    if (!isfinite(tolerance))
+        return bat_fail(BATTEN_NOT_FINITE, "the tolerance is %g", tolerance);
+    if (!(tolerance > 0))
+        return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not above 0", tolerance);
+    return BATTEN_OK;
+}
+
+batten_status bat_sweep_fit(const bat_sweep *sweep, int degree, double tolerance,
+                            bat_work *work, batten_surface_sweep_report *report,
+                            batten_surface **out)
+{
+    batten_status status = check(degree, tolerance);
+    if (status != BATTEN_OK)
+        return status;
+    fitting f = {.sweep = sweep, .degree = degree, .tolerance = tolerance};
+    f.points = bat_sweep_count(sweep);
+    f.width = bat_sweep_width(sweep);
+    f.row = (size_t)f.points * f.width;
+    f.mesh = bat_array(MOST_SECTIONS + 2, sizeof *f.mesh);
+    f.times = bat_array(MOST_SECTIONS + 2, sizeof *f.times);
+    f.error = bat_array(MOST_SECTIONS + 2, sizeof *f.error);
+    f.true_row = bat_array(f.row, sizeof *f.true_row);
+    f.made_row = bat_array(f.row, sizeof *f.made_row);
+    status = f.mesh && f.times && f.error && f.true_row && f.made_row ? BATTEN_OK
+                                                                      : BATTEN_OUT_OF_MEMORY;
+    if (status == BATTEN_OK)
+        status = refine(&f, work);
+    if (status == BATTEN_OK) {
+        close_seam(&f);
+        status = make_surface(&f, out);
+    }
+    if (status == BATTEN_OK) {
+        report->error = bat_max(report->error, f.worst);
+        report->section_count += f.count;
+    }
+    release(&f);
+    return status;
+}
