@@ -24,15 +24,16 @@ typedef struct command {
 } command;
 
 extern const command command_build, command_check, command_compare, command_convert,
-    command_draw, command_eval, command_fair, command_fit, command_help, command_info,
-    command_measure;
+    command_draw, command_eval, command_fair, command_fit, command_info, command_measure;
 
-int command_count(void);
-const command *command_at(int index);
-const command *command_find(const char *name);
-/* Complain about a name that is no command, with the nearest one. */
-void command_complain(const char *name);
+/* All commands, for those that speak of them. */
+typedef struct {
+    int count;
+    const command *const *at;
+} command_table;
 
+/* Is it one of the command's own options? */
+bool command_has_option(const command *c, const char *name);
 /* The options of a command and the parameters of its feature in one table, yours to
  * batten_release; NULL without memory. `choice`: another feature instead, with or without
  * settings (method.h), or NULL. */

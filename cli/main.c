@@ -1,4 +1,5 @@
 /* The program `batten`: one word chooses the command, a table knows them all. */
+#include "commands/help.h"
 #include "commands/method.h"
 
 #include <batten/design.h>
@@ -6,92 +7,54 @@
 #include <stdio.h>
 #include <string.h>
 
+static int run_help(const arguments *given);
+
+static const option help_options[] = {
+    {"as", 0, OPTION_VALUE, "FORM",
+     "print the whole manual as man, man-design, completion, or the schema of designs"},
+};
+
+/* The manual is made from the table of commands, so it is the one command that belongs here. */
+static const command command_help = {
+    .name = "help",
+    .usage = "[TOPIC]",
+    .summary = "the manual, offline",
+    .manual = "TOPIC is a command, a feature, 'features', 'design', 'formats' or 'files'.",
+    .most_files = 1,
+    .option_count = 1,
+    .options = help_options,
+    .run = run_help,
+};
+
 static const command *const commands[] = {
     &command_build, &command_fit,     &command_fair, &command_check,
     &command_info,  &command_measure, &command_eval, &command_convert,
     &command_draw,  &command_compare, &command_help,
 };
+#define COMMAND_COUNT ((int)(sizeof commands / sizeof commands[0]))
 
-int command_count(void)
+static int run_help(const arguments *given)
 {
-    return (int)(sizeof commands / sizeof commands[0]);
+    return help_show(given, &(command_table){COMMAND_COUNT, commands});
 }
 
-const command *command_at(int index)
+static const command *find_command(const char *name)
 {
-    return commands[index];
-}
-
-const command *command_find(const char *name)
-{
-    for (int i = 0; i < command_count(); i++)
+    for (int i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i]->name, name) == 0)
             return commands[i];
     return NULL;
 }
 
-void command_complain(const char *name)
+/* Complain about a name that is not a command, with the nearest one. */
+static void complain_of_command(const char *name)
 {
-    const char *names[sizeof commands / sizeof commands[0]];
-    for (int i = 0; i < command_count(); i++)
+    const char *names[COMMAND_COUNT];
+    for (int i = 0; i < COMMAND_COUNT; i++)
         names[i] = commands[i]->name;
-    const char *near = nearest_name(name, command_count(), names);
+    const char *near = nearest_name(name, COMMAND_COUNT, names);
     complain("batten: there is no command '%s'%s%s%s; see 'batten help'", name,
              near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
-}
-
-static bool has_own_option(const command *c, const char *name)
-{
-    for (int i = 0; i < c->option_count; i++)
-        if (strcmp(c->options[i].name, name) == 0)
-            return true;
-    return false;
-}
-
-static const char *value_name(const batten_parameter *p)
-{
-    return p->kind == BATTEN_VALUE_ANGLE    ? "ANGLE"
-           : p->kind == BATTEN_VALUE_LENGTH ? "LENGTH"
-                                            : "VALUE";
-}
-
-const char *command_value_units(int count, const option *options)
-{
-    bool length = false, angle = false;
-    for (int i = 0; i < count; i++) {
-        length |= options[i].value && strcmp(options[i].value, "LENGTH") == 0;
-        angle |= options[i].value && strcmp(options[i].value, "ANGLE") == 0;
-    }
-    return length && angle ? "An ANGLE has a unit, 30deg or 0.5rad; a LENGTH may have one, 2mm."
-           : angle         ? "An ANGLE has a unit, 30deg or 0.5rad."
-           : length        ? "A LENGTH may have a unit, 2mm."
-                           : NULL;
-}
-
-option *command_options(const command *c, const char *choice, int *count)
-{
-    char chosen[METHOD_SIZE] = "";
-    const char *name = choice ? chosen : c->feature;
-    if (choice && method_length(choice) < sizeof chosen)
-        memcpy(chosen, choice, method_length(choice));
-    const batten_feature *feature = name ? batten_feature_find(name) : NULL;
-    const int more = feature ? feature->parameter_count : 0;
-    option *all = batten_array((size_t)(c->option_count + more) + 1, sizeof *all);
-    if (!all)
-        return NULL;
-    memcpy(all, c->options, (size_t)c->option_count * sizeof *all);
-    *count = c->option_count;
-    /* The first parameter is the input, which is a word of the command line. */
-    for (int i = 1; i < more; i++) {
-        const batten_parameter *p = &feature->parameters[i];
-        const option_kind kind = p->kind == BATTEN_VALUE_YES_NO ? OPTION_SWITCH
-                                 : p->is_list                   ? OPTION_MANY
-                                                                : OPTION_VALUE;
-        if (!has_own_option(c, p->name))
-            all[(*count)++] =
-                (option){p->name, 0, kind, p->words ? p->words : value_name(p), p->summary};
-    }
-    return all;
 }
 
 /* The value of --method, which says whose parameters are options; NULL when it is not given. */
@@ -99,7 +62,7 @@ static const char *find_method(const command *c, int count, char **words)
 {
     static const char key[] = "--method";
     const size_t length = sizeof key - 1;
-    if (!has_own_option(c, "method"))
+    if (!command_has_option(c, "method"))
         return NULL;
     for (int i = 0; i < count; i++) {
         if (strncmp(words[i], key, length) == 0 && words[i][length] == '=')
@@ -110,12 +73,12 @@ static const char *find_method(const command *c, int count, char **words)
     return NULL;
 }
 
-static int run(const command *c, int count, char **words)
+static int run_command(const command *c, int count, char **words)
 {
     for (int i = 0; i < count && strcmp(words[i], "--") != 0; i++)
         if (strcmp(words[i], "--help") == 0 || strcmp(words[i], "-h") == 0) {
             const char *files[] = {c->name};
-            return command_help.run(&(arguments){.file_count = 1, .files = files});
+            return run_help(&(arguments){.file_count = 1, .files = files});
         }
 
     int option_count = 0;
@@ -145,15 +108,15 @@ int main(int count, char **words)
         return output_print(&text);
     }
     if (count < 2) {
-        command_help.run(&(arguments){0});
+        run_help(&(arguments){0});
         return EXIT_USAGE;
     }
     const char *name =
         strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 ? "help" : words[1];
-    const command *c = command_find(name);
+    const command *c = find_command(name);
     if (!c) {
-        command_complain(name);
+        complain_of_command(name);
         return EXIT_USAGE;
     }
-    return run(c, count - 2, words + 2);
+    return run_command(c, count - 2, words + 2);
 }

@@ -1,3 +1,5 @@
+/* `batten help`: what is printed about commands, features, designs, files and formats. */
+#include "commands/help.h"
 #include "commands/manual.h"
 #include "formats.h"
 
@@ -38,15 +40,15 @@ static void add_option(batten_text *text, const option *o)
     batten_text_add(text, "%s\n", o->kind == OPTION_MANY ? " (may be repeated)" : "");
 }
 
-static void add_commands(batten_text *text)
+static void add_commands(batten_text *text, const command_table *table)
 {
     batten_text_add(
         text,
         "batten %s: from points to fair, manufacturable free-form curves and surfaces\n\n"
         "usage: batten COMMAND ...\n\n",
         batten_version());
-    for (int i = 0; i < command_count(); i++)
-        batten_text_add(text, "  %-9s %s\n", command_at(i)->name, command_at(i)->summary);
+    for (int i = 0; i < table->count; i++)
+        batten_text_add(text, "  %-9s %s\n", table->at[i]->name, table->at[i]->summary);
     batten_text_add(
         text,
         "\n"
@@ -193,15 +195,15 @@ static const char files_manual[] =
     "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads it.\n";
 
 /* The whole manual in a form that other programs want. */
-static int print_as(const char *form)
+static int print_as(const char *form, const command_table *table)
 {
     batten_text text = BATTEN_TEXT;
     if (strcmp(form, "man") == 0) {
-        manual_page(&text);
+        manual_page(&text, table);
     } else if (strcmp(form, "man-design") == 0) {
         manual_design_page(&text);
     } else if (strcmp(form, "completion") == 0) {
-        manual_completion(&text);
+        manual_completion(&text, table);
     } else if (strcmp(form, "schema") == 0) {
         char *json = NULL;
         const batten_status status = batten_design_schema(&json);
@@ -239,17 +241,25 @@ static const batten_feature *find_feature(const char *topic)
     return found;
 }
 
-static int run(const arguments *given)
+static const command *find_command(const command_table *table, const char *topic)
+{
+    for (int i = 0; i < table->count; i++)
+        if (strcmp(table->at[i]->name, topic) == 0)
+            return table->at[i];
+    return NULL;
+}
+
+int help_show(const arguments *given, const command_table *table)
 {
     batten_text text = BATTEN_TEXT;
     const char *form = arguments_get(given, "as");
     if (form)
-        return print_as(form);
+        return print_as(form, table);
     const char *topic = given->file_count ? given->files[0] : NULL;
-    const command *c = topic ? command_find(topic) : NULL;
+    const command *c = topic ? find_command(table, topic) : NULL;
     const batten_feature *f = topic ? find_feature(topic) : NULL;
     if (!topic)
-        add_commands(&text);
+        add_commands(&text, table);
     else if (strcmp(topic, "features") == 0)
         add_features(&text);
     else if (strcmp(topic, "design") == 0 || strcmp(topic, "tolerance") == 0 ||
@@ -274,19 +284,3 @@ static int run(const arguments *given)
              topic, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
     return EXIT_USAGE;
 }
-
-static const option options[] = {
-    {"as", 0, OPTION_VALUE, "FORM",
-     "print the whole manual as man, man-design, completion, or the schema of designs"},
-};
-
-const command command_help = {
-    .name = "help",
-    .usage = "[TOPIC]",
-    .summary = "the manual, offline",
-    .manual = "TOPIC is a command, a feature, 'features', 'design', 'formats' or 'files'.",
-    .most_files = 1,
-    .option_count = 1,
-    .options = options,
-    .run = run,
-};

@@ -84,15 +84,15 @@ static void add_command(batten_text *text, const command *c)
     batten_release(options);
 }
 
-void manual_page(batten_text *text)
+void manual_page(batten_text *text, const command_table *table)
 {
     add_header(text, "BATTEN", 1,
                "batten - from points to fair, manufacturable free-form curves and surfaces");
     add_section(text, "SYNOPSIS");
     batten_text_add(text, ".B batten\n.I command\n[\\fIargument\\fR ...]\n");
     add_section(text, "COMMANDS");
-    for (int i = 0; i < command_count(); i++)
-        add_command(text, command_at(i));
+    for (int i = 0; i < table->count; i++)
+        add_command(text, table->at[i]);
     add_section(text, "FILES");
     add_escaped(text,
                 "IN is a file, file#name for one object in it, or - for standard input.\n");
@@ -150,7 +150,7 @@ void manual_design_page(batten_text *text)
     batten_text_add(text, ".BR batten (1)\n");
 }
 
-void manual_completion(batten_text *text)
+void manual_completion(batten_text *text, const command_table *table)
 {
     batten_text_add(text, "# bash completion for batten\n"
                           "_batten()\n"
@@ -158,17 +158,17 @@ void manual_completion(batten_text *text)
                           "    local word=${COMP_WORDS[COMP_CWORD]} options=\n"
                           "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
                           "        COMPREPLY=($(compgen -W '");
-    for (int i = 0; i < command_count(); i++)
-        batten_text_add(text, "%s ", command_at(i)->name);
+    for (int i = 0; i < table->count; i++)
+        batten_text_add(text, "%s ", table->at[i]->name);
     batten_text_add(text,
                     "' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n");
-    for (int i = 0; i < command_count(); i++) {
+    for (int i = 0; i < table->count; i++) {
         int count = 0;
-        option *options = command_options(command_at(i), NULL, &count);
-        batten_text_add(text, "    %s) options='", command_at(i)->name);
+        option *options = command_options(table->at[i], NULL, &count);
+        batten_text_add(text, "    %s) options='", table->at[i]->name);
         for (int k = 0; options && k < count; k++)
             batten_text_add(text, "--%s ", options[k].name);
-        for (int k = 0; strcmp(command_at(i)->name, "help") == 0 && k < batten_feature_count();
+        for (int k = 0; strcmp(table->at[i]->name, "help") == 0 && k < batten_feature_count();
              k++)
             batten_text_add(text, "%s ", batten_feature_at(k)->name);
         batten_text_add(text, "' ;;\n");

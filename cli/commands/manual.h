@@ -5,8 +5,8 @@
 
 #include <batten/text.h>
 
-void manual_page(batten_text *text);        /* batten(1) */
-void manual_design_page(batten_text *text); /* batten-design(5) */
-void manual_completion(batten_text *text);  /* for bash */
+void manual_page(batten_text *text, const command_table *table);       /* batten(1) */
+void manual_design_page(batten_text *text);                            /* batten-design(5) */
+void manual_completion(batten_text *text, const command_table *table); /* for bash */
 
 #endif

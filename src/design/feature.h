@@ -35,6 +35,12 @@ typedef struct bat_run bat_run;
 typedef struct {
     batten_feature shown;
     batten_status (*run)(bat_run *run);
+    /* The parameter that, when given, puts the result away from the points of its inputs: then
+     * distances from them mean nothing. NULL for none. */
+    const char *displacing;
+    /* Of an output: does "hull.step: hull", without an operation, mean this one? Of several the
+     * last of the list is taken. NULL: never. */
+    bool (*takes_file)(const char *name);
 } bat_feature;
 
 #define BAT_PARAMETERS(table) (int)(sizeof(table) / sizeof((table)[0])), table

@@ -1,5 +1,5 @@
 #include "design/feature.h"
-#include "design/text/value.h"
+#include "design/text/spelling.h"
 
 #include <assert.h>
 #include <string.h>

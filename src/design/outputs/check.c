@@ -21,11 +21,16 @@ static void note_distance(const bat_run *run, const bat_check *check)
         bat_note(run, "a point given lies farther than %g from the shape", check->within);
 }
 
+static bool is_json(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && strcmp(dot, ".json") == 0;
+}
+
 static batten_status run(bat_run *run)
 {
     bat_check check;
     batten_text text = BATTEN_TEXT;
-    const char *dot = strrchr(run->name, '.');
     const double within = bat_has(run, "within") ? bat_number(run, "within") : HUGE_VAL;
     batten_status status = bat_check_all(run, "check", within, &check);
     if (status == BATTEN_OK) {
@@ -37,7 +42,7 @@ static batten_status run(bat_run *run)
                      within);
         else if (!check.ok)
             note_distance(run, &check);
-        if (dot && strcmp(dot, ".json") == 0)
+        if (is_json(run->name))
             bat_report_json(&check, &text);
         else
             bat_report_text(&check, &text);
@@ -71,4 +76,5 @@ const bat_feature bat_feature_check = {
          "  report.txt: {check: sheer}\n"
          "  report.json: {check: sheer, within: 1 cm}\n",
          "[SL]", "batten_curve_fairness", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run,
+    .takes_file = is_json};

@@ -21,12 +21,13 @@ static bool has_data(const batten_model *model)
     return false;
 }
 
-/* Does a feature place its sections along a spine, away from their points? */
+/* Does a feature place its result away from the points of its inputs? */
 static bool displaces(const bat_entry *entry)
 {
     const batten_feature *shown = &entry->feature->shown;
-    for (int k = 0; strcmp(shown->name, "skin") == 0 && k < shown->parameter_count; k++)
-        if (strcmp(shown->parameters[k].name, "spine") == 0)
+    const char *displacing = entry->feature->displacing;
+    for (int k = 0; displacing && k < shown->parameter_count; k++)
+        if (strcmp(shown->parameters[k].name, displacing) == 0)
             return entry->arguments[k].count > 0;
     return false;
 }

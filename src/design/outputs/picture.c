@@ -150,6 +150,12 @@ static batten_status run(bat_run *run)
     return status;
 }
 
+static bool is_picture(const char *name)
+{
+    batten_picture_format format;
+    return batten_picture_format_from_name(name, &format);
+}
+
 const bat_feature bat_feature_picture = {
     .shown =
         {"picture", "A drawing of curves, a shaded picture of surfaces, bodies, meshes",
@@ -166,4 +172,5 @@ const bat_feature bat_feature_picture = {
          "  tank.png: {picture: tank, shading: zebra, width: 120, height: 80}\n"
          "  tank.svg: {picture: tank, hidden: dropped, silhouettes: yes}\n",
          "", "batten_draw", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run,
+    .takes_file = is_picture};

@@ -60,6 +60,11 @@ static batten_status run(bat_run *run)
     return status;
 }
 
+static bool is_any(const char *name)
+{
+    return *name != 0;
+}
+
 const bat_feature bat_feature_write = {
     .shown =
         {"write", "A file for other programs",
@@ -74,4 +79,5 @@ const bat_feature bat_feature_write = {
          "outputs:\n"
          "  ducks.xyz: {write: ducks}\n",
          "", "batten_write_memory", BAT_PARAMETERS(parameters), true},
-    .run = run};
+    .run = run,
+    .takes_file = is_any};

@@ -1,5 +1,7 @@
+/* The arguments of a feature or an output: words of the text become typed values. */
 #include "base/plural.h"
 #include "design/text/document.h"
+#include "design/text/spelling.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -409,23 +411,4 @@ batten_status bat_arguments_read(bat_document *document, bat_entry *entry)
             status = read_standard(&r, &entry->arguments[i]);
     }
     return status;
-}
-
-bool bat_item_is_feature(batten_value_kind kind, const bat_item *item)
-{
-    return kind == BATTEN_VALUE_MODEL || (kind == BATTEN_VALUE_POINTS && item->text);
-}
-
-void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
-                      void *user)
-{
-    if (!entry->feature || !entry->arguments)
-        return;
-    const batten_feature *f = &entry->feature->shown;
-    for (int i = 0; i < f->parameter_count; i++)
-        for (int k = 0; k < entry->arguments[i].count; k++) {
-            const bat_item *item = &entry->arguments[i].items[k];
-            if (bat_item_is_feature(f->parameters[i].kind, item) && item->count >= 0)
-                visit(user, item->count);
-        }
 }

@@ -54,25 +54,47 @@ batten_status bat_document_parse(const char *text, size_t length,
                                  const batten_design_options *options, batten_notes *notes,
                                  bat_document *out);
 void bat_document_free(bat_document *document);
-/* The index of a feature, or -1. */
-int bat_document_feature(const bat_document *document, const char *name);
+
+/* ---- complaints.c ---- */
 
 /* Note an error of the text at a node (-1: the whole file). */
 void bat_complain(bat_document *document, int node, const char *format, ...)
     BATTEN_PRINTF(3, 4);
+/* The same at a line and a column; line 0: the whole file. */
+void bat_complain_at(bat_complaints *complaints, int line, int column, const char *sentence);
+/* `what` (features, parameters) need each other. @param names [count + 1] the first again last
+ */
+void bat_complain_of_ring(bat_document *document, int node, const char *what, int count,
+                          const char **names);
+
+/* ---- names.c ---- */
+
+/* Sort the names of the features, which are listed; then they are found. */
+batten_status bat_names_sort(bat_document *document);
+/* The index of a feature, or -1. */
+int bat_document_feature(const bat_document *document, const char *name);
+
+/* ---- head.c ---- */
+
+/* The newest version of the format that we know. */
+#define BAT_FORMAT_VERSION 1
+
+/* Read version, units and title, and name sections that are unknown. */
+void bat_head_read(bat_document *document);
+/* Read the tolerance; it may name parameters. */
+void bat_tolerance_read(bat_document *document);
+
+/* ---- parameters.c ---- */
+
+/* List and evaluate the `count` parameters below a node (-1: there are none). */
+batten_status bat_parameters_read(bat_document *document, int node, int count);
+/* What expressions of the document may name. */
+bat_names bat_document_names(bat_document *document);
 
 /* ---- argument.c ---- */
 
-/* What expressions of the document may name. */
-bat_names bat_document_names(bat_document *document);
 /* Read the arguments of an entry from its node; wrong ones are complained about. */
 batten_status bat_arguments_read(bat_document *document, bat_entry *entry);
-/* Does the item name a feature, `count`? */
-bool bat_item_is_feature(batten_value_kind kind, const bat_item *item);
-/* The features that an entry needs: calls `visit` with each index. */
-void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
-                      void *user);
-
 /* ---- path.c ---- */
 
 /* Does a path, as written, leave the folder it is relative to? */
@@ -98,6 +120,12 @@ typedef struct {
 int bat_graph_order(const bat_graph *graph, int *order, int *cycle);
 /* Mark `from` and all that it needs. @param[in,out] marked [count] */
 batten_status bat_graph_mark(const bat_graph *graph, int from, bool *marked);
+
+/* Does the item name a feature, `count`? */
+bool bat_item_is_feature(batten_value_kind kind, const bat_item *item);
+/* The features that an entry needs: calls `visit` with each index. */
+void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
+                      void *user);
 
 /* The graph of the features; release begin and needs. */
 batten_status bat_document_graph(const bat_document *document, bat_graph *out);

@@ -51,7 +51,7 @@ static int copy_cycle(const search *s, int again, int *cycle)
 }
 
 /* Visit `from` and what it needs; the length of a ring, or 0. */
-static int visit(search *s, int from, int *order, int *done, int *cycle)
+static int order_from(search *s, int from, int *order, int *done, int *cycle)
 {
     open_thing(s, from);
     while (s->depth > 0) {
@@ -77,7 +77,7 @@ int bat_graph_order(const bat_graph *graph, int *order, int *cycle)
     int ring = begin_search(&s, graph) == BATTEN_OK ? 0 : -1;
     for (int i = 0, done = 0; ring == 0 && i < graph->count; i++)
         if (s.marks[i] == UNSEEN)
-            ring = visit(&s, i, order, &done, cycle);
+            ring = order_from(&s, i, order, &done, cycle);
     end_search(&s);
     return ring;
 }
@@ -105,6 +105,25 @@ batten_status bat_graph_mark(const bat_graph *graph, int from, bool *marked)
 }
 
 /* ---- the graph of a document ---- */
+
+bool bat_item_is_feature(batten_value_kind kind, const bat_item *item)
+{
+    return kind == BATTEN_VALUE_MODEL || (kind == BATTEN_VALUE_POINTS && item->text);
+}
+
+void bat_entry_inputs(const bat_entry *entry, void (*visit)(void *user, int feature),
+                      void *user)
+{
+    if (!entry->feature || !entry->arguments)
+        return;
+    const batten_feature *f = &entry->feature->shown;
+    for (int i = 0; i < f->parameter_count; i++)
+        for (int k = 0; k < entry->arguments[i].count; k++) {
+            const bat_item *item = &entry->arguments[i].items[k];
+            if (bat_item_is_feature(f->parameters[i].kind, item) && item->count >= 0)
+                visit(user, item->count);
+        }
+}
 
 static void count_need(void *user, int feature)
 {

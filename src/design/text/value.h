@@ -38,11 +38,4 @@ const char *bat_dimension_name(int length, int angle, char *text);
 bool bat_expression_next_name(const char *text, size_t *position, const char **name,
                               size_t *length);
 
-/* How many letters must be changed, added, dropped or swapped to make one word the other;
- * `limit` when it is not less. */
-int bat_edit_distance(const char *a, const char *b, int limit);
-
-/* Is `a` near enough to be what the writer of `word` meant, and nearer than `*best`? */
-bool bat_is_nearer(const char *word, const char *a, int *best);
-
 #endif

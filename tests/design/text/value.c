@@ -1,3 +1,4 @@
+#include "design/text/spelling.h"
 #include "design/text/value.h"
 
 #include "support/test.h"

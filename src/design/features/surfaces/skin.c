@@ -227,4 +227,5 @@ const bat_feature bat_feature_skin = {
          "  fore: {arc: 0.8 m, angle: 180 deg, axis: x, from: y, at: [4 m, 0, 0]}\n"
          "  hull: {skin: [aft, mid, fore], ends: natural}\n",
          "[PT97]", "batten_surface_skin", BAT_PARAMETERS(parameters), false},
-    .run = run};
+    .run = run,
+    .displacing = "spine"};

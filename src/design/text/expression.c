@@ -1,200 +1,13 @@
-#include "design/text/value.h"
+/* Quantities as a design writes them: a number with a unit, or after '=' an expression over the
+ * parameters, evaluated by Dijkstra's shunting yard without recursion. */
+#include "design/text/literal.h"
 
-#include <batten/model.h>
-#include <batten/text.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* How deep parentheses, signs and functions may nest. */
 #define MOST_PENDING 64
-
-/* ---- characters, the same in every locale ---- */
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-static bool begins_name(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-static size_t name_length(const char *text)
-{
-    size_t length = 0;
-    if (begins_name(*text))
-        while (begins_name(text[length]) || is_digit(text[length]))
-            length++;
-    return length;
-}
-
-static const char *skip_blanks(const char *at)
-{
-    while (is_blank(*at))
-        at++;
-    return at;
-}
-
-/* ---- literals: numbers with units ---- */
-
-typedef struct {
-    const char *at;
-    const bat_names *names;
-    bool vanished;
-    bool in_expression; /* '-' is an operator */
-} reader;
-
-static batten_status read_number(reader *r, double *value)
-{
-    const char *at = r->at;
-    size_t used = 0;
-    if (*at == '+' || *at == '-')
-        return bat_fail(BATTEN_BAD_FORMAT, "a number is expected at \"%.40s\"", at);
-    const batten_status status = batten_number_read(at, strlen(at), value, &used);
-    if (status == BATTEN_OVERFLOW)
-        return bat_fail(status, "the number \"%.40s\" is too large", at);
-    if (status != BATTEN_OK)
-        return bat_fail(BATTEN_BAD_FORMAT, "a number is expected at \"%.40s\"", at);
-    if (*value == 0)
-        for (size_t i = 0; i < used && at[i] != 'e' && at[i] != 'E'; i++)
-            if (at[i] >= '1' && at[i] <= '9')
-                r->vanished = true;
-    r->at += used;
-    return BATTEN_OK;
-}
-
-/* "6 1/2": a whole number, a blank and a fraction. */
-static batten_status read_fraction(reader *r, double *value)
-{
-    const char *at = skip_blanks(r->at);
-    const char *digit = at;
-    while (is_digit(*digit))
-        digit++;
-    if (at == r->at || digit == at || *digit != '/' || !is_digit(digit[1]))
-        return BATTEN_OK;
-    double above, below;
-    batten_status status = batten_number_read(at, (size_t)(digit - at), &above, NULL);
-    r->at = digit + 1;
-    if (status == BATTEN_OK)
-        status = read_number(r, &below);
-    if (status == BATTEN_OK && below == 0)
-        status = bat_fail(BATTEN_BAD_FORMAT, "the fraction \"%.40s\" divides by 0", at);
-    if (status == BATTEN_OK)
-        *value += above / below;
-    return status;
-}
-
-/* The unit after a number: its name in `name` [16], and where it ends. */
-static const char *unit_after(const char *at, char *name)
-{
-    at = skip_blanks(at);
-    if (*at == '\'' || *at == '"') {
-        strcpy(name, *at == '\'' ? "ft" : "in");
-        return at + 1;
-    }
-    const size_t length = name_length(at);
-    if (length == 0 || length > 15)
-        return NULL;
-    memcpy(name, at, length);
-    name[length] = 0;
-    return at + length;
-}
-
-static const char *const angle_words[] = {"deg", "degree", "degrees",
-                                          "rad", "radian", "radians"};
-
-static double angle_unit(const char *name)
-{
-    for (size_t i = 0; i < sizeof angle_words / sizeof angle_words[0]; i++)
-        if (strcmp(name, angle_words[i]) == 0)
-            return i < 3 ? BAT_PI / 180 : 1;
-    return 0;
-}
-
-/* `value` units of `metres` in design units, with one rounding where the ratio is whole. */
-static double in_design_units(double value, double metres, double design)
-{
-    return metres >= design ? value * (metres / design) : value / (design / metres);
-}
-
-/* After feet: inches, as in 5 ft 6 1/2 in. */
-static batten_status read_inches(reader *r, double *value)
-{
-    const char *at = skip_blanks(r->at);
-    if (*at == '-' && at == r->at && !r->in_expression) /* 5'-6" */
-        at++;
-    if (!is_digit(*at) && *at != '.')
-        return BATTEN_OK;
-    reader ahead = {at, r->names, false, r->in_expression};
-    double inches;
-    batten_status status = read_number(&ahead, &inches);
-    if (status == BATTEN_OK)
-        status = read_fraction(&ahead, &inches);
-    if (status != BATTEN_OK)
-        return status;
-    char unit[16];
-    const char *after = unit_after(ahead.at, unit);
-    if (!after || batten_unit_metres(unit) != batten_unit_metres("in"))
-        return BATTEN_OK;
-    *value += in_design_units(inches, batten_unit_metres("in"), r->names->unit_metres);
-    r->at = after;
-    r->vanished |= ahead.vanished;
-    return BATTEN_OK;
-}
-
-static batten_status read_literal(reader *r, bat_quantity *out)
-{
-    const char *begin = r->at;
-    double value;
-    batten_status status = read_number(r, &value);
-    if (status == BATTEN_OK)
-        status = read_fraction(r, &value);
-    if (status != BATTEN_OK)
-        return status;
-    char unit[16];
-    const char *after = unit_after(r->at, unit);
-    bat_quantity made = {value, 0, 0};
-    if (after) {
-        const double metres = batten_unit_metres(unit);
-        const double radians = angle_unit(unit);
-        if (metres <= 0 && radians <= 0)
-            return bat_fail(BATTEN_BAD_FORMAT,
-                            "'%s' is no unit; known are m mm cm km um in ft mil mi deg rad",
-                            unit);
-        r->at = after;
-        made.length = metres > 0;
-        made.angle = metres <= 0;
-        made.value = metres > 0 ? in_design_units(value, metres, r->names->unit_metres)
-                                : value * radians;
-        if (metres > 0 && metres == batten_unit_metres("ft"))
-            status = read_inches(r, &made.value);
-    }
-    if (status == BATTEN_OK && !isfinite(made.value))
-        status = bat_fail(BATTEN_OVERFLOW, "the number \"%.40s\" is too large", begin);
-    if (status == BATTEN_OK)
-        *out = made;
-    return status;
-}
-
-/* ---- dimensions ---- */
-
-const char *bat_dimension_name(int length, int angle, char *text)
-{
-    if (angle == 0 && length >= 0 && length <= 3)
-        return (const char *const[]){"a number", "a length", "an area", "a volume"}[length];
-    if (angle == 1 && length == 0)
-        return "an angle";
-    snprintf(text, 48, "length^%d angle^%d", length, angle);
-    return text;
-}
 
 static batten_status not_same(const char *what, const bat_quantity *a, const bat_quantity *b)
 {
@@ -232,7 +45,7 @@ typedef enum {
 
 /* Values and operations that wait: Dijkstra's shunting yard. */
 typedef struct {
-    reader read;
+    bat_reader read;
     bat_quantity values[MOST_PENDING];
     operation pending[MOST_PENDING];
     int commas[MOST_PENDING]; /* of the call that waits at the same place */
@@ -462,11 +275,11 @@ static batten_status unknown_name(const bat_names *names, const char *name, size
 static batten_status take_name(yard *y, bool *wants_value)
 {
     const char *name = y->read.at;
-    const size_t length = name_length(name);
+    const size_t length = bat_name_length(name);
     const int function = function_of(name, length);
     y->read.at += length;
     if (function >= 0) {
-        y->read.at = skip_blanks(y->read.at);
+        y->read.at = bat_skip_blanks(y->read.at);
         if (*y->read.at != '(')
             return bat_fail(BATTEN_BAD_FORMAT, "'(' is expected after %s",
                             functions[function].name);
@@ -486,7 +299,7 @@ static batten_status take_name(yard *y, bool *wants_value)
 static batten_status take_operand(yard *y, bool *wants_value)
 {
     const char c = *y->read.at;
-    if (begins_name(c))
+    if (bat_begins_name(c))
         return take_name(y, wants_value);
     if (c == '(' || c == '-') {
         y->read.at++;
@@ -495,7 +308,7 @@ static batten_status take_operand(yard *y, bool *wants_value)
     bat_quantity value;
     if (c == 0)
         return bat_fail(BATTEN_BAD_FORMAT, "the expression ends where a value is expected");
-    const batten_status status = read_literal(&y->read, &value);
+    const batten_status status = bat_literal_read(&y->read, &value);
     *wants_value = false;
     return status == BATTEN_OK ? push_value(y, value) : status;
 }
@@ -524,9 +337,9 @@ static batten_status evaluate(yard *y, bat_quantity *out)
 {
     bool wants_value = true;
     batten_status status = BATTEN_OK;
-    for (y->read.at = skip_blanks(y->read.at);
+    for (y->read.at = bat_skip_blanks(y->read.at);
          status == BATTEN_OK && (*y->read.at || wants_value);
-         y->read.at = skip_blanks(y->read.at))
+         y->read.at = bat_skip_blanks(y->read.at))
         status = wants_value ? take_operand(y, &wants_value) : take_operator(y, &wants_value);
     if (status == BATTEN_OK)
         status = carry_out_above(y, 1);
@@ -538,58 +351,21 @@ static batten_status evaluate(yard *y, bat_quantity *out)
     return status;
 }
 
-static batten_status read_signed(reader *r, bat_quantity *out)
-{
-    const char *begin = r->at;
-    const bool minus = *r->at == '-';
-    if (*r->at == '-' || *r->at == '+')
-        r->at++;
-    bat_quantity made;
-    const batten_status status = read_literal(r, &made);
-    if (status != BATTEN_OK)
-        return status;
-    if (*skip_blanks(r->at))
-        return bat_fail(BATTEN_BAD_FORMAT, "\"%.60s\" is no number: \"%.40s\" is left over",
-                        begin, skip_blanks(r->at));
-    if (minus)
-        made.value = -made.value;
-    *out = made;
-    return BATTEN_OK;
-}
-
 batten_status bat_quantity_read(const char *text, const bat_names *names, bool *vanished,
                                 bat_quantity *out)
 {
-    yard y = {.read = {skip_blanks(text), names, false, false}};
+    yard y = {.read = {bat_skip_blanks(text), names, false, false}};
     batten_status status;
     if (*y.read.at == '=') {
         y.read.at++;
         y.read.in_expression = true;
         status = evaluate(&y, out);
     } else {
-        status = read_signed(&y.read, out);
+        status = bat_signed_read(&y.read, out);
     }
     if (status == BATTEN_OK && vanished)
         *vanished = y.read.vanished;
     return status;
-}
-
-batten_status bat_count_read(const char *text, int *out)
-{
-    int value = 0;
-    if (!*text)
-        return bat_fail(BATTEN_BAD_FORMAT, "a whole number is expected, not nothing");
-    for (const char *c = text; *c; c++) {
-        if (!is_digit(*c))
-            return bat_fail(BATTEN_BAD_FORMAT, "a whole number is expected, not \"%.40s\"",
-                            text);
-        if (value > (INT_MAX - (*c - '0')) / 10)
-            return bat_fail(BATTEN_OVERFLOW, "the count %.40s is above the largest, %d", text,
-                            INT_MAX);
-        value = 10 * value + (*c - '0');
-    }
-    *out = value;
-    return BATTEN_OK;
 }
 
 bool bat_expression_next_name(const char *text, size_t *position, const char **name,
@@ -597,7 +373,7 @@ bool bat_expression_next_name(const char *text, size_t *position, const char **n
 {
     bool after_number = false;
     for (const char *at = text + *position; *at;) {
-        const size_t letters = name_length(at);
+        const size_t letters = bat_name_length(at);
         const bool is_name = letters && !after_number && function_of(at, letters) < 0 &&
                              !(letters == 2 && memcmp(at, "pi", 2) == 0);
         if (is_name) {
@@ -608,49 +384,11 @@ bool bat_expression_next_name(const char *text, size_t *position, const char **n
         }
         if (letters)
             after_number = false;
-        else if (is_digit(*at) || *at == '.')
+        else if (bat_is_digit(*at) || *at == '.')
             after_number = true;
-        else if (!is_blank(*at))
+        else if (!bat_is_white(*at))
             after_number = false;
         at += letters ? letters : 1;
     }
     return false;
-}
-
-/* ---- near names ---- */
-
-#define LONGEST_NAME 48
-
-int bat_edit_distance(const char *a, const char *b, int limit)
-{
-    const int m = (int)strlen(a), n = (int)strlen(b);
-    if (m > LONGEST_NAME || n > LONGEST_NAME || abs(m - n) >= limit)
-        return limit;
-    int rows[3][LONGEST_NAME + 1];
-    for (int j = 0; j <= n; j++)
-        rows[0][j] = j;
-    for (int i = 1; i <= m; i++) {
-        int *row = rows[i % 3];
-        const int *above = rows[(i + 2) % 3], *before = rows[(i + 1) % 3];
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            row[j] = bat_min_int(above[j], row[j - 1]) + 1;
-            row[j] = bat_min_int(row[j], above[j - 1] + (a[i - 1] != b[j - 1]));
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = bat_min_int(row[j], before[j - 2] + 1);
-        }
-    }
-    return bat_min_int(rows[m % 3][n], limit);
-}
-
-bool bat_is_nearer(const char *word, const char *a, int *best)
-{
-    /* A third of the letters may be wrong, and never all of them. */
-    const int letters = (int)strlen(word);
-    const int allowed = bat_min_int(letters - 1, bat_max_int(1, letters / 3));
-    const int distance = bat_edit_distance(word, a, bat_min_int(*best, allowed + 1));
-    if (distance > allowed || distance >= *best)
-        return false;
-    *best = distance;
-    return true;
 }
