@@ -1,5 +1,6 @@
 #include "body/trace/chart.h"
 #include "body/border.h"
+#include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 
 #include <batten/nearest.h>
@@ -123,86 +124,66 @@ int bat_chart_pole(const bat_chart *chart, const double q[3])
 
 /* ---- feet ---- */
 
-/* The step of Gauss and Newton for the gradient g, along the free directions: E, F, G. */
-static void solve(const double h[3], const double g[2], const bool free[2], double step[2])
+/* The step of Gauss and Newton: the surface is asked for first derivatives only. */
+static void step_to_foot(const bat_foot_place *here, const bool free[2], double step[2])
 {
-    /* With tangents of length one, so that squares of squares stay within the numbers. */
-    const double su = sqrt(h[0]), sv = sqrt(h[2]);
-    const double c = su > 0 && sv > 0 ? h[1] / su / sv : 1, det = 1 - c * c;
-    if (free[0] && free[1] && det > 64 * DBL_EPSILON) {
-        step[0] = (c * g[1] / sv - g[0] / su) / det / su;
-        step[1] = (c * g[0] / su - g[1] / sv) / det / sv;
-        return;
-    }
-    for (int k = 0; k < 2; k++)
-        step[k] = free[k] && h[2 * k] > 0 ? -g[k] / h[2 * k] : 0;
+    bat_foot_step(here, free, 0, step);
 }
 
 void bat_chart_velocity(const double *derivatives, const double d[3], double uv[2])
 {
-    const double *su = derivatives + 3, *sv = derivatives + 6;
-    const double h[3] = {bat_dot(3, su, su), bat_dot(3, su, sv), bat_dot(3, sv, sv)};
-    const double g[2] = {-bat_dot(3, su, d), -bat_dot(3, sv, d)};
-    solve(h, g, (const bool[2]){true, true}, uv);
-}
-
-/* Where uv + 2^-half step is; not beyond a border. */
-static void move(const bat_chart *chart, const double uv[2], const double step[2], int half,
-                 double to[2])
-{
-    for (int k = 0; k < 2; k++) {
-        /* Where a direction has hardly any extent, at a pole, steps would be wild. */
-        const double most = chart->period[k] / 8;
-        to[k] = uv[k] + bat_max(-most, bat_min(most, ldexp(step[k], -half)));
-        if (!chart->closed[k])
-            to[k] = bat_min(chart->domain[k].b, bat_max(chart->domain[k].a, to[k]));
-    }
-}
-
-static void gradient(const bat_chart *chart, const double q[3], const double *s,
-                     const double uv[2], double step[2])
-{
-    double r[3];
-    bool free[2];
-    for (int k = 0; k < 3; k++)
-        r[k] = s[k] - q[k];
-    const double *su = s + 3, *sv = s + 6;
-    const double g[2] = {bat_dot(3, r, su), bat_dot(3, r, sv)};
-    const double h[3] = {bat_dot(3, su, su), bat_dot(3, su, sv), bat_dot(3, sv, sv)};
+    /* The foot of S + d, from S. */
+    double to[3];
+    bat_foot_place here;
+    memcpy(to, d, sizeof to);
+    bat_foot_slopes(3, derivatives, 1, to, &here);
     for (int k = 0; k < 2; k++)
-        free[k] = chart->closed[k] || !((uv[k] <= chart->domain[k].a && g[k] > 0) ||
-                                        (uv[k] >= chart->domain[k].b && g[k] < 0));
-    solve(h, g, free, step);
+        here.gradient[k] = -bat_dot(3, derivatives + 3 * (k + 1), d);
+    step_to_foot(&here, (const bool[2]){true, true}, uv);
+}
+
+typedef struct {
+    const bat_chart *chart;
+    const double *q;
+} chart_search;
+
+static batten_status look_on_chart(const void *context, const double at[2], bat_foot_place *out)
+{
+    const chart_search *search = context;
+    double s[9];
+    const batten_status status = bat_chart_evaluate(search->chart, at, 1, s);
+    if (status != BATTEN_OK)
+        return status;
+    bat_foot_slopes(3, s, 1, search->q, out);
+    out->value = bat_distance(3, s, search->q);
+    memcpy(out->at, at, sizeof out->at);
+    return BATTEN_OK;
 }
 
 static batten_status descend(const bat_chart *chart, const double q[3], double uv[2],
                              double *distance)
 {
-    enum { STEPS = 40, HALVINGS = 10 };
-    double s[9], there[9];
-    bool better = true;
-    batten_status status = bat_chart_evaluate(chart, uv, 1, s);
-    *distance = status == BATTEN_OK ? bat_distance(3, s, q) : 0;
-    for (int i = 0; status == BATTEN_OK && better && i < STEPS; i++) {
-        double step[2], to[2];
-        gradient(chart, q, s, uv, step);
-        better = false;
+    const chart_search search = {chart, q};
+    bat_foot_descent descent = {.look = look_on_chart,
+                                .step = step_to_foot,
+                                .context = &search,
+                                .steps = 40,
+                                .halvings = 10};
+    bat_foot_place foot = {.at = {uv[0], uv[1]}};
+    for (int k = 0; k < 2; k++) {
+        descent.low[k] = chart->closed[k] ? -HUGE_VAL : chart->domain[k].a;
+        descent.high[k] = chart->closed[k] ? HUGE_VAL : chart->domain[k].b;
+        /* Where a direction has hardly any extent, at a pole, steps would be wild. */
+        descent.longest[k] = chart->period[k] / 8;
         /* A step far below what matters: the foot stands. */
-        if (fabs(step[0]) < 1e-7 * chart->near[0] && fabs(step[1]) < 1e-7 * chart->near[1])
-            break;
-        for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
-            move(chart, uv, step, half, to);
-            status = bat_chart_evaluate(chart, to, 1, there);
-            const double now = status == BATTEN_OK ? bat_distance(3, there, q) : 0;
-            better = status == BATTEN_OK && now < *distance;
-            if (better) {
-                memcpy(uv, to, sizeof to);
-                memcpy(s, there, sizeof there);
-                *distance = now;
-            }
-        }
+        descent.least[k] = 1e-7 * chart->near[k];
     }
-    return status;
+    const batten_status status = bat_foot_descend(&descent, &foot);
+    if (status != BATTEN_OK)
+        return status;
+    memcpy(uv, foot.at, sizeof foot.at);
+    *distance = foot.value;
+    return BATTEN_OK;
 }
 
 /* Parameters a hair off an end of the domain, or of a period, are put on it. */

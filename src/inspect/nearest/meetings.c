@@ -4,6 +4,7 @@
  * of the distance, which must not leave the neighbourhood of the two chords.
  */
 #include "inspect/nearest/meetings.h"
+#include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
@@ -44,46 +45,54 @@ typedef struct {
     double low[2], high[2]; /* the search stays in here */
 } hunt;
 
-typedef struct {
-    double at[2], rows[2][9], off[3], value; /* value: half the square of the distance */
-} place;
-
-static batten_status look(const hunt *h, double s, double t, place *out)
+/* Points and two derivatives of both curves. */
+static batten_status evaluate_both(const hunt *h, const double at[2], double rows[2][9],
+                                   double off[3])
 {
-    place p = {.at = {s, t}};
-    for (int k = 0; k < 2; k++) {
-        const batten_status status = batten_curve_evaluate(h->curve[k], p.at[k], 2, p.rows[k]);
-        if (status != BATTEN_OK)
-            return status;
-    }
-    for (int c = 0; c < 3; c++)
-        p.off[c] = p.rows[0][c] - p.rows[1][c];
-    p.value = bat_dot(3, p.off, p.off) / 2;
-    *out = p;
+    batten_status status = BATTEN_OK;
+    for (int k = 0; k < 2 && status == BATTEN_OK; k++)
+        status = batten_curve_evaluate(h->curve[k], at[k], 2, rows[k]);
+    for (int c = 0; c < 3 && status == BATTEN_OK; c++)
+        off[c] = rows[0][c] - rows[1][c];
+    return status;
+}
+
+/* Half the square of the distance of two points, one on each curve. */
+static batten_status look_at_both(const void *context, const double at[2], bat_foot_place *out)
+{
+    double rows[2][9], off[3];
+    const batten_status status = evaluate_both(context, at, rows, off);
+    if (status != BATTEN_OK)
+        return status;
+    const double *P = rows[0], *Q = rows[1];
+    *out = (bat_foot_place){
+        .at = {at[0], at[1]},
+        .value = bat_dot(3, off, off) / 2,
+        .gradient = {bat_dot(3, P + 3, off), -bat_dot(3, Q + 3, off)},
+        .normal = {bat_dot(3, P + 3, P + 3), -bat_dot(3, P + 3, Q + 3),
+                   bat_dot(3, Q + 3, Q + 3)},
+    };
+    out->second[0] = out->normal[0] + bat_dot(3, P + 6, off);
+    out->second[1] = out->normal[1];
+    out->second[2] = out->normal[2] - bat_dot(3, Q + 6, off);
     return BATTEN_OK;
 }
 
-/* Newton's step, that of Gauss and Newton where the distance is not convex; a parameter that is
- * pressed against its limit stays. */
-static void find_step(const hunt *h, const place *p, double step[2])
+/* Newton's step, that of Gauss and Newton where the distance is not convex. Curves that run
+ * along each other have no single foot, so the matrices are kept from being singular. */
+static void find_step(const bat_foot_place *here, const bool free[2], double step[2])
 {
-    const double *P = p->rows[0], *Q = p->rows[1], *r = p->off;
-    const double g[2] = {bat_dot(3, P + 3, r), -bat_dot(3, Q + 3, r)};
-    const double pp = bat_dot(3, P + 3, P + 3), qq = bat_dot(3, Q + 3, Q + 3);
-    const double pq = -bat_dot(3, P + 3, Q + 3);
-    double a = pp + bat_dot(3, P + 6, r), b = qq - bat_dot(3, Q + 6, r);
-    bool fixed[2];
-    for (int k = 0; k < 2; k++)
-        fixed[k] = (p->at[k] <= h->low[k] && g[k] > 0) || (p->at[k] >= h->high[k] && g[k] < 0);
+    const double *g = here->gradient, pq = here->normal[1];
+    double a = here->second[0], b = here->second[2];
     if (!(a > 0 && b > 0 && a * b - pq * pq > 1e-8 * a * b)) {
-        a = pp * (1 + 1e-9);
-        b = qq * (1 + 1e-9);
+        a = here->normal[0] * (1 + 1e-9);
+        b = here->normal[2] * (1 + 1e-9);
     }
     const double across = a * b - pq * pq;
-    if (fixed[0] || fixed[1] || !(across > 0)) {
-        step[0] = !fixed[0] && a > 0 ? -g[0] / a : 0;
-        step[1] = !fixed[1] && b > 0 && fixed[0] ? -g[1] / b : 0;
-        if (!fixed[1] && !fixed[0] && b > 0)
+    if (!free[0] || !free[1] || !(across > 0)) {
+        step[0] = free[0] && a > 0 ? -g[0] / a : 0;
+        step[1] = free[1] && b > 0 && !free[0] ? -g[1] / b : 0;
+        if (free[1] && free[0] && b > 0)
             step[1] = -g[1] / b / 2;
         return;
     }
@@ -91,32 +100,28 @@ static void find_step(const hunt *h, const place *p, double step[2])
     step[1] = (pq * g[0] - a * g[1]) / across;
 }
 
-static double within(double low, double high, double x)
+/* The local minimum downhill from `at`, as a meeting. */
+static batten_status descend(const hunt *h, const double at[2], bat_meeting *best)
 {
-    return bat_max(low, bat_min(high, x));
-}
-
-static batten_status descend(const hunt *h, double s, double t, place *best)
-{
-    enum { STEPS = 40, HALVINGS = 12 };
-    batten_status status = look(h, s, t, best);
-    for (int i = 0; status == BATTEN_OK && i < STEPS; i++) {
-        double step[2];
-        bool better = false;
-        find_step(h, best, step);
-        for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
-            place next;
-            const double f = ldexp(1, -half);
-            status = look(h, within(h->low[0], h->high[0], best->at[0] + f * step[0]),
-                          within(h->low[1], h->high[1], best->at[1] + f * step[1]), &next);
-            better = status == BATTEN_OK && next.value < best->value;
-            if (better)
-                *best = next;
-        }
-        if (!better)
-            break;
-    }
-    return status;
+    const bat_foot_descent descent = {.look = look_at_both,
+                                      .step = find_step,
+                                      .context = h,
+                                      .low = {h->low[0], h->low[1]},
+                                      .high = {h->high[0], h->high[1]},
+                                      .longest = {HUGE_VAL, HUGE_VAL},
+                                      .steps = 40,
+                                      .halvings = 12};
+    bat_foot_place foot = {.at = {at[0], at[1]}};
+    double rows[2][9], off[3];
+    batten_status status = bat_foot_descend(&descent, &foot);
+    if (status == BATTEN_OK)
+        status = evaluate_both(h, foot.at, rows, off);
+    if (status != BATTEN_OK)
+        return status;
+    *best = (bat_meeting){.at = {foot.at[0], foot.at[1]}, .distance = bat_norm(3, off)};
+    for (int k = 0; k < 2; k++)
+        memcpy(best->point[k], rows[k], sizeof best->point[k]);
+    return BATTEN_OK;
 }
 
 /* ---- pairs of boxes ---- */
@@ -138,7 +143,7 @@ static double box_distance(const double *a, const double *b)
 }
 
 /* Did the search end at a limit that is no end of the curve? Then the minimum is elsewhere. */
-static bool ran_out(const hunt *h, const place *p)
+static bool ran_out(const hunt *h, const bat_meeting *p)
 {
     for (int k = 0; k < 2; k++) {
         const batten_interval domain = batten_curve_domain(h->curve[k]);
@@ -149,15 +154,7 @@ static bool ran_out(const hunt *h, const place *p)
     return false;
 }
 
-static bat_meeting meeting_of(const place *p)
-{
-    bat_meeting m = {.at = {p->at[0], p->at[1]}, .distance = bat_norm(3, p->off)};
-    for (int k = 0; k < 2; k++)
-        memcpy(m.point[k], p->rows[k], sizeof m.point[k]);
-    return m;
-}
-
-static void keep(search *s, const bat_meeting *m)
+static void keep_meeting(search *s, const bat_meeting *m)
 {
     bat_meetings *all = s->out;
     if (m->distance < all->nearest.distance)
@@ -202,12 +199,10 @@ static batten_status try_chords(search *s, int a, int b)
         h.high[c] = t->at[bat_min_int(t->count, k[c] + 2)];
         at[c] = (1 - at[c]) * t->at[k[c]] + at[c] * t->at[k[c] + 1];
     }
-    place best;
-    const batten_status status = descend(&h, at[0], at[1], &best);
-    if (status == BATTEN_OK && (s->nearest || !ran_out(&h, &best))) {
-        const bat_meeting m = meeting_of(&best);
-        keep(s, &m);
-    }
+    bat_meeting best;
+    const batten_status status = descend(&h, at, &best);
+    if (status == BATTEN_OK && (s->nearest || !ran_out(&h, &best)))
+        keep_meeting(s, &best);
     return status;
 }
 

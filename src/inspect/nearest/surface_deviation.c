@@ -3,12 +3,12 @@
  *
  * Each patch between knot lines has the box of its control points and a grid of sample points.
  * Of a patch whose box comes nearer than what was found so far, every sample that is nearer
- * than its neighbours starts a descent inside its patch, so that a crease along a knot line is
- * a rim like any other, and goes on over the whole surface where that ends on a knot line:
- * Newton's method on (r . Su, r . Sv) with r = S - Q, that falls back to Gauss-Newton where the
- * second derivatives point uphill, and never accepts a farther point.
+ * than its neighbours starts a descent inside its patch (foot.c), so that a crease along a knot
+ * line is a rim like any other; where that ends on a knot line it continues over the whole
+ * surface.
  */
 #include "base/work.h"
+#include "inspect/nearest/foot.h"
 #include "inspect/nearest/nearest.h"
 #include "numeric/vector.h"
 
@@ -135,20 +135,12 @@ static void patches_end(patches *p)
 
 /* ---- descent ---- */
 
-/* Half the squared distance, its gradient and second derivatives at (u, v). */
-typedef struct {
-    double at[2], value, gradient[2], second[3]; /* uu, uv, vv */
-    double normal[3];                            /* Gauss-Newton: E, F, G */
-} slope;
+/* Newton's method needs ten steps where it converges at all; on a crest it creeps. */
+enum { STEPS = 50 };
 
-/* A part of the parameter plane: [low, high] in u and v. */
-typedef struct {
-    double low[2], high[2];
-} area;
-
-static area whole(const patches *p)
+static bat_foot_area whole(const patches *p)
 {
-    area all;
+    bat_foot_area all = {.surface = p->surface};
     for (int k = 0; k < 2; k++) {
         all.low[k] = p->along[k].knots[0];
         all.high[k] = p->along[k].knots[p->along[k].count];
@@ -156,113 +148,33 @@ static area whole(const patches *p)
     return all;
 }
 
-/* Derivatives are those from inside the area. */
-static batten_status slope_at(const patches *p, const double *q, const area *in, double u,
-                              double v, slope *out)
-{
-    const int d = p->dimension;
-    const batten_side side_u = u >= in->high[0] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
-    const batten_side side_v = v >= in->high[1] ? BATTEN_FROM_LEFT : BATTEN_FROM_RIGHT;
-    double s[BATTEN_SURFACE_DERIVATIVES(2) * 3], r[3];
-    batten_status status = batten_surface_evaluate_side(p->surface, u, v, side_u, side_v, 2, s);
-    if (status != BATTEN_OK)
-        return status;
-    for (int k = 0; k < d; k++)
-        r[k] = s[k] - q[k];
-    const double *su = s + d, *sv = s + 2 * d;
-    *out = (slope){.at = {u, v},
-                   .value = bat_dot(d, r, r) / 2,
-                   .gradient = {bat_dot(d, r, su), bat_dot(d, r, sv)},
-                   .normal = {bat_dot(d, su, su), bat_dot(d, su, sv), bat_dot(d, sv, sv)}};
-    for (int k = 0; k < 3; k++)
-        out->second[k] = out->normal[k] + bat_dot(d, r, s + (3 + k) * d);
-    return BATTEN_OK;
-}
-
-/* A step downhill with the 2 x 2 matrix h, along the free directions; false when h is not
- * positive there. */
-static bool solve_step(const double h[3], const double g[2], const bool free[2], double step[2])
-{
-    step[0] = step[1] = 0;
-    if (free[0] && free[1]) {
-        const double det = h[0] * h[2] - h[1] * h[1];
-        if (!(h[0] > 0 && det > 64 * DBL_EPSILON * h[0] * h[2]))
-            return false;
-        step[0] = (h[1] * g[1] - h[2] * g[0]) / det;
-        step[1] = (h[1] * g[0] - h[0] * g[1]) / det;
-        return true;
-    }
-    const int k = free[0] ? 0 : 1;
-    if (!(free[0] || free[1]) || !(h[2 * k] > 0))
-        return false;
-    step[k] = -g[k] / h[2 * k];
-    return true;
-}
-
-static void choose_step(const area *in, const slope *here, double step[2])
-{
-    bool free[2];
-    for (int k = 0; k < 2; k++) {
-        const double g = here->gradient[k];
-        free[k] =
-            !((here->at[k] <= in->low[k] && g > 0) || (here->at[k] >= in->high[k] && g < 0));
-    }
-    if (solve_step(here->second, here->gradient, free, step) ||
-        solve_step(here->normal, here->gradient, free, step))
-        return;
-    for (int k = 0; k < 2; k++) /* the tangents span no plane: each direction by itself */
-        step[k] =
-            free[k] && here->normal[2 * k] > 0 ? -here->gradient[k] / here->normal[2 * k] : 0;
-}
-
-enum { STEPS = 50, HALVINGS = 12 };
-
 /* From `at`, which becomes the foot, downhill inside the area. */
-static batten_status descend(const patches *p, const double *q, const area *in, double at[2],
+static batten_status descend(const double *q, const bat_foot_area *in, double at[2],
                              bat_nearest *best)
 {
-    slope here;
-    bool better = true;
-    batten_status status = slope_at(p, q, in, at[0], at[1], &here);
-    for (int k = 0; status == BATTEN_OK && better && k < STEPS; k++) {
-        double step[2];
-        choose_step(in, &here, step);
-        better = false;
-        for (int half = 0; status == BATTEN_OK && !better && half < HALVINGS; half++) {
-            double to[2];
-            slope there;
-            for (int j = 0; j < 2; j++)
-                to[j] = bat_min(in->high[j],
-                                bat_max(in->low[j], here.at[j] + ldexp(step[j], -half)));
-            if (to[0] == here.at[0] && to[1] == here.at[1])
-                break;
-            status = slope_at(p, q, in, to[0], to[1], &there);
-            better = status == BATTEN_OK && there.value < here.value;
-            if (better)
-                here = there;
-        }
-    }
+    bat_foot_place foot = {.at = {at[0], at[1]}};
+    const batten_status status = bat_foot_on_surface(in, 2, STEPS, q, &foot);
     if (status != BATTEN_OK)
         return status;
-    memcpy(at, here.at, sizeof here.at);
-    const double distance = sqrt(2 * here.value);
+    memcpy(at, foot.at, sizeof foot.at);
+    const double distance = sqrt(2 * foot.value);
     if (distance < best->distance)
         *best = (bat_nearest){distance, {at[0], at[1]}};
     return BATTEN_OK;
 }
 
 /* From sample (i, j) of a patch: inside it, and beyond where that ends on its rim. */
-static batten_status descend_from(const patches *p, const double *q, const area *patch, int i,
-                                  int j, bat_nearest *best)
+static batten_status descend_from(const patches *p, const double *q, const bat_foot_area *patch,
+                                  int i, int j, bat_nearest *best)
 {
     double at[2] = {p->along[0].at[i], p->along[1].at[j]};
-    const batten_status status = descend(p, q, patch, at, best);
-    const area all = whole(p);
+    const batten_status status = descend(q, patch, at, best);
+    const bat_foot_area all = whole(p);
     bool on_line = false;
     for (int k = 0; k < 2; k++)
         on_line = on_line || (at[k] <= patch->low[k] && at[k] > all.low[k]) ||
                   (at[k] >= patch->high[k] && at[k] < all.high[k]);
-    return status == BATTEN_OK && on_line ? descend(p, q, &all, at, best) : status;
+    return status == BATTEN_OK && on_line ? descend(q, &all, at, best) : status;
 }
 
 /* ---- one point ---- */
@@ -303,8 +215,9 @@ static batten_status search_patch(const patches *p, const double *q, int pi, int
                                   bat_nearest *best)
 {
     const int low[2] = {pi * p->along[0].samples, pj * p->along[1].samples};
-    const area patch = {{p->along[0].knots[pi], p->along[1].knots[pj]},
-                        {p->along[0].knots[pi + 1], p->along[1].knots[pj + 1]}};
+    const bat_foot_area patch = {p->surface,
+                                 {p->along[0].knots[pi], p->along[1].knots[pj]},
+                                 {p->along[0].knots[pi + 1], p->along[1].knots[pj + 1]}};
     batten_status status = BATTEN_OK;
     for (int i = low[0]; i <= low[0] + p->along[0].samples; i++)
         for (int j = low[1]; status == BATTEN_OK && j <= low[1] + p->along[1].samples; j++)
@@ -354,11 +267,11 @@ static batten_status search_chunk(void *context, size_t begin, size_t end)
         const double *point = q->points + i * (size_t)p->dimension;
         q->nearest[i].distance = HUGE_VAL;
         if (q->start) {
-            const area all = whole(p);
+            const bat_foot_area all = whole(p);
             double at[2];
             for (int k = 0; k < 2; k++)
                 at[k] = bat_min(all.high[k], bat_max(all.low[k], q->start[2 * i + (size_t)k]));
-            status = descend(p, point, &all, at, &q->nearest[i]);
+            status = descend(point, &all, at, &q->nearest[i]);
         }
         if (status == BATTEN_OK)
             status = search_all(p, point, &q->nearest[i]);

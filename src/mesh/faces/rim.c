@@ -1,4 +1,6 @@
+/* The border of a face as corners in (u, v), and its triangles. */
 #include "mesh/faces/rim.h"
+#include "inspect/nearest/foot.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,25 +23,19 @@ static batten_status add_corner(bat_rim *rim, const bat_rim_corner *corner)
 
 /* By the step of Gauss and Newton to the foot of the point; steps of a twentieth of the domain
  * or more, as near poles, are not taken. */
-static batten_status spread(const bat_sheet *sheet, const double *point, double uv[2])
+static batten_status spread_corner(const bat_sheet *sheet, const double *point, double uv[2])
 {
-    double d[9], at[2] = {uv[0], uv[1]}, aa = 0, ab = 0, bb = 0, ar = 0, br = 0;
+    double d[9], at[2] = {uv[0], uv[1]}, step[2];
+    bat_foot_place here;
     bat_sheet_wrap(sheet, at);
     const batten_status status = batten_surface_evaluate(sheet->surface, at[0], at[1], 1, d);
     if (status != BATTEN_OK)
         return status;
-    for (int k = 0; k < 3; k++) {
-        const double off = point[k] - d[k];
-        aa += d[3 + k] * d[3 + k];
-        ab += d[3 + k] * d[6 + k];
-        bb += d[6 + k] * d[6 + k];
-        ar += d[3 + k] * off;
-        br += d[6 + k] * off;
-    }
-    const double det = aa * bb - ab * ab;
-    const double step[2] = {(bb * ar - ab * br) / det, (aa * br - ab * ar) / det};
+    bat_foot_slopes(3, d, 1, point, &here);
+    if (!bat_foot_solve(here.normal, here.gradient, (const bool[2]){true, true}, step))
+        return BATTEN_OK;
     for (int k = 0; k < 2; k++)
-        if (!(det > 0 && fabs(step[k]) < (sheet->domain[k].b - sheet->domain[k].a) / 20))
+        if (!(fabs(step[k]) < (sheet->domain[k].b - sheet->domain[k].a) / 20))
             return BATTEN_OK;
     uv[0] += step[0];
     uv[1] += step[1];
@@ -58,7 +54,7 @@ static batten_status add_samples(bat_rim *rim, const bat_meshing *m, int face,
                                  .segment = use->reversed ? at - 1 : at};
         status = batten_curve_evaluate(use->parameters, line->t[at], 0, corner.uv);
         if (status == BATTEN_OK && m->spread[face])
-            status = spread(&m->sheets[face], m->points[corner.vertex], corner.uv);
+            status = spread_corner(&m->sheets[face], m->points[corner.vertex], corner.uv);
         if (status == BATTEN_OK)
             status = add_corner(rim, &corner);
     }

@@ -1,5 +1,6 @@
 /* Clouds of points: parameters by projection, then by steps towards the feet. */
 #include "base/plural.h"
+#include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "shape/cloud/scattered.h"
 #include "spline/surface/surface.h"
@@ -27,35 +28,6 @@ static batten_status project(int count, const double *points, const batten_surfa
 
 /* ---- steps to the feet ---- */
 
-/* From S and its derivatives to order 2 a step of Newton, or of Gauss and Newton where that
- * leads uphill; on a rim none across it. */
-static void step_to_foot(const double *at, const double *q, const bool fixed[2], double step[2])
-{
-    double r[3];
-    for (int c = 0; c < 3; c++)
-        r[c] = at[c] - q[c];
-    const double *su = at + 3, *sv = at + 6;
-    const double g[2] = {bat_dot(3, r, su), bat_dot(3, r, sv)};
-    double E = bat_dot(3, su, su), F = bat_dot(3, su, sv), G = bat_dot(3, sv, sv);
-    const double e = E + bat_dot(3, r, at + 9), f = F + bat_dot(3, r, at + 12),
-                 h = G + bat_dot(3, r, at + 15);
-    if (e > E / 4 && h > G / 4 && e * h - f * f > (E * G - F * F) / 16) {
-        E = e;
-        F = f;
-        G = h;
-    }
-    step[0] = step[1] = 0;
-    const double det = E * G - F * F;
-    if (!fixed[0] && !fixed[1] && det > 1e-14 * E * G) {
-        step[0] = (F * g[1] - G * g[0]) / det;
-        step[1] = (F * g[0] - E * g[1]) / det;
-    } else if (!fixed[0] && fixed[1] && E > 0) {
-        step[0] = -g[0] / E;
-    } else if (fixed[0] && !fixed[1] && G > 0) {
-        step[1] = -g[1] / G;
-    }
-}
-
 typedef struct {
     bat_scatter *s;
     const batten_surface *surface;
@@ -74,10 +46,12 @@ static batten_status correct_chunk(void *context, size_t begin, size_t end)
         status = batten_surface_evaluate_many(job->surface, n, s->uv + 2 * begin, 2, NULL, at);
     for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
         const double *uv = s->uv + 2 * (begin + i);
-        const bool fixed[2] = {uv[0] <= 0 || uv[0] >= s->side[0],
-                               uv[1] <= 0 || uv[1] >= s->side[1]};
+        /* What is on a rim stays there. */
+        const bool free[2] = {uv[0] > 0 && uv[0]<s->side[0], uv[1]> 0 && uv[1] < s->side[1]};
         double step[2];
-        step_to_foot(at + i * wide, s->centred + 3 * (begin + i), fixed, step);
+        bat_foot_place here;
+        bat_foot_slopes(3, at + i * wide, 2, s->centred + 3 * (begin + i), &here);
+        bat_foot_step(&here, free, 0.25, step);
         for (int k = 0; k < 2; k++)
             moved[2 * i + (size_t)k] = bat_min(s->side[k], bat_max(0, uv[k] + step[k]));
     }

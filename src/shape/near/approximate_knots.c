@@ -1,4 +1,5 @@
 /* Parameters and knots of curves near points. */
+#include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "shape/near/approximate.h"
 #include "spline/curve/curve.h"
@@ -265,18 +266,6 @@ batten_status bat_fit_knots_by_curvature(const bat_fit_request *r, const batten_
 
 /* ---- parameter correction ---- */
 
-/* One step of Newton towards the foot of q, or of Gauss and Newton where that is no minimum. */
-static double step_to_foot(int d, const double *q, const double *at)
-{
-    double off[3], slope = 0, bend = 0;
-    for (int k = 0; k < d; k++)
-        off[k] = at[k] - q[k];
-    slope = bat_dot(d, at + d, at + d);
-    bend = slope + bat_dot(d, off, at + 2 * d);
-    const double by = bend > slope / 2 ? bend : slope;
-    return by > 0 ? -bat_dot(d, off, at + d) / by : 0;
-}
-
 batten_status bat_fit_correct(int dimension, int count, const double *points,
                               const batten_curve *curve, double *parameters)
 {
@@ -289,7 +278,7 @@ batten_status bat_fit_correct(int dimension, int count, const double *points,
         status = batten_curve_evaluate_many(curve, n, parameters, 2, NULL, at);
     for (size_t i = 0; status == BATTEN_OK && i < n; i++) {
         const double u =
-            parameters[i] + step_to_foot(dimension, points + i * d, at + 3 * i * d);
+            parameters[i] + bat_foot_curve_step(dimension, at + 3 * i * d, points + i * d);
         moved[i] = bat_min(domain.b, bat_max(domain.a, u));
     }
     if (status == BATTEN_OK)

@@ -5,6 +5,7 @@
  * tangent is that of the neighbours. Parts whose spans can be paced so that the pieces meet
  * with one derivative become cubics with double knots.
  */
+#include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "shape/near/within.h"
 
@@ -149,15 +150,13 @@ static double worst_of(const task *t, const piece *p, int *worst)
 static void correct(const task *t, const piece *p)
 {
     const int d = t->dimension;
-    double b[4][3], at[3][3], off[3];
+    double b[4][3], at[3][3], rows[9];
     control_points(t, p, b);
     for (int i = p->from + 1; i < p->to; i++) {
         evaluate(d, b, t->local[i], at);
-        for (int k = 0; k < d; k++)
-            off[k] = at[0][k] - point_at(t, i)[k];
-        const double slope = bat_dot(d, at[1], at[1]), bend = slope + bat_dot(d, off, at[2]),
-                     by = bend > slope / 2 ? bend : slope;
-        const double u = t->local[i] - (by > 0 ? bat_dot(d, off, at[1]) / by : 0);
+        for (int row = 0; row < 3; row++)
+            memcpy(rows + row * d, at[row], (size_t)d * sizeof *rows);
+        const double u = t->local[i] + bat_foot_curve_step(d, rows, point_at(t, i));
         t->local[i] = bat_min(1, bat_max(i > p->from + 1 ? t->local[i - 1] : 0, u));
     }
 }

@@ -1,6 +1,7 @@
 /* How far edges miss their surfaces in a file: what it says of its own accuracy is often too
  * good. */
 #include "exchange/iges/read/loops.h"
+#include "inspect/nearest/foot.h"
 
 #include <string.h>
 
@@ -30,30 +31,21 @@ static double elementary_miss(const bat_elementary *e, const double p[3])
     }
 }
 
-/* The distance of c from the surface near (u, v): the foot by Gauss and Newton. */
-static double surface_miss(const batten_surface *surface, double uv[2], const double c[3])
+/* The distance of c from the surface near (u, v). Three steps: the parameters of the file are
+ * about as near to the foot as the file is exact. */
+static double surface_miss(const batten_surface *surface, const double uv[2], const double c[3])
 {
-    const batten_interval domain[2] = {batten_surface_domain(surface, BATTEN_U),
-                                       batten_surface_domain(surface, BATTEN_V)};
-    double nearest = INFINITY;
-    for (int step = 0; step < 4; step++) {
-        double s[9], way[3];
-        for (int k = 0; k < 2; k++)
-            uv[k] = bat_min(bat_max(uv[k], domain[k].a), domain[k].b);
-        if (batten_surface_evaluate(surface, uv[0], uv[1], 1, s) != BATTEN_OK)
-            return 0;
-        for (int k = 0; k < 3; k++)
-            way[k] = c[k] - s[k];
-        nearest = bat_min(nearest, sqrt(dot(way, way)));
-        const double *su = s + 3, *sv = s + 6;
-        const double a = dot(su, su), b = dot(su, sv), d = dot(sv, sv);
-        const double determinant = a * d - b * b;
-        if (!(determinant > 1e-12 * a * d))
-            break;
-        uv[0] += (dot(su, way) * d - dot(sv, way) * b) / determinant;
-        uv[1] += (dot(sv, way) * a - dot(su, way) * b) / determinant;
+    enum { STEPS = 3 };
+    bat_foot_area all = {.surface = surface};
+    bat_foot_place foot;
+    for (int k = 0; k < 2; k++) {
+        const batten_interval domain = batten_surface_domain(surface, k ? BATTEN_V : BATTEN_U);
+        all.low[k] = domain.a;
+        all.high[k] = domain.b;
+        foot.at[k] = bat_min(bat_max(uv[k], domain.a), domain.b);
     }
-    return nearest;
+    const batten_status status = bat_foot_on_surface(&all, 1, STEPS, c, &foot);
+    return status == BATTEN_OK ? sqrt(2 * foot.value) : 0;
 }
 
 enum { SAMPLES = 4, MOST = 64 };
