@@ -1,5 +1,5 @@
-#include "exchange/csv/gather.h"
-
+/* A table of offsets from points in any order: lines, stations, and the table of them. */
+#include "exchange/csv/gather_lines.h"
 #include <batten/text.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,156 +45,23 @@ batten_status bat_gather_point(bat_gathering *gathering, const bat_gathered *poi
                                : status;
 }
 
-/* ---- lines ---- */
-
-/* A point on its way to its station. */
-typedef struct {
-    bat_gathered point;
-    size_t order; /* as it came */
-    int line;     /* its line, -1 for none */
-    double rank;  /* mean height of its line, or its own; or the order as it came */
-} sorted_point;
-
-typedef struct {
-    const char *name;
-    bool is_waterline;
-    double z, rank;
-    size_t members; /* where its points stand, and how many, in the array sorted by lines */
-    size_t count;
-} sorted_line;
-
-typedef struct {
-    bat_gathering *from;
-    size_t count;
-    sorted_point *points;
-    size_t line_count;
-    sorted_line *lines;
-    batten_table_line *offset_lines;
-    batten_table_point *offset_points;
-    batten_table_station *stations;
-    int station_count;
-    char (*line_texts)[BATTEN_NUMBER_SIZE + 2]; /* names made of numbers */
-    char (*station_texts)[BATTEN_NUMBER_SIZE];
-} table;
-
-static int compare(double a, double b)
-{
-    return (a > b) - (a < b);
-}
-
-static int compare_order(size_t a, size_t b)
-{
-    return (a > b) - (a < b);
-}
-
-/* Points of one line together: by name, or where they have none by height. */
-static int by_line(const void *a, const void *b)
-{
-    const sorted_point *p = a, *q = b;
-    const bool named = p->point.line && q->point.line;
-    int order = (q->point.line != NULL) - (p->point.line != NULL);
-    if (order == 0 && named)
-        order = strcmp(p->point.line, q->point.line);
-    return order ? order : compare(p->point.z, q->point.z);
-}
-
-static bool same_line(const bat_gathered *a, const bat_gathered *b)
-{
-    if (a->line && b->line)
-        return strcmp(a->line, b->line) == 0;
-    return !a->line && !b->line && a->z == b->z;
-}
-
-static sorted_line measure_line(const sorted_point *points, size_t begin, size_t end)
-{
-    const double low = points[begin].point.z;
-    double sum = 0;
-    for (size_t i = begin; i < end; i++)
-        sum += points[i].point.z / (double)(end - begin);
-    const bool level = low == points[end - 1].point.z;
-    return (sorted_line){.name = points[begin].point.line,
-                         .is_waterline = level,
-                         .z = level ? low + 0.0 : 0, /* never -0 */
-                         .rank = level ? low : sum,
-                         .members = begin,
-                         .count = end - begin};
-}
-
-static int by_rank(const void *a, const void *b)
-{
-    const sorted_line *p = a, *q = b;
-    const int order = compare(p->rank, q->rank);
-    return order ? order : strcmp(p->name ? p->name : "", q->name ? q->name : "");
-}
-
-/* Where the line that begins at `begin` ends. */
-static size_t end_of_line(const table *t, size_t begin)
-{
-    size_t end = begin + 1;
-    while (end < t->count && same_line(&t->points[begin].point, &t->points[end].point))
-        end++;
-    return end;
-}
-
-/* Find the lines, sort them by their mean height, and tell each point its line. */
-static batten_status find_lines(table *t)
-{
-    bat_input *input = t->from->input;
-    size_t count = 0;
-    qsort(t->points, t->count, sizeof *t->points, by_line);
-    for (size_t begin = 0; begin < t->count; begin = end_of_line(t, begin))
-        count += t->points[begin].point.line || t->from->by_height;
-    batten_status status = bat_input_array(input, count, sizeof *t->lines, &t->lines);
-    if (status == BATTEN_OK)
-        status = bat_input_array(input, count, sizeof *t->offset_lines, &t->offset_lines);
-    if (status == BATTEN_OK)
-        status = bat_input_array(input, count, sizeof *t->line_texts, &t->line_texts);
-    if (status != BATTEN_OK)
-        return status;
-
-    for (size_t begin = 0, end; begin < t->count; begin = end) {
-        end = end_of_line(t, begin);
-        if (t->points[begin].point.line || t->from->by_height)
-            t->lines[t->line_count++] = measure_line(t->points, begin, end);
-    }
-    qsort(t->lines, t->line_count, sizeof *t->lines, by_rank);
-    for (size_t k = 0; k < t->line_count; k++)
-        for (size_t i = 0; i < t->lines[k].count; i++) {
-            t->points[t->lines[k].members + i].line = (int)k;
-            t->points[t->lines[k].members + i].rank = t->lines[k].rank;
-        }
-    return BATTEN_OK;
-}
-
-static void make_lines(table *t)
-{
-    for (size_t k = 0; k < t->line_count; k++) {
-        const sorted_line *line = &t->lines[k];
-        memcpy(t->line_texts[k], "z=", 2);
-        batten_number_write(line->z, t->line_texts[k] + 2);
-        t->offset_lines[k] =
-            (batten_table_line){.name = line->name ? line->name : t->line_texts[k],
-                                .is_waterline = line->is_waterline,
-                                .z = line->z};
-    }
-}
-
 /* ---- stations ---- */
 
 static int by_station(const void *a, const void *b)
 {
-    const sorted_point *p = a, *q = b;
-    int order = compare(p->point.station, q->point.station);
+    const bat_gather_sorted *p = a, *q = b;
+    int order = bat_gather_compare(p->point.station, q->point.station);
     if (order == 0)
-        order = compare(p->rank, q->rank);
+        order = bat_gather_compare(p->rank, q->rank);
     if (order == 0)
         order = (p->line > q->line) - (p->line < q->line);
-    return order ? order : compare_order(p->order, q->order);
+    return order ? order : bat_gather_compare_order(p->order, q->order);
 }
 
 /* Two neighbours of one station and one line: only a waterline may come twice, and not twice to
  * the same point. */
-static batten_status check_twice(const table *t, const sorted_point *p, const sorted_point *q)
+static batten_status check_twice(const bat_gather_table *t, const bat_gather_sorted *p,
+                                 const bat_gather_sorted *q)
 {
     if (p->point.station != q->point.station || p->line != q->line)
         return BATTEN_OK;
@@ -211,7 +78,7 @@ static batten_status check_twice(const table *t, const sorted_point *p, const so
 }
 
 /* Two columns or rows of the table that say the same x. */
-static batten_status check_source(const table *t, size_t begin, size_t i)
+static batten_status check_source(const bat_gather_table *t, size_t begin, size_t i)
 {
     const bat_gathered *first = &t->points[begin].point, *point = &t->points[i].point;
     if (point->source == first->source)
@@ -223,12 +90,12 @@ static batten_status check_source(const table *t, size_t begin, size_t i)
 }
 
 /* The name among the points begin .. end - 1 of one station, or NULL. */
-static batten_status name_of_station(const table *t, size_t begin, size_t end,
+static batten_status name_of_station(const bat_gather_table *t, size_t begin, size_t end,
                                      const char **name)
 {
-    const sorted_point *first = NULL;
+    const bat_gather_sorted *first = NULL;
     for (size_t i = begin; i < end; i++) {
-        const sorted_point *p = &t->points[i];
+        const bat_gather_sorted *p = &t->points[i];
         if (first && p->point.station_name &&
             strcmp(first->point.station_name, p->point.station_name) != 0)
             return bat_input_fail(
@@ -243,12 +110,12 @@ static batten_status name_of_station(const table *t, size_t begin, size_t end,
     return BATTEN_OK;
 }
 
-static batten_status make_station(table *t, size_t begin, size_t end)
+static batten_status make_station(bat_gather_table *t, size_t begin, size_t end)
 {
     const char *name = NULL;
     batten_status status = name_of_station(t, begin, end, &name);
     for (size_t i = begin; status == BATTEN_OK && i < end; i++) {
-        const sorted_point *p = &t->points[i];
+        const bat_gather_sorted *p = &t->points[i];
         status = check_source(t, begin, i);
         if (status == BATTEN_OK && i > begin)
             status = check_twice(t, p - 1, p);
@@ -268,7 +135,7 @@ static batten_status make_station(table *t, size_t begin, size_t end)
 }
 
 /* Where the station that begins at `begin` ends. */
-static size_t end_of_station(const table *t, size_t begin)
+static size_t end_of_station(const bat_gather_table *t, size_t begin)
 {
     size_t end = begin + 1;
     while (end < t->count && t->points[end].point.station == t->points[begin].point.station)
@@ -278,7 +145,7 @@ static size_t end_of_station(const table *t, size_t begin)
 
 /* Sort by stations. As listed: points of one line together while those that come twice are
  * sought. */
-static batten_status sort_stations(table *t)
+static batten_status sort_stations(bat_gather_table *t)
 {
     batten_status status = BATTEN_OK;
     qsort(t->points, t->count, sizeof *t->points, by_station);
@@ -292,7 +159,7 @@ static batten_status sort_stations(table *t)
     return status;
 }
 
-static batten_status make_stations(table *t)
+static batten_status make_stations(bat_gather_table *t)
 {
     bat_input *input = t->from->input;
     size_t count = 0;
@@ -316,19 +183,19 @@ static batten_status make_stations(table *t)
 /* Those of a station together, as they came. */
 static int by_station_alone(const void *a, const void *b)
 {
-    const sorted_point *p = a, *q = b;
-    const int order = compare(p->point.station, q->point.station);
-    return order ? order : compare_order(p->order, q->order);
+    const bat_gather_sorted *p = a, *q = b;
+    const int order = bat_gather_compare(p->point.station, q->point.station);
+    return order ? order : bat_gather_compare_order(p->order, q->order);
 }
 
 /* Say which stations have no points, and whether the stations come in the order of x. */
-static void note_stations(const table *t)
+static void note_stations(const bat_gather_table *t)
 {
     const bat_input *input = t->from->input;
     bool sorted = true;
     size_t last = 0;
     for (size_t begin = 0, end; begin < t->count; begin = end) {
-        const sorted_point *first = &t->points[begin];
+        const bat_gather_sorted *first = &t->points[begin];
         bool any = false;
         end = end_of_station(t, begin);
         for (size_t i = begin; i < end; i++)
@@ -344,7 +211,7 @@ static void note_stations(const table *t)
                          "the stations do not come in the order of x; sorted");
 }
 
-static void drop_absent(table *t)
+static void drop_absent(bat_gather_table *t)
 {
     size_t kept = 0;
     qsort(t->points, t->count, sizeof *t->points, by_station_alone);
@@ -355,7 +222,7 @@ static void drop_absent(table *t)
     t->count = kept;
 }
 
-static void release(table *t)
+static void release(bat_gather_table *t)
 {
     bat_release(t->station_texts);
     bat_release(t->line_texts);
@@ -383,7 +250,7 @@ static batten_status make_model(double unit_metres, const batten_offset_table *o
 }
 
 /* The points that are there, ready for sorting. */
-static batten_status take_points(table *t)
+static batten_status take_points(bat_gather_table *t)
 {
     const bat_gathered *points = t->from->points.items;
     bat_input *input = t->from->input;
@@ -392,7 +259,7 @@ static batten_status take_points(table *t)
     if (status != BATTEN_OK)
         return status;
     for (size_t i = 0; i < t->count; i++)
-        t->points[i] = (sorted_point){points[i], i, -1, points[i].z};
+        t->points[i] = (bat_gather_sorted){points[i], i, -1, points[i].z};
     drop_absent(t);
     if (t->count == 0)
         return bat_input_fail(input, BATTEN_BAD_FORMAT, 0, "there is no point in the table");
@@ -419,13 +286,13 @@ static void note_negative(const bat_gathering *gathering)
 
 batten_status bat_gather_finish(bat_gathering *gathering, batten_model **out)
 {
-    table t = {.from = gathering};
+    bat_gather_table t = {.from = gathering};
     batten_offset_table *offsets = NULL;
     batten_status status = take_points(&t);
     if (status == BATTEN_OK)
-        status = find_lines(&t);
+        status = bat_gather_find_lines(&t);
     if (status == BATTEN_OK) {
-        make_lines(&t);
+        bat_gather_make_lines(&t);
         status = make_stations(&t);
     }
     if (status == BATTEN_OK)

@@ -1,33 +1,10 @@
+/* The points of a .pcd file, as text, as bytes, or compressed. */
 #include "base/plural.h"
-#include "exchange/pcd/pcd.h"
+#include "exchange/pcd/header.h"
 #include "exchange/reading/bytes.h"
 #include "exchange/reading/scan.h"
 
 #include <limits.h>
-
-enum { MOST_FIELDS = 100 };
-typedef enum { NO_DATA, ASCII, BINARY, COMPRESSED } form;
-
-typedef struct {
-    bat_span name;
-    int size, count;
-    char type; /* I, U or F */
-} field;
-
-typedef struct {
-    bat_input *input;
-    size_t at; /* behind the header */
-    int line;
-    field fields[MOST_FIELDS];
-    int field_count;
-    size_t points, width, height;
-    bool has_points;
-    form data;
-    int axis[3]; /* the fields x, y, z */
-    char *unpacked;
-    bat_list read;  /* of double[3] */
-    size_t nowhere; /* points that are NaN */
-} reading;
 
 batten_status bat_pcd_recognise(const bat_input *input, bool *is_such)
 {
@@ -37,176 +14,10 @@ batten_status bat_pcd_recognise(const bat_input *input, bool *is_such)
     return BATTEN_OK;
 }
 
-/* ---- the header ---- */
-
-static batten_status bad_line(const reading *r, const char *what)
-{
-    return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                          "the header is no good here: %s", what);
-}
-
-static batten_status read_fields(reading *r, bat_scan *words)
-{
-    bat_span word;
-    r->field_count = 0;
-    while (bat_next_in_line(words, &word)) {
-        if (r->field_count == MOST_FIELDS)
-            return bat_input_fail(r->input, BATTEN_TOO_LARGE, r->line,
-                                  "a point has more than %d fields", MOST_FIELDS);
-        r->fields[r->field_count++] = (field){word, 4, 1, 'F'};
-    }
-    return BATTEN_OK;
-}
-
-/* SIZE, TYPE and COUNT: one word for each field. */
-static batten_status read_of_fields(reading *r, bat_scan *words, char what)
-{
-    bat_span word;
-    for (int k = 0; k < r->field_count; k++) {
-        field *f = &r->fields[k];
-        int64_t number = 0;
-        if (!bat_next_in_line(words, &word))
-            return bad_line(r, "there are fewer words than fields");
-        if (what == 'T') {
-            f->type = word.bytes[0];
-            if (word.length != 1 || !strchr("IUF", f->type))
-                return bad_line(r, "a type is I, U or F");
-        } else if (!bat_word_integer(word, 1, what == 'S' ? 8 : 65536, &number))
-            return bad_line(r, "a size or count is none");
-        else if (what == 'S')
-            f->size = (int)number;
-        else
-            f->count = (int)number;
-    }
-    return BATTEN_OK;
-}
-
-static batten_status read_count(reading *r, bat_scan *words, size_t *count)
-{
-    bat_span word;
-    int64_t number = 0;
-    if (!bat_next_in_line(words, &word) || !bat_word_integer(word, 0, INT_MAX, &number))
-        return bad_line(r, "a count is none");
-    *count = (size_t)number;
-    return BATTEN_OK;
-}
-
-static batten_status read_form(reading *r, bat_scan *words)
-{
-    static const char *const names[] = {"ascii", "binary", "binary_compressed"};
-    bat_span word = {"", 0};
-    bat_next_in_line(words, &word);
-    for (int k = 0; k < 3; k++)
-        if (bat_word_is(word, names[k]))
-            r->data = (form)(ASCII + k);
-    return r->data == NO_DATA ? bad_line(r, "data are ascii, binary or binary_compressed")
-                              : BATTEN_OK;
-}
-
-/* Where the sensor stood: points are not moved by it. */
-static void note_viewpoint(const reading *r, bat_scan *words)
-{
-    static const double usual[7] = {0, 0, 0, 1, 0, 0, 0};
-    bat_span word;
-    for (int k = 0; k < 7; k++) {
-        double number = usual[k];
-        if (!bat_next_in_line(words, &word) || !bat_word_number(word, &number) ||
-            number != usual[k]) {
-            batten_notes_remark(r->input->notes, r->input->file, r->line, "",
-                                "the sensor has a place of its own; the points stay as they "
-                                "are");
-            return;
-        }
-    }
-}
-
-static batten_status read_line(reading *r, bat_span line)
-{
-    bat_scan words = bat_scan_begin(line.bytes, line.length);
-    bat_span word;
-    if (!bat_next_in_line(&words, &word) || word.bytes[0] == '#' ||
-        bat_word_is(word, "VERSION"))
-        return BATTEN_OK;
-    if (bat_word_is(word, "FIELDS") || bat_word_is(word, "COLUMNS"))
-        return read_fields(r, &words);
-    if (bat_word_is(word, "SIZE") || bat_word_is(word, "TYPE") || bat_word_is(word, "COUNT"))
-        return read_of_fields(r, &words, word.bytes[0]);
-    if (bat_word_is(word, "WIDTH"))
-        return read_count(r, &words, &r->width);
-    if (bat_word_is(word, "HEIGHT"))
-        return read_count(r, &words, &r->height);
-    if (bat_word_is(word, "POINTS")) {
-        r->has_points = true;
-        return read_count(r, &words, &r->points);
-    }
-    if (bat_word_is(word, "DATA"))
-        return read_form(r, &words);
-    if (!bat_word_is(word, "VIEWPOINT"))
-        return bad_line(r, "no line of a header begins so");
-    note_viewpoint(r, &words);
-    return BATTEN_OK;
-}
-
-static batten_status find_axes(reading *r)
-{
-    static const char *const names[] = {"x", "y", "z"};
-    int others = 0;
-    for (int a = 0; a < 3; a++) {
-        r->axis[a] = -1;
-        for (int k = 0; k < r->field_count; k++)
-            if (bat_word_is(r->fields[k].name, names[a]) && r->fields[k].count == 1)
-                r->axis[a] = k;
-        if (r->axis[a] < 0)
-            return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "no field is %s, once for each point", names[a]);
-    }
-    for (int k = 0; k < r->field_count; k++) {
-        const field *f = &r->fields[k];
-        const bool is_real = f->type == 'F' && (f->size == 4 || f->size == 8);
-        const bool is_whole =
-            f->type != 'F' && (f->size == 1 || f->size == 2 || f->size == 4 || f->size == 8);
-        if (r->data != ASCII && !is_real && !is_whole)
-            return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "no number of type %c has %d byte%s", f->type, f->size,
-                                  bat_plural(f->size));
-        others +=
-            k != r->axis[0] && k != r->axis[1] && k != r->axis[2] && !bat_word_is(f->name, "_");
-    }
-    if (others && r->points)
-        batten_notes_add(
-            r->input->notes, r->input->file, 0, "",
-            "of points only coordinates are kept; left out of %zu point%s: %d further "
-            "field%s",
-            r->points, bat_plural(r->points), others, bat_plural(others));
-    return BATTEN_OK;
-}
-
-static batten_status read_header(reading *r)
-{
-    bat_span line;
-    batten_status status = BATTEN_OK;
-    while (status == BATTEN_OK && r->data == NO_DATA) {
-        r->line++;
-        if (!bat_next_line(r->input, &r->at, &line))
-            return bat_input_fail(r->input, BATTEN_BAD_FORMAT, r->line,
-                                  "the file ends within the header");
-        status = bat_input_limit(r->input, r->line, line.length, r->input->limits.line_bytes,
-                                 "bytes in the line");
-        if (status == BATTEN_OK)
-            status = read_line(r, line);
-    }
-    if (!r->has_points)
-        r->points = r->height ? r->width * r->height : r->width;
-    if (status == BATTEN_OK)
-        status =
-            bat_input_limit(r->input, r->line, r->points, r->input->limits.points, "points");
-    return status == BATTEN_OK ? find_axes(r) : status;
-}
-
 /* ---- points ---- */
 
 /* A point that the sensor did not see is NaN: that is usual. */
-static batten_status take(reading *r, const double point[3])
+static batten_status take(bat_pcd_reading *r, const double point[3])
 {
     if (bat_first_not_finite(point, 3) == 3)
         return bat_list_add(r->input, &r->read, point);
@@ -214,7 +25,7 @@ static batten_status take(reading *r, const double point[3])
     return BATTEN_OK;
 }
 
-static batten_status note_end(reading *r, size_t count)
+static batten_status note_end(bat_pcd_reading *r, size_t count)
 {
     if (count < r->points) {
         r->input->is_cut = true;
@@ -225,7 +36,7 @@ static batten_status note_end(reading *r, size_t count)
 }
 
 /* The numbers of a line; false when one of the coordinates is missing or none. */
-static bool read_row(const reading *r, bat_span line, double point[3])
+static bool read_row(const bat_pcd_reading *r, bat_span line, double point[3])
 {
     bat_scan words = bat_scan_begin(line.bytes, line.length);
     int found = 0;
@@ -246,7 +57,7 @@ static bool read_row(const reading *r, bat_span line, double point[3])
     return found == 3;
 }
 
-static batten_status read_ascii(reading *r)
+static batten_status read_ascii(bat_pcd_reading *r)
 {
     bat_span line, word;
     size_t count = 0;
@@ -274,7 +85,7 @@ static batten_status read_ascii(reading *r)
     return status == BATTEN_OK ? note_end(r, count) : status;
 }
 
-static double decode(const field *f, const char *at)
+static double decode(const bat_pcd_field *f, const char *at)
 {
     if (f->type == 'F')
         return f->size == 8 ? bat_bytes_double(at, false) : bat_bytes_float(at, false);
@@ -283,12 +94,12 @@ static double decode(const field *f, const char *at)
     return is_negative ? (double)bits - ldexp(1, 8 * f->size) : (double)bits;
 }
 
-static size_t bytes_of(const field *f)
+static size_t bytes_of(const bat_pcd_field *f)
 {
     return (size_t)f->size * (size_t)f->count;
 }
 
-static size_t bytes_of_point(const reading *r)
+static size_t bytes_of_point(const bat_pcd_reading *r)
 {
     size_t bytes = 0;
     for (int k = 0; k < r->field_count; k++)
@@ -297,7 +108,8 @@ static size_t bytes_of_point(const reading *r)
 }
 
 /* Points row by row, or field by field as compressed ones are. */
-static batten_status take_bytes(reading *r, const char *data, size_t count, bool by_field)
+static batten_status take_bytes(bat_pcd_reading *r, const char *data, size_t count,
+                                bool by_field)
 {
     size_t offset[3], stride[3];
     batten_status status = BATTEN_OK;
@@ -318,7 +130,7 @@ static batten_status take_bytes(reading *r, const char *data, size_t count, bool
     return status;
 }
 
-static batten_status read_binary(reading *r)
+static batten_status read_binary(bat_pcd_reading *r)
 {
     const size_t room = (r->input->size - r->at) / bytes_of_point(r);
     const size_t count = r->points < room ? r->points : room;
@@ -328,7 +140,7 @@ static batten_status read_binary(reading *r)
     return status == BATTEN_OK ? note_end(r, count) : status;
 }
 
-static batten_status read_compressed(reading *r)
+static batten_status read_compressed(bat_pcd_reading *r)
 {
     bat_input *input = r->input;
     const size_t left = input->size - r->at;
@@ -354,18 +166,18 @@ static batten_status read_compressed(reading *r)
     return status == BATTEN_OK ? take_bytes(r, r->unpacked, r->points, true) : status;
 }
 
-static batten_status read_points(reading *r)
+static batten_status read_points(bat_pcd_reading *r)
 {
-    if (r->data == COMPRESSED)
+    if (r->data == BAT_PCD_COMPRESSED)
         return read_compressed(r);
-    if (r->data == BINARY)
+    if (r->data == BAT_PCD_BINARY)
         return read_binary(r);
     bat_input body = *r->input;
     const batten_status status = bat_input_as_text(&body);
     return status == BATTEN_OK ? read_ascii(r) : status;
 }
 
-static batten_status make_model(const reading *r, batten_model **out)
+static batten_status make_model(const bat_pcd_reading *r, batten_model **out)
 {
     batten_model *model = NULL;
     if (r->nowhere)
@@ -389,7 +201,7 @@ static batten_status make_model(const reading *r, batten_model **out)
 
 batten_status bat_read_pcd(bat_input *input, batten_model **out)
 {
-    reading *r = NULL;
+    bat_pcd_reading *r = NULL;
     batten_status status = bat_input_array(input, 1, sizeof *r, &r);
     if (status != BATTEN_OK)
         return status;
@@ -397,7 +209,7 @@ batten_status bat_read_pcd(bat_input *input, batten_model **out)
     r->read.size = 3 * sizeof(double);
     status = bat_input_past_mark(input);
     if (status == BATTEN_OK)
-        status = read_header(r);
+        status = bat_pcd_read_header(r);
     if (status == BATTEN_OK)
         status = read_points(r);
     if (status == BATTEN_OK)

@@ -1,7 +1,8 @@
+/* An SVG drawing: groups, looks, and every shape as a curve. */
 #include "exchange/reading/census.h"
 #include "exchange/reading/scan.h"
 #include "exchange/svg/shapes.h"
-#include "exchange/svg/svg.h"
+#include "exchange/svg/sheet.h"
 #include "exchange/svg/xml.h"
 
 #include <stdio.h>
@@ -51,121 +52,6 @@ batten_status bat_svg_recognise(const bat_input *input, bool *is_svg)
     return BATTEN_OK;
 }
 
-/* ---- the sheet ---- */
-
-static bool says(bat_span text, const char *word)
-{
-    return text.length == strlen(word) && memcmp(text.bytes, word, text.length) == 0;
-}
-
-/* A length in millimetres; 0 for none. */
-static double length_of(const bat_xml *xml, const char *name)
-{
-    bat_span text;
-    size_t at = 0;
-    double value = 0, length = 0;
-    char shown[BAT_SHOWN_SIZE];
-    if (!bat_xml_attribute(xml, name, &text))
-        return 0;
-    if (bat_svg_real(xml->input, xml->line, text, &at, &value))
-        length = value * bat_svg_unit((bat_span){text.bytes + at, text.length - at});
-    const bool is_share = at < text.length && text.bytes[at] == '%';
-    if (!(length > 0) && !is_share && !says(text, "auto"))
-        batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
-                         "its %s is '%.40s', which is no length of a sheet", name,
-                         bat_shown(text.bytes, text.length, shown));
-    return length;
-}
-
-/* How the numbers of the drawing fit on a sheet of another shape. */
-typedef struct {
-    double x, y; /* the share of the room that is left to the left, and above */
-    bool stretched, covers;
-} fit;
-
-/* The next word, past blanks. */
-static bat_span word_of(bat_span text, size_t *at)
-{
-    while (*at < text.length && bat_is_white(text.bytes[*at]))
-        ++*at;
-    const size_t begin = *at;
-    while (*at < text.length && !bat_is_white(text.bytes[*at]))
-        ++*at;
-    return (bat_span){text.bytes + begin, *at - begin};
-}
-
-/* "none", or "xMidYMax", and "meet" or "slice"; in the middle and whole when nothing is said.
- */
-static fit fit_of(const bat_xml *xml)
-{
-    static const char *const places[] = {"Min", "Mid", "Max"};
-    const fit usual = {0.5, 0.5, false, false};
-    fit of = usual;
-    bat_span text;
-    size_t at = 0;
-    char shown[BAT_SHOWN_SIZE], name[16];
-    if (!bat_xml_attribute(xml, "preserveAspectRatio", &text))
-        return usual;
-    bat_span word = word_of(text, &at);
-    of.stretched = says(word, "none");
-    bool is_known = of.stretched;
-    for (int k = 0; k < 9 && !is_known; k++) {
-        snprintf(name, sizeof name, "x%sY%s", places[k % 3], places[k / 3]);
-        is_known = says(word, name);
-        of.x = (k % 3) / 2.0;
-        const int row = k / 3;
-        of.y = row / 2.0;
-    }
-    word = word_of(text, &at);
-    of.covers = says(word, "slice");
-    is_known = is_known && (of.covers || word.length == 0 || says(word, "meet"));
-    if (is_known && word_of(text, &at).length == 0)
-        return of;
-    batten_notes_add(xml->input->notes, xml->input->file, xml->line, "svg",
-                     "preserveAspectRatio '%.40s' is not understood: the drawing stands in the "
-                     "middle, as large as fits",
-                     bat_shown(text.bytes, text.length, shown));
-    return usual;
-}
-
-/* From the numbers of the drawing to millimetres with y upwards, from the lower left corner. */
-static bat_svg_map sheet_of(const bat_xml *xml)
-{
-    double width = length_of(xml, "width"), height = length_of(xml, "height");
-    double box[4] = {0, 0, 0, 0};
-    bat_span text = {"", 0};
-    size_t at = 0;
-    int count = 0;
-    char shown[BAT_SHOWN_SIZE];
-    if (bat_xml_attribute(xml, "viewBox", &text))
-        while (count < 4 && bat_svg_number(text, &at, &box[count]))
-            count++;
-    const bool is_good = count == 4 && box[2] > 0 && box[3] > 0;
-    if (text.length > 0 && !is_good)
-        batten_notes_add(
-            xml->input->notes, xml->input->file, xml->line, "svg",
-            "the viewBox '%.40s' is not of four numbers, the last two above 0; the "
-            "width and height stand for it",
-            bat_shown(text.bytes, text.length, shown));
-    if (!is_good) {
-        box[0] = box[1] = 0;
-        box[2] = width > 0 ? width / BAT_SVG_PIXEL : 1;
-        box[3] = height > 0 ? height / BAT_SVG_PIXEL : 0;
-    }
-    if (!(width > 0))
-        width = height > 0 ? height * box[2] / box[3] : box[2] * BAT_SVG_PIXEL;
-    double along = width / box[2], up = height > 0 ? height / box[3] : along;
-    const fit of = fit_of(xml);
-    if (!of.stretched)
-        along = up = of.covers ? bat_max(along, up) : bat_min(along, up);
-    if (!(height > 0))
-        height = up * box[3];
-    const double left = of.x * (width - along * box[2]);
-    const double above = of.y * (height - up * box[3]);
-    return (bat_svg_map){
-        .a = along, .d = -up, .e = left - along * box[0], .f = height - above + up * box[1]};
-}
-
 /* ---- looks ---- */
 
 /* A property in an attribute of its own, or in "style". */
@@ -198,16 +84,16 @@ static batten_status read_look(const reading *r, level *look)
     bat_span text;
     bat_svg_map map;
     *look = r->levels[r->depth];
-    if (property(&r->xml, "display", &text) && says(text, "none"))
+    if (property(&r->xml, "display", &text) && bat_svg_says(text, "none"))
         look->is_hidden = true;
-    if (property(&r->xml, "visibility", &text) && says(text, "hidden"))
+    if (property(&r->xml, "visibility", &text) && bat_svg_says(text, "hidden"))
         look->is_hidden = true;
     double colour[3];
     if (property(&r->xml, "stroke", &text) && bat_svg_colour(text, colour)) {
         look->has_colour = true;
         memcpy(look->colour, colour, sizeof colour);
     }
-    if (!property(&r->xml, "transform", &text) || says(text, "none"))
+    if (!property(&r->xml, "transform", &text) || bat_svg_says(text, "none"))
         return BATTEN_OK;
     batten_status status = bat_svg_transform(r->input, r->xml.line, text, &map);
     if (status == BATTEN_OK)
@@ -398,7 +284,7 @@ static batten_status read_all(reading *r)
                                 "the drawing does not begin with <svg>");
     if (status != BATTEN_OK)
         return status;
-    r->levels[0] = (level){.map = sheet_of(&r->xml)};
+    r->levels[0] = (level){.map = bat_svg_sheet_of(&r->xml)};
     while (status == BATTEN_OK) {
         status = bat_xml_next(&r->xml);
         if (status != BATTEN_OK || r->xml.kind == BAT_XML_NONE)

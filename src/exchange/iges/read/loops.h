@@ -74,4 +74,14 @@ batten_status bat_iges_close_loop(bat_iges_face *face, bat_iges_loop *loop);
  * `border` the outer loop is the border of the surface. */
 batten_status bat_iges_make_face(bat_iges_face *face, bool border, bat_builder *builder);
 
+batten_status bat_iges_end_of(const bat_iges_side *side, bool last, double p[3]);
+double bat_iges_distance(const double a[3], const double b[3]);
+/* Sides in a row of which each begins where the one before ends; some files have them run as
+ * they like. Sides that meet stay as they are: of those that close, alone or two together, the
+ * other ends may be nearer by a rounding error. */
+batten_status bat_iges_link_sides(bat_iges_loop *loop, double tolerance);
+/* The loop with the largest area is the outer one and runs counter-clockwise, the others
+ * clockwise; where areas are not known all stay as they are. */
+void bat_iges_right_loops(bat_iges_face *face, bool border);
+
 #endif

@@ -142,4 +142,9 @@ batten_status bat_step_face_surface(bat_step_topology *topology,
 batten_status bat_step_polygon_plane(bat_step_topology *topology, const bat_step_instance *face,
                                      batten_surface **out);
 
+const double *bat_step_vertex_point(const bat_step_topology *t, int vertex);
+/* Vertices at the same CARTESIAN_POINT are one. */
+batten_status bat_step_vertex_at(bat_step_topology *t, const bat_step_instance *point,
+                                 int *index);
+
 #endif
