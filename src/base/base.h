@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <string.h>
 
 /* The exported names serve the sister libraries; inside we write bat_. */
 #define bat_fail batten_fail
@@ -56,6 +57,31 @@ static inline int bat_max_int(int a, int b)
 static inline int bat_min_int(int a, int b)
 {
     return a < b ? a : b;
+}
+
+/* Lay the options of a caller over `chosen`, which holds the defaults, at the top of every
+ * public function that takes some. The caller's struct is as long as its header said: what an
+ * older one does not have keeps its default; a longer one holds wishes that this library cannot
+ * know, and is refused, as is a size that nobody set. NULL asks for the defaults. */
+#define BAT_TAKE_OPTIONS(type, given, chosen)                               \
+    bat_take_options(#type, 1 ? (given) : (const type *)NULL, sizeof(type), \
+                     1 ? (chosen) : (type *)NULL)
+
+static inline batten_status bat_take_options(const char *type, const void *given, size_t known,
+                                             void *chosen)
+{
+    size_t size;
+    if (!given)
+        return BATTEN_OK;
+    memcpy(&size, given, sizeof size);
+    if (size < sizeof size || size > known)
+        return bat_fail(BATTEN_BAD_ARGUMENT,
+                        "the size in a %s is %zu; it must be %zu to %zu bytes: start from the "
+                        "defaults, which set it",
+                        type, size, sizeof size, known);
+    memcpy(chosen, given, size);
+    memcpy(chosen, &known, sizeof known);
+    return BATTEN_OK;
 }
 
 /* vsnprintf in the C locale, whatever the locale of the process. */

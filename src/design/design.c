@@ -104,16 +104,22 @@ batten_status batten_design_parse(const char *text, size_t length,
                                   const batten_design_options *options, batten_notes *notes,
                                   batten_design **out)
 {
-    const batten_design_options given = options ? *options : batten_design_defaults();
+    batten_design_options given = batten_design_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_design_options, options, &given);
+    batten_limits limits = batten_limits_defaults();
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_limits, given.limits, &limits);
+    if (status != BATTEN_OK)
+        return status;
     const char *file = given.file_name ? given.file_name : "";
     batten_design *design = bat_array(1, sizeof *design);
     if (!design)
         return BATTEN_OUT_OF_MEMORY;
     design->allow_outside = given.allow_outside;
-    design->limits = given.limits ? *given.limits : batten_limits_defaults();
+    design->limits = limits;
     design->file_name = copy_bytes(file, strlen(file));
     char *copy = copy_bytes(text, length);
-    batten_status status = design->file_name && copy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
+    status = design->file_name && copy ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK && given.provided)
         status = keep_provided(design, &given);
     if (status == BATTEN_OK)

@@ -61,14 +61,18 @@ batten_status batten_read_memory(const char *data, size_t size,
                                  const batten_read_options *options, const batten_job *job,
                                  batten_notes *notes, batten_model **out)
 {
+    batten_read_options chosen = batten_read_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_read_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_input input;
-    batten_format format = options ? options->format : BATTEN_FORMAT_AUTO;
-    batten_status status = bat_input_begin(data, size, options, job, notes, &input);
+    batten_format format = chosen.format;
+    status = bat_input_begin(data, size, &chosen, job, notes, &input);
     if (status == BATTEN_OK && format == BATTEN_FORMAT_AUTO)
         status = bat_recognise(&input, &format);
     if (status == BATTEN_OK)
         status = read_as(&input, format, out);
-    if (status == BATTEN_BAD_FORMAT && options && options->format != BATTEN_FORMAT_AUTO)
+    if (status == BATTEN_BAD_FORMAT && chosen.format != BATTEN_FORMAT_AUTO)
         status = name_content(&input, format, status);
     return status;
 }
@@ -76,13 +80,18 @@ batten_status batten_read_memory(const char *data, size_t size,
 batten_status batten_read_file(const char *path, const batten_read_options *options,
                                const batten_job *job, batten_notes *notes, batten_model **out)
 {
-    batten_read_options named = options ? *options : batten_read_defaults();
-    const batten_limits limits = named.limits ? *named.limits : batten_limits_defaults();
+    batten_read_options named = batten_read_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_read_options, options, &named);
+    batten_limits limits = batten_limits_defaults();
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_limits, named.limits, &limits);
+    if (status != BATTEN_OK)
+        return status;
     char *data = NULL;
     size_t size = 0;
     if (!named.file_name || !named.file_name[0])
         named.file_name = path;
-    batten_status status = batten_load_file(path, limits.file_bytes, &data, &size);
+    status = batten_load_file(path, limits.file_bytes, &data, &size);
     if (status == BATTEN_OK)
         status = batten_read_memory(data, size, &named, job, notes, out);
     batten_release(data);

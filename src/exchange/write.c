@@ -240,9 +240,14 @@ batten_status batten_write_prepare(const batten_model *model,
                                    const batten_write_options *options, batten_notes *notes,
                                    batten_model **out)
 {
+    batten_write_options chosen = batten_write_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_write_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     const bat_format_row *found = NULL;
     batten_model *painted = NULL, *meshed = NULL, *prepared = NULL;
-    batten_status status = find_writer(options, &found);
+    status = find_writer(options, &found);
     if (status != BATTEN_OK)
         return status;
     bat_format_row row = *found;
@@ -295,13 +300,16 @@ batten_status batten_write_memory(const batten_model *model,
                                   const batten_write_options *options, batten_notes *notes,
                                   char **data, size_t *size)
 {
-    batten_write_options chosen = options ? *options : batten_write_defaults();
+    batten_write_options chosen = batten_write_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_write_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     batten_text text = BATTEN_TEXT;
     if (!chosen.name || !chosen.name[0])
         chosen.name = batten_model_name(model)[0] ? batten_model_name(model) : "batten";
     if (!(chosen.tolerance >= 0 && isfinite(chosen.tolerance)))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g", chosen.tolerance);
-    batten_status status = write_as(model, &chosen, notes, &text);
+    status = write_as(model, &chosen, notes, &text);
     if (status == BATTEN_OK)
         status = batten_text_take(&text, data, size);
     batten_text_free(&text);
@@ -317,26 +325,35 @@ static bool ends(const char *path, const char *ending)
 bool batten_write_choose(const char *path, const batten_model *model,
                          batten_write_options *options)
 {
-    if (options->format == BATTEN_FORMAT_AUTO) {
-        options->format = batten_format_from_name(path);
-        if (options->format == BATTEN_FORMAT_OFFSET_TABLE &&
+    const size_t size = options->size;
+    batten_write_options chosen = batten_write_defaults();
+    if (BAT_TAKE_OPTIONS(batten_write_options, options, &chosen) != BATTEN_OK)
+        return false;
+    if (chosen.format == BATTEN_FORMAT_AUTO) {
+        chosen.format = batten_format_from_name(path);
+        if (chosen.format == BATTEN_FORMAT_OFFSET_TABLE &&
             !has_kind(model, BATTEN_OBJECT_OFFSET_TABLE))
-            options->format = BATTEN_FORMAT_POINTS;
+            chosen.format = BATTEN_FORMAT_POINTS;
     }
-    options->commas |= ends(path, ".csv");
-    return options->format != BATTEN_FORMAT_AUTO;
+    chosen.commas |= ends(path, ".csv");
+    memcpy(options, &chosen, size);
+    options->size = size;
+    return chosen.format != BATTEN_FORMAT_AUTO;
 }
 
 batten_status batten_write_file(const batten_model *model, const char *path,
                                 const batten_write_options *options, batten_notes *notes)
 {
-    batten_write_options chosen = options ? *options : batten_write_defaults();
+    batten_write_options chosen = batten_write_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_write_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     char *data = NULL;
     size_t size = 0;
     if (!batten_write_choose(path, model, &chosen))
         return bat_fail(BATTEN_UNSUPPORTED,
                         "the ending of '%s' names no format that is written", path);
-    batten_status status = batten_write_memory(model, &chosen, notes, &data, &size);
+    status = batten_write_memory(model, &chosen, notes, &data, &size);
     if (status == BATTEN_OK)
         status = batten_save_file(path, data, size);
     batten_release(data);

@@ -366,7 +366,13 @@ batten_status batten_fair_points(int dimension, int count, const double *points,
                                  const batten_job *job, double *faired,
                                  batten_fair_report *report)
 {
-    batten_status status = check(dimension, count, points, parameters, options);
+    assert(options);
+    batten_fair_options chosen = batten_fair_defaults(0);
+    batten_status status = BAT_TAKE_OPTIONS(batten_fair_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
+    status = check(dimension, count, points, parameters, options);
     if (status != BATTEN_OK)
         return status;
     bat_fair_tally tally = {0};

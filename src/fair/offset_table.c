@@ -299,7 +299,13 @@ batten_status batten_fair_offset_table(const batten_offset_table *offsets,
                                        const batten_job *job, batten_fair_report *report,
                                        batten_offset_table **out)
 {
-    batten_status status = check(offsets, families, options);
+    assert(options);
+    batten_fair_options chosen = batten_fair_defaults(0);
+    batten_status status = BAT_TAKE_OPTIONS(batten_fair_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
+    status = check(offsets, families, options);
     if (status != BATTEN_OK)
         return status;
     bat_net net = {0};

@@ -177,7 +177,10 @@ static void compare(int d, const bat_side *l, const bat_side *r, double size,
 static batten_status take_options(const batten_curve_continuity_options *given,
                                   batten_curve_continuity_options *out)
 {
-    *out = given ? *given : batten_curve_continuity_defaults();
+    *out = batten_curve_continuity_defaults();
+    const batten_status status = BAT_TAKE_OPTIONS(batten_curve_continuity_options, given, out);
+    if (status != BATTEN_OK)
+        return status;
     const double values[] = {out->gap, out->angle, out->curvature, out->derivative};
     for (int k = 0; k < 4; k++)
         if (!(values[k] >= 0 && isfinite(values[k])))

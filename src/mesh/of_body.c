@@ -178,11 +178,14 @@ batten_status batten_mesh_from_body(const batten_body *body, const batten_mesh_o
                                     const batten_job *job, batten_notes *notes,
                                     batten_mesh_report *report, batten_mesh **out)
 {
-    const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
+    batten_mesh_options chosen = batten_mesh_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_mesh_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_meshing m = {.job = job, .notes = notes, .work = {.job = job}};
     bat_traced traced = {0};
     assert(body && out);
-    batten_status status = check_options(&chosen, body, &m);
+    status = check_options(&chosen, body, &m);
     if (status == BATTEN_OK)
         status = bat_meshing_trace(&m, body, &traced);
     if (status == BATTEN_OK)

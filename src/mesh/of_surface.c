@@ -35,15 +35,19 @@ batten_status batten_mesh_from_surface(const batten_surface *surface,
                                        const batten_job *job, batten_mesh_report *report,
                                        batten_mesh **out)
 {
-    batten_body *body = NULL;
     assert(surface && out);
+    batten_mesh_options chosen = batten_mesh_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_mesh_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    batten_body *body = NULL;
     if (batten_surface_dimension(surface) != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "the surface has %d dimension%s, not 3",
                         batten_surface_dimension(surface),
                         bat_plural(batten_surface_dimension(surface)));
-    batten_status status = whole(surface, &body);
+    status = whole(surface, &body);
     if (status == BATTEN_OK)
-        status = batten_mesh_from_body(body, options, job, NULL, report, out);
+        status = batten_mesh_from_body(body, &chosen, job, NULL, report, out);
     batten_body_unref(body);
     return status;
 }

@@ -296,7 +296,10 @@ batten_status batten_mesh_from_triangles(const batten_triangles *triangles,
                                          const batten_job *job, batten_mesh_report *report,
                                          batten_mesh **out)
 {
-    const batten_mesh_options chosen = options ? *options : batten_mesh_defaults();
+    batten_mesh_options chosen = batten_mesh_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_mesh_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     dividing d = {.triangles = triangles,
                   .count = batten_triangles_count(triangles),
                   .work = {.job = job}};
@@ -306,7 +309,7 @@ batten_status batten_mesh_from_triangles(const batten_triangles *triangles,
         return bat_fail(BATTEN_BAD_ARGUMENT, "the triangles have %d dimension%s, not 3",
                         batten_triangles_dimension(triangles),
                         bat_plural(batten_triangles_dimension(triangles)));
-    batten_status status = choose_parts(&d, &chosen);
+    status = choose_parts(&d, &chosen);
     if (status != BATTEN_OK)
         return status;
     status = divide(&d, chosen.most, &reached);

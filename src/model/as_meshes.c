@@ -302,5 +302,9 @@ batten_status batten_model_meshed(const batten_model *model, const batten_mesh_o
                                   const batten_job *job, batten_notes *notes,
                                   batten_model **out)
 {
-    return bat_model_meshed(model, BAT_SHAPES, options, job, notes, out);
+    batten_mesh_options chosen = batten_mesh_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_mesh_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    return bat_model_meshed(model, BAT_SHAPES, &chosen, job, notes, out);
 }

@@ -387,10 +387,13 @@ batten_status batten_offset_table_select(const batten_offset_table *offsets,
                                          const batten_offset_table_selection *selection,
                                          batten_offset_table **out)
 {
-    batten_status status = check_selection(selection);
+    batten_offset_table_selection chosen = batten_offset_table_everything();
+    batten_status status = BAT_TAKE_OPTIONS(batten_offset_table_selection, selection, &chosen);
+    if (status == BATTEN_OK)
+        status = check_selection(&chosen);
     if (status != BATTEN_OK)
         return status;
-    selected work = {.selection = selection};
+    selected work = {.selection = &chosen};
     work.line_numbers = bat_array((size_t)offsets->line_count, sizeof *work.line_numbers);
     work.lines = bat_array((size_t)offsets->line_count, sizeof *work.lines);
     work.stations = bat_array((size_t)offsets->station_count, sizeof *work.stations);

@@ -339,8 +339,12 @@ batten_status batten_write_gcode(const batten_model *model,
                                  char **data, size_t *size)
 {
     assert(model && data && size);
+    batten_write_gcode_options chosen = batten_write_gcode_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_write_gcode_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     batten_text text = BATTEN_TEXT;
-    batten_status status = bat_write_gcode(model, options, notes, &text);
+    status = bat_write_gcode(model, &chosen, notes, &text);
     if (status == BATTEN_OK)
         status = batten_text_take(&text, data, size);
     batten_text_free(&text);

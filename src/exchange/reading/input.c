@@ -33,11 +33,15 @@ batten_read_options batten_read_defaults(void)
 batten_status bat_input_begin(const char *data, size_t size, const batten_read_options *options,
                               const batten_job *job, batten_notes *notes, bat_input *input)
 {
-    const batten_limits *limits = options ? options->limits : NULL;
+    batten_limits limits = batten_limits_defaults();
+    const batten_status status =
+        BAT_TAKE_OPTIONS(batten_limits, options ? options->limits : NULL, &limits);
+    if (status != BATTEN_OK)
+        return status;
     *input = (bat_input){.data = data,
                          .size = size,
                          .file = options && options->file_name ? options->file_name : "",
-                         .limits = limits ? *limits : batten_limits_defaults(),
+                         .limits = limits,
                          .work = {.job = job},
                          .notes = notes};
     if (input->limits.memory_bytes == 0)

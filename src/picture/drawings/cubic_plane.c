@@ -466,11 +466,18 @@ batten_status batten_draw_cubic_plane(const batten_model *model,
                                       const batten_draw_options *options, char **data,
                                       size_t *size)
 {
-    const batten_draw_cubic_plane_options standard = batten_draw_cubic_plane_defaults();
+    batten_draw_options picture = batten_draw_defaults();
+    batten_draw_cubic_plane_options chosen = batten_draw_cubic_plane_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &picture);
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_draw_cubic_plane_options, plane, &chosen);
+    options = &picture;
+    if (status != BATTEN_OK)
+        return status;
     bat_canvas canvas;
-    drawing d = {.plane = plane ? plane : &standard, .canvas = &canvas};
+    drawing d = {.plane = &chosen, .canvas = &canvas};
     const double em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height));
-    batten_status status = check_plane(d.plane);
+    status = check_plane(d.plane);
     d.low = d.plane->low;
     d.high = d.plane->high;
     if (status == BATTEN_OK && !(d.shape = bat_array(2, sizeof *d.shape)))

@@ -584,9 +584,14 @@ void bat_drawing_free(bat_drawing *d)
 batten_status batten_draw(const batten_model *model, const batten_draw_options *options,
                           char **data, size_t *size)
 {
+    batten_draw_options chosen = batten_draw_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     bat_drawing d = {.options = options};
     batten_model *flat = NULL;
-    batten_status status = bat_canvas_check_size(options->width, options->height);
+    status = bat_canvas_check_size(options->width, options->height);
     if (status == BATTEN_OK)
         status = bat_picture_model(model, options, NULL, &flat);
     d.model = flat;

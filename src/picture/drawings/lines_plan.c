@@ -570,11 +570,19 @@ batten_status batten_draw_lines_plan(const batten_model *model,
                                      const batten_draw_options *options, batten_notes *notes,
                                      char **data, size_t *size)
 {
+    batten_draw_options picture = batten_draw_defaults();
+    batten_draw_lines_plan_options chosen = batten_draw_lines_plan_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &picture);
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_draw_lines_plan_options, plan, &chosen);
+    options = &picture;
+    if (status != BATTEN_OK)
+        return status;
+    plan = &chosen;
     bat_canvas canvas;
     const double em = bat_max(4, 0.0102 * bat_min_int(options->width, options->height));
-    batten_status status =
-        bat_canvas_begin(options->format, options->width, options->height, em,
-                         *options->title ? options->title : "Lines plan", &canvas);
+    status = bat_canvas_begin(options->format, options->width, options->height, em,
+                              *options->title ? options->title : "Lines plan", &canvas);
     if (status != BATTEN_OK)
         return status;
     sheet s = {.model = model, .plan = plan, .options = options};

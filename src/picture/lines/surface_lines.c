@@ -453,11 +453,16 @@ batten_status batten_draw_surface_lines(const batten_model *model,
                                         const batten_draw_options *options,
                                         const batten_job *job, char **data, size_t *size)
 {
+    batten_draw_options chosen = batten_draw_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     drawing d = {.options = options,
                  .wires = {.options = options, .job = job},
                  .em = bat_max(5, 0.0165 * bat_min_int(options->width, options->height))};
     batten_model *flat = NULL, *patches = NULL; /* triangles as surfaces with a pole */
-    batten_status status = check_options(options);
+    status = check_options(options);
     if (status == BATTEN_OK)
         status = bat_picture_model(model, options, job, &flat);
     if (status == BATTEN_OK)

@@ -685,9 +685,14 @@ static batten_status prepare(picture *p)
 batten_status batten_draw_shaded(const batten_model *model, const batten_draw_options *options,
                                  const batten_job *job, char **data, size_t *size)
 {
+    batten_draw_options chosen = batten_draw_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     picture p = {.options = options, .job = job};
     batten_model *flat = NULL, *patches = NULL;
-    batten_status status = check_options(options);
+    status = check_options(options);
     if (status == BATTEN_OK)
         status = bat_picture_model(model, options, job, &flat);
     if (status == BATTEN_OK)

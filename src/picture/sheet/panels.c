@@ -195,6 +195,11 @@ batten_status batten_draw_panels(int count, const batten_panel *panels,
                                  const batten_draw_options *options, char **data, size_t *size)
 {
     assert(panels && options && data && size);
+    batten_draw_options chosen = batten_draw_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_draw_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     if (count < 1 || count > MAX_PANELS)
         return bat_fail(BATTEN_BAD_ARGUMENT, "%d panels; there may be 1 to %d", count,
                         MAX_PANELS);
@@ -202,7 +207,7 @@ batten_status batten_draw_panels(int count, const batten_panel *panels,
     s.drawings = bat_array((size_t)count, sizeof *s.drawings);
     if (!s.drawings)
         return BATTEN_OUT_OF_MEMORY;
-    batten_status status = prepare(&s);
+    status = prepare(&s);
     if (status == BATTEN_OK)
         status = draw(&s, data, size);
     for (int i = 0; i < count; i++)

@@ -222,11 +222,13 @@ batten_status batten_chain_biarcs(int count, const double *points,
                                   batten_chain **out)
 {
     assert(points && out);
-    work w = {.count = count,
-              .points = points,
-              .options = options ? *options : batten_chain_biarcs_defaults()};
+    batten_chain_biarcs_options chosen = batten_chain_biarcs_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_biarcs_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    work w = {.count = count, .points = points, .options = chosen};
     w.closed = w.options.closed;
-    batten_status status = bat_biarcs_check(2, count, points, &w.options);
+    status = bat_biarcs_check(2, count, points, &w.options);
     if (status != BATTEN_OK)
         return status;
     status = reserve(&w);

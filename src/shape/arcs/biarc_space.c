@@ -169,12 +169,14 @@ batten_status batten_curve_biarcs(int dimension, int count, const double *points
                                   double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_chain_biarcs_options wanted =
-        options ? *options : batten_chain_biarcs_defaults();
+    batten_chain_biarcs_options wanted = batten_chain_biarcs_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_biarcs_options, options, &wanted);
+    if (status != BATTEN_OK)
+        return status;
     if (dimension != 2 && dimension != 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "biarcs of %d dimensions; there are 2 and 3",
                         dimension);
-    batten_status status = bat_biarcs_check(dimension, count, points, &wanted);
+    status = bat_biarcs_check(dimension, count, points, &wanted);
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)count, d = (size_t)dimension;

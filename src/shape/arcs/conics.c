@@ -446,10 +446,13 @@ batten_status batten_curve_conics(int count, const double *points,
                                   batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_conics_options defaults = batten_curve_conics_defaults();
-    task t = {.count = count, .points = points, .options = options ? options : &defaults};
+    batten_curve_conics_options chosen = batten_curve_conics_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_conics_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.count = count, .points = points, .options = &chosen};
     t.report.first_arcs = t.report.first_fallen_back = -1;
-    batten_status status = check(count, points, t.options);
+    status = check(count, points, t.options);
     const int spans = t.options->closed ? count : count - 1;
     if (status == BATTEN_OK)
         status = allocate(&t, spans);

@@ -372,7 +372,12 @@ batten_status batten_arcs_from_curve(const batten_curve *curve,
                                      batten_arcs_report *report, batten_chain **out)
 {
     assert(curve && options && out);
-    batten_status status = bat_arcs_check(options);
+    batten_arcs_options chosen = batten_arcs_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_arcs_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
+    status = bat_arcs_check(options);
     if (status != BATTEN_OK)
         return status;
     if (batten_curve_dimension(curve) != 2)
@@ -403,7 +408,12 @@ batten_status batten_arcs_from_chain(const batten_chain *chain,
                                      batten_arcs_report *report, batten_chain **out)
 {
     assert(chain && options && out);
-    batten_status status = bat_arcs_check(options);
+    batten_arcs_options chosen = batten_arcs_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_arcs_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
+    status = bat_arcs_check(options);
     batten_curve *curve = NULL;
     double error = 0;
     if (status == BATTEN_OK)

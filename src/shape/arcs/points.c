@@ -255,9 +255,14 @@ batten_status batten_arcs_from_points(int count, const double *points,
                                       batten_arcs_report *report, batten_chain **out)
 {
     assert(points && options && out);
+    batten_arcs_options chosen = batten_arcs_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_arcs_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     batten_chain_biarcs_options row = batten_chain_biarcs_defaults();
     row.closed = options->closed;
-    batten_status status = bat_arcs_check(options);
+    status = bat_arcs_check(options);
     if (status == BATTEN_OK)
         status = bat_biarcs_check(2, count, points, &row);
     if (status != BATTEN_OK)

@@ -449,14 +449,15 @@ batten_status batten_curve_minimum_energy(int dimension, int count, const double
                                           batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_minimum_energy_options standard = batten_curve_minimum_energy_defaults();
-    task t = {.options = options ? options : &standard,
-              .d = dimension,
-              .count = count,
-              .given = points};
+    batten_curve_minimum_energy_options chosen = batten_curve_minimum_energy_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_curve_minimum_energy_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.options = &chosen, .d = dimension, .count = count, .given = points};
     batten_curve_minimum_energy_report found = {0};
     batten_curve *curve = NULL;
-    batten_status status = check(dimension, count, points, t.options);
+    status = check(dimension, count, points, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &found, &curve);
     if (status == BATTEN_OK) {

@@ -307,8 +307,11 @@ batten_status batten_chain_mehlum(int count, const double *points,
                                   batten_chain **out)
 {
     assert(points && out);
-    const batten_chain_mehlum_options defaults = batten_chain_mehlum_defaults();
-    task t = {.count = count, .points = points, .options = options ? options : &defaults};
+    batten_chain_mehlum_options chosen = batten_chain_mehlum_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_mehlum_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.count = count, .points = points, .options = &chosen};
     const batten_chain_mehlum_options *o = t.options;
     batten_chain_nonlinear_options elastica = batten_chain_nonlinear_defaults();
     batten_chain *beam = NULL;
@@ -318,7 +321,7 @@ batten_status batten_chain_mehlum(int count, const double *points,
     elastica.start_value = o->start_value;
     elastica.end_value = o->end_value;
     elastica.closed = o->closed;
-    batten_status status = check(o);
+    status = check(o);
     if (status == BATTEN_OK)
         status = batten_chain_nonlinear(count, points, &elastica, angles, NULL, NULL, &beam);
     if (status == BATTEN_OK) {

@@ -316,12 +316,14 @@ batten_status batten_chain_nonlinear(int count, const double *points,
                                      batten_chain_nonlinear_report *report, batten_chain **out)
 {
     assert(points && out);
-    const batten_chain_nonlinear_options defaults = batten_chain_nonlinear_defaults();
-    if (!options)
-        options = &defaults;
+    batten_chain_nonlinear_options chosen = batten_chain_nonlinear_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_nonlinear_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     batten_chain_nonlinear_report reached = {0};
     polygon p = {0};
-    batten_status status = check(count, points, options);
+    status = check(count, points, options);
     if (status == BATTEN_OK)
         status = make(count, points, options, parameters, &p, &reached, out);
     if (status == BATTEN_OK && angles)

@@ -260,12 +260,14 @@ batten_status batten_chain_spiro(int count, const double *points,
                                  batten_chain_spiro_report *report, batten_chain **out)
 {
     assert(points && out);
-    const batten_chain_spiro_options defaults = batten_chain_spiro_defaults();
-    if (!options)
-        options = &defaults;
+    batten_chain_spiro_options chosen = batten_chain_spiro_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_spiro_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     batten_chain_spiro_report reached = {0};
     spline s = {.kinds = NULL};
-    batten_status status = check(count, points, options);
+    status = check(count, points, options);
     if (status == BATTEN_OK)
         status = make(count, points, options, parameters, &s, &reached, out);
     if (status == BATTEN_OK && report) {

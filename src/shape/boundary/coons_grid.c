@@ -172,6 +172,12 @@ batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
                                         const batten_surface_coons_network_options *options,
                                         double *u, double *v, batten_surface **out)
 {
+    batten_surface_coons_network_options chosen = batten_surface_coons_network_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_surface_coons_network_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     const batten_surface_coons_network_options standard =
         batten_surface_coons_network_defaults();
     assert(points && out);
@@ -179,7 +185,7 @@ batten_status batten_surface_coons_grid(int dimension, int count_u, int count_v,
               .dimension = dimension,
               .count = {count_u, count_v},
               .points = points};
-    batten_status status = check(dimension, count_u, count_v, points);
+    status = check(dimension, count_u, count_v, points);
     if (status == BATTEN_OK)
         status = build(&g, out);
     if (status == BATTEN_OK && u)

@@ -309,6 +309,12 @@ batten_status batten_surface_coons_network(int count_u, const double *u, int cou
                                            const batten_surface_coons_network_options *options,
                                            double *gap, batten_surface **out)
 {
+    batten_surface_coons_network_options chosen = batten_surface_coons_network_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_surface_coons_network_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     const batten_surface_coons_network_options standard =
         batten_surface_coons_network_defaults();
     assert(u && v && along_u && along_v && out);
@@ -318,7 +324,7 @@ batten_status batten_surface_coons_network(int count_u, const double *u, int cou
                    .curves = {along_u, along_v}};
     net.order = net.options->blending == BATTEN_BLENDING_LINEAR ? 1 : 2;
     net.dimension = count_v > 0 ? along_u[0]->dimension : 1;
-    batten_status status = check(&net);
+    status = check(&net);
     if (status == BATTEN_OK)
         status = build(&net, out);
     if (status == BATTEN_OK && gap)

@@ -386,10 +386,13 @@ batten_status batten_surface_coons(const batten_ribbon sides[4],
                                    const batten_surface_coons_options *options,
                                    batten_surface_coons_report *report, batten_surface **out)
 {
-    const batten_surface_coons_options standard = batten_surface_coons_defaults();
     assert(sides && out);
-    const batten_surface_coons_options *o = options ? options : &standard;
-    batten_status status = check(sides, o);
+    batten_surface_coons_options chosen = batten_surface_coons_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_coons_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_coons_options *o = &chosen;
+    status = check(sides, o);
     if (status != BATTEN_OK)
         return status;
     patch *p = bat_array(1, sizeof *p);

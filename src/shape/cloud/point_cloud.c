@@ -261,14 +261,16 @@ batten_status batten_surface_cloud(int count, const double *points, const batten
                                    const batten_job *job, double *uv,
                                    batten_surface_fit_report *report, batten_surface **out)
 {
-    batten_surface_scattered_options o =
-        options ? *options : batten_surface_scattered_defaults();
+    batten_surface_scattered_options o = batten_surface_scattered_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_scattered_options, options, &o);
+    if (status != BATTEN_OK)
+        return status;
     bat_scatter s = {.dimension = 3,
                      .count = (size_t)bat_max_int(count, 0),
                      .values = points,
                      .given = o.weights,
                      .options = &o};
-    batten_status status = bat_points_check(3, count, points, 3);
+    status = bat_points_check(3, count, points, 3);
     double *at = status == BATTEN_OK ? bat_array3(s.count, 2, sizeof *at) : NULL;
     if (status == BATTEN_OK)
         status = at ? project(count, points, base, job, at) : BATTEN_OUT_OF_MEMORY;

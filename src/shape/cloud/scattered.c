@@ -85,13 +85,16 @@ batten_status batten_surface_scattered(int dimension, int count, const double *u
                                        const batten_job *job, batten_surface_fit_report *report,
                                        batten_surface **out)
 {
-    const batten_surface_scattered_options defaults = batten_surface_scattered_defaults();
+    batten_surface_scattered_options chosen = batten_surface_scattered_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_scattered_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_scatter s = {.dimension = dimension,
                      .count = (size_t)bat_max_int(count, 0),
                      .values = values,
-                     .options = options ? options : &defaults};
+                     .options = &chosen};
     s.given = s.options->weights;
-    batten_status status = bat_scatter_begin(&s, uv, job);
+    status = bat_scatter_begin(&s, uv, job);
     if (status == BATTEN_OK)
         status = bat_scatter_fit(&s);
     if (status == BATTEN_OK)

@@ -182,14 +182,17 @@ batten_status batten_triangles_scattered(int count, const double *xy, const doub
                                          batten_triangles **out)
 {
     assert(xy && values && out);
-    const batten_triangles_scattered_options chosen =
-        options ? *options : batten_triangles_scattered_defaults();
+    batten_triangles_scattered_options chosen = batten_triangles_scattered_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_triangles_scattered_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     const size_t n = count > 0 ? (size_t)count : 0, bad = bat_first_not_finite(values, n);
     if (bad < n)
         return bat_fail(BATTEN_NOT_FINITE, "value %zu is %g", bad, values[bad]);
     pipeline p = {.count = count, .values = values, .options = &chosen, .job = job};
     p.report.thinnest = 0.5;
-    const batten_status status = carry_out(&p, xy, out);
+    status = carry_out(&p, xy, out);
     if (status == BATTEN_OK && report)
         *report = p.report;
     bat_release(p.f);

@@ -145,9 +145,12 @@ batten_status batten_curve_offset(const batten_curve *curve, double distance,
                                   const batten_curve_offset_options *options,
                                   batten_curve_offset_report *report, batten_curves *out)
 {
-    const batten_curve_offset_options o = options ? *options : batten_curve_offset_defaults();
+    batten_curve_offset_options o = batten_curve_offset_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_offset_options, options, &o);
+    if (status != BATTEN_OK)
+        return status;
     batten_curve_offset_report done = {0};
-    batten_status status = check(curve, distance, &o);
+    status = check(curve, distance, &o);
     if (status == BATTEN_OK)
         status = curve->dimension == 3 ? offset_in_space(curve, distance, &o, &done, out)
                                        : offset_upright(curve, distance, &o, &done, out);

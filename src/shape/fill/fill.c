@@ -116,12 +116,14 @@ batten_status batten_surface_fill(int count, const batten_ribbon *sides,
                                   const batten_surface_fill_options *options,
                                   batten_surface_fill_report *report, batten_surface **out)
 {
-    const batten_surface_fill_options chosen =
-        options ? *options : batten_surface_fill_defaults();
+    batten_surface_fill_options chosen = batten_surface_fill_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_fill_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     batten_surface *patches[BATTEN_FILL_SIDES] = {NULL}, *placed[BATTEN_FILL_SIDES] = {NULL};
     batten_surface_fill_report *reached = bat_array(1, sizeof *reached);
     bat_fill_loop loop = {0};
-    batten_status status = reached ? check_options(&chosen) : BATTEN_OUT_OF_MEMORY;
+    status = reached ? check_options(&chosen) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = bat_fill_loop_make(count, sides, chosen.tolerance, reached, &loop);
     if (status == BATTEN_OK)

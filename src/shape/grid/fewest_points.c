@@ -124,11 +124,15 @@ batten_status batten_surface_fit_grid(int dimension, int count_u, int count_v,
                                       const batten_job *job, double *u, double *v,
                                       batten_surface_fit_report *report, batten_surface **out)
 {
-    const batten_surface_fit_grid_options defaults = batten_surface_fit_grid_defaults();
+    batten_surface_fit_grid_options chosen = batten_surface_fit_grid_defaults();
+    const batten_status status =
+        BAT_TAKE_OPTIONS(batten_surface_fit_grid_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     const bat_grid_fit start = {.dimension = dimension,
                                 .count = {count_u, count_v},
                                 .points = points,
-                                .options = options ? options : &defaults};
+                                .options = &chosen};
     const double tolerance = start.options->tolerance;
     if (!(tolerance >= 0 && tolerance < HUGE_VAL))
         return bat_fail(BATTEN_BAD_ARGUMENT, "the tolerance is %g, not 0 or above", tolerance);

@@ -457,14 +457,18 @@ batten_status batten_surface_interpolate(int dimension, int count_u, int count_v
                                          batten_surface_interpolate_report *report,
                                          batten_surface **out)
 {
-    const batten_surface_interpolate_options defaults = batten_surface_interpolate_defaults();
+    batten_surface_interpolate_options chosen = batten_surface_interpolate_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_surface_interpolate_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     task t = {.dimension = dimension,
               .count_u = count_u,
               .count_v = count_v,
               .points = points,
-              .options = options ? options : &defaults,
+              .options = &chosen,
               .work = {job, 0}};
-    batten_status status = check_grid(&t);
+    status = check_grid(&t);
     double residual = 0;
     if (status == BATTEN_OK)
         status = solve(&t, &residual, out);

@@ -347,16 +347,19 @@ batten_status batten_surface_smooth_grid(int dimension, int count_u, int count_v
                                          batten_surface_fit_report *report,
                                          batten_surface **out)
 {
-    const batten_surface_fit_grid_options defaults = batten_surface_fit_grid_defaults();
+    batten_surface_fit_grid_options chosen = batten_surface_fit_grid_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_fit_grid_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_grid_fit t = {.dimension = dimension,
                       .count = {count_u, count_v},
                       .points = points,
-                      .options = options ? options : &defaults};
+                      .options = &chosen};
     smoothing s = {.grid = &t};
     const batten_surface_fit_grid_options *o = t.options;
     t.wanted[0] = o->points_u ? 0 : usual_points(count_u, o->closed_u, o->degree_u);
     t.wanted[1] = o->points_v ? 0 : usual_points(count_v, o->closed_v, o->degree_v);
-    batten_status status = check(t.options);
+    status = check(t.options);
     if (status == BATTEN_OK)
         status = bat_grid_fit_begin(&t, job);
     if (status == BATTEN_OK)

@@ -34,15 +34,17 @@ batten_status batten_surface_nu(int dimension, int count_u, int count_v, const d
                                 batten_surface **out)
 {
     assert(points && out);
-    const batten_surface_nu_options defaults = batten_surface_nu_defaults();
-    const batten_surface_nu_options *o = options ? options : &defaults;
+    batten_surface_nu_options chosen = batten_surface_nu_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_nu_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_nu_options *o = &chosen;
     batten_curve_weighted_options curves[2] = {weighted(o->closed_u, o->nu_u, o->nus_u),
                                                weighted(o->closed_v, o->nu_v, o->nus_v)};
     const batten_line_method u = {make_nu, &curves[0], o->closed_u},
                              v = {make_nu, &curves[1], o->closed_v};
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    batten_status status =
-        bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
+    status = bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
     if (status == BATTEN_OK)
         status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CHORD,
                                         o->closed_u, o->closed_v, o->u, o->v, &at);
@@ -113,14 +115,16 @@ batten_status batten_surface_catmull_rom(int dimension, int count_u, int count_v
     assert(points && out);
     batten_curve_catmull_rom_options curves[2] = {batten_curve_catmull_rom_defaults(),
                                                   batten_curve_catmull_rom_defaults()};
-    if (along_u)
-        curves[0] = *along_u;
-    if (along_v)
-        curves[1] = *along_v;
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along_u, &curves[0]);
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, along_v, &curves[1]);
+    if (status != BATTEN_OK)
+        return status;
     const batten_line_method ways[2] = {{make_catmull_rom, &curves[0], curves[0].closed},
                                         {make_catmull_rom, &curves[1], curves[1].closed}};
     bat_grid_parameters at = {NULL, NULL, {0, 0}};
-    batten_status status =
+    status =
         bat_grid_check(dimension, count_u, count_v, points, curves[0].closed, curves[1].closed);
     if (status == BATTEN_OK)
         status = bat_grid_parameters_of(dimension, count_u, count_v, points, BATTEN_CENTRIPETAL,

@@ -226,10 +226,12 @@ batten_status batten_surface_tension(int dimension, int count_u, int count_v,
                                      batten_surface **out)
 {
     assert(points && out);
-    const batten_surface_tension_options defaults = batten_surface_tension_defaults();
-    const batten_surface_tension_options *o = options ? options : &defaults;
-    batten_status status =
-        bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
+    batten_surface_tension_options chosen = batten_surface_tension_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_tension_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_tension_options *o = &chosen;
+    status = bat_grid_check(dimension, count_u, count_v, points, o->closed_u, o->closed_v);
     if (status != BATTEN_OK)
         return status;
     tension_surface *s = bat_array(1, sizeof *s);

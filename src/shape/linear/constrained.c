@@ -504,13 +504,13 @@ batten_status batten_curve_constrained(int dimension, int count, const double *p
                                        batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_constrained_options standard = batten_curve_constrained_defaults();
-    task t = {.options = options ? options : &standard,
-              .d = dimension,
-              .count = count,
-              .points = points};
+    batten_curve_constrained_options chosen = batten_curve_constrained_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_constrained_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.options = &chosen, .d = dimension, .count = count, .points = points};
     batten_curve_constrained_report reached = {0};
-    batten_status status = check(dimension, count, points, t.options);
+    status = check(dimension, count, points, t.options);
     if (status == BATTEN_OK)
         status = find(&t, &reached, out);
     if (status == BATTEN_OK && parameters)

@@ -227,14 +227,14 @@ batten_status batten_curve_interpolate(int dimension, int count, const double *p
                                        const batten_curve_interpolate_options *options,
                                        double *parameters, batten_curve **out)
 {
-    const batten_curve_interpolate_options defaults = batten_curve_interpolate_defaults();
-    batten_status status = bat_points_check(dimension, count, points, 2);
+    batten_curve_interpolate_options chosen = batten_curve_interpolate_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_interpolate_options, options, &chosen);
     if (status != BATTEN_OK)
         return status;
-    task t = {.dimension = dimension,
-              .count = count,
-              .points = points,
-              .options = options ? options : &defaults};
+    status = bat_points_check(dimension, count, points, 2);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.dimension = dimension, .count = count, .points = points, .options = &chosen};
     batten_curve *curve = NULL;
     status = interpolate(&t, &curve);
     if (status == BATTEN_OK) {

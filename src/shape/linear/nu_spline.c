@@ -288,9 +288,12 @@ batten_status batten_curve_weighted(int dimension, int count, const double *poin
                                     double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_weighted_options defaults = batten_curve_weighted_defaults();
-    const batten_curve_weighted_options *o = options ? options : &defaults;
-    batten_status status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
+    batten_curve_weighted_options chosen = batten_curve_weighted_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_weighted_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_curve_weighted_options *o = &chosen;
+    status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
     task t = {.dimension = dimension,

@@ -249,8 +249,11 @@ batten_status batten_curve_quadratic(int dimension, int count, const double *poi
                                      double *parameters, batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_quadratic_options defaults = batten_curve_quadratic_defaults();
-    const batten_curve_quadratic_options *o = options ? options : &defaults;
+    batten_curve_quadratic_options chosen = batten_curve_quadratic_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_quadratic_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_curve_quadratic_options *o = &chosen;
     const bool has_midpoints = o->kind == BATTEN_QUADRATIC_MIDPOINTS;
     if ((int)o->kind < 0 || o->kind > BATTEN_QUADRATIC_SEQUENTIAL || (int)o->slope < 0 ||
         o->slope > BATTEN_QUADRATIC_AT_END)
@@ -259,7 +262,7 @@ batten_status batten_curve_quadratic(int dimension, int count, const double *poi
                         (int)o->slope);
     if (o->kind == BATTEN_QUADRATIC_BETWEEN)
         return between(dimension, count, points, o, parameters, out);
-    batten_status status = bat_points_check(dimension, count, points, has_midpoints ? 3 : 2);
+    status = bat_points_check(dimension, count, points, has_midpoints ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
     batten_curve *curve = NULL;

@@ -211,12 +211,10 @@ static batten_status begin(task *t, const batten_curve_schoenberg_options *o, in
                              o->closed, &t->t);
 }
 
-static batten_status run(task *t, const batten_curve_schoenberg_options *options,
-                         int most_degree, void (*make)(task *t), double *parameters,
+static batten_status run(task *t, const batten_curve_schoenberg_options *o, int most_degree,
+                         void (*make)(task *t), double *parameters,
                          batten_curve_schoenberg_report *report, batten_curve **out)
 {
-    const batten_curve_schoenberg_options defaults = batten_curve_schoenberg_defaults(),
-                                          *o = options ? options : &defaults;
     batten_curve_schoenberg_report reached;
     batten_curve *curve = NULL;
     batten_status status = begin(t, o, most_degree);
@@ -249,8 +247,12 @@ batten_status batten_curve_schoenberg(int dimension, int count, const double *po
                                       batten_curve_schoenberg_report *report,
                                       batten_curve **out)
 {
+    batten_curve_schoenberg_options chosen = batten_curve_schoenberg_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     task t = {.dimension = dimension, .count = count, .points = points};
-    return run(&t, options, BATTEN_MAX_DEGREE, make_schoenberg, parameters, report, out);
+    return run(&t, &chosen, BATTEN_MAX_DEGREE, make_schoenberg, parameters, report, out);
 }
 
 batten_status batten_curve_quasi_interpolate(int dimension, int count, const double *points,
@@ -259,10 +261,14 @@ batten_status batten_curve_quasi_interpolate(int dimension, int count, const dou
                                              batten_curve_schoenberg_report *report,
                                              batten_curve **out)
 {
+    batten_curve_schoenberg_options chosen = batten_curve_schoenberg_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_schoenberg_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     task t = {.dimension = dimension, .count = count, .points = points};
-    if (options && options->bernstein)
+    if (chosen.bernstein)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a quasi-interpolant has its knots at the data");
-    return run(&t, options, MOST_LOCAL_DEGREE, make_quasi, parameters, report, out);
+    return run(&t, &chosen, MOST_LOCAL_DEGREE, make_quasi, parameters, report, out);
 }
 
 /* ---- functions that are known everywhere ---- */

@@ -217,9 +217,12 @@ batten_status batten_chain_tension(int dimension, int count, const double *point
                                    double *parameters, batten_chain **out)
 {
     assert(points && out);
-    const batten_chain_tension_options defaults = batten_chain_tension_defaults();
-    const batten_chain_tension_options *o = options ? options : &defaults;
-    batten_status status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
+    batten_chain_tension_options chosen = batten_chain_tension_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_chain_tension_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_chain_tension_options *o = &chosen;
+    status = bat_points_check(dimension, count, points, o->closed ? 3 : 2);
     if (status != BATTEN_OK)
         return status;
     bat_tension t = {.dimension = dimension,

@@ -261,9 +261,12 @@ batten_status batten_curve_catmull_rom(int dimension, int count, const double *p
                                        batten_curve **out)
 {
     assert(points && out);
-    const batten_curve_catmull_rom_options defaults = batten_curve_catmull_rom_defaults();
-    const batten_curve_catmull_rom_options *o = options ? options : &defaults;
-    batten_status status = check(o);
+    batten_curve_catmull_rom_options chosen = batten_curve_catmull_rom_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_catmull_rom_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_curve_catmull_rom_options *o = &chosen;
+    status = check(o);
     if (status != BATTEN_OK)
         return status;
     task t = {.k = o->blend + 1, .m = o->local, .degree = o->blend + o->local};

@@ -231,12 +231,12 @@ batten_status batten_curve_cornered(int dimension, int count, const double *poin
                                     const batten_curve_cornered_options *options,
                                     double *parameters, batten_curve **out)
 {
-    const batten_curve_cornered_options standard = batten_curve_cornered_defaults();
-    work w = {.options = options ? options : &standard,
-              .dimension = dimension,
-              .count = count,
-              .points = points};
-    batten_status status = check(dimension, count, w.options);
+    batten_curve_cornered_options chosen = batten_curve_cornered_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_cornered_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    work w = {.options = &chosen, .dimension = dimension, .count = count, .points = points};
+    status = check(dimension, count, w.options);
     if (status == BATTEN_OK)
         status = prepare(&w);
     if (status == BATTEN_OK)

@@ -234,12 +234,16 @@ batten_status batten_curve_correct_tangents(
     const batten_curve *curve, const batten_curve_correct_tangents_options *options,
     int *changed, batten_curve_correct_tangents_report *report, batten_curve **out)
 {
-    bat_correction w = {.options =
-                            options ? *options : batten_curve_correct_tangents_defaults(),
+    batten_curve_correct_tangents_options chosen = batten_curve_correct_tangents_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_curve_correct_tangents_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    bat_correction w = {.options = chosen,
                         .dimension = batten_curve_dimension(curve),
                         .closed = batten_curve_is_periodic(curve),
                         .report = {.first_incurable = -1}};
-    batten_status status = check(curve, &w.options);
+    status = check(curve, &w.options);
     if (status == BATTEN_OK)
         status = begin(&w, curve);
     w.report.span_count = w.count;

@@ -275,8 +275,10 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
                                     double *parameters, batten_curve_directed_report *report,
                                     batten_curve **out)
 {
-    const batten_curve_directed_options o =
-        options ? *options : batten_curve_directed_defaults();
+    batten_curve_directed_options o = batten_curve_directed_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_directed_options, options, &o);
+    if (status != BATTEN_OK)
+        return status;
     work w = {.dimension = dimension, .count = count, .points = points, .tension = o.tension};
     if (dimension < 1 || dimension > 3)
         return bat_fail(BATTEN_BAD_ARGUMENT, "a curve cannot have dimension %d", dimension);
@@ -284,7 +286,7 @@ batten_status batten_curve_directed(int dimension, int count, const double *poin
         return bat_fail(BATTEN_TOO_FEW_POINTS, "%d point%s %s given; 2 are needed", count,
                         bat_plural(count), bat_one_or_many(count, "is", "are"));
     double *t = bat_array((size_t)count, sizeof *t);
-    batten_status status = t ? allocate(&w) : BATTEN_OUT_OF_MEMORY;
+    status = t ? allocate(&w) : BATTEN_OUT_OF_MEMORY;
     if (status == BATTEN_OK)
         status = find_parameters(&w, &o, t);
     if (status == BATTEN_OK)

@@ -402,12 +402,12 @@ batten_status batten_tangents(int dimension, int count, const double *points,
                               double *leaving, double *arriving, batten_tangents_report *report)
 {
     assert(points && parameters && leaving);
-    const batten_tangents_options defaults = batten_tangents_defaults();
-    task t = {.d = dimension,
-              .count = count,
-              .points = points,
-              .options = options ? options : &defaults};
-    batten_status status = bat_points_check(dimension, count, points, closed(&t) ? 3 : 2);
+    batten_tangents_options chosen = batten_tangents_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_tangents_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.d = dimension, .count = count, .points = points, .options = &chosen};
+    status = bat_points_check(dimension, count, points, closed(&t) ? 3 : 2);
     if (status == BATTEN_OK)
         status = check_options(t.options, dimension, count);
     if (status != BATTEN_OK)

@@ -285,10 +285,14 @@ batten_status batten_curve_least_squares(int dimension, int count, const double 
                                          double *parameters, batten_fit_report *report,
                                          batten_curve **out)
 {
-    const batten_curve_least_squares_options defaults = batten_curve_least_squares_defaults();
-    task t = {.options = options ? options : &defaults,
+    batten_curve_least_squares_options chosen = batten_curve_least_squares_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_curve_least_squares_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    task t = {.options = &chosen,
               .request = {.dimension = dimension, .data_count = count, .points = points}};
-    batten_status status = check(dimension, count, points, t.options);
+    status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;

@@ -314,11 +314,14 @@ batten_status batten_curve_smooth(int dimension, int count, const double *points
                                   double *parameters, batten_fit_report *report,
                                   batten_curve **out)
 {
-    const batten_curve_smooth_options defaults = batten_curve_smooth_defaults();
+    batten_curve_smooth_options chosen = batten_curve_smooth_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_smooth_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_smoothing t = {
-        .options = options ? options : &defaults,
+        .options = &chosen,
         .request = {.dimension = dimension, .data_count = count, .points = points}};
-    batten_status status = check(dimension, count, points, t.options);
+    status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
     t.request.periodic = t.options->closed;
@@ -393,11 +396,14 @@ batten_status batten_curve_p_spline(int dimension, int count, const double *poin
                                     double *parameters, batten_fit_report *report,
                                     batten_curve **out)
 {
-    const batten_curve_smooth_options defaults = batten_curve_smooth_defaults();
+    batten_curve_smooth_options chosen = batten_curve_smooth_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_smooth_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
     bat_smoothing t = {
-        .options = options ? options : &defaults,
+        .options = &chosen,
         .request = {.dimension = dimension, .data_count = count, .points = points}};
-    batten_status status = check(dimension, count, points, t.options);
+    status = check(dimension, count, points, t.options);
     if (status != BATTEN_OK)
         return status;
     if (t.options->degree < 1 || t.options->degree > BATTEN_MAX_DEGREE)

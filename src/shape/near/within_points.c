@@ -452,10 +452,15 @@ batten_status batten_curve_within(int dimension, int count, const double *points
                                   batten_curve **out)
 {
     assert(points && options && out);
+    batten_curve_within_options chosen = batten_curve_within_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_curve_within_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     task t = {.options = options, .dimension = dimension, .count = count, .points = points};
     batten_curve_within_report found = {0};
     double *at = NULL;
-    batten_status status = check(dimension, count, points, options);
+    status = check(dimension, count, points, options);
     if (status != BATTEN_OK)
         return status;
     at = bat_array((size_t)count, sizeof *at);

@@ -81,12 +81,17 @@ batten_status batten_surface_gordon(int profile_count, const batten_curve *const
                                     const batten_job *job, batten_surface_gordon_report *report,
                                     batten_surface **out)
 {
+    batten_surface_gordon_options chosen = batten_surface_gordon_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_gordon_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     bat_network net = {
         .family = {{.what = "profile", .names = options->profile_names, .given = profile_count},
                    {.what = "guide", .names = options->guide_names, .given = guide_count}},
         .options = options,
         .work = {job, 0}};
-    batten_status status = check(profile_count, guide_count, options);
+    status = check(profile_count, guide_count, options);
     if (status == BATTEN_OK)
         status = find_scale(&net, profiles, guides);
     if (status == BATTEN_OK)

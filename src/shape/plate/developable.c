@@ -195,11 +195,15 @@ batten_status batten_surface_developable(const batten_curve *first, const batten
                                          batten_developable *out)
 {
     assert(first && second && out);
-    const batten_surface_developable_options standard = batten_surface_developable_defaults();
-    const batten_surface_developable_options *o = options ? options : &standard;
+    batten_surface_developable_options chosen = batten_surface_developable_defaults();
+    batten_status status =
+        BAT_TAKE_OPTIONS(batten_surface_developable_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_developable_options *o = &chosen;
     batten_developable made = {0};
     batten_curve *a = NULL, *b = NULL;
-    batten_status status = check_options(o);
+    status = check_options(o);
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(first, 3, &a);
     if (status == BATTEN_OK)

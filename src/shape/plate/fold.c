@@ -353,9 +353,14 @@ batten_status batten_fold_create(const batten_curve *crease,
                                  const batten_fold_create_options *options, batten_fold *out)
 {
     assert(crease && options && out);
+    batten_fold_create_options chosen = batten_fold_create_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_fold_create_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     const bool is_flat = options->given == BATTEN_FOLD_FLAT;
     batten_curve *lifted = NULL;
-    batten_status status = check_options(options);
+    status = check_options(options);
     /* Flat creases are seen in their plane, where curvature has a sign; others in space. */
     if (status == BATTEN_OK)
         status = batten_curve_to_dimension(crease, is_flat ? 2 : 3, &lifted);

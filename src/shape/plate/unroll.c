@@ -252,11 +252,14 @@ batten_status batten_surface_unroll(const batten_surface *surface,
                                     batten_unrolled *out)
 {
     assert(surface && out);
-    const batten_surface_unroll_options standard = batten_surface_unroll_defaults();
-    const batten_surface_unroll_options *o = options ? options : &standard;
+    batten_surface_unroll_options chosen = batten_surface_unroll_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_unroll_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_unroll_options *o = &chosen;
     batten_curve *edge[2] = {NULL, NULL};
     batten_unrolled made = {0};
-    batten_status status = check_options(o);
+    status = check_options(o);
     if (status == BATTEN_OK)
         status = prepare_surface(surface, o, &made.bow, &made.surface);
     for (int e = 0; e < 2 && status == BATTEN_OK; e++) {

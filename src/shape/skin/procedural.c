@@ -318,8 +318,13 @@ batten_status batten_surface_skin_procedural(int count, const batten_curve *cons
                                              const batten_surface_skin_options *options,
                                              double *v, batten_surface **out)
 {
+    batten_surface_skin_options chosen = batten_surface_skin_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_skin_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     bat_skin t;
-    batten_status status = bat_skin_begin(count, sections, options, false, &t);
+    status = bat_skin_begin(count, sections, options, false, &t);
     const batten_surface_skin_options *o = t.options;
     if (status == BATTEN_OK &&
         (o->start.kind == BATTEN_END_DIRECTION || o->end.kind == BATTEN_END_DIRECTION))

@@ -252,13 +252,21 @@ batten_status batten_surface_skin_rows(int dimension, int row_count, const int *
                                        batten_surface_skin_rows_report *report,
                                        batten_surface **out)
 {
-    const batten_surface_skin_rows_options defaults = batten_surface_skin_rows_defaults();
+    batten_surface_skin_rows_options chosen = batten_surface_skin_rows_defaults();
+    batten_surface_skin_options ways_across = batten_surface_skin_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_skin_rows_options, options, &chosen);
+    if (status == BATTEN_OK)
+        status = BAT_TAKE_OPTIONS(batten_surface_skin_options, chosen.across, &ways_across);
+    if (chosen.across)
+        chosen.across = &ways_across;
+    if (status != BATTEN_OK)
+        return status;
     rows r = {.dimension = dimension,
               .count = row_count,
               .counts = counts,
               .points = points,
-              .options = options ? options : &defaults};
-    batten_status status = begin(&r);
+              .options = &chosen};
+    status = begin(&r);
     double *across = status == BATTEN_OK ? bat_array((size_t)row_count, sizeof *across) : NULL;
     if (status == BATTEN_OK && !across)
         status = BATTEN_OUT_OF_MEMORY;

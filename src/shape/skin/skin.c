@@ -227,5 +227,9 @@ batten_status batten_surface_skin(int count, const batten_curve *const *sections
                                   const batten_job *job, double *v,
                                   batten_surface_skin_report *report, batten_surface **out)
 {
-    return bat_surface_skin(count, sections, options, false, job, v, report, out);
+    batten_surface_skin_options chosen = batten_surface_skin_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_skin_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    return bat_surface_skin(count, sections, &chosen, false, job, v, report, out);
 }

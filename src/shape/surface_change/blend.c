@@ -377,14 +377,30 @@ static batten_status blend_edges(task *t, batten_surface **out)
     return status;
 }
 
+/* Two structs stand as far apart as the first says that it is long. */
+static batten_status take_ends(const batten_surface_blend_end given[2],
+                               batten_surface_blend_end chosen[2])
+{
+    const char *second = (const char *)given + given[0].size;
+    chosen[0] = chosen[1] = batten_surfaces_blend_defaults(BATTEN_EDGE_V0);
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_blend_end, given, &chosen[0]);
+    if (status == BATTEN_OK)
+        status = bat_take_options("batten_surface_blend_end", second,
+                                  sizeof(batten_surface_blend_end), &chosen[1]);
+    return status;
+}
+
 batten_status batten_surfaces_blend(const batten_surface *const surfaces[2],
                                     const batten_surface_blend_end ends[2], double tolerance,
                                     batten_surfaces_blend_report *report, batten_surface **out)
 {
     assert(surfaces && surfaces[0] && surfaces[1] && ends && out);
     batten_surfaces_blend_report found = {.error = 0};
-    task t = {.surfaces = surfaces, .ends = ends, .tolerance = tolerance, .report = &found};
-    batten_status status = check(&t);
+    batten_surface_blend_end chosen[2];
+    batten_status status = take_ends(ends, chosen);
+    task t = {.surfaces = surfaces, .ends = chosen, .tolerance = tolerance, .report = &found};
+    if (status == BATTEN_OK)
+        status = check(&t);
     if (status != BATTEN_OK)
         return status;
     t.b = bat_array(1, sizeof *t.b);

@@ -200,11 +200,14 @@ batten_status batten_surface_offset(const batten_surface *surface, double distan
                                     batten_surface_offset_report *report, batten_surface **out)
 {
     assert(surface && out);
-    const batten_surface_offset_options defaults = batten_surface_offset_defaults();
+    batten_surface_offset_options chosen = batten_surface_offset_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_offset_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    options = &chosen;
     batten_surface_offset_report found = {.error = 0};
     batten_surface *clamped = NULL, *made = NULL;
-    options = options ? options : &defaults;
-    batten_status status = check(surface, distance, options);
+    status = check(surface, distance, options);
     if (status == BATTEN_OK)
         status = clamp(surface, &clamped);
     if (status == BATTEN_OK)

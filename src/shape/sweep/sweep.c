@@ -246,15 +246,18 @@ batten_status batten_surfaces_sweep(int count, const batten_curve *const *sectio
                                     int *surface_count, batten_surface ***surfaces)
 {
     assert(sections && spine && surface_count && surfaces);
-    const batten_surface_sweep_options defaults = batten_surface_sweep_defaults();
-    const batten_surface_sweep_options *o = options ? options : &defaults;
+    batten_surface_sweep_options chosen = batten_surface_sweep_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_sweep_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_sweep_options *o = &chosen;
     batten_surface_sweep_report found = {.error = 0};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     double *ends = NULL;
     batten_surface **made = NULL;
     int parts = 0;
-    batten_status status = prepare(count, sections, spine, o, &found, &sweep);
+    status = prepare(count, sections, spine, o, &found, &sweep);
     if (status == BATTEN_OK) {
         ends = bat_array((size_t)sweep.motion->break_count, sizeof *ends);
         made = bat_array((size_t)sweep.motion->break_count, sizeof *made);
@@ -310,11 +313,14 @@ batten_status batten_surface_sweep_procedural(int count, const batten_curve *con
                                               batten_surface **out)
 {
     assert(sections && spine && out);
-    const batten_surface_sweep_options defaults = batten_surface_sweep_defaults();
-    const batten_surface_sweep_options *o = options ? options : &defaults;
+    batten_surface_sweep_options chosen = batten_surface_sweep_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_sweep_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_sweep_options *o = &chosen;
     batten_surface_sweep_report report = {.error = 0};
     bat_sweep sweep = {0};
-    batten_status status = prepare(count, sections, spine, o, &report, &sweep);
+    status = prepare(count, sections, spine, o, &report, &sweep);
     for (int i = 1; status == BATTEN_OK && i + 1 < sweep.motion->break_count; i++)
         if (sweep.motion->smoothness[i] < 0)
             status = bat_fail(BATTEN_NOT_COMPATIBLE,

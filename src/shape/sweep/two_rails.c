@@ -108,13 +108,16 @@ batten_status batten_surface_two_rails(const batten_curve *section, const batten
                                        batten_surface **out)
 {
     assert(section && first && second && out);
-    const batten_surface_two_rails_options defaults = batten_surface_two_rails_defaults();
-    const batten_surface_two_rails_options *o = options ? options : &defaults;
+    batten_surface_two_rails_options chosen = batten_surface_two_rails_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_surface_two_rails_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    const batten_surface_two_rails_options *o = &chosen;
     batten_surface_sweep_report found = {.clearance = 1};
     bat_sweep sweep = {0};
     bat_work work = {job, 0};
     double chord = 0, moved = 0;
-    batten_status status = check(o);
+    status = check(o);
     if (status == BATTEN_OK)
         status = stretch(section, &sweep.section, &chord);
     if (status == BATTEN_OK)

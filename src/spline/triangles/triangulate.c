@@ -340,9 +340,11 @@ batten_status batten_triangulate(int count, const double *points,
                                  batten_plane_triangles *out)
 {
     assert(points && out);
-    const batten_triangulate_options chosen =
-        options ? *options : batten_triangulate_defaults();
-    batten_status status = check(count, points, &chosen);
+    batten_triangulate_options chosen = batten_triangulate_defaults();
+    batten_status status = BAT_TAKE_OPTIONS(batten_triangulate_options, options, &chosen);
+    if (status != BATTEN_OK)
+        return status;
+    status = check(count, points, &chosen);
     if (status != BATTEN_OK)
         return status;
     const size_t n = (size_t)count;
