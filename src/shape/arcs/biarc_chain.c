@@ -1,8 +1,8 @@
 /* Chains of biarcs through points of the plane, and arcs joined that lie on one circle. */
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
-#include "shape/shape.h"
 #include "spline/chain/chain.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* Biarcs by their legs, in the plane or in space, as rational quadratics. */
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
-#include "shape/shape.h"
 
 #include <string.h>
 

@@ -2,8 +2,8 @@
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
 #include "shape/linear/local.h"
-#include "shape/shape.h"
 #include "spline/chain/chain.h"
+#include "spline/data_check.h"
 #include <batten/arcs.h>
 
 #include <string.h>

@@ -1,7 +1,6 @@
 /* Rows of points as few arcs: from point to point the longest that passes those between. */
 #include "numeric/vector.h"
 #include "shape/arcs/arcs.h"
-#include "shape/shape.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Arcs through points, each tangent to the one before. */
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

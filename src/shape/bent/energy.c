@@ -2,7 +2,8 @@
 #include "shape/bent/energy.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 #include <batten/bent.h>
 #include <batten/curve.h>
 

@@ -11,7 +11,6 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
-#include "shape/shape.h"
 #include "spline/chain/chain.h"
 #include <batten/bent.h>
 

@@ -5,7 +5,7 @@
 #include "numeric/vector.h"
 #include "shape/bent/two_angle.h"
 #include "shape/points/chord_polygon.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

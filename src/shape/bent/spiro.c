@@ -3,7 +3,7 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "shape/bent/spiral.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

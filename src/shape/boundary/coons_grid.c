@@ -1,5 +1,5 @@
 /* A net of Coons patches over a grid of points. */
-#include "shape/shape.h"
+#include "shape/points/grid_parameters.h"
 #include <batten/coons.h>
 #include <batten/curvature.h>
 

@@ -3,6 +3,7 @@
 #include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "shape/cloud/scattered.h"
+#include "spline/data_check.h"
 #include "spline/surface/surface.h"
 
 #include <batten/nearest.h>

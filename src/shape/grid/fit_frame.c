@@ -5,18 +5,21 @@
 #include "numeric/dense.h"
 #include "numeric/select.h"
 #include "numeric/vector.h"
+#include "shape/points/grid_parameters.h"
+#include "shape/points/grid_poles.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 
 batten_surface_fit_grid_options batten_surface_fit_grid_defaults(void)
 {
     return (batten_surface_fit_grid_options){.size = sizeof(batten_surface_fit_grid_options),
-                                     .degree_u = 3,
-                                     .degree_v = 3,
-                                     .parameters = BATTEN_CENTRIPETAL,
-                                     .hold_rims = true,
-                                     .order = 2};
+                                             .degree_u = 3,
+                                             .degree_v = 3,
+                                             .parameters = BATTEN_CENTRIPETAL,
+                                             .hold_rims = true,
+                                             .order = 2};
 }
 
 static const char names[2] = {'u', 'v'};

@@ -1,8 +1,12 @@
 #include "shape/grid/interpolate.h"
 #include "base/work.h"
 #include "numeric/dense.h"
+#include "shape/linear/linear_solve.h"
 #include "shape/points/grid_gaps.h"
+#include "shape/points/grid_parameters.h"
+#include "shape/points/grid_poles.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

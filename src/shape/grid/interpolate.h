@@ -1,7 +1,8 @@
 /* The options of surfaces through grids. */
 #ifndef BAT_INTERPOLATE_GRID_H
 #define BAT_INTERPOLATE_GRID_H
-#include "shape/shape.h"
+#include "base/base.h"
+#include <batten/interpolate.h>
 
 #include <batten/grid.h>
 

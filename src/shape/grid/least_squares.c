@@ -2,6 +2,7 @@
 #include "numeric/dense.h"
 #include "numeric/vector.h"
 #include "shape/grid/fit_frame.h"
+#include "shape/points/grid_poles.h"
 #include "spline/curve/curve.h"
 
 static batten_status knots_by_data(bat_grid_fit *t, int direction)

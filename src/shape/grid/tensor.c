@@ -1,5 +1,7 @@
 /* The tensor product of two linear methods for curves. */
 #include "shape/grid/tensor.h"
+#include "shape/points/grid_parameters.h"
+#include "spline/data_check.h"
 
 #include "base/work.h"
 #include "numeric/dense.h"

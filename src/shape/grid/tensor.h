@@ -1,7 +1,7 @@
 /* What the surfaces through a grid share. */
 #ifndef BAT_TENSOR_H
 #define BAT_TENSOR_H
-#include "shape/shape.h"
+#include "base/base.h"
 #include <batten/grid.h>
 
 /* A grid of finite points, 2 x 2 at least, 3 along a closed direction. */

@@ -1,6 +1,7 @@
 /* Uniform Beta-splines, as Bezier pieces. */
+#include "numeric/banded.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 #include <batten/interpolate.h>
 
 #include <float.h>

@@ -10,7 +10,8 @@
 #include "numeric/quadratic_program.h"
 #include "numeric/quadrature.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 #include "spline/spline.h"
 
 #include <string.h>

@@ -1,6 +1,7 @@
 /* What is asked at the ends of a curve through points, as plain derivatives. */
+#include "shape/linear/end_conditions.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/linear/linear_solve.h"
 
 #include <string.h>
 

@@ -1,6 +1,9 @@
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/linear/end_conditions.h"
+#include "shape/linear/linear_solve.h"
+#include "shape/points/parametrize.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

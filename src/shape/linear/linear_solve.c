@@ -1,4 +1,5 @@
-#include "shape/shape.h"
+#include "shape/linear/linear_solve.h"
+#include "numeric/banded.h"
 
 #include <float.h>
 #include <string.h>

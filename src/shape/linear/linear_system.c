@@ -1,6 +1,7 @@
+#include "shape/linear/linear_system.h"
 #include "base/plural.h"
+#include "numeric/banded.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
 #include "spline/curve/curve.h"
 
 #include <float.h>

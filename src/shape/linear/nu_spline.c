@@ -1,6 +1,9 @@
 /* Weighted splines and nu-splines: one symmetric system for the slopes. */
+#include "numeric/banded.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/linear/end_conditions.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 #include <batten/local.h>
 
 #include <float.h>

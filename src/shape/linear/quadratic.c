@@ -1,6 +1,8 @@
 /* Quadratic splines: with knots at the data, or the data midway between knots. */
+#include "numeric/banded.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 #include <batten/interpolate.h>
 
 #include <float.h>

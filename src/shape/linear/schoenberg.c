@@ -1,8 +1,9 @@
 /* Splines whose control points are sums over few data: Schoenberg's, quasi-interpolants. */
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 #include "spline/spline.h"
 #include <batten/polygon.h>
 

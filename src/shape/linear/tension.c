@@ -1,6 +1,10 @@
 /* Splines in tension: the system of second derivatives, and the chain made of them. */
 #include "shape/linear/tension.h"
+#include "numeric/banded.h"
+#include "shape/linear/end_conditions.h"
+#include "shape/points/parametrize.h"
 #include "spline/chain/chain.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

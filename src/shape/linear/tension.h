@@ -3,7 +3,6 @@
 #ifndef BAT_TENSION_H
 #define BAT_TENSION_H
 #include "numeric/vector.h"
-#include "shape/shape.h"
 #include <batten/interpolate.h>
 
 typedef struct {

@@ -1,7 +1,6 @@
 /* The class of Catmull and Rom, span by span in Bernstein form. */
 #include "numeric/vector.h"
 #include "shape/points/mirrored_ends.h"
-#include "shape/shape.h"
 #include "spline/curve/curve.h"
 
 #include <float.h>

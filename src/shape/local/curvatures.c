@@ -2,7 +2,8 @@
 #include "numeric/vector.h"
 #include "shape/linear/local.h"
 #include "shape/local/curvature_ends.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

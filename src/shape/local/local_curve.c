@@ -1,8 +1,8 @@
 /* Curves from points and tangents. */
 #include "numeric/vector.h"
 #include "shape/linear/local.h"
-#include "shape/shape.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

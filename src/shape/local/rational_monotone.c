@@ -1,6 +1,5 @@
 /* The monotone rational quadratic of Gregory and Delbourgo. */
 #include "shape/linear/local.h"
-#include "shape/shape.h"
 
 #include <string.h>
 

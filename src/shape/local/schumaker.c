@@ -1,6 +1,5 @@
 /* Quadratic splines that are monotone and convex where the data are. */
 #include "shape/linear/local.h"
-#include "shape/shape.h"
 
 #include <string.h>
 

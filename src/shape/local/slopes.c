@@ -1,7 +1,7 @@
 /* Slopes of functions at points from a few neighbours. */
 #include "numeric/vector.h"
 #include "shape/linear/local.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

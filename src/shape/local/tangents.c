@@ -1,7 +1,8 @@
 /* Tangents at points from a few neighbours. */
 #include "numeric/vector.h"
 #include "shape/linear/local.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <stdlib.h>

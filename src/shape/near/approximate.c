@@ -3,6 +3,7 @@
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

@@ -5,7 +5,6 @@
 #ifndef BAT_APPROXIMATE_H
 #define BAT_APPROXIMATE_H
 #include "numeric/givens.h"
-#include "shape/shape.h"
 #include <batten/approximate.h>
 
 /* Rows of equal width that touch neighbouring unknowns, in the order in which bat_givens wants

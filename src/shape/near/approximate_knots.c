@@ -2,6 +2,7 @@
 #include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
 #include "shape/near/approximate.h"
+#include "shape/points/parametrize.h"
 #include "spline/curve/curve.h"
 
 #include <string.h>

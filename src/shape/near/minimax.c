@@ -1,8 +1,8 @@
 /* Polynomials of least largest error, by exchanging one point of the reference at a time. */
 #include "numeric/dense.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 #include "spline/spline.h"
 #include <batten/polygon.h>
 

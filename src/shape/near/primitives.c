@@ -2,6 +2,7 @@
 #include "shape/near/primitives.h"
 #include "numeric/eigen.h"
 #include "numeric/vector.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* What fits of primitives share. */
 #ifndef BAT_PRIMITIVES_H
 #define BAT_PRIMITIVES_H
-#include "shape/shape.h"
 #include <batten/approximate.h>
 
 /* Data about their mean, by their size: all computing is with numbers near 1. */

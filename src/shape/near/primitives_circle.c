@@ -2,6 +2,7 @@
 #include "numeric/gauss_newton.h"
 #include "numeric/vector.h"
 #include "shape/near/primitives.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

@@ -5,6 +5,7 @@
 #include "numeric/gauss_newton.h"
 #include "numeric/vector.h"
 #include "shape/near/primitives.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

@@ -5,6 +5,7 @@
 #include "numeric/polynomial.h"
 #include "numeric/vector.h"
 #include "shape/near/primitives.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

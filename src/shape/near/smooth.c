@@ -1,6 +1,7 @@
 /* Smoothing splines and P-splines: fits with a penalty. */
 #include "shape/near/smooth.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

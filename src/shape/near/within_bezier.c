@@ -7,6 +7,7 @@
  */
 #include "inspect/nearest/foot.h"
 #include "numeric/vector.h"
+#include "shape/linear/linear_solve.h"
 #include "shape/near/within.h"
 
 #include <string.h>

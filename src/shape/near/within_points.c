@@ -2,6 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/near/within.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

@@ -1,4 +1,5 @@
 /* Cardinal functions of a network: 1 at the parameter of one node and 0 at the others. */
+#include "shape/linear/linear_solve.h"
 #include "shape/network/gordon.h"
 
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include "spline/curve/curve.h"
+#include <batten/interpolate.h>
 #include <batten/local.h>
 
 #include <string.h>

@@ -2,7 +2,6 @@
 #ifndef BAT_GORDON_H
 #define BAT_GORDON_H
 #include "inspect/nearest/meetings.h"
-#include "shape/shape.h"
 #include "spline/spline.h"
 #include <batten/gordon.h>
 

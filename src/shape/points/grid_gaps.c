@@ -5,6 +5,7 @@
  * Every term touches three or four points; the equations of the missing ones form a band.
  */
 #include "shape/points/grid_gaps.h"
+#include "numeric/banded.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 

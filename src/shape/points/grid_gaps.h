@@ -1,7 +1,7 @@
 /* Grids of points with gaps. */
 #ifndef BAT_GAPS_H
 #define BAT_GAPS_H
-#include "shape/shape.h"
+#include "base/base.h"
 
 typedef struct {
     int dimension, count[2];

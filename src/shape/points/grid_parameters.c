@@ -1,5 +1,7 @@
 /* Parameters that all lines of a family share: the rows of a grid, the sections of a skin. */
-#include "shape/shape.h"
+#include "shape/points/grid_parameters.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

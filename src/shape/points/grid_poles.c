@@ -1,5 +1,5 @@
 /* Rims of grids that are single points. */
-#include "shape/shape.h"
+#include "shape/points/grid_poles.h"
 
 #include <string.h>
 

@@ -1,5 +1,6 @@
 #include "shape/points/mirrored_ends.h"
-#include "shape/shape.h"
+#include "shape/points/parametrize.h"
+#include "spline/data_check.h"
 
 #include <string.h>
 

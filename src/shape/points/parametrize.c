@@ -1,6 +1,7 @@
+#include "shape/points/parametrize.h"
 #include "base/plural.h"
-#include "shape/shape.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Rows of points thinned out. */
 #include "numeric/vector.h"
-#include "shape/shape.h"
+#include "spline/data_check.h"
 #include <batten/approximate.h>
 
 #include <float.h>

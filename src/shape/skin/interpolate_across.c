@@ -1,4 +1,6 @@
 /* From sections with common knots to the surface through them. */
+#include "shape/linear/linear_solve.h"
+#include "shape/points/grid_parameters.h"
 #include "shape/skin/steps.h"
 
 #include <string.h>

@@ -4,6 +4,8 @@
  * knots are merged and no weights are blended, so no slivers and no creases arise. [FB89]
  */
 #include "shape/formula/formula.h"
+#include "shape/linear/linear_solve.h"
+#include "shape/points/grid_parameters.h"
 #include "shape/skin/steps.h"
 #include <batten/approximate.h>
 

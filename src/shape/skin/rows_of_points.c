@@ -1,8 +1,9 @@
+#include "shape/skin/rows_of_points.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
-#include "shape/shape.h"
-#include "shape/skin/rows_of_points.h"
+#include "shape/points/parametrize.h"
 #include "spline/curve/curve.h"
+#include "spline/data_check.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 #ifndef BAT_SKIN_H
 #define BAT_SKIN_H
 #include "base/work.h"
-#include "shape/shape.h"
 #include <batten/skin.h>
 
 /* The maps that bring sections from the xy-plane to their places along the spine. @param maps

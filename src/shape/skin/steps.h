@@ -2,6 +2,7 @@
 #ifndef BAT_SKIN_PARTS_H
 #define BAT_SKIN_PARTS_H
 #include "numeric/vector.h"
+#include "shape/linear/linear_system.h"
 #include "shape/skin/sections.h"
 #include "spline/curve/curve.h"
 

@@ -1,4 +1,4 @@
-#include "shape/shape.h"
+#include "shape/linear/linear_system.h"
 
 #include "support/test.h"
 
