@@ -1,3 +1,5 @@
+/* Damage to files of 80 columns: an IGES file is taken apart into entities and put together
+ * again. */
 #include "mutate.h"
 
 #include <stdlib.h>

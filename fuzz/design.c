@@ -1,3 +1,5 @@
+/* Reads bytes as a design: an edit that is refused changes nothing, an accepted one parses
+ * again. */
 #include "promise.h"
 
 #include <batten/design.h>

@@ -1,3 +1,4 @@
+/* Reads bytes as DXF and checks that what is written reads back. */
 #include "promise.h"
 
 /* Arcs come back cut at other places, so that only the reading is held to its promise. */

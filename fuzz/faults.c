@@ -1,3 +1,4 @@
+/* An allocator that fails when it is told to, and counts the blocks that are not given back. */
 #include "faults.h"
 
 #include <batten/base.h>

@@ -1,3 +1,5 @@
+/* Random damage to a file: bytes, tokens and lines are changed, moved, and taken from other
+ * files. */
 #include "mutate.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Reads bytes as points and checks that what is written reads back. */
 #include "promise.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,3 +1,5 @@
+/* What every reader promises of any bytes: what it reads can be written, and reads back the
+ * same. */
 #include "promise.h"
 #include "exchange/recognise.h"
 

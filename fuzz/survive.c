@@ -1,3 +1,4 @@
+/* What every model that was read must survive: being checked, measured, meshed and written. */
 #include "survive.h"
 
 #include <batten/base.h>

@@ -1,3 +1,4 @@
+/* Reads bytes as SVG and checks that what is written reads back. */
 #include "promise.h"
 
 /* SVG is written from its own corner: only the reading is held to its promise. */

@@ -1,3 +1,4 @@
+/* Where the tokens of a format begin and end, so that damage replaces them whole. */
 #include "mutate.h"
 
 #include <string.h>

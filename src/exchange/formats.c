@@ -1,3 +1,4 @@
+/* The one table of formats, and how formats are found by name and file ending. */
 #include "exchange/formats.h"
 #include "exchange/3mf/3mf.h"
 #include "exchange/csv/csv.h"

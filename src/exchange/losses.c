@@ -1,3 +1,4 @@
+/* Counts what a file cannot say of the objects it holds, with one message for each kind. */
 #include "exchange/losses.h"
 #include "exchange/csv/separated.h"
 #include "model/definitions.h"
@@ -60,7 +61,7 @@ static void count(losses *lost, const bat_format_row *row, const batten_object *
             lost->first[k] = object;
 }
 
-static void note(const losses *lost, const bat_format_row *row, batten_notes *notes)
+static void note_loss(const losses *lost, const bat_format_row *row, batten_notes *notes)
 {
     static const char *const names[KINDS] = {"names", "layers", "colours", "groups",
                                              "that objects are hidden is"};
@@ -90,6 +91,6 @@ batten_status bat_note_losses(const batten_model *model, const bat_format_row *r
             count(&lost, row, batten_model_object(d.models[i], k));
     bat_definitions_end(&d);
     if (status == BATTEN_OK)
-        note(&lost, row, notes);
+        note_loss(&lost, row, notes);
     return status;
 }

@@ -1,3 +1,4 @@
+/* Reads a model from memory or from a file: finds the format, then calls its reader. */
 #include "base/plural.h"
 #include "exchange/formats.h"
 #include "exchange/reading/scan.h"

@@ -1,3 +1,4 @@
+/* Finds the format of bytes by their content, and names known ones that are not read. */
 #include "exchange/recognise.h"
 #include "exchange/csv/csv.h"
 #include "exchange/formats.h"

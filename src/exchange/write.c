@@ -1,11 +1,13 @@
+/* Writes a model to memory or to a file: chooses the format, prepares the model, calls its
+ * writer. */
 #include "base/plural.h"
 #include "exchange/csv/separated.h"
 #include "exchange/formats.h"
 #include "exchange/losses.h"
 #include "exchange/meshes/kept_mesh.h"
-#include "model/rebuild.h"
 #include "model/as_meshes.h"
 #include "model/inherited_colours.h"
+#include "model/rebuild.h"
 
 #include <string.h>
 

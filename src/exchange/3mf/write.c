@@ -1,3 +1,4 @@
+/* Writes meshes as 3MF: one XML model in a zip archive, with instances as components. */
 #include "exchange/3mf/3mf.h"
 #include "model/definitions.h"
 #include "model/palette.h"
@@ -27,7 +28,7 @@ typedef struct {
     int next;         /* resource */
 } writing;
 
-static void put(writing *w, const char *words)
+static void put_xml(writing *w, const char *words)
 {
     batten_text_bytes(&w->xml, words, strlen(words));
 }
@@ -42,7 +43,7 @@ static void put_number(writing *w, double value)
 /* Bytes that are no UTF-8 or no character of XML become "?". */
 static void put_name(writing *w, const char *name)
 {
-    put(w, " name=\"");
+    put_xml(w, " name=\"");
     while (*name) {
         const size_t length = bat_utf8_length(name);
         const char *entity = length == 0 || (unsigned char)*name < ' ' ? "?"
@@ -51,12 +52,12 @@ static void put_name(writing *w, const char *name)
                              : *name == '"'                            ? "&quot;"
                                                                        : NULL;
         if (entity)
-            put(w, entity);
+            put_xml(w, entity);
         else
             batten_text_bytes(&w->xml, name, length);
         name += length ? length : 1;
     }
-    put(w, "\"");
+    put_xml(w, "\"");
 }
 
 static const char *unit_of(writing *w, double metres)
@@ -64,6 +65,7 @@ static const char *unit_of(writing *w, double metres)
     static const struct {
         double metres;
         const char *name;
+        /* Metres in one unit, by the names of the schema. */
     } units[] = {{1e-6, "micron"}, {0.001, "millimeter"}, {0.01, "centimeter"},
                  {0.0254, "inch"}, {0.3048, "foot"},      {1, "meter"}};
     for (size_t k = 0; k < sizeof units / sizeof units[0]; k++)
@@ -84,15 +86,15 @@ static const char *unit_of(writing *w, double metres)
 static void put_vertices(writing *w, const batten_mesh_parts *p)
 {
     static const char *const names[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
-    put(w, "<vertices>\n");
+    put_xml(w, "<vertices>\n");
     for (size_t i = 0; i < (size_t)p->vertex_count; i++) {
         for (size_t k = 0; k < 3; k++) {
-            put(w, names[k]);
+            put_xml(w, names[k]);
             put_number(w, w->scale * p->points[3 * i + k]);
         }
-        put(w, "\"/>\n");
+        put_xml(w, "\"/>\n");
     }
-    put(w, "</vertices>\n");
+    put_xml(w, "</vertices>\n");
 }
 
 /* Three different vertices are a must. `palette` has the colours from the base material `base`
@@ -102,7 +104,7 @@ static int put_triangles(writing *w, const batten_mesh_parts *p, const bat_palet
 {
     static const char *const names[] = {"<triangle v1=\"", "\" v2=\"", "\" v3=\""};
     int left_out = 0;
-    put(w, "<triangles>\n");
+    put_xml(w, "<triangles>\n");
     for (size_t i = 0; i < (size_t)p->triangle_count; i++) {
         const int *t = p->corners + 3 * i;
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -110,14 +112,14 @@ static int put_triangles(writing *w, const batten_mesh_parts *p, const bat_palet
             continue;
         }
         for (int k = 0; k < 3; k++) {
-            put(w, names[k]);
+            put_xml(w, names[k]);
             put_number(w, t[k]);
         }
         if (palette)
             batten_text_add(&w->xml, "\" pid=\"%d\" p1=\"%d", COLOURS, base + palette->of[i]);
-        put(w, "\"/>\n");
+        put_xml(w, "\"/>\n");
     }
-    put(w, "</triangles>\n");
+    put_xml(w, "</triangles>\n");
     return left_out;
 }
 
@@ -140,11 +142,11 @@ static batten_status put_mesh(writing *w, const batten_object *object, int id, b
     w->colours += palette.count ? palette.count : object->has_colour;
     if (w->colours > base)
         batten_text_add(&w->xml, " pid=\"%d\" pindex=\"%d\"", COLOURS, base);
-    put(w, ">\n<mesh>\n");
+    put_xml(w, ">\n<mesh>\n");
     put_vertices(w, p);
     const int left_out = put_triangles(w, p, palette.count ? &palette : NULL, base);
     bat_palette_end(&palette);
-    put(w, "</mesh>\n</object>\n");
+    put_xml(w, "</mesh>\n</object>\n");
     *is_open = !is_solid;
     if (left_out)
         batten_notes_add(w->notes, "", 0, object->name,
@@ -163,7 +165,7 @@ static void put_colour(writing *w, const char *name, const double colour[3])
         batten_text_add(&w->xml, "<basematerials id=\"%d\">\n", COLOURS);
     batten_text_add(&w->xml, "<base displaycolor=\"#%02X%02X%02X\"", part[0], part[1], part[2]);
     put_name(w, name);
-    put(w, "/>\n");
+    put_xml(w, "/>\n");
 }
 
 /* The number of an object that was written before and looks like this one, or -1. */
@@ -207,7 +209,7 @@ static batten_status put_colours(writing *w)
         }
     }
     if (w->colours)
-        put(w, "</basematerials>\n");
+        put_xml(w, "</basematerials>\n");
     w->colours = 0;
     memset(w->shown, 0, (size_t)w->definitions.first[w->definitions.count] * sizeof *w->shown);
     return status;
@@ -216,15 +218,15 @@ static batten_status put_colours(writing *w)
 /* Rows of 3MF multiply from the left: the columns of ours, then the shift. */
 static void put_place(writing *w, const batten_affine *place)
 {
-    put(w, " transform=\"");
+    put_xml(w, " transform=\"");
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++) {
             put_number(w, place->m[row][column]);
-            put(w, " ");
+            put_xml(w, " ");
         }
     for (int row = 0; row < 3; row++) {
         put_number(w, w->scale * place->t[row]);
-        put(w, row < 2 ? " " : "\"");
+        put_xml(w, row < 2 ? " " : "\"");
     }
 }
 
@@ -240,7 +242,7 @@ static void put_references(writing *w, int definition, const char *element)
         batten_text_add(&w->xml, "<%s objectid=\"%d\"", element, id);
         if (object->definition)
             put_place(w, &object->place);
-        put(w, "/>\n");
+        put_xml(w, "/>\n");
     }
 }
 
@@ -287,9 +289,9 @@ static batten_status put_definition(writing *w, int definition)
                     w->is_surface[definition] ? "surface" : "model");
     if (batten_model_name(model)[0])
         put_name(w, batten_model_name(model));
-    put(w, ">\n<components>\n");
+    put_xml(w, ">\n<components>\n");
     put_references(w, definition, "component");
-    put(w, "</components>\n</object>\n");
+    put_xml(w, "</components>\n</object>\n");
     return BATTEN_OK;
 }
 
@@ -307,9 +309,9 @@ static batten_status put_model(writing *w, const batten_model *model)
     w->next = FIRST_OBJECT;
     for (int i = 0; status == BATTEN_OK && i < w->definitions.count; i++)
         status = put_definition(w, w->order[i]);
-    put(w, "</resources>\n<build>\n");
+    put_xml(w, "</resources>\n<build>\n");
     put_references(w, 0, "item");
-    put(w, "</build>\n</model>\n");
+    put_xml(w, "</build>\n</model>\n");
     return status;
 }
 

@@ -1,3 +1,4 @@
+/* A zip archive of stored files, without compression. */
 #include "exchange/3mf/3mf.h"
 #include "exchange/reading/bytes.h"
 

@@ -1,3 +1,4 @@
+/* Reads aerofoil sections: one list of points, or Lednicer's two halves with their counts. */
 #include "exchange/csv/csv.h"
 
 #include <math.h>

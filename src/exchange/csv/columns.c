@@ -1,3 +1,4 @@
+/* Headings of columns: which coordinate, and in which unit. */
 #include "exchange/csv/columns.h"
 
 #include <batten/model.h>

@@ -1,3 +1,4 @@
+/* Reads a table of offsets in feet, inches and eighths, as lofts write it. */
 #include "exchange/csv/csv.h"
 
 #include <batten/text.h>

@@ -1,3 +1,4 @@
+/* Reads a table of offsets with one point in each row. */
 #include "exchange/csv/columns.h"
 #include "exchange/csv/csv.h"
 

@@ -1,3 +1,4 @@
+/* Reads a table of offsets with a column for each station and a row for each line. */
 #include "exchange/csv/columns.h"
 #include "exchange/csv/csv.h"
 

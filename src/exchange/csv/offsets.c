@@ -1,3 +1,4 @@
+/* Decides which layout a table of offsets has, and reads it. */
 #include "exchange/csv/columns.h"
 #include "exchange/csv/csv.h"
 

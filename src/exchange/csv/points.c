@@ -1,3 +1,4 @@
+/* Reads rows of coordinates as points. */
 #include "exchange/csv/columns.h"
 #include "exchange/csv/csv.h"
 

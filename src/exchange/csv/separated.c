@@ -1,3 +1,4 @@
+/* Cuts text into rows and fields, and reads a field as a number. */
 #include "exchange/csv/separated.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* Writes offsets, points and aerofoils as rows of text. */
 #include "exchange/csv/csv.h"
 
 #include <batten/text.h>

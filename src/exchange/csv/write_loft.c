@@ -121,6 +121,7 @@ static batten_status check_sizes(const writing *w)
     const batten_box box = batten_offset_table_box(w->offsets);
     const double far[6] = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
     for (int k = 0; k < 6; k++)
+        /* In inches, rounded down from the 1.2e7 of a million feet. */
         if (!(fabs(far[k] * w->factor) < 1e7))
             return bat_fail(
                 BATTEN_TOO_LARGE,
@@ -153,6 +154,7 @@ batten_status bat_write_loft(const batten_object *object, double unit_metres,
         put_stations(&w);
         put_block(&w, "heights", true);
         put_block(&w, "widths", false);
+        /* Less than a nanometre, in mm, is rounding of doubles and not of eighths. */
         if (w.error > 1e-9)
             batten_notes_add(notes, "", 0, object->name,
                              "rounded to eighths of an inch, by %.3g mm at most",

@@ -1,3 +1,4 @@
+/* The colours of what lies in blocks, carried through their instances. */
 #include "exchange/dxf/blocks.h"
 
 #include <string.h>

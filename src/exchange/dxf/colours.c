@@ -1,3 +1,4 @@
+/* The table of the 255 numbered colours, and colours of 24 bits. */
 #include "exchange/dxf/colours.h"
 #include "numeric/vector.h"
 
@@ -54,6 +55,7 @@ bat_dxf_colour_code bat_dxf_code_of_colour(const double rgb[3])
     }
     for (int k = 0; k < 3; k++)
         code.full = code.full << 8 | (int)(255 * bat_min(1, bat_max(0, rgb[k])) + 0.5);
+    /* Parts of a colour are multiples of 1/255: what is this near is the same. */
     if (least < 1e-6 && code.index != BAT_DXF_PLAIN)
         code.full = -1;
     return code;

@@ -5,22 +5,27 @@
 static const struct {
     double metres;
     int code;
-} units[] = {{0.0254, 1},
+} units[] = {/* inch, foot, mile */
+             {0.0254, 1},
              {0.3048, 2},
              {1609.344, 3},
+             /* mm, cm, m, km */
              {0.001, 4},
              {0.01, 5},
              {1, 6},
              {1000, 7},
+             /* microinch, thousandth of an inch, yard */
              {2.54e-8, 8},
              {2.54e-5, 9},
              {0.9144, 10},
+             /* angstrom, nanometre, micrometre, dm, dam, hm, Gm */
              {1e-10, 11},
              {1e-9, 12},
              {1e-6, 13},
              {0.1, 14},
              {10, 15},
              {100, 16},
+             /* gigametre */
              {1e9, 17},
              /* astronomical unit, light year, parsec */
              {149597870700, 18},
@@ -44,7 +49,7 @@ double bat_dxf_unit_of(int code)
 int bat_dxf_code_of(double metres)
 {
     for (size_t k = 0; k < UNITS; k++)
-        if (fabs(metres - units[k].metres) <= 1e-9 * units[k].metres)
+        if (fabs(metres - units[k].metres) <= BAT_WRITTEN * units[k].metres)
             return units[k].code;
     return 0;
 }

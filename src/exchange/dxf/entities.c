@@ -1,3 +1,4 @@
+/* Reads single entities as curves, points and faces. */
 #include "exchange/dxf/entities.h"
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"

@@ -1,3 +1,4 @@
+/* The places of an INSERT: one, or all those of its array. */
 #include "exchange/dxf/insert.h"
 #include "exchange/dxf/entities.h"
 #include "numeric/vector.h"

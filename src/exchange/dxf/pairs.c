@@ -1,3 +1,4 @@
+/* Goes through the text of a DXF file group by group. */
 #include "exchange/dxf/pairs.h"
 
 #include <batten/text.h>

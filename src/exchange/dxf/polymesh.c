@@ -1,3 +1,4 @@
+/* Reads polyface meshes: a POLYLINE of vertices and faces. */
 #include "exchange/dxf/entities.h"
 #include "exchange/meshes/indexed.h"
 

@@ -101,8 +101,8 @@ static batten_status add_instances(bat_dxf_filling *f, const bat_dxf_places *pla
 }
 
 /* On layer 0 of a block it is not known yet what the layer will be. */
-static batten_status place(bat_dxf_filling *f, bat_dxf_block *b, const char *layer_name,
-                           const bat_dxf_places *places, batten_object *object)
+static batten_status place_block(bat_dxf_filling *f, bat_dxf_block *b, const char *layer_name,
+                                 const bat_dxf_places *places, batten_object *object)
 {
     const bat_dxf_layer_entry *on = bat_dxf_find_layer(f->r, layer_name);
     const double *own = object->has_colour ? object->colour : NULL;
@@ -143,7 +143,7 @@ static batten_status add_insert(bat_dxf_filling *f)
         return status;
     bat_dxf_read_look(f, layer_name, &object);
     f->part.block = b;
-    return place(f, b, layer_name, &places, &object);
+    return place_block(f, b, layer_name, &places, &object);
 }
 
 /* ---- one entity after another ---- */

@@ -1,3 +1,4 @@
+/* Circles, arcs and ellipses, from and to the numbers that DXF has for them. */
 #include "exchange/dxf/round.h"
 #include "body/elementary/elementary.h"
 #include "exchange/dxf/dxf.h"
@@ -60,6 +61,7 @@ static batten_status ellipse_curve(const bat_dxf_round *round, batten_curve **ou
         return bat_fail(BATTEN_BAD_FORMAT, "its half axes are %g and %g", ellipse.a, ellipse.b);
     ellipse.frame.x = bat_vec3_scale(flat, 1 / ellipse.a);
     const double from = round->angles[0];
+    /* Angles are written with 12 digits: what is nearer to the start is a whole turn. */
     return bat_conic_between(&ellipse, from, from + sweep_of(round->angles, 2 * BAT_PI, 1e-12),
                              out);
 }
@@ -96,6 +98,7 @@ static bool first_ellipse(const looking *l, batten_vec3 *centre, batten_vec3 *p,
     const double *P = batten_curve_points(l->bezier), *W = batten_curve_weights(l->bezier);
     const double w = W[1] / sqrt(W[0] * W[2]), rest = (1 - w) * (1 + w);
     const batten_vec3 a = vector_of(P), b = vector_of(P + 3), c = vector_of(P + 6);
+    /* 1 - w^2 and w have lost half of their digits below the root of DBL_EPSILON. */
     if (!(rest > 1e-8 && w > 1e-8))
         return false;
     const batten_vec3 middle = bat_vec3_along(a, 0.5, bat_vec3_subtract(c, a));
@@ -169,7 +172,8 @@ static batten_status follow(const looking *l, found *f, bool *does)
         last = angle;
     }
     f->sweep = sum;
-    f->is_full = fabs(sum - 2 * BAT_PI) <= 1e-9;
+    f->is_full = fabs(sum - 2 * BAT_PI) <= BAT_WRITTEN;
+    /* A sweep of less than a microradian has no centre that its points could tell. */
     *does = *does && (f->is_full || (sum < 2 * BAT_PI && sum > 1e-6));
     return BATTEN_OK;
 }
@@ -280,11 +284,13 @@ static places places_of(const looking *l, const found *f)
 {
     const double half = f->sweep / (2 * ceil(f->sweep / (BAT_PI / 2) - 1e-6));
     const double unlike = f->a == f->b ? 1 : 1 - f->b / f->a;
+    /* Some 50 roundings of DBL_EPSILON in finding the axes. */
     const double coordinate = bat_max(1e-14 * f->a, 4 * DBL_EPSILON * l->far);
     const double centre = 4 * DBL_EPSILON * (l->far + f->a) / (2 * sin(half) * sin(half));
     return (places){.centre = (int)ceil(log10(bat_max(centre, coordinate))),
                     .size = (int)ceil(log10(coordinate)),
                     .axis = (int)ceil(log10(coordinate / unlike)),
+                    /* three times as many roundings for angles, which divide */
                     .angle = (int)ceil(log10(coordinate / (f->a * unlike) + 3e-14))};
 }
 
@@ -317,12 +323,13 @@ static batten_status settle(const looking *l, found *f, bat_dxf_round *out)
 
 /* ---- the whole ---- */
 
-static batten_status look(const batten_curve *curve, bat_dxf_round *out)
+static batten_status recognise_round(const batten_curve *curve, bat_dxf_round *out)
 {
     const batten_box box = batten_curve_box(curve);
     const double low[3] = {box.low.x, box.low.y, box.low.z};
     const double high[3] = {box.high.x, box.high.y, box.high.z};
     looking l = {.far = bat_max(bat_largest(3, low), bat_largest(3, high))};
+    /* Numbers of 12 digits, so 4e-13 of the size, and the rounding of coordinates far out. */
     l.tolerance = 4e-13 * bat_distance(3, low, high) + 16 * DBL_EPSILON * l.far;
     batten_curve *bezier = NULL;
     batten_status status = batten_curve_to_bezier(curve, &bezier);
@@ -350,6 +357,7 @@ static bool ends_agree(const batten_curve *a, const batten_curve *b)
     const double high[3] = {box.high.x, box.high.y, box.high.z};
     const double far = bat_max(bat_largest(3, low), bat_largest(3, high));
     const int last[2] = {batten_curve_point_count(a) - 1, batten_curve_point_count(b) - 1};
+    /* Twice the tolerance of looking: two curves are compared. */
     const double within = 8e-13 * bat_distance(3, low, high) + 64 * DBL_EPSILON * far;
     const double *P = batten_curve_points(a), *Q = batten_curve_points(b);
     return bat_distance(3, P, Q) <= within &&
@@ -366,7 +374,7 @@ static batten_status find_again(const batten_curve *curve, const bat_dxf_round *
     *is_there = false;
     batten_status status = bat_dxf_round_curve(&read, &made);
     if (status == BATTEN_OK)
-        status = look(made, again);
+        status = recognise_round(made, again);
     if (status == BATTEN_OK)
         *is_there = round->kind == BAT_DXF_CIRCLE || round->angles[1] == 2 * BAT_PI ||
                     ends_agree(curve, made);
@@ -384,7 +392,7 @@ batten_status bat_dxf_round_of(const batten_curve *curve, bat_dxf_round *out)
     *out = first;
     if (batten_curve_degree(curve) != 2 || !batten_curve_is_rational(curve))
         return BATTEN_OK;
-    batten_status status = look(curve, &first);
+    batten_status status = recognise_round(curve, &first);
     for (int i = 0; i < TRIES && status == BATTEN_OK && is_there && !is_same &&
                     first.kind != BAT_DXF_NOT_ROUND;
          i++) {

@@ -1,3 +1,4 @@
+/* The first pass over a DXF file: unit, layers, and where the blocks are. */
 #include "exchange/dxf/survey.h"
 #include "exchange/dxf/colours.h"
 

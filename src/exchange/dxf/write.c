@@ -1,3 +1,4 @@
+/* Writes points and curves as DXF entities. */
 #include "base/plural.h"
 #include "exchange/dxf/dxf.h"
 #include "exchange/dxf/round.h"
@@ -319,6 +320,7 @@ static batten_status count_handles(const batten_model *model, int *handles)
         if (object->kind == BATTEN_OBJECT_CURVE && batten_curve_degree(object->curve) == 1)
             sum += batten_curve_point_count(object->curve);
     }
+    /* Handles are written as int, and twice as many are never needed. */
     if (sum > 1e9)
         return bat_fail(BATTEN_TOO_LARGE, "a DXF file of %.0f entities", sum);
     *handles = (int)sum;

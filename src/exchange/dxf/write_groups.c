@@ -1,3 +1,4 @@
+/* Writes single groups: a line with a code, a line with a value. */
 #include "exchange/dxf/dxf.h"
 
 #include <string.h>

@@ -30,8 +30,7 @@ batten_status bat_g2_read_axis(bat_words *words, batten_axis *axis, double **kno
 {
     int order = 0;
     batten_status status = bat_words_integer(
-        words, "the number of points", 1,
-        (int)bat_min(1e9, (double)words->input->limits.points), &axis->point_count);
+        words, "the number of points", 1, bat_g2_most_points(words->input), &axis->point_count);
     if (status == BATTEN_OK)
         status = bat_words_integer(words, "the order", 2, BATTEN_MAX_DEGREE + 1, &order);
     axis->degree = order - 1;
@@ -112,7 +111,7 @@ batten_status bat_g2_make_frame(const bat_words *words, batten_frame *frame)
     const batten_vec3 z = bat_vec3_scale(frame->z, 1 / length);
     const batten_vec3 x = bat_vec3_along(frame->x, -bat_vec3_dot(frame->x, z), z);
     const double across = bat_vec3_norm(x);
-    if (!(length > 0 && across > 1e-9 * bat_vec3_norm(frame->x)))
+    if (!(length > 0 && across > BAT_WRITTEN * bat_vec3_norm(frame->x)))
         return bat_input_fail(words->input, BATTEN_BAD_FORMAT, words->line,
                               "the axes of the object are 0 or parallel");
     frame->z = z;
@@ -120,8 +119,8 @@ batten_status bat_g2_make_frame(const bat_words *words, batten_frame *frame)
     return BATTEN_OK;
 }
 
-static batten_status finish(batten_status status, bool turned, int dimension,
-                            batten_curve *space, batten_curve **out)
+static batten_status finish_curve(batten_status status, bool turned, int dimension,
+                                  batten_curve *space, batten_curve **out)
 {
     batten_curve *way = NULL;
     if (status == BATTEN_OK && turned)
@@ -160,7 +159,7 @@ static batten_status read_line(bat_words *words, bool alone, batten_curve **out)
         status =
             batten_curve_line(3, (double[]){a.x, a.y, a.z}, (double[]){b.x, b.y, b.z}, &line);
     }
-    return finish(status, turned, dimension, line, out);
+    return finish_curve(status, turned, dimension, line, out);
 }
 
 /* Circles have one radius, ellipses two. In the plane there is no normal. */
@@ -196,7 +195,7 @@ static batten_status read_ellipse(bat_words *words, bool alone, bool is_circle,
         status =
             bat_conic_between(&conic, range.a, bat_min(range.b, range.a + 2 * BAT_PI), &space);
     }
-    return finish(status, turned, dimension, space, out);
+    return finish_curve(status, turned, dimension, space, out);
 }
 
 batten_status bat_g2_read_curve(bat_words *words, int class, bool alone, batten_curve **out)

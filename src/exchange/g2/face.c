@@ -156,6 +156,7 @@ batten_status bat_g2_read_face(bat_words *words, const batten_body_face *look,
     bool is_spline = false;
     batten_surface *surface = NULL;
     bat_builder builder;
+    /* Only to begin with: the tolerance of the body is that of its loops. */
     bat_builder_begin(&builder, 1e-12);
     batten_body_face face = *look;
     batten_status status =

@@ -45,6 +45,13 @@ enum {
 const char *bat_g2_class_name(int class);
 /* Is the last word the class at the start of a header? */
 bool bat_g2_is_header(bat_words words);
+/* Counts are int: no more than this, and no more than the limit on points. */
+static inline int bat_g2_most_points(const bat_input *input)
+{
+    const size_t most = 1000000000;
+    return (int)(input->limits.points < most ? input->limits.points : most);
+}
+
 /* Does another object begin with the next word, or the text end? */
 bool bat_g2_is_at_end(const bat_words *words);
 

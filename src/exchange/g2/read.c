@@ -1,3 +1,4 @@
+/* Reads a .g2 file: one object after another, each under its header. */
 #include "exchange/g2/g2.h"
 
 #include <batten/standard.h>
@@ -109,9 +110,8 @@ static batten_status add_points(reading *r)
     int count = 0;
     double *rows = NULL;
     batten_object object = r->look;
-    batten_status status =
-        bat_words_integer(&r->words, "the number of points", 0,
-                          (int)bat_min(1e9, (double)r->input->limits.points), &count);
+    batten_status status = bat_words_integer(&r->words, "the number of points", 0,
+                                             bat_g2_most_points(r->input), &count);
     const size_t width = status == BATTEN_OK && words_left(r) == 4 * (size_t)count ? 4 : 3;
     if (status == BATTEN_OK)
         status = bat_words_reals(&r->words, "coordinates", width * (size_t)count, &rows);

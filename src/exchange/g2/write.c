@@ -1,3 +1,4 @@
+/* Writes points, curves, surfaces and bodies as .g2 objects. */
 #include "base/plural.h"
 #include "exchange/g2/g2.h"
 #include "exchange/shapes/prepare.h"
@@ -21,7 +22,7 @@ static void put_number(writing *w, double value, const char *after)
 }
 
 /* The header, with the colour. */
-static void begin(writing *w, int class, bool has_colour, const double colour[3])
+static void begin_object(writing *w, int class, bool has_colour, const double colour[3])
 {
     batten_text_add(w->text, "%d 1 0 %d", class, has_colour ? 4 : 0);
     for (int k = 0; k < 3 && has_colour; k++)
@@ -188,8 +189,8 @@ static batten_status put_face(writing *w, const batten_object *object,
     status = bat_g2_loop_tolerance(parts, face, surface, &tolerance);
     w->loose += tolerance > parts->tolerance;
     w->loosest = bat_max(w->loosest, tolerance);
-    begin(w, face->count ? BAT_G2_BOUNDED_SURFACE : BAT_G2_SURFACE, own || object->has_colour,
-          colour);
+    begin_object(w, face->count ? BAT_G2_BOUNDED_SURFACE : BAT_G2_SURFACE,
+                 own || object->has_colour, colour);
     if (face->count)
         batten_text_add(w->text, "%d\n", BAT_G2_SURFACE);
     put_surface(w, surface);
@@ -231,7 +232,7 @@ static batten_status put_body(writing *w, const batten_object *object)
 
 /* ---- the whole ---- */
 
-static batten_status keep(const batten_curve *curve, batten_curve **out)
+static batten_status keep_object(const batten_curve *curve, batten_curve **out)
 {
     *out = batten_curve_ref(curve);
     return BATTEN_OK;
@@ -245,22 +246,22 @@ static batten_status put_object(writing *w, const batten_object *object)
     if (object->kind == BATTEN_OBJECT_BODY) {
         status = put_body(w, object);
     } else if (object->kind == BATTEN_OBJECT_POINTS) {
-        begin(w, BAT_G2_POINTS, object->has_colour, object->colour);
+        begin_object(w, BAT_G2_POINTS, object->has_colour, object->colour);
         batten_text_add(w->text, "%d\n", object->point_count);
         for (int i = 0; i < object->point_count; i++)
             put_point(w, 3, &object->points[3 * (size_t)i], NULL);
     } else if (object->kind == BATTEN_OBJECT_CURVE) {
         status = batten_curve_is_clamped(object->curve)
-                     ? keep(object->curve, &curve)
+                     ? keep_object(object->curve, &curve)
                      : batten_curve_clamp(object->curve, &curve);
         if (status == BATTEN_OK) {
-            begin(w, BAT_G2_CURVE, object->has_colour, object->colour);
+            begin_object(w, BAT_G2_CURVE, object->has_colour, object->colour);
             put_curve(w, curve);
         }
     } else {
         status = bat_prepare_surface(object, w->tolerance, w->notes, &surface);
         if (status == BATTEN_OK) {
-            begin(w, BAT_G2_SURFACE, object->has_colour, object->colour);
+            begin_object(w, BAT_G2_SURFACE, object->has_colour, object->colour);
             put_surface(w, surface);
         }
     }
@@ -276,8 +277,9 @@ batten_status bat_write_g2(const batten_model *model, const batten_write_options
     const double unit = batten_model_unit_metres(model);
     writing w = {.text = text,
                  .notes = notes,
-                 .tolerance = options->tolerance > 0 ? options->tolerance
-                                                     : 1e-6 / (unit > 0 ? unit : 0.001)};
+                 .tolerance = options->tolerance > 0
+                                  ? options->tolerance
+                                  : BAT_WRITE_TOLERANCE / (unit > 0 ? unit : 0.001)};
     batten_status status = BATTEN_OK;
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
         status = put_object(&w, batten_model_object(model, i));

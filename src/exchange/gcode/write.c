@@ -1,3 +1,4 @@
+/* Writes paths as G-code: moves of lines and arcs. */
 #include "exchange/gcode/gcode.h"
 #include "exchange/shapes/path.h"
 #include "numeric/vector.h"
@@ -105,6 +106,7 @@ static batten_status cut_chords(program *p, const bat_vertex *from, double x, do
 {
     const double dx = x - from->x, dy = y - from->y, half = 2 * atan(from->bulge);
     const double count = ceil(sqrt(bat_path_sagitta(from, x, y) / off));
+    /* A million moves for one arc: more is a wrong tolerance, and 30 MB of text. */
     if (!(count <= 1e6))
         return bat_fail(BATTEN_TOO_LARGE,
                         "an arc from (%g, %g) to (%g, %g) has a larger radius than %g, and "
@@ -294,6 +296,7 @@ static void settle(program *p, double unit_metres)
     o->feed = o->feed > 0 ? o->feed * p->scale : 1000 * millimetre;
     o->plunge = o->plunge > 0 ? o->plunge * p->scale : o->feed / 4;
     o->clearance = o->clearance > 0 ? o->clearance * p->scale : 5 * millimetre;
+    /* Ten metres, as the manual says of the default. */
     o->greatest_radius =
         o->greatest_radius > 0 ? o->greatest_radius * p->scale : 1e4 * millimetre;
     if (o->decimals < 0)
@@ -320,6 +323,7 @@ batten_status bat_write_gcode(const batten_model *model,
         move_up(&p);
     if (status == BATTEN_OK)
         status = put_paths(&p, model, notes);
+    /* No machine is a million metres long: the unit is wrong. */
     if (status == BATTEN_OK && !(p.largest < 1e9))
         status =
             bat_fail(BATTEN_OVERFLOW,

@@ -69,6 +69,7 @@ static bool is_sheared(const batten_affine *place)
                 a += place->m[row][i] * place->m[row][i];
                 b += place->m[row][k] * place->m[row][k];
             }
+            /* Numbers of 32 bits cannot say an angle that is this near to a right one. */
             if (fabs(dot) > 1e-9 * sqrt(a) * sqrt(b))
                 return true;
         }

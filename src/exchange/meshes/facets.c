@@ -1,3 +1,4 @@
+/* Normals, triangulated polygons and the remarks that all formats of meshes share. */
 #include "exchange/meshes/facets.h"
 
 #include <string.h>
@@ -73,7 +74,7 @@ static bool fan_covers(int count, const double *points, const double area[3])
 }
 
 /* Twice the area of three corners in the plane. */
-static double turn(const ring *r, int a, int b, int c)
+static double corner_area(const ring *r, int a, int b, int c)
 {
     const double *p = r->xy[a], *q = r->xy[b], *s = r->xy[c];
     return (q[0] - p[0]) * (s[1] - p[1]) - (q[1] - p[1]) * (s[0] - p[0]);
@@ -82,14 +83,14 @@ static double turn(const ring *r, int a, int b, int c)
 static bool is_ear(const ring *r, int tip)
 {
     const int a = r->before[tip], c = r->next[tip];
-    if (turn(r, a, tip, c) <= 0)
+    if (corner_area(r, a, tip, c) <= 0)
         return false;
     for (int i = r->next[c]; i != a; i = r->next[i]) {
         const bool same = memcmp(r->xy[i], r->xy[a], sizeof r->xy[i]) == 0 ||
                           memcmp(r->xy[i], r->xy[tip], sizeof r->xy[i]) == 0 ||
                           memcmp(r->xy[i], r->xy[c], sizeof r->xy[i]) == 0;
-        if (!same && turn(r, a, tip, i) >= 0 && turn(r, tip, c, i) >= 0 &&
-            turn(r, c, a, i) >= 0)
+        if (!same && corner_area(r, a, tip, i) >= 0 && corner_area(r, tip, c, i) >= 0 &&
+            corner_area(r, c, a, i) >= 0)
             return false;
     }
     return true;
@@ -128,7 +129,7 @@ static void cut_ears(int count, ring *r, int *triangles, bool *is_odd)
         at = r->next[c]; /* away from the last cut: triangles stay wide */
     }
     const int last[3] = {r->before[at], at, r->next[at]};
-    *is_odd = *is_odd || turn(r, last[0], last[1], last[2]) < 0;
+    *is_odd = *is_odd || corner_area(r, last[0], last[1], last[2]) < 0;
     memcpy(triangles, last, sizeof last);
 }
 

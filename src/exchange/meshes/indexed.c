@@ -1,3 +1,4 @@
+/* Gathers vertices and polygons, with colours, normals and values, into a mesh. */
 #include "exchange/meshes/indexed.h"
 #include "base/plural.h"
 #include "exchange/meshes/facets.h"
@@ -66,7 +67,7 @@ static bool is_read(const bat_indexed *mesh, int64_t vertex)
 }
 
 /* Are all corners vertices? Else a note. */
-static bool check(bat_indexed *mesh, int line)
+static bool check_polygon(bat_indexed *mesh, int line)
 {
     const int64_t *corners = mesh->polygon.items;
     const size_t n = mesh->polygon.count;
@@ -133,7 +134,7 @@ batten_status bat_indexed_polygon(bat_indexed *mesh, int line)
     const int64_t *corners = mesh->polygon.items;
     batten_status status = BATTEN_OK;
     mesh->polygons++;
-    if (check(mesh, line))
+    if (check_polygon(mesh, line))
         status = mesh->polygon.count == 3
                      ? add_triangle(mesh, line, corners[0], corners[1], corners[2])
                      : cut_polygon(mesh, line);

@@ -1,3 +1,4 @@
+/* Drops the colours and values of a mesh that a format cannot keep. */
 #include "exchange/meshes/kept_mesh.h"
 
 batten_status bat_mesh_kept(const bat_format_row *row, const batten_object *object,

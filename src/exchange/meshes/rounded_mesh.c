@@ -118,8 +118,8 @@ static batten_status facts_of(const batten_mesh *mesh, batten_mesh_facts *out)
     return status;
 }
 
-static batten_status say(const batten_object *object, const batten_mesh *left,
-                         const batten_mesh *rounded, batten_notes *notes)
+static batten_status report_rounding(const batten_object *object, const batten_mesh *left,
+                                     const batten_mesh *rounded, batten_notes *notes)
 {
     const int all = batten_mesh_view(object->mesh)->triangle_count;
     const int gone = all - batten_mesh_view(left)->triangle_count;
@@ -163,7 +163,7 @@ batten_status bat_rounded_mesh(const batten_object *object, double scale, batten
         status = without(object->mesh, batten_mesh_view(object->mesh),
                          batten_mesh_view(rounded), &left);
         if (status == BATTEN_OK)
-            status = say(object, left, rounded, notes);
+            status = report_rounding(object, left, rounded, notes);
     } else if (status == BATTEN_OK) {
         left = batten_mesh_ref(object->mesh);
     }

@@ -98,7 +98,7 @@ static bool convert_row(const bat_obj_axis *d, const double *from, double *to, s
                     size = bat_max(size, fabs(x));
                 }
                 double *at = &to[(size_t)(i * d->p + k) * stride + (size_t)c];
-                meets = meets && (i == 0 || k > 0 || fabs(sum - *at) <= 1e-9 * size);
+                meets = meets && (i == 0 || k > 0 || fabs(sum - *at) <= BAT_WRITTEN * size);
                 if (i == 0 || k > 0)
                     *at = sum;
             }

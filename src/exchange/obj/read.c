@@ -1,3 +1,4 @@
+/* Reads an OBJ file statement by statement: vertices, normals, elements and groups. */
 #include "exchange/obj/obj.h"
 
 #include <limits.h>

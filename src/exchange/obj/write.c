@@ -1,3 +1,4 @@
+/* Writes points, curves, surfaces and meshes as OBJ. */
 #include "exchange/meshes/facets.h"
 #include "exchange/obj/obj.h"
 #include "exchange/shapes/prepare.h"
@@ -12,14 +13,14 @@ typedef struct {
     double tolerance;
 } writing;
 
-static void put(writing *w, const char *words)
+static void put_words(writing *w, const char *words)
 {
     batten_text_bytes(w->text, words, strlen(words));
 }
 
 static void put_number(writing *w, double value)
 {
-    put(w, " ");
+    put_words(w, " ");
     batten_text_number(w->text, value);
 }
 
@@ -27,7 +28,7 @@ static void put_number(writing *w, double value)
 static void put_item(writing *w, double value)
 {
     if (++w->in_line > 12) {
-        put(w, " \\\n");
+        put_words(w, " \\\n");
         w->in_line = 1;
     }
     put_number(w, value);
@@ -35,21 +36,21 @@ static void put_item(writing *w, double value)
 
 static void end_statement(writing *w)
 {
-    put(w, "\n");
+    put_words(w, "\n");
     w->in_line = 0;
 }
 
 static void put_point(writing *w, const double *point, const double *weight,
                       const double *colour)
 {
-    put(w, "v");
+    put_words(w, "v");
     for (int k = 0; k < 3; k++)
         put_number(w, point[k]);
     if (weight)
         put_number(w, *weight);
     for (int k = 0; colour && k < 3; k++)
         put_number(w, colour[k]);
-    put(w, "\n");
+    put_words(w, "\n");
     w->vertices++;
 }
 
@@ -59,8 +60,8 @@ static void put_name(writing *w, const char *statement, const char *name, const 
 {
     const bat_span core = bat_name_core(name, otherwise);
     char before = ' ';
-    put(w, statement);
-    put(w, " ");
+    put_words(w, statement);
+    put_words(w, " ");
     for (size_t i = 0; i < core.length; i++) {
         /* A word that begins with # would begin a comment. */
         const char c = (unsigned char)core.bytes[i] < ' '      ? ' '
@@ -69,7 +70,7 @@ static void put_name(writing *w, const char *statement, const char *name, const 
         batten_text_bytes(w->text, &c, 1);
         before = c;
     }
-    put(w, "\n");
+    put_words(w, "\n");
 }
 
 static void put_names(writing *w, const batten_object *object, const char *otherwise)
@@ -87,10 +88,10 @@ static batten_status put_normals(writing *w, const batten_mesh_parts *p, bat_cor
     batten_status status = bat_number_corners(p, corners);
     for (int i = 0; i < corners->count; i++) {
         const double *n = p->normals + 3 * (size_t)corners->source[i];
-        put(w, "vn");
+        put_words(w, "vn");
         for (int k = 0; k < 3; k++)
             put_number(w, n[k]);
-        put(w, "\n");
+        put_words(w, "\n");
     }
     return status;
 }
@@ -115,14 +116,14 @@ static batten_status put_mesh(writing *w, const batten_object *object)
     if (status != BATTEN_OK)
         return status;
     for (size_t i = 0; i < 3 * (size_t)p->triangle_count; i++) {
-        put(w, i % 3 == 0 ? "f " : " ");
+        put_words(w, i % 3 == 0 ? "f " : " ");
         put_index(w, first + p->corners[i]);
         if (p->normals) {
-            put(w, "//");
+            put_words(w, "//");
             put_index(w, w->normals + 1 + corners.index[i]);
         }
         if (i % 3 == 2)
-            put(w, "\n");
+            put_words(w, "\n");
     }
     w->normals += corners.count;
     bat_corners_end(&corners);
@@ -139,10 +140,10 @@ static void put_points(writing *w, const batten_object *object)
         put_point(w, object->points + 3 * i, NULL, NULL);
     for (int i = 0; i < object->point_count; i++) {
         if (i % 12 == 0)
-            put(w, i ? "\np" : "p");
+            put_words(w, i ? "\np" : "p");
         put_number(w, (double)(first + i));
     }
-    put(w, object->point_count ? "\n" : "");
+    put_words(w, object->point_count ? "\n" : "");
 }
 
 /* The knots that the statement "l" means, to the bit: -0 is another. */
@@ -160,7 +161,7 @@ static bool is_line(const batten_curve *curve)
 
 static void put_parameters(writing *w, const char *statement, int count, const double *knots)
 {
-    put(w, statement);
+    put_words(w, statement);
     for (int i = 0; i < count; i++)
         put_item(w, knots[i]);
     end_statement(w);
@@ -176,21 +177,21 @@ static void put_curve(writing *w, const batten_object *object, const batten_curv
     for (int i = 0; i < n; i++)
         put_point(w, batten_curve_points(curve) + 3 * i, weights ? weights + i : NULL, NULL);
     if (!is_line(curve)) {
-        put(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
+        put_words(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
         put_item(w, p);
         end_statement(w);
-        put(w, "curv");
+        put_words(w, "curv");
         put_item(w, domain.a);
         put_item(w, domain.b);
     } else
-        put(w, "l");
+        put_words(w, "l");
     for (int i = 0; i < n; i++)
         put_item(w, (double)(first + i));
     end_statement(w);
     if (is_line(curve))
         return;
     put_parameters(w, "parm u", n + p + 1, batten_curve_knots(curve));
-    put(w, "end\n");
+    put_words(w, "end\n");
 }
 
 /* ---- surfaces ---- */
@@ -207,11 +208,11 @@ static void put_surface(writing *w, const batten_object *object, const batten_su
     for (size_t i = 0; i < (size_t)n[0] * (size_t)n[1]; i++)
         put_point(w, batten_surface_points(surface) + 3 * i, weights ? weights + i : NULL,
                   NULL);
-    put(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
+    put_words(w, weights ? "cstype rat bspline\ndeg" : "cstype bspline\ndeg");
     for (int k = 0; k < 2; k++)
         put_item(w, batten_surface_degree(surface, k ? BATTEN_V : BATTEN_U));
     end_statement(w);
-    put(w, "surf");
+    put_words(w, "surf");
     for (int k = 0; k < 2; k++) {
         const batten_interval d = batten_surface_domain(surface, k ? BATTEN_V : BATTEN_U);
         put_item(w, d.a);
@@ -226,7 +227,7 @@ static void put_surface(writing *w, const batten_object *object, const batten_su
         put_parameters(w, parameters[k], batten_surface_knot_count(surface, direction),
                        batten_surface_knots(surface, direction));
     }
-    put(w, "end\n");
+    put_words(w, "end\n");
 }
 
 static batten_status put_object(writing *w, const batten_object *object)
@@ -258,7 +259,8 @@ batten_status bat_write_obj(const batten_model *model, const batten_write_option
     const double unit = batten_model_unit_metres(model);
     writing w = {.notes = notes, .text = text};
     batten_status status = BATTEN_OK;
-    w.tolerance = options->tolerance > 0 ? options->tolerance : 1e-6 / (unit > 0 ? unit : 1);
+    w.tolerance = options->tolerance > 0 ? options->tolerance
+                                         : BAT_WRITE_TOLERANCE / (unit > 0 ? unit : 1);
     bat_remark_unit(model, "OBJ", notes);
     for (int i = 0; status == BATTEN_OK && i < batten_model_count(model); i++)
         status = put_object(&w, batten_model_object(model, i));

@@ -1,3 +1,4 @@
+/* Reads OFF: vertices and faces, with colours where there are any. */
 #include "exchange/meshes/indexed.h"
 #include "exchange/off/off.h"
 #include "exchange/reading/scan.h"

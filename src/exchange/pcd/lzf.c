@@ -1,3 +1,4 @@
+/* Unpacks the compression of .pcd files, LZF. */
 #include "exchange/pcd/pcd.h"
 
 #include <string.h>
@@ -28,7 +29,7 @@ static bool again(unpacking *u, size_t back, size_t count)
     return true;
 }
 
-static bool step(unpacking *u)
+static bool unpack_step(unpacking *u)
 {
     const unsigned control = *u->at++;
     if (control < 32)
@@ -50,7 +51,7 @@ batten_status bat_lzf(const char *from, size_t size, char *to, size_t wanted)
     const unsigned char *bytes = (const unsigned char *)from;
     unpacking u = {bytes, bytes + size, to, 0, wanted};
     while (u.at < u.end)
-        if (!step(&u))
+        if (!unpack_step(&u))
             return bat_fail(BATTEN_BAD_FORMAT,
                             "the compressed points are damaged at byte %zu of %zu",
                             (size_t)(u.at - bytes), size);

@@ -17,7 +17,7 @@ batten_status bat_pcd_recognise(const bat_input *input, bool *is_such)
 /* ---- points ---- */
 
 /* A point that the sensor did not see is NaN: that is usual. */
-static batten_status take(bat_pcd_reading *r, const double point[3])
+static batten_status take_point(bat_pcd_reading *r, const double point[3])
 {
     if (bat_first_not_finite(point, 3) == 3)
         return bat_list_add(r->input, &r->read, point);
@@ -70,7 +70,7 @@ static batten_status read_ascii(bat_pcd_reading *r)
             continue;
         count++;
         if (read_row(r, line, point))
-            status = take(r, point);
+            status = take_point(r, point);
         else {
             r->input->left_out++;
             batten_notes_add(r->input->notes, r->input->file, r->line, "",
@@ -123,7 +123,7 @@ static batten_status take_bytes(bat_pcd_reading *r, const char *data, size_t cou
         double point[3];
         for (int a = 0; a < 3; a++)
             point[a] = decode(&r->fields[r->axis[a]], data + offset[a] + i * stride[a]);
-        status = take(r, point);
+        status = take_point(r, point);
         if (status == BATTEN_OK && i % 10000 == 9999)
             status = bat_input_step(r->input, r->at);
     }

@@ -1,3 +1,4 @@
+/* Reads the header of a PLY file: its form, elements and properties. */
 #include "exchange/ply/ply.h"
 #include "exchange/reading/scan.h"
 

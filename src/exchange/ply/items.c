@@ -1,3 +1,4 @@
+/* Reads the numbers of one item of a PLY element, as text or as bytes. */
 #include "exchange/ply/ply.h"
 #include "exchange/reading/bytes.h"
 
@@ -67,6 +68,7 @@ static bool next_value(bat_ply_items *items, bat_ply_type type, double *value)
 
 static int64_t index_of(double value)
 {
+    /* Whole numbers up to 2^53, about 9e15, are exact as doubles. */
     return value >= 0 && value <= 1e15 && value == floor(value) ? (int64_t)value : -1;
 }
 

@@ -1,3 +1,4 @@
+/* Writes meshes and points as PLY, as text or as bytes. */
 #include "exchange/meshes/facets.h"
 #include "exchange/ply/ply.h"
 #include "exchange/reading/bytes.h"

@@ -1,3 +1,4 @@
+/* Counts the entities that were read and left out, and reports them. */
 #include "exchange/reading/census.h"
 
 #include <stdio.h>

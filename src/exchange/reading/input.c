@@ -1,3 +1,4 @@
+/* The input of a reader: its limits, memory, lines, and how failures name a place. */
 #include "exchange/reading/input.h"
 #include "base/plural.h"
 
@@ -178,6 +179,7 @@ static batten_status charge(bat_input *input, size_t count, size_t size)
 
 int bat_input_most_near(const bat_input *input, double points)
 {
+    /* 4e6 points of four doubles are 128 MB: memory ends before patience does. */
     const double most = bat_min(10000 + 100 * points, 4e6);
     return (int)bat_max(1, bat_min(most, (double)input->limits.points));
 }

@@ -6,6 +6,10 @@
 #include <batten/exchange.h>
 #include <stdint.h>
 
+/* Programs write numbers with nine or ten digits: where things differ by less than this part of
+ * their size, a file means them to be the same. */
+#define BAT_WRITTEN 1e-9
+
 typedef struct {
     const char *data; /* without a byte order mark and without a final control-Z */
     size_t size;

@@ -1,3 +1,4 @@
+/* Goes through text word by word, and compares and converts words. */
 #include "exchange/reading/scan.h"
 
 #include <batten/text.h>

@@ -1,3 +1,4 @@
+/* Reads numbers from text in which line ends mean nothing. */
 #include "exchange/reading/words.h"
 
 #include <batten/text.h>

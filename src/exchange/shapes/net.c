@@ -1,3 +1,4 @@
+/* Reorders nets of control points that a file lists with u fastest. */
 #include "exchange/shapes/net.h"
 
 #include <string.h>

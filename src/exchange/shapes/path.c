@@ -1,3 +1,4 @@
+/* Makes a path of lines and arcs of the curves of an object. */
 #include "exchange/shapes/path.h"
 #include "numeric/vector.h"
 #include "spline/chain/chain.h"
@@ -18,6 +19,7 @@ static batten_status check_turns(const batten_chain *chain, int *vertices)
     for (int i = 0; i < batten_chain_span_count(chain); i++) {
         const batten_span *span = batten_chain_span(chain, i);
         const double turns = fabs(span->curvature[0]) * span->length / BAT_PI;
+        /* Capped, so that the sum stays small enough for an int. */
         sum += turns < 1e6 ? parts_of(span) : 1e6;
     }
     if (sum >= 1e7)

@@ -14,13 +14,13 @@ typedef struct {
     double *breaks;  /* [count + 1] */
 } tracing;
 
-static batten_vec3 place(const tracing *t, double x, double y)
+static batten_vec3 point_at(const tracing *t, double x, double y)
 {
     const batten_frame *f = &t->path->frame;
     return bat_vec3_along(bat_vec3_along(f->origin, x, f->x), y, t->y);
 }
 
-static void put(tracing *t, int at, batten_vec3 p, double weight)
+static void put_point(tracing *t, int at, batten_vec3 p, double weight)
 {
     t->points[3 * at] = p.x;
     t->points[3 * at + 1] = p.y;
@@ -29,11 +29,11 @@ static void put(tracing *t, int at, batten_vec3 p, double weight)
 }
 
 /* From the last point on: by the middle control point to the end. */
-static void add(tracing *t, const double middle[2], double weight, const double end[2],
-                double length)
+static void add_piece(tracing *t, const double middle[2], double weight, const double end[2],
+                      double length)
 {
-    put(t, 2 * t->count + 1, place(t, middle[0], middle[1]), weight);
-    put(t, 2 * t->count + 2, place(t, end[0], end[1]), 1);
+    put_point(t, 2 * t->count + 1, point_at(t, middle[0], middle[1]), weight);
+    put_point(t, 2 * t->count + 2, point_at(t, end[0], end[1]), 1);
     t->breaks[t->count + 1] = t->breaks[t->count] + length;
     t->count++;
 }
@@ -51,12 +51,13 @@ static void add_arc(tracing *t, const bat_vertex *a, const bat_vertex *b, int pi
         const double to = start + (i + 1) * step;
         const double end[2] = {i + 1 == pieces ? b->x : cx + radius * cos(to),
                                i + 1 == pieces ? b->y : cy + radius * sin(to)};
-        add(t, middle, cos(step / 2), end, fabs(step) * radius);
+        add_piece(t, middle, cos(step / 2), end, fabs(step) * radius);
     }
 }
 
 static int pieces_of(const bat_vertex *v)
 {
+    /* A quarter turn that rounding made a little more is still one piece. */
     return v->bulge == 0 ? 1 : 1 + (int)(4 * fabs(atan(v->bulge)) / (BAT_PI / 2) - 1e-9);
 }
 
@@ -64,7 +65,7 @@ static void trace(tracing *t)
 {
     const bat_path *path = t->path;
     const int sides = path->closed ? path->count : path->count - 1;
-    put(t, 0, place(t, path->vertices[0].x, path->vertices[0].y), 1);
+    put_point(t, 0, point_at(t, path->vertices[0].x, path->vertices[0].y), 1);
     for (int i = 0; i < sides; i++) {
         const bat_vertex *a = &path->vertices[i], *b = &path->vertices[(i + 1) % path->count];
         if (a->bulge != 0) {
@@ -73,7 +74,7 @@ static void trace(tracing *t)
         }
         const double middle[2] = {a->x + (b->x - a->x) / 2, a->y + (b->y - a->y) / 2};
         const double end[2] = {b->x, b->y};
-        add(t, middle, 1, end, hypot(b->x - a->x, b->y - a->y));
+        add_piece(t, middle, 1, end, hypot(b->x - a->x, b->y - a->y));
     }
 }
 

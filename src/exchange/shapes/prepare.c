@@ -1,3 +1,4 @@
+/* Turns any curve, surface or body into clamped NURBS in space, for IGES and STEP. */
 #include "exchange/shapes/prepare.h"
 #include "base/plural.h"
 #include "model/object_notes.h"

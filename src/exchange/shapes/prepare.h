@@ -4,6 +4,10 @@
 #include "base/base.h"
 #include <batten/exchange.h>
 
+/* Metres: how near writers come to a shape when no tolerance is given. A micrometre is finer
+ * than any yard or workshop measures. */
+#define BAT_WRITE_TOLERANCE 1e-6
+
 batten_status bat_prepare_curve(const batten_object *object, batten_curve **out);
 /* A note says what was approximated. */
 batten_status bat_prepare_surface(const batten_object *object, double tolerance,

@@ -1,3 +1,4 @@
+/* Recognises STL, and reads it as text or as bytes. */
 #include "base/plural.h"
 #include "exchange/meshes/facets.h"
 #include "exchange/reading/bytes.h"

@@ -1,3 +1,4 @@
+/* Writes meshes as STL, as text or as bytes. */
 #include "exchange/meshes/facets.h"
 #include "exchange/reading/bytes.h"
 #include "exchange/stl/stl.h"
@@ -109,7 +110,7 @@ static batten_status write_bytes(const batten_model *model, batten_notes *notes,
 
 /* ---- text ---- */
 
-static void put(batten_text *text, const char *words)
+static void put_words(batten_text *text, const char *words)
 {
     batten_text_bytes(text, words, strlen(words));
 }
@@ -117,27 +118,27 @@ static void put(batten_text *text, const char *words)
 static void put_numbers(batten_text *text, const double numbers[3])
 {
     for (int k = 0; k < 3; k++) {
-        put(text, " ");
+        put_words(text, " ");
         batten_text_number(text, numbers[k]);
     }
-    put(text, "\n");
+    put_words(text, "\n");
 }
 
 static void put_name(batten_text *text, const char *name)
 {
     const bat_span core = bat_name_core(name, "mesh");
-    put(text, " ");
+    put_words(text, " ");
     for (size_t i = 0; i < core.length; i++) {
         const char c = (unsigned char)core.bytes[i] < ' ' ? ' ' : core.bytes[i];
         batten_text_bytes(text, &c, 1);
     }
-    put(text, "\n");
+    put_words(text, "\n");
 }
 
 static void put_solid(const batten_object *object, batten_text *text)
 {
     const batten_mesh_parts *p = batten_mesh_view(object->mesh);
-    put(text, "solid");
+    put_words(text, "solid");
     put_name(text, object->name);
     for (int i = 0; i < p->triangle_count; i++) {
         const int *corners = p->corners + 3 * (size_t)i;
@@ -146,16 +147,16 @@ static void put_solid(const batten_object *object, batten_text *text)
         for (int k = 0; k < 3; k++)
             at[k] = p->points + 3 * (size_t)corners[k];
         bat_facet_normal(at[0], at[1], at[2], normal);
-        put(text, "facet normal");
+        put_words(text, "facet normal");
         put_numbers(text, normal);
-        put(text, "outer loop\n");
+        put_words(text, "outer loop\n");
         for (int k = 0; k < 3; k++) {
-            put(text, "vertex");
+            put_words(text, "vertex");
             put_numbers(text, at[k]);
         }
-        put(text, "endloop\nendfacet\n");
+        put_words(text, "endloop\nendfacet\n");
     }
-    put(text, "endsolid");
+    put_words(text, "endsolid");
     put_name(text, object->name);
 }
 

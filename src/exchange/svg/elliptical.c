@@ -1,3 +1,4 @@
+/* Recognises a piece of a NURBS curve as an arc of an ellipse. */
 #include "exchange/svg/elliptical.h"
 #include "numeric/vector.h"
 

@@ -1,3 +1,4 @@
+/* Reads path data, transforms, colours and numbers. */
 #include "exchange/svg/path_data.h"
 #include "base/plural.h"
 
@@ -260,7 +261,7 @@ static void make_absolute(char command, const bat_svg_row *row, double v[7])
     }
 }
 
-static batten_status hand_over(parsing *p)
+static batten_status hand_over_row(parsing *p)
 {
     return p->row->points.count > 1 ? p->take(p->context, p->row) : BATTEN_OK;
 }
@@ -291,13 +292,13 @@ static batten_status put_curve(parsing *p, char command, const double v[7])
     return bat_svg_quadratic(p->row, one, 1, command == 'Q' ? v + 2 : v);
 }
 
-static batten_status run(parsing *p, char command, const double v[7])
+static batten_status run_command(parsing *p, char command, const double v[7])
 {
     bat_svg_row *row = p->row;
     batten_status status = BATTEN_OK;
     switch (command) {
     case 'M':
-        status = hand_over(p);
+        status = hand_over_row(p);
         p->start[0] = v[0];
         p->start[1] = v[1];
         return status == BATTEN_OK ? bat_svg_move(row, v[0], v[1]) : status;
@@ -312,7 +313,7 @@ static batten_status run(parsing *p, char command, const double v[7])
     case 'Z':
         status = bat_svg_line(row, p->start[0], p->start[1]);
         if (status == BATTEN_OK)
-            status = hand_over(p);
+            status = hand_over_row(p);
         return status == BATTEN_OK ? bat_svg_move(row, p->start[0], p->start[1]) : status;
     default:
         return put_curve(p, command, v);
@@ -349,7 +350,7 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
         const char command = small ? (char)(p.command - 'a' + 'A') : p.command;
         if (!known || arguments_of(command) < 0 || !read_arguments(&p, command, v) ||
             (row->points.count == 0 && command != 'M')) {
-            status = hand_over(&p);
+            status = hand_over_row(&p);
             return status == BATTEN_OK
                        ? bat_fail(BATTEN_BAD_FORMAT, "the path is broken at its character %zu",
                                   at + 1)
@@ -357,11 +358,12 @@ batten_status bat_svg_path(bat_span data, bat_svg_row *row, bat_svg_take *take, 
         }
         if (small && row->points.count > 0)
             make_absolute(command, row, v);
-        status = run(&p, command, v);
+        status = run_command(&p, command, v);
         p.before = command;
     }
     if (status != BATTEN_OK && status != BATTEN_BAD_FORMAT)
         return status;
-    const batten_status handed = hand_over(&p); /* what stands before an arc that failed too */
+    const batten_status handed =
+        hand_over_row(&p); /* what stands before an arc that failed too */
     return handed == BATTEN_OK ? status : handed;
 }

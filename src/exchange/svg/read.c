@@ -104,7 +104,7 @@ static batten_status read_look(const reading *r, level *look)
 /* ---- curves ---- */
 
 /* One part of the element at work as a curve; parts after the first are numbered. */
-static batten_status take(void *context, const bat_svg_row *row)
+static batten_status take_row(void *context, const bat_svg_row *row)
 {
     reading *r = context;
     char name[NAME + 16];
@@ -171,7 +171,7 @@ static batten_status add_shape(reading *r)
     if (status == BATTEN_OK)
         status = read_look(r, &r->look);
     if (status == BATTEN_OK)
-        status = bat_svg_shape(&r->xml, &r->row, take, r);
+        status = bat_svg_shape(&r->xml, &r->row, take_row, r);
     if (bat_input_ends(status))
         return status;
     if (status != BATTEN_OK)

@@ -14,7 +14,7 @@ void bat_svg_row_end(bat_svg_row *row)
     row->points = (bat_list){.size = 3 * sizeof(double)};
 }
 
-static batten_status put(bat_svg_row *row, double x, double y, double weight)
+static batten_status put_point(bat_svg_row *row, double x, double y, double weight)
 {
     const double point[3] = {x, y, weight};
     row->x = x;
@@ -26,7 +26,7 @@ batten_status bat_svg_move(bat_svg_row *row, double x, double y)
 {
     row->points.count = 0;
     row->has_curves = row->has_weights = false;
-    return put(row, x, y, 1);
+    return put_point(row, x, y, 1);
 }
 
 /* Weighted control points of a piece of degree 2 with end weights 1, raised to degree 3. */
@@ -35,11 +35,11 @@ batten_status bat_svg_quadratic(bat_svg_row *row, const double middle[2], double
 {
     const double w = (1 + 2 * weight) / 3, x = row->x, y = row->y;
     const double mx = 2 * weight * middle[0], my = 2 * weight * middle[1];
-    batten_status status = put(row, (x + mx) / (3 * w), (y + my) / (3 * w), w);
+    batten_status status = put_point(row, (x + mx) / (3 * w), (y + my) / (3 * w), w);
     if (status == BATTEN_OK)
-        status = put(row, (mx + end[0]) / (3 * w), (my + end[1]) / (3 * w), w);
+        status = put_point(row, (mx + end[0]) / (3 * w), (my + end[1]) / (3 * w), w);
     if (status == BATTEN_OK)
-        status = put(row, end[0], end[1], 1);
+        status = put_point(row, end[0], end[1], 1);
     row->has_curves = true;
     row->has_weights |= weight != 1;
     return status;
@@ -48,11 +48,11 @@ batten_status bat_svg_quadratic(bat_svg_row *row, const double middle[2], double
 batten_status bat_svg_cubic(bat_svg_row *row, const double one[2], const double two[2],
                             const double end[2])
 {
-    batten_status status = put(row, one[0], one[1], 1);
+    batten_status status = put_point(row, one[0], one[1], 1);
     if (status == BATTEN_OK)
-        status = put(row, two[0], two[1], 1);
+        status = put_point(row, two[0], two[1], 1);
     if (status == BATTEN_OK)
-        status = put(row, end[0], end[1], 1);
+        status = put_point(row, end[0], end[1], 1);
     row->has_curves = true;
     return status;
 }
@@ -64,10 +64,11 @@ batten_status bat_svg_line(bat_svg_row *row, double x, double y)
     if (x == from[0] && y == from[1])
         return BATTEN_OK;
     batten_status status =
-        put(row, from[0] + (x - from[0]) / 3, from[1] + (y - from[1]) / 3, 1);
+        put_point(row, from[0] + (x - from[0]) / 3, from[1] + (y - from[1]) / 3, 1);
     if (status == BATTEN_OK)
-        status = put(row, from[0] + 2 * (x - from[0]) / 3, from[1] + 2 * (y - from[1]) / 3, 1);
-    return status == BATTEN_OK ? put(row, x, y, 1) : status;
+        status =
+            put_point(row, from[0] + 2 * (x - from[0]) / 3, from[1] + 2 * (y - from[1]) / 3, 1);
+    return status == BATTEN_OK ? put_point(row, x, y, 1) : status;
 }
 
 /* ---- arcs ---- */

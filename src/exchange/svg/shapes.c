@@ -1,3 +1,4 @@
+/* Reads rectangles, circles, ellipses, lines, polygons and paths. */
 #include "exchange/svg/shapes.h"
 #include "base/plural.h"
 

@@ -1,3 +1,4 @@
+/* Writes curves as SVG paths. */
 #include "exchange/shapes/path.h"
 #include "exchange/svg/elliptical.h"
 #include "exchange/svg/svg.h"

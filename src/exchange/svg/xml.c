@@ -1,3 +1,4 @@
+/* Goes through the elements of an XML text. */
 #include "exchange/svg/xml.h"
 
 #include <limits.h>

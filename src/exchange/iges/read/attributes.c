@@ -1,3 +1,4 @@
+/* Names (406 form 15 and labels), colours (314) and groups (402) of entities. */
 #include "exchange/iges/read/attributes.h"
 #include "exchange/iges/read/references.h"
 

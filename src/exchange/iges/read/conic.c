@@ -94,6 +94,7 @@ static batten_status make_canonical(const equation *said, canonical *out)
         return bat_fail(BATTEN_SINGULAR_HERE, "an equation without a quadratic term");
     const double determinant = 4 * q.a * q.c - q.b * q.b;
     const double scale = 4 * fabs(q.a * q.c) + q.b * q.b;
+    /* The coefficients have 12 digits or so: nearer to a parabola they cannot tell. */
     if (fabs(determinant) <= 1e-12 * scale)
         parabola(&q, out);
     else

@@ -1,3 +1,4 @@
+/* Reads curves: B-splines, lines, arcs, points, copious data and power splines. */
 #include "exchange/iges/read/curves.h"
 #include "base/plural.h"
 #include "spline/curve/curve.h"

@@ -1,3 +1,4 @@
+/* Reads subfigures (308) as definitions, once each, and their instances (408). */
 #include "exchange/iges/read/instances.h"
 #include "exchange/iges/read/attributes.h"
 #include "exchange/iges/read/objects.h"

@@ -13,8 +13,8 @@ double bat_iges_tolerance(const bat_iges_reading *reading, double size)
     const double extent =
         reading->extent >= size && reading->extent <= 1e4 * size ? reading->extent : size;
     const double tolerance =
-        bat_min(bat_max(reading->resolution, 1e-9 * extent), 1e-3 * extent);
-    return tolerance > 0 && isfinite(tolerance) ? tolerance : 1e-9;
+        bat_min(bat_max(reading->resolution, BAT_WRITTEN * extent), 1e-3 * extent);
+    return tolerance > 0 && isfinite(tolerance) ? tolerance : BAT_WRITTEN;
 }
 
 /* ---- opening and closing ---- */

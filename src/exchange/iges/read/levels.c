@@ -1,3 +1,4 @@
+/* Levels as layers, with the names that properties (406 form 3) give them. */
 #include "exchange/iges/read/levels.h"
 #include "base/real.h"
 #include "exchange/iges/read/references.h"

@@ -1,3 +1,4 @@
+/* Gathers the curves of the loops of a face, in space and on its surface. */
 #include "exchange/iges/read/loops.h"
 #include "body/trace/lift.h"
 #include "exchange/iges/read/references.h"

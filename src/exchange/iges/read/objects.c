@@ -1,3 +1,4 @@
+/* Adds what each entity stands for to the model, with its name, colour and layer. */
 #include "exchange/iges/read/objects.h"
 #include "base/plural.h"
 #include "exchange/iges/read/attributes.h"

@@ -1,3 +1,4 @@
+/* Reads an IGES file: its units and sender, then its entities. */
 #include "exchange/iges/iges.h"
 #include "exchange/iges/read/attributes.h"
 #include "exchange/iges/read/bodies.h"
@@ -50,6 +51,7 @@ static const struct {
     const char *name;
     double metres;
 } units[] = {
+    /* metres in one, by the flag of global parameter 14; 1 is the inch twice */
     {1, "in", 0.0254}, {2, "mm", 0.001},     {4, "ft", 0.3048},     {5, "mi", 1609.344},
     {6, "m", 1},       {7, "km", 1000},      {8, "mil", 0.0000254}, {9, "um", 1e-6},
     {10, "cm", 0.01},  {11, "uin", 2.54e-8}, {1, "inch", 0.0254},
@@ -255,7 +257,7 @@ static batten_status read_all(bat_iges_reading *reading)
     return status == BATTEN_OK ? read_entities(reading) : status;
 }
 
-static void end(bat_iges_reading *reading)
+static void end_reading(bat_iges_reading *reading)
 {
     bat_iges_parameters **frames = reading->frames.items;
     for (size_t k = 0; k < reading->frames.count; k++) {
@@ -296,6 +298,6 @@ batten_status bat_read_iges(bat_input *input, batten_model **out)
         status = read_all(&reading);
     if (status == BATTEN_OK)
         *out = batten_model_ref(reading.model);
-    end(&reading);
+    end_reading(&reading);
     return status;
 }

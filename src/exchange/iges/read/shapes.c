@@ -16,7 +16,7 @@ static batten_status move_points(bat_iges_item *item, const batten_affine *map)
 }
 
 /* Move what was made by the matrices of the entry; curves in parameters are not moved. */
-static batten_status move(bat_iges_item *item)
+static batten_status move_by_matrix(bat_iges_item *item)
 {
     batten_affine map;
     batten_curve *curve = NULL;
@@ -63,11 +63,11 @@ batten_status bat_iges_decode(bat_iges_reading *reading, const bat_iges_entry *e
         status = bat_fail(BATTEN_UNSUPPORTED, "its form %d is not read", entry->form);
     if (status == BATTEN_OK)
         status = item->row->read(item);
-    return status == BATTEN_OK ? move(item) : status;
+    return status == BATTEN_OK ? move_by_matrix(item) : status;
 }
 
 /* Decode a curve or surface that others refer to, once. */
-static batten_status keep(bat_iges_reading *reading, const bat_iges_entry *entry)
+static batten_status decode_once(bat_iges_reading *reading, const bat_iges_entry *entry)
 {
     bat_iges_shape *shape = bat_iges_shape_of(reading, entry);
     bat_iges_item item;
@@ -109,7 +109,7 @@ static batten_status keep_kind(bat_iges_reading *reading, int id, bat_iges_kind 
         return status;
     if (bat_iges_row_of(reading, entry->type)->kind != kind)
         return refuse_kind(reading, entry, kind);
-    status = keep(reading, entry);
+    status = decode_once(reading, entry);
     if (status == BATTEN_OK)
         *out = bat_iges_shape_of(reading, entry);
     return status;

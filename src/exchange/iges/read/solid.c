@@ -111,8 +111,8 @@ static batten_box box_of(const batten_body_parts *parts)
 
 /* Make the body, with the tolerance that its size allows. A shell that lost a face is not
  * closed any more. */
-static batten_status finish(bat_iges_item *item, bat_builder *builder, bool is_solid,
-                            bool whole, batten_status status)
+static batten_status finish_body(bat_iges_item *item, bat_builder *builder, bool is_solid,
+                                 bool whole, batten_status status)
 {
     if (status == BATTEN_OK && builder->parts.face_count == 0)
         status = bat_fail(BATTEN_BAD_FORMAT, "none of its faces could be read");
@@ -156,7 +156,7 @@ batten_status bat_iges_read_solid(bat_iges_item *item)
         if (status == BATTEN_OK)
             status = add_shell(item->reading, id, flag != 0, &builder, &whole);
     }
-    return finish(item, &builder, true, whole, status);
+    return finish_body(item, &builder, true, whole, status);
 }
 
 batten_status bat_iges_read_shell(bat_iges_item *item)
@@ -166,7 +166,7 @@ batten_status bat_iges_read_shell(bat_iges_item *item)
     bat_iges_next_body(item->reading);
     bat_builder_begin(&builder, 1);
     batten_status status = read_faces(item, true, &builder, &whole);
-    return finish(item, &builder, false, whole, status);
+    return finish_body(item, &builder, false, whole, status);
 }
 
 batten_status bat_iges_read_face(bat_iges_item *item)
@@ -177,5 +177,5 @@ batten_status bat_iges_read_face(bat_iges_item *item)
     batten_status status = bat_builder_shell(&builder, false);
     if (status == BATTEN_OK)
         status = bat_iges_put_face_of(item, true, &builder);
-    return finish(item, &builder, false, true, status);
+    return finish_body(item, &builder, false, true, status);
 }

@@ -1,3 +1,4 @@
+/* Reads surfaces: B-splines, power splines, ruled, revolved, tabulated and offset. */
 #include "exchange/iges/read/surfaces.h"
 #include "exchange/iges/read/curves.h"
 #include "exchange/iges/read/references.h"
@@ -229,6 +230,7 @@ batten_status bat_iges_read_revolution(bat_iges_item *item)
     const batten_vec3 along = {ends[1][0] - origin.x, ends[1][1] - origin.y,
                                ends[1][2] - origin.z};
     const double angle = angles[1] - angles[0];
+    /* A whole turn may have been written with 7 digits. */
     if (!(angle > 0 && angle <= 2 * BAT_PI + 1e-6))
         return bat_fail(BATTEN_BAD_FORMAT, "it turns from %g to %g radians", angles[0],
                         angles[1]);

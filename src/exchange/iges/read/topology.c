@@ -1,3 +1,4 @@
+/* Lists of vertices (502) and edges (504), each read once and shared by a body. */
 #include "exchange/iges/read/topology.h"
 #include "exchange/iges/read/curves.h"
 #include "exchange/iges/read/references.h"

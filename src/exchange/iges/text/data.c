@@ -1,3 +1,4 @@
+/* The parameter section as runs of records, and the parameters of one entry. */
 #include "exchange/iges/text/data.h"
 #include "base/digits.h"
 

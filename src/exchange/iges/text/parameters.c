@@ -1,3 +1,4 @@
+/* The parameters of one entity: their places in the text, and their values. */
 #include "exchange/iges/text/parameters.h"
 
 #include <batten/text.h>

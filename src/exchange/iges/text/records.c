@@ -1,3 +1,4 @@
+/* Sorts the 80-column records into sections, and reads the directory and the global section. */
 #include "exchange/iges/text/data.h"
 
 #include <limits.h>

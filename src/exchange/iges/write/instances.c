@@ -21,6 +21,7 @@ static bool find_similarity(const batten_affine *place, similarity *out)
     out->is_turned = false;
     if (!(out->scale > 0 && isfinite(out->scale)))
         return false;
+    /* A product of a hundred thousand rotations stays within this of one. */
     if (fabs(out->scale - 1) < 1e-10)
         out->scale = 1; /* rotations are so only to rounding */
     for (int i = 0; i < 3; i++)
@@ -32,6 +33,7 @@ static bool find_similarity(const batten_affine *place, similarity *out)
         }
     for (int i = 0; i < 3; i++)
         for (int k = 0; k <= i; k++)
+            /* As near as the scale above. */
             if (!(fabs(dot(out->rotation[i], out->rotation[k]) - (i == k)) <= 1e-10))
                 return false;
     return true;

@@ -1,3 +1,4 @@
+/* Writes records of 80 columns and the entries of the directory. */
 #include "base/real.h"
 #include "exchange/iges/write/writing.h"
 

@@ -262,8 +262,8 @@ static batten_status put_solid(whole *of, int name, const bat_iges_look *look, i
 
 /* ---- bodies ---- */
 
-static batten_status begin(bat_iges_writing *w, const batten_body_parts *parts, whole *of,
-                           int **memory)
+static batten_status begin_body(bat_iges_writing *w, const batten_body_parts *parts, whole *of,
+                                int **memory)
 {
     const size_t counts[2] = {(size_t)parts->vertex_count, (size_t)parts->edge_count};
     const size_t loops = (size_t)parts->loop_count, faces = (size_t)parts->face_count;
@@ -312,7 +312,7 @@ batten_status bat_iges_put_body(bat_iges_writing *w, const batten_body_parts *pa
 {
     whole of;
     int *memory = NULL, id = 0;
-    batten_status status = begin(w, parts, &of, &memory);
+    batten_status status = begin_body(w, parts, &of, &memory);
     if (status == BATTEN_OK && parts->is_solid) {
         const int named = bat_iges_put_name(w, name);
         status = put_lists(&of, 0, parts->face_count);

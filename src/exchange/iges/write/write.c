@@ -9,7 +9,7 @@
 
 /* What was written belongs to the definition at work, or to its group. Groups of parts of
  * definitions are not written: other programs take them for what they hold, once more. */
-static batten_status keep(bat_iges_writing *w, const char *path, int id)
+static batten_status keep_entity(bat_iges_writing *w, const char *path, int id)
 {
     if (w->is_inside)
         return bat_members_add(&w->items, "", id);
@@ -25,7 +25,7 @@ static batten_status write_curve(bat_iges_writing *w, const batten_object *objec
     const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_curve(w, curve, bat_iges_put_name(w, object->name), look);
     batten_curve_unref(curve);
-    return keep(w, object->group, id);
+    return keep_entity(w, object->group, id);
 }
 
 static batten_status write_surface(bat_iges_writing *w, const batten_object *object)
@@ -37,7 +37,7 @@ static batten_status write_surface(bat_iges_writing *w, const batten_object *obj
     const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_surface(w, surface, bat_iges_put_name(w, object->name), look);
     batten_surface_unref(surface);
-    return keep(w, object->group, id);
+    return keep_entity(w, object->group, id);
 }
 
 static batten_status write_points(bat_iges_writing *w, const batten_object *object)
@@ -45,7 +45,7 @@ static batten_status write_points(bat_iges_writing *w, const batten_object *obje
     const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_points(w, object->points, object->point_count,
                                        bat_iges_put_name(w, object->name), look);
-    return keep(w, object->group, id);
+    return keep_entity(w, object->group, id);
 }
 
 /* ---- bodies ---- */
@@ -105,7 +105,7 @@ static batten_status write_faces(bat_iges_writing *w, const batten_object *objec
         if (status == BATTEN_OK)
             status = bat_iges_put_face(w, parts, f, name, &look, &id);
         if (status == BATTEN_OK)
-            status = keep(w, group, id);
+            status = keep_entity(w, group, id);
     }
     return status;
 }
@@ -124,7 +124,7 @@ typedef struct {
 static batten_status keep_shell(void *context, int id)
 {
     const keeping *k = context;
-    return keep(k->w, k->group, id);
+    return keep_entity(k->w, k->group, id);
 }
 
 static batten_status write_solid(bat_iges_writing *w, const batten_object *object,
@@ -177,7 +177,7 @@ static batten_status write_instance(bat_iges_writing *w, const batten_object *ob
     const bat_iges_look look = bat_iges_look_of(w, object);
     const int id = bat_iges_put_instance(w, subfigure, &object->place,
                                          bat_iges_put_name(w, object->name), look);
-    return keep(w, object->group, id);
+    return keep_entity(w, object->group, id);
 }
 
 static batten_status write_object(bat_iges_writing *w, const batten_object *object)
@@ -296,7 +296,7 @@ static batten_status choose_unit(const batten_model *model, batten_notes *notes,
     return batten_model_to_unit(model, 0.001, out);
 }
 
-static void end(bat_iges_writing *w)
+static void end_writing(bat_iges_writing *w)
 {
     for (int i = 0; i < w->path_count; i++)
         bat_release(w->paths[i]);
@@ -316,8 +316,8 @@ static batten_status write_whole(const batten_model *model, const batten_write_o
     bat_iges_writing w = {.notes = notes,
                           .unit_metres = unit,
                           .has_solids = options->solids,
-                          .tolerance =
-                              options->tolerance > 0 ? options->tolerance : 1e-6 / unit};
+                          .tolerance = options->tolerance > 0 ? options->tolerance
+                                                              : BAT_WRITE_TOLERANCE / unit};
     bat_iges_section_begin(&w.data, 'P', text);
     bat_text_reserve(text, 100 * bat_count_points(model)); /* mostly enough */
     batten_status status = bat_definitions_find(model, &w.definitions);
@@ -329,7 +329,7 @@ static batten_status write_whole(const batten_model *model, const batten_write_o
         status = put_groups(&w);
     if (status == BATTEN_OK)
         status = bat_iges_join(&w, options, unit, text);
-    end(&w);
+    end_writing(&w);
     return status;
 }
 

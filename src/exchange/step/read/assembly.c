@@ -154,8 +154,8 @@ static batten_status read_placed(bat_step_import *import, const bat_step_instanc
 }
 
 /* Add what could be read of a placing; leave it out when that failed. */
-static batten_status add(bat_step_import *import, const bat_step_instance *instance,
-                         batten_status status, const bat_step_placing *placing)
+static batten_status add_instance(bat_step_import *import, const bat_step_instance *instance,
+                                  batten_status status, const bat_step_placing *placing)
 {
     if (status != BATTEN_OK)
         return bat_step_leave_out(&import->file, &import->census, instance, status);
@@ -182,7 +182,7 @@ static batten_status read_occurrence(bat_step_import *import, const bat_step_ins
         import->taken[bat_step_index(file, relation)] = true;
     if (status == BATTEN_OK)
         status = read_placed(import, relation, occurrence, instance, &placing);
-    return add(import, instance, status, &placing);
+    return add_instance(import, instance, status, &placing);
 }
 
 static batten_status read_occurrences(bat_step_import *import)
@@ -200,7 +200,7 @@ static batten_status read_occurrences(bat_step_import *import)
         if (import->taken[placed[k]])
             continue;
         status = read_placed(import, relation, NULL, relation, &placing);
-        status = add(import, relation, status, &placing);
+        status = add_instance(import, relation, status, &placing);
     }
     return status;
 }
@@ -267,7 +267,7 @@ static batten_status read_all_mapped(bat_step_import *import)
             if (!bat_step_as(&import->file, item, "MAPPED_ITEM"))
                 continue;
             status = read_mapped(import, &all[k], item, &placing);
-            status = add(import, item, status, &placing);
+            status = add_instance(import, item, status, &placing);
         }
     }
     return status;

@@ -38,8 +38,8 @@ static batten_status read_boundaries(bat_step_topology *t, const bat_step_record
     return status;
 }
 
-static batten_status put(bat_step_topology *t, const batten_surface *surface, const char *name,
-                         bool reversed)
+static batten_status put_boundary(bat_step_topology *t, const batten_surface *surface,
+                                  const char *name, bool reversed)
 {
     const bat_step_use *uses = t->uses.items;
     const batten_body_face face = {.name = name, .surface = surface, .reversed = reversed};
@@ -78,7 +78,7 @@ batten_status bat_step_body_bounded(bat_step_topology *t, const bat_step_instanc
     if (status == BATTEN_OK)
         status = bat_step_face_surface(t, basis, &surface, &is_file, &is_against);
     if (status == BATTEN_OK)
-        status = put(t, surface, name, is_against);
+        status = put_boundary(t, surface, name, is_against);
     if (status != BATTEN_OK)
         bat_builder_back(&t->builder, mark);
     batten_surface_unref(surface);

@@ -131,11 +131,12 @@ batten_status bat_step_conic_part(const bat_step_reading *reading,
     if (conic->kind != BAT_ELLIPSE)
         return conic_between(reading, instance, conic, bat_min(t0, t1), bat_max(t0, t1),
                              t1 < t0, out);
+    /* An angle of a million radians has lost ten of its digits, and means nothing. */
     if (!(fabs(low) < 1e6 && fabs(high) < 1e6))
         return bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
                              "the angles %g and %g are no angles of a part", t0, t1);
     high -= around * floor((high - low) / around);
-    if (high - low < 1e-9 || high - low > around - 1e-9)
+    if (high - low < BAT_WRITTEN || high - low > around - BAT_WRITTEN)
         high = low + around; /* the same place: all around */
     return conic_between(reading, instance, conic, low, high, !forward, out);
 }

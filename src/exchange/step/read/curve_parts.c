@@ -16,7 +16,7 @@ static batten_status spline_part(const bat_step_reading *reading,
                                  double t0, double t1, bool forward, batten_curve **out)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    const double slack = 1e-9 * (domain.b - domain.a);
+    const double slack = BAT_WRITTEN * (domain.b - domain.a);
     const double low = forward ? t0 : t1, high = forward ? t1 : t0;
     batten_curve *part = NULL;
     if (!(bat_min(t0, t1) >= domain.a - slack && bat_max(t0, t1) <= domain.b + slack))

@@ -129,6 +129,7 @@ static batten_status move_end(edge *e, int index, const double from[3], const do
 {
     const double *point = batten_curve_points(e->curve) + 3 * (size_t)index;
     batten_curve *moved = NULL;
+    /* The gap must be of the end itself: rounding of it beside the gap. */
     if (bat_distance(3, point, from) > 1e-9 * bat_distance(3, from, to))
         return BATTEN_OK;
     batten_status status = batten_curve_with_point(e->curve, index, to, &moved);

@@ -1,3 +1,4 @@
+/* Resolves groups of items, and groups within groups, to their paths. */
 #include "exchange/step/read/groups.h"
 #include "exchange/step/read/topology.h"
 

@@ -39,8 +39,8 @@ batten_status bat_step_items_of(const bat_step_import *import,
 /* ---- finding ---- */
 
 /* Its name, items and context are in the part REPRESENTATION of a complex instance. */
-static batten_status add(bat_step_import *import, const bat_step_instance *instance,
-                         bool is_shape)
+static batten_status add_to_outline(bat_step_import *import, const bat_step_instance *instance,
+                                    bool is_shape)
 {
     const bat_step_record *record = bat_step_as(&import->file, instance, "REPRESENTATION");
     const bat_step_representation made = {
@@ -80,14 +80,14 @@ static batten_status find_all(bat_step_import *import)
     const uint32_t *shapes = outline->representations.items, *maps = outline->maps.items;
     batten_status status = BATTEN_OK;
     for (size_t k = 0; status == BATTEN_OK && k < outline->representations.count; k++)
-        status = add(import, &instances[shapes[k]], true);
+        status = add_to_outline(import, &instances[shapes[k]], true);
     for (size_t k = 0; status == BATTEN_OK && k < outline->maps.count; k++) {
         const bat_step_instance *mapped = NULL;
         const bat_step_record *map =
             bat_step_as(&import->file, &instances[maps[k]], "REPRESENTATION_MAP");
         /* A bad one is noted where it is used. */
         if (bat_step_get_reference(&import->file, map, 1, &mapped) == BATTEN_OK)
-            status = add(import, mapped, false);
+            status = add_to_outline(import, mapped, false);
     }
     sort_out_doubles(&import->representations);
     return status;

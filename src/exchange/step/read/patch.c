@@ -60,6 +60,7 @@ static bool is_border(const border *b, const batten_curve *curve, double toleran
         const double wanted =
             b->weights ? b->weights[(size_t)i * b->stride] / b->weights[0] : 1;
         const double *point = border_point(b, i);
+        /* Weights have no unit: equal to 12 digits, which is what is written of them. */
         const double near = tolerance + 8 * DBL_EPSILON * bat_largest(3, point);
         if (bat_distance(3, &points[3 * i], point) > near ||
             fabs(given - wanted) > 1e-12 * wanted)

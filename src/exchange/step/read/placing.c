@@ -19,7 +19,7 @@ static batten_vec3 square(batten_vec3 a, batten_vec3 z)
     if (fabs(along) <= 4 * DBL_EPSILON * length)
         return unit(a);
     const batten_vec3 rest = bat_vec3_along(a, -along, z);
-    return bat_vec3_norm(rest) > 1e-9 * length ? unit(rest) : (batten_vec3){0, 0, 0};
+    return bat_vec3_norm(rest) > BAT_WRITTEN * length ? unit(rest) : (batten_vec3){0, 0, 0};
 }
 
 static batten_affine columns(batten_vec3 x, batten_vec3 y, batten_vec3 z, batten_vec3 origin,

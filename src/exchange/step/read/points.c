@@ -218,6 +218,7 @@ batten_status bat_step_frame_in(const bat_step_reading *reading,
     if (status != BATTEN_OK)
         return status;
     made.origin = bat_vec3_of(3, point);
+    /* Along x to within a microradian: there the projection of x onto the plane is rounding. */
     made.x = fabs(made.z.x) < 1 - 1e-12 ? (batten_vec3){1, 0, 0} : (batten_vec3){0, 1, 0};
     if (!is_axis)
         status = optional_direction(reading, record, is_plane ? 2 : 3, &made.x);

@@ -155,8 +155,8 @@ static batten_status gather(bat_step_import *import, uint32_t index, const uint3
     return status;
 }
 
-static batten_status make(bat_step_import *import, uint32_t index, const uint32_t *next,
-                          bat_list *parts)
+static batten_status make_model(bat_step_import *import, uint32_t index, const uint32_t *next,
+                                bat_list *parts)
 {
     bat_step_representation *of = definition(import, index);
     char product[BAT_STEP_NAME];
@@ -210,7 +210,7 @@ static batten_status make_with_children(making *m, uint32_t root)
             continue;
         }
         m->way.count--;
-        status = make(m->import, top->index, m->next, &m->parts);
+        status = make_model(m->import, top->index, m->next, &m->parts);
     }
     return status;
 }

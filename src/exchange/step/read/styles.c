@@ -1,3 +1,4 @@
+/* Collects colours, layers and invisible items from presentation styles. */
 #include "exchange/step/read/styles.h"
 #include "exchange/step/read/topology.h"
 

@@ -123,6 +123,7 @@ static batten_status plane_of_line(const bat_step_reading *reading,
     const batten_vec3 x = bat_vec3_scale(line->frame.x, 1 / bat_vec3_norm(line->frame.x));
     const batten_vec3 z = bat_vec3_cross(x, bat_vec3_scale(along, 1 / bat_vec3_norm(along)));
     const double sine = bat_vec3_norm(z);
+    /* Unit vectors are so only to rounding: below this the normal has no digits. */
     if (sine < 1e-12)
         return bat_step_fail(reading->file, instance, BATTEN_BAD_FORMAT,
                              "its line runs along its direction");
@@ -138,7 +139,7 @@ static batten_status turned_line(const bat_step_reading *reading,
                                  const batten_frame *axis, bat_elementary *elementary,
                                  bool *is_reversed)
 {
-    const double round = 1e-9;
+    const double round = BAT_WRITTEN;
     const batten_vec3 d = bat_vec3_scale(line->frame.x, 1 / bat_vec3_norm(line->frame.x));
     const batten_vec3 way = bat_vec3_subtract(line->frame.origin, axis->origin);
     const double height = bat_vec3_dot(way, axis->z), rise = bat_vec3_dot(d, axis->z);

@@ -46,8 +46,8 @@ static range in_order(range r)
 
 /* With u and v from low to high: give it the domain and turn what runs against the parameter.
  */
-static batten_status finish(batten_surface *made, const range *u, const range *v,
-                            batten_surface **out)
+static batten_status finish_trim(batten_surface *made, const range *u, const range *v,
+                                 batten_surface **out)
 {
     const range *const ranges[2] = {u, v};
     batten_surface *now = batten_surface_ref(made), *next = NULL;
@@ -143,7 +143,7 @@ static batten_status primitive(const bat_step_reading *reading,
             status = turned(curve, &e->frame, &u, &made);
     }
     if (status == BATTEN_OK)
-        status = finish(made, &u, &v, out);
+        status = finish_trim(made, &u, &v, out);
     batten_curve_unref(curve);
     batten_surface_unref(made);
     return bat_step_blame(reading->file, instance, status);
@@ -164,7 +164,7 @@ static batten_status revolution(const bat_step_reading *reading, const bat_step_
     if (status == BATTEN_OK) { /* the curve has been turned already */
         const batten_interval domain = batten_surface_domain(made, BATTEN_V);
         const range along = {domain.a, domain.b, true};
-        status = finish(made, &u, &along, out);
+        status = finish_trim(made, &u, &along, out);
     }
     batten_curve_unref(curve);
     batten_surface_unref(made);
@@ -189,7 +189,7 @@ static batten_status extrusion(const bat_step_reading *reading, const bat_step_s
     if (status == BATTEN_OK) {
         const batten_interval domain = batten_surface_domain(made, BATTEN_U);
         const range along = {domain.a, domain.b, true};
-        status = finish(made, &along, &v, out);
+        status = finish_trim(made, &along, &v, out);
     }
     batten_curve_unref(curve);
     batten_curve_unref(base);
@@ -199,7 +199,8 @@ static batten_status extrusion(const bat_step_reading *reading, const bat_step_s
 
 /* ---- B-splines, and offsets ---- */
 
-static batten_status part(const batten_surface *whole, range u, range v, batten_surface **out)
+static batten_status part_of_surface(const batten_surface *whole, range u, range v,
+                                     batten_surface **out)
 {
     const range ranges[2] = {in_order(u), in_order(v)};
     batten_surface *now = batten_surface_ref(whole), *next = NULL;
@@ -207,7 +208,7 @@ static batten_status part(const batten_surface *whole, range u, range v, batten_
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
         const batten_direction direction = k ? BATTEN_V : BATTEN_U;
         const batten_interval domain = batten_surface_domain(now, direction);
-        const double slack = 1e-9 * (domain.b - domain.a), a = low(&ranges[k]),
+        const double slack = BAT_WRITTEN * (domain.b - domain.a), a = low(&ranges[k]),
                      b = high(&ranges[k]);
         if (!(a >= domain.a - slack && b <= domain.b + slack))
             status = bat_fail(BATTEN_OUT_OF_DOMAIN,
@@ -228,7 +229,7 @@ static batten_status part(const batten_surface *whole, range u, range v, batten_
         const range over[2] = {
             ranges[0].forward ? (range){du.a, du.b, true} : (range){du.b, du.a, false},
             ranges[1].forward ? (range){dv.a, dv.b, true} : (range){dv.b, dv.a, false}};
-        status = finish(now, &over[0], &over[1], out);
+        status = finish_trim(now, &over[0], &over[1], out);
     }
     batten_surface_unref(now);
     return status;
@@ -264,7 +265,7 @@ static batten_status of_spline(const bat_step_reading *reading,
     if (status == BATTEN_OK)
         status = bat_step_surface_in(reading, basis, &whole);
     if (status == BATTEN_OK)
-        status = bat_step_blame(file, instance, part(whole, *u, *v, out));
+        status = bat_step_blame(file, instance, part_of_surface(whole, *u, *v, out));
     batten_surface_unref(whole);
     return status;
 }
@@ -288,6 +289,7 @@ batten_status bat_step_trimmed_surface(const bat_step_reading *reading,
     for (int k = 0; status == BATTEN_OK && k < 2; k++)
         status = bat_step_get_logical(file, record, 6 + k, &sense[k]);
     for (int k = 0; status == BATTEN_OK && k < 4; k++)
+        /* So that differences and squares of the parameters do not overflow. */
         if (!(fabs(at[k]) < 1e100) || at[k / 2 * 2] == at[k / 2 * 2 + 1])
             status =
                 bat_step_fail(file, instance, BATTEN_BAD_FORMAT, "its %c runs from %g to %g",

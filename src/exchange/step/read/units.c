@@ -1,3 +1,4 @@
+/* Finds the units and the accuracy of the context of a representation. */
 #include "exchange/step/read/units.h"
 #include "exchange/step/read/topology.h"
 
@@ -26,7 +27,8 @@ static double prefix_at(const bat_step_file *file, const bat_step_record *record
     static const struct {
         const char *word;
         double factor;
-    } prefixes[] = {{"EXA", 1e18},  {"PETA", 1e15},  {"TERA", 1e12},   {"GIGA", 1e9},
+    } prefixes[] = {/* the powers of ten of the SI, from exa to atto */
+                    {"EXA", 1e18},  {"PETA", 1e15},  {"TERA", 1e12},   {"GIGA", 1e9},
                     {"MEGA", 1e6},  {"KILO", 1e3},   {"HECTO", 1e2},   {"DECA", 1e1},
                     {"DECI", 1e-1}, {"CENTI", 1e-2}, {"MILLI", 1e-3},  {"MICRO", 1e-6},
                     {"NANO", 1e-9}, {"PICO", 1e-12}, {"FEMTO", 1e-15}, {"ATTO", 1e-18}};
@@ -214,7 +216,9 @@ static double accuracy(const bat_step_file *file, bat_step_units *units,
     if (units->extent < 0)
         units->extent = measure_extent(file);
     const double size = units->extent * metres / units->unit_metres;
+    /* 1e-12: what doubles of that size, and sums of a few of them, can hold */
     const bool is_fine = stated > 0 && stated < 1e-12 * size;
+    /* Where the model has no size: a nanometre. */
     const double usual = is_fine    ? 1e-12 * size
                          : size > 0 ? 1e-6 * size
                                     : 1e-9 / units->unit_metres;

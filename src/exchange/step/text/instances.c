@@ -1,3 +1,4 @@
+/* Cuts the text of a STEP file into instances with their records. */
 #include "exchange/step/text/instances.h"
 
 #include "exchange/step/text/scan.h"
@@ -17,7 +18,7 @@ typedef struct {
     bool has_data, is_over;
 } reading;
 
-static void note(const reading *r, size_t at, const char *text)
+static void note_damage(const reading *r, size_t at, const char *text)
 {
     const bat_input *input = r->file->input;
     batten_notes_add(input->notes, input->file, bat_step_line(r->file, at), "", "%s", text);
@@ -158,7 +159,7 @@ static batten_status scan_instance(reading *r, size_t *at)
     batten_status status = BATTEN_OK;
     const size_t first = r->file->records.count;
     if (r->section != DATA && !r->has_data)
-        note(r, *at, "instances stand outside a DATA section");
+        note_damage(r, *at, "instances stand outside a DATA section");
     r->has_data = true;
     if (!bat_step_scan_id(scan, at, &r->id) ||
         !bat_step_scan_byte(scan, at, '=', "'=' should follow the number of an instance") ||
@@ -263,7 +264,7 @@ static bool scan_section(reading *r, size_t begin, size_t end, size_t *at)
     } else if (is_word(scan, begin, end, "END-ISO-10303-21")) {
         r->is_over = true;
         if (r->section == DATA)
-            note(r, begin, "the DATA section has no ENDSEC");
+            note_damage(r, begin, "the DATA section has no ENDSEC");
     } else if (!is_word(scan, begin, end, "ISO-10303-21")) {
         return false;
     }
@@ -339,20 +340,21 @@ static void note_ending(reading *r)
     bat_input *input = r->file->input;
     const bat_step_scanner *scan = &r->scan;
     if (scan->lower_case != SIZE_MAX)
-        note(r, scan->lower_case, "keywords are in lower case; read as in upper case");
+        note_damage(r, scan->lower_case, "keywords are in lower case; read as in upper case");
     if (scan->broken_string != SIZE_MAX)
-        note(r, scan->broken_string,
-             "a string runs over the end of a line; the break is dropped");
+        note_damage(r, scan->broken_string,
+                    "a string runs over the end of a line; the break is dropped");
     if (scan->bare_point != SIZE_MAX)
-        note(r, scan->bare_point, "a number has no digit before its point; read as with a 0");
+        note_damage(r, scan->bare_point,
+                    "a number has no digit before its point; read as with a 0");
     if (r->file->has_end || input->is_cut)
         return;
     if (r->section == DATA && !r->is_over) {
-        note(r, input->size ? input->size - 1 : 0,
-             "the file ends in a DATA section; what is whole is read");
+        note_damage(r, input->size ? input->size - 1 : 0,
+                    "the file ends in a DATA section; what is whole is read");
         input->is_cut = true;
     } else {
-        note(r, input->size ? input->size - 1 : 0, "END-ISO-10303-21; is missing");
+        note_damage(r, input->size ? input->size - 1 : 0, "END-ISO-10303-21; is missing");
     }
 }
 

@@ -1,3 +1,4 @@
+/* The grammar of ISO 10303-21, byte by byte. */
 #include "exchange/step/text/scan.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Decodes strings: doubled quotes, and the \X\, \X2\, \X4\ and \S\ directives. */
 #include "exchange/step/text/instances.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Builds the table of instances and finds them by number and keyword. */
 #include "exchange/step/text/table.h"
 
 #include <limits.h>

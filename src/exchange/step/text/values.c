@@ -1,3 +1,4 @@
+/* Reads the arguments of a record as values, and reports failures by instance. */
 #include "exchange/step/text/instances.h"
 
 #include "exchange/step/text/scan.h"

@@ -1,5 +1,6 @@
 /* How accurate a STEP file says that it is. */
 #include "base/real.h"
+#include "exchange/shapes/prepare.h"
 #include "exchange/step/write/writing.h"
 
 #include <math.h>
@@ -43,8 +44,10 @@ static double smallest(const batten_model *model)
 
 double bat_step_accuracy(const bat_definitions *parts, const batten_write_options *options)
 {
-    double accuracy = 1e-6 / batten_model_unit_metres(parts->models[0]), worst = 0;
+    double accuracy = BAT_WRITE_TOLERANCE / batten_model_unit_metres(parts->models[0]),
+           worst = 0;
     for (int i = 0; i < parts->count; i++) {
+        /* Small models need a finer one: a thousandth of the smallest part. */
         accuracy = bat_min(accuracy, 1e-3 * smallest(parts->models[i]));
         worst = bat_max(worst, loosest(parts->models[i]));
     }

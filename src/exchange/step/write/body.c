@@ -20,7 +20,7 @@ typedef struct {
     batten_surface **shapes; /* [face_count] */
 } writing;
 
-static batten_status begin(writing *w)
+static batten_status begin_body(writing *w)
 {
     const batten_body_parts *p = w->parts;
     const size_t faces = (size_t)p->face_count, edges = (size_t)p->edge_count;
@@ -40,7 +40,7 @@ static batten_status begin(writing *w)
     return BATTEN_OK;
 }
 
-static void end(writing *w)
+static void end_body(writing *w)
 {
     for (int i = 0; w->shapes && i < w->parts->face_count; i++)
         batten_surface_unref(w->shapes[i]);
@@ -344,7 +344,7 @@ batten_status bat_step_body(bat_step *step, const char *name, const batten_body 
                             int *faces, int *out)
 {
     writing w = {.step = step, .parts = batten_body_view(body)};
-    batten_status status = begin(&w);
+    batten_status status = begin_body(&w);
     if (status == BATTEN_OK) {
         gather_uses(&w);
         status = put_surfaces(&w);
@@ -356,6 +356,6 @@ batten_status bat_step_body(bat_step *step, const char *name, const batten_body 
             faces[f] = put_face(&w, f);
         status = put_shells(&w, name, faces, out);
     }
-    end(&w);
+    end_body(&w);
     return status;
 }

@@ -1,3 +1,4 @@
+/* Writes points, placements, curves and surfaces as instances. */
 #include "base/real.h"
 #include "exchange/step/step.h"
 

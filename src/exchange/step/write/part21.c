@@ -1,3 +1,4 @@
+/* Writes instances as text: numbers, strings and lists. */
 #include "base/real.h"
 #include "exchange/step/step.h"
 
@@ -9,7 +10,7 @@
 /* 120 with the end of an instance. */
 #define COLUMNS 118
 
-static void put(bat_step *step, const char *token, size_t length)
+static void put_bytes(bat_step *step, const char *token, size_t length)
 {
     const size_t used = step->text->length - step->line;
     if (used > 0 && used + length > COLUMNS) {
@@ -21,7 +22,7 @@ static void put(bat_step *step, const char *token, size_t length)
 
 void bat_step_token(bat_step *step, const char *token)
 {
-    put(step, token, strlen(token));
+    put_bytes(step, token, strlen(token));
 }
 
 /* Put a number that stands in the token, with what comes after it. */
@@ -30,7 +31,7 @@ static void put_number(bat_step *step, char *token, int length, const char *afte
     const size_t more = strlen(after);
     assert(more < 16);
     memcpy(token + length, after, more);
-    put(step, token, (size_t)length + more);
+    put_bytes(step, token, (size_t)length + more);
 }
 
 int bat_step_open(bat_step *step, const char *keyword)
@@ -42,7 +43,7 @@ int bat_step_open(bat_step *step, const char *keyword)
     head[length++] = '=';
     memcpy(head + length, keyword, more);
     head[(size_t)length + more] = '(';
-    put(step, head, (size_t)length + more + 1);
+    put_bytes(step, head, (size_t)length + more + 1);
     return step->count;
 }
 

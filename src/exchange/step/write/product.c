@@ -11,6 +11,7 @@ static int put_length(bat_step *step, double metres)
     static const struct {
         double metres;
         const char *prefix;
+        /* The prefixes of ISO 10303-41, as factors. */
     } prefixes[] = {
         {1, "$"}, {0.001, ".MILLI."}, {0.01, ".CENTI."}, {1000, ".KILO."}, {1e-6, ".MICRO."}};
     for (size_t k = 0; k < sizeof prefixes / sizeof prefixes[0]; k++)

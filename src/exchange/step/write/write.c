@@ -328,7 +328,7 @@ static batten_status write_all(bat_step_writing *w, const batten_model *model)
     return status;
 }
 
-static void end(bat_step_writing *w)
+static void end_writing(bat_step_writing *w)
 {
     bat_definitions_end(&w->parts);
     bat_release(w->nodes);
@@ -371,7 +371,7 @@ batten_status bat_write_step(const batten_model *model, const batten_write_optio
         w.step.tolerance = bat_step_accuracy(&w.parts, options);
         status = write_all(&w, scaled);
     }
-    end(&w);
+    end_writing(&w);
     batten_model_unref(scaled);
     return status;
 }
