@@ -1,3 +1,4 @@
+/* A table of offsets as battens that share their ducks: along its lines, and along its stations. */
 #include "fair/batten_net.h"
 
 #include <float.h>

@@ -4,6 +4,7 @@
 #include "inspect/local.h"
 #include "numeric/polynomial.h"
 #include "numeric/quadrature.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 
 /* ---- where curvature turns on a span ---- */
@@ -114,7 +115,7 @@ static batten_status add_joints(const batten_chain *chain, double largest, doubl
 {
     const int d = batten_chain_dimension(chain), n = chain->count;
     /* Slopes of a function have no size of their own. */
-    const bat_joint_scale scale = {largest, d == 1 ? 1e-9 * largest * length : 0, 0};
+    const bat_joint_scale scale = {largest, d == 1 ? BAT_MEANT_SAME * largest * length : 0, 0};
     batten_status status = BATTEN_OK;
     for (int i = !chain->closed; i < n && status == BATTEN_OK; i++) {
         double before[4 * 3], after[4 * 3];
@@ -160,7 +161,7 @@ static batten_status add_spans(const batten_chain *chain, profile *p, double *le
 static void count(const batten_chain *chain, const profile *p, double length,
                   batten_fairness *out)
 {
-    const double small = 1e-9 * p->largest;
+    const double small = BAT_MEANT_SAME * p->largest;
     /* A turn of 1e-14 over the whole length is rounding. */
     const double zero = chain->dimension > 1 ? bat_max(small, 1e-14 / length) : small;
     bat_scan s = {.from = p->curvature[0]};

@@ -1,3 +1,4 @@
+/* The elastic batten: its matrix, the forces at its ducks, and what a duck does when released. */
 #include "fair/elastic_batten.h"
 #include "numeric/banded.h"
 

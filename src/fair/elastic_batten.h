@@ -12,6 +12,10 @@
 #include "numeric/vector.h"
 #include <batten/fair.h>
 
+/* Sweeps and the method of least energy end when no duck would move farther than this share of
+ * its bound: less is nothing that anyone sees or measures. */
+#define BAT_DUCK_AT_REST 1e-6
+
 typedef struct {
     int count;
     const double *t;  /* [count], borrowed */

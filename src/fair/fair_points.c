@@ -1,3 +1,4 @@
+/* Points of a curve faired within bounds: blunders first, then sweeps or the least energy. */
 #include "fair/fair_points.h"
 #include "base/plural.h"
 #include "base/work.h"
@@ -189,6 +190,7 @@ static int worst_duck(const bat_batten *batten, const bat_ducks *ducks, const do
         const double force = bat_distance(w, forces + i * w, zero);
         if (ducks->freedom[i] == 0 || force <= worst)
             continue;
+        /* A thousandth part of what the sweeps stop at: to release less is no gain. */
         bat_duck_release(batten, ducks, i, z + i * w, forces + i * w, relaxation, place);
         if (bat_distance(w, z + i * w, place) > 1e-9 * ducks->within[i]) {
             worst = force;
@@ -277,7 +279,7 @@ static batten_status alternate(const springback *s, const bat_batten *batten, in
     int *freedom = bat_array((size_t)n, sizeof *freedom);
     batten_status status = centre && freedom ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     double change = HUGE_VAL;
-    for (int k = 0; status == BATTEN_OK && k < rounds && change > 1e-6; k++) {
+    for (int k = 0; status == BATTEN_OK && k < rounds && change > BAT_DUCK_AT_REST; k++) {
         change = 0;
         for (int parity = 0; status == BATTEN_OK && parity < 2; parity++)
             status = release_half(s, batten, first, parity, centre, freedom, z, &change);

@@ -1,5 +1,6 @@
-#include "fair/fairness.h"
+/* The report of fairing: points that moved, by how much, fairness before and after, suspects. */
 #include "fair/fair_points.h"
+#include "fair/fairness.h"
 #include "numeric/select.h"
 
 #include <float.h>

@@ -1,3 +1,7 @@
+/*
+ * The numbers behind the word "fair", of a curve: corners, jumps and extremes of curvature, and
+ * inflections.
+ */
 #include "fair/fairness.h"
 #include "base/plural.h"
 #include "inspect/inflections.h"
@@ -112,6 +116,7 @@ static void add_step(int d, const double *before, const double *after,
     const double bent = bat_max(bat_norm(d, k[0]), bat_norm(d, k[1]));
     if (bat_distance(d, t[0], t[1]) > SAME * steepest + scale->direction_noise)
         out->corners++;
+    /* Nine digits: what is left of curvatures of points given with twelve. */
     else if (bat_distance(d, k[0], k[1]) >
              SAME * bent + 1e-9 * scale->largest + scale->curvature_noise)
         out->curvature_jumps++;

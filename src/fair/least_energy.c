@@ -317,14 +317,14 @@ batten_status bat_batten_least(const bat_batten *batten, const bat_ducks *ducks,
     }
     if (status == BATTEN_OK) {
         const double rest = unrest(&p);
-        if (rest <= 1e-6) {
+        if (rest <= BAT_DUCK_AT_REST) {
             memcpy(z, p.z, (size_t)batten->count * (size_t)ducks->width * sizeof *z);
             *residual = rest;
         } else {
             status =
                 bat_fail(BATTEN_TOLERANCE_NOT_MET,
                          "a released point would still move by %g of its bound, more than %g",
-                         rest, 1e-6);
+                         rest, BAT_DUCK_AT_REST);
         }
     }
     end(&p);

@@ -1,7 +1,8 @@
+/* A table of offsets faired as a net of battens, line by line and station by station. */
 #include "base/plural.h"
 #include "base/work.h"
-#include "fair/fair_points.h"
 #include "fair/batten_net.h"
+#include "fair/fair_points.h"
 
 #include <string.h>
 

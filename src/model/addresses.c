@@ -1,3 +1,4 @@
+/* Addresses and a number for each, in a table of hashes. */
 #include "model/addresses.h"
 
 #include <stdint.h>

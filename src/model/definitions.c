@@ -1,3 +1,4 @@
+/* The models that instances place, each once, listed in the order of what they place. */
 #include "model/definitions.h"
 
 #include <limits.h>

@@ -1,3 +1,4 @@
+/* Objects in groups within groups, visited one group after another. */
 #include "model/groups.h"
 
 #include <batten/text.h>

@@ -1,3 +1,4 @@
+/* A model in which what instances place has the colour of the instance. */
 #include "model/inherited_colours.h"
 #include "model/definitions.h"
 

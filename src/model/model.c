@@ -1,3 +1,4 @@
+/* Models: named objects with a unit, shared by reference. */
 #include "base/base.h"
 
 #include <batten/model.h>

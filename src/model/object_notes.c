@@ -1,3 +1,4 @@
+/* Notes about the parts of an object, gathered as notes about the object. */
 #include "model/object_notes.h"
 
 #include <batten/text.h>

@@ -1,3 +1,4 @@
+/* Tables of offsets: stations and named lines of points, and which of them are selected. */
 #include "base/base.h"
 #include "base/plural.h"
 #include <batten/offset_table.h>

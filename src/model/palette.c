@@ -1,3 +1,4 @@
+/* The colours of triangles, each once. */
 #include "model/palette.h"
 
 #include <stdlib.h>

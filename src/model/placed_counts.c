@@ -1,3 +1,4 @@
+/* How many objects the instances of a model place in all, without placing them. */
 #include "model/placed_counts.h"
 #include "model/definitions.h"
 

@@ -1,3 +1,4 @@
+/* A model made anew from changed objects, the models that it places among them. */
 #include "model/rebuild.h"
 #include "model/definitions.h"
 

@@ -1,3 +1,4 @@
+/* Numbers that a change of the unit leaves beside a short decimal one. */
 #include "model/short_decimal.h"
 
 #include <math.h>

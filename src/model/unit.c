@@ -1,3 +1,4 @@
+/* Models in another unit: all lengths scaled, decimals kept short. */
 #include "model/rebuild.h"
 #include "model/short_decimal.h"
 

@@ -80,6 +80,7 @@ static batten_status check_function(int which, const batten_curve *function, int
         if (status != BATTEN_OK)
             return status;
         for (int k = 0; k <= derivatives; k++) {
+            /* Values of 0 and 1 given with ten digits; the polynomials themselves round at 1e-15. */
             const double wanted = k == which / 2 && end == which % 2;
             if (!(fabs(values[k] - wanted) <= 1e-10))
                 return bat_fail(BATTEN_NOT_COMPATIBLE, "%s: %s at %d is %g, not %g",

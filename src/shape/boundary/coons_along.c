@@ -107,6 +107,7 @@ static batten_status solve(int d, const double *n, const double *e, const double
 {
     const double nn = bat_dot(d, n, n), ne = bat_dot(d, n, e), ee = bat_dot(d, e, e);
     const double area2 = nn * ee - ne * ne, length = bat_norm(d, wanted);
+    /* The square of a sine of 1e-12, below which the area is rounding alone. */
     if (!(area2 > 1e-24 * nn * ee) || !isfinite(area2))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the surface has no tangent plane at an end of the curve");

@@ -7,6 +7,7 @@
  * slopes blended from those of the curves leave no other terms (see coons_patch.c).
  */
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "shape/boundary/coons_formula.h"
 #include "shape/grid/net_twists.h"
 
@@ -35,7 +36,7 @@ batten_surface_coons_network_options batten_surface_coons_network_defaults(void)
         .size = sizeof(batten_surface_coons_network_options),
         .blending = BATTEN_BLENDING_COONS,
         .twists = BATTEN_TWISTS_ADINI,
-        .tolerance = 1e-6,
+        .tolerance = 1e-6, /* with metres, a micrometre */
         .parameters = BATTEN_CENTRIPETAL,
         .ends = BATTEN_END_NOT_A_KNOT};
 }
@@ -97,8 +98,8 @@ static batten_status thin(const piecewise *p, int smooth, batten_curve *full,
     for (int c = 1; status == BATTEN_OK && c < p->cells; c++) {
         batten_curve *thinner = NULL;
         int removed = 0;
-        status = batten_curve_remove_knot(*out, p->ends[c], smooth, 1e-12 * largest, &removed,
-                                          NULL, &thinner);
+        status = batten_curve_remove_knot(*out, p->ends[c], smooth, BAT_ROUNDING * largest,
+                                          &removed, NULL, &thinner);
         if (status == BATTEN_OK && removed < smooth)
             status = bat_fail(BATTEN_TOLERANCE_NOT_MET,
                               "a blending function is not smooth at parameter %g", p->ends[c]);

@@ -38,7 +38,7 @@ batten_surface_coons_options batten_surface_coons_defaults(void)
 {
     return (batten_surface_coons_options){.size = sizeof(batten_surface_coons_options),
                                           .order = 1,
-                                          .tolerance = 1e-6,
+                                          .tolerance = 1e-6, /* with metres, a micrometre */
                                           .twist = BATTEN_TWIST_GREGORY};
 }
 

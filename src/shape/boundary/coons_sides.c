@@ -1,5 +1,6 @@
 /* Four sides from boundary curves in any order and direction. */
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/coons.h>
@@ -25,7 +26,7 @@ static batten_status orient(const batten_curve *curve, bool reversed, bool by_le
     else if (status == BATTEN_OK)
         turned = batten_curve_ref(open);
     if (status == BATTEN_OK && by_length)
-        status = batten_curve_length(turned, 1e-9 * size, &length, NULL);
+        status = batten_curve_length(turned, BAT_MEANT_SAME * size, &length, NULL);
     if (status == BATTEN_OK)
         status = batten_curve_set_domain(turned, 0, length, out);
     batten_curve_unref(turned);

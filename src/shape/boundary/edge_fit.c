@@ -1,3 +1,4 @@
+/* The edge of a surface that has no exact edge curve: a curve fitted to it. */
 #include "shape/boundary/edge_fit.h"
 
 #include "numeric/vector.h"

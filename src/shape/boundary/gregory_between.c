@@ -28,6 +28,7 @@ static batten_status look_at_end(batten_vec3 along, const double *across, const 
                         "the edge is too large: products of its derivatives are beyond all "
                         "numbers at its %s",
                         number == 0 ? "start" : "end");
+    /* Sines: unit normals come from cross products of derivatives, of ten digits at best. */
     if (!(size > 1e-10 * speed * bat_vec3_norm(n)) ||
         !(bat_vec3_norm(bat_vec3_cross(out->across, along)) > 1e-10 * speed * a))
         return bat_fail(BATTEN_SINGULAR_HERE,
@@ -85,6 +86,7 @@ batten_status batten_gregory_field(const double *edge, const double *across,
             BATTEN_NOT_COMPATIBLE,
             "the derivatives across lie on different sides of the edge at its ends");
     const batten_vec3 sum = bat_vec3_add(ends[0].g, ends[1].g);
+    /* Of unit vectors; nearer to opposite, the direction between them has ten digits at most. */
     if (!(bat_vec3_norm(sum) > 1e-6))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the planes at the ends of the edge are turned by half a turn: divide "

@@ -1,5 +1,6 @@
 /* Which surface lies beside a curve, and its ribbon along it. */
 #include "base/base.h"
+#include "numeric/rounding.h"
 #include "shape/boundary/edge_fit.h"
 #include <batten/fill.h>
 
@@ -12,7 +13,7 @@ static batten_status settle(const batten_curve *curve, double *at)
         return BATTEN_OUT_OF_MEMORY;
     const int count = batten_curve_spans(curve, breaks);
     for (int i = 0; i < count; i++)
-        if (fabs(*at - breaks[i]) < 1e-9 * (domain.b - domain.a)) {
+        if (fabs(*at - breaks[i]) < BAT_MEANT_SAME * (domain.b - domain.a)) {
             *at = breaks[i];
             break;
         }

@@ -87,6 +87,7 @@ static batten_status find_plane(size_t count, const double *points, double mean[
             for (int j = 0; j < 3; j++)
                 a[3 * i + j] += (points[3 * t + (size_t)i] - mean[i]) / size *
                                 ((points[3 * t + (size_t)j] - mean[j]) / size);
+    /* Of squares: widths of 1e-7 of the length, where the rounding of the sums begins. */
     bat_eigen_symmetric(3, a, values, vectors);
     if (!(values[1] > 1e-14 * values[2]))
         return bat_fail(BATTEN_COINCIDENT, "the points lie on a line: no plane is theirs");
@@ -94,6 +95,7 @@ static batten_status find_plane(size_t count, const double *points, double mean[
         memcpy(axes[k], vectors + 3 * (2 - k), 3 * sizeof(double));
     turn_to_smallest(count, points, mean, size, axes);
     for (int k = 0; k < 2; k++) {
+        /* The first of equal components: equal to nine digits, lest rounding choose. */
         double longest = 0;
         for (int c = 0; c < 3; c++)
             if (fabs(axes[k][c]) > fabs(longest) * (1 + 1e-9))

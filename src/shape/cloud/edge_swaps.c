@@ -47,6 +47,7 @@ static bool is_stout(const swapper *s, int a, int b, int c)
     const double *r = s->triangles->vertices + 2 * (size_t)c;
     const double x = q[0] - p[0], y = q[1] - p[1], u = r[0] - p[0], v = r[1] - p[1];
     const double longest = bat_max(bat_max(hypot(x, y), hypot(u, v)), hypot(u - x, v - y));
+    /* A height of a millionth of the longest side: thinner, gradients lose all digits. */
     return (x * v - y * u) / longest > 1e-6 * longest;
 }
 
@@ -164,6 +165,7 @@ static batten_status swap_all(swapper *s, int *swaps)
         s->first = (s->first + 1) % s->size;
         s->count--;
         s->waiting[side] = false;
+        /* A gain in radians; less is the rounding of an angle, and might be swapped back forever. */
         if (!take_pair(s, side, &p) || !is_stout(s, p.c, p.a, p.d) ||
             !is_stout(s, p.d, p.b, p.c) || !(gain(s, &p) > 1e-12))
             continue;

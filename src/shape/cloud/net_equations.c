@@ -322,9 +322,11 @@ static batten_status descend(bat_scatter *s, double lambda, const gradients *g, 
     multiply(s, lambda, x, g->image);
     for (size_t i = 0; i < n; i++)
         g->rest[i] = b[i] - g->image[i];
+    /* Nine digits of the right side, squared. */
     double square = scaled_square(n, g->rest, g->diagonal), before = 0;
     const double enough = 1e-18 * scaled_square(n, b, g->diagonal);
     for (int step = 0; square > enough; step++, y->iterations++) {
+        /* The square root of `enough` stands for 1e-9. */
         if (step == MOST_STEPS)
             return bat_fail(BATTEN_TOLERANCE_NOT_MET,
                             "conjugate gradients leave %g of the right side after %d step%s",

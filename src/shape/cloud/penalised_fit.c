@@ -24,6 +24,7 @@ static batten_status score_at(void *user, double lambda, double *score)
     double rms;
     const batten_status status = rms_at(user, lambda, &rms);
     const double rest = status == BATTEN_OK ? s->counted - bat_scatter_freedom(s) : 0;
+    /* With less left for the rest, interpolation; the trace is estimated to fewer digits. */
     *score = rest > 1e-6 * s->counted ? rms * s->counted / rest : HUGE_VAL;
     return status == BATTEN_SINGULAR_SYSTEM ? BATTEN_OK : status;
 }
@@ -72,6 +73,7 @@ static batten_status solve(bat_scatter *s, double lambda)
     batten_status status = bat_scatter_solve(s, bat_min(lambda, most));
     if (status == BATTEN_SINGULAR_SYSTEM && lambda < least)
         status = bat_scatter_solve(s, least);
+    /* So stiff that the penalty alone, which has no null space but planes, decides. */
     else if (status == BATTEN_SINGULAR_SYSTEM)
         status = bat_scatter_solve(s, s->system.scale * 1e8);
     s->freedom = status == BATTEN_OK ? bat_scatter_freedom(s) : 0;

@@ -8,6 +8,7 @@
 #include "shape/near/smooth.h"
 #include <batten/scattered.h>
 
+/* `share` and `hold` of a fit, see bat_scatter. */
 #define BAT_SCATTER_SHARE 1e-4
 #define BAT_SCATTER_HOLD 1e-2
 

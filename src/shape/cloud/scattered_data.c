@@ -1,4 +1,5 @@
 /* Scattered data as they come in: checked, moved about their centre, in a domain of size 1. */
+#include "numeric/rounding.h"
 #include "shape/cloud/scattered.h"
 #include "spline/curve/curve.h"
 
@@ -85,7 +86,7 @@ static batten_status set_domain(bat_scatter *s, const double *uv)
         size[k] = domain[k][1] - domain[k][0];
         s->origin[k] = domain[k][0];
         /* Below this the numbers between the ends are too few for knots. */
-        if (!(size[k] > 1e-9 * bat_max(fabs(domain[k][0]), fabs(domain[k][1])) &&
+        if (!(size[k] > BAT_MEANT_SAME * bat_max(fabs(domain[k][0]), fabs(domain[k][1])) &&
               size[k] > DBL_MIN && size[k] < HUGE_VAL))
             return bat_fail(BATTEN_COINCIDENT,
                             "the domain goes from %g to %g along %c: that is no area",

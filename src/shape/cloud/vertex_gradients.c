@@ -332,6 +332,7 @@ static batten_status solve(network *n, const double *values, double *x, int *ste
 {
     memset(n->x, 0, n->size * sizeof *n->x);
     apply(n, values, n->x, n->residual);
+    /* A residual of 1e-14 of the first, squared: as far as rounding allows. */
     const double enough = 1e-28 * precondition(n);
     apply(n, values, x, n->residual);
     double product = precondition(n);
@@ -344,6 +345,7 @@ static batten_status solve(network *n, const double *values, double *x, int *ste
                 BATTEN_INCOMPLETE,
                 "the network of least bending is not found in %d steps: the residual "
                 "is %g of the first",
+                /* The square root of `enough` stands for 1e-14. */
                 MOST_STEPS, sqrt(product / enough) * 1e-14);
         apply(n, NULL, n->direction, n->image);
         const double step = product / dot(n->size, n->direction, n->image);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum { FIRST_SPANS = 4, USUAL_MOST = 250000, BINS = 8, PARTS = 16, MOST_ROUNDS = 60 };
-#define LEAST_SHARE                                                          \
+#define LEAST_SHARE \
     1e-9 /* of the penalty that only keeps the equations from being singular \
           */
 
@@ -92,6 +92,7 @@ static void add_datum(const bat_scatter *s, size_t t, remains *r)
         const double x = s->uv[2 * t + (size_t)k];
         span[k] = r->number[k][bat_knots_span(axis->degree, axis->count, axis->knots, x,
                                               BATTEN_FROM_RIGHT)];
+        /* Within the span: the last place before its end. */
         const double a = r->low[k][span[k]], b = r->low[k][span[k] + 1];
         part[k] = bat_min((x - a) / (b - a), 1 - 1e-9);
     }
@@ -256,6 +257,7 @@ static batten_status thin(bat_scatter *s, double tolerance, double most)
     const double knots = s->axis[0].count + s->axis[1].count;
     double budget = (tolerance - most) * (1 - 1e-6);
     batten_surface *surface = NULL;
+    /* The cost of trying all knots, a second or so. */
     if (knots * s->axis[0].count * s->axis[1].count > 5e7)
         return BATTEN_OK;
     batten_status status = bat_scatter_net(s, &surface);

@@ -1,3 +1,4 @@
+/* Curves that join the ends of two others smoothly, and which ends are nearest. */
 #include "inspect/affine/side.h"
 #include "numeric/vector.h"
 #include "shape/linear/local.h"

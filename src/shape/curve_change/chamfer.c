@@ -1,4 +1,6 @@
+/* Corners cut off by straight lines, between two curves or along one. */
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/extend.h"
@@ -74,7 +76,7 @@ batten_status batten_curves_chamfer(const batten_curve *first, const batten_curv
     if (status != BATTEN_OK)
         return status;
     const double gap = bat_distance(first->dimension, ends[0], ends[1]);
-    if (gap > tolerance + 1e-13 * bat_curve_size(first))
+    if (gap > tolerance + BAT_EXACT * bat_curve_size(first))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the curves are %g apart where they should meet",
                         gap);
     for (int k = 0; status == BATTEN_OK && k < 2; k++) {
@@ -111,7 +113,8 @@ batten_status batten_curve_chamfer(const batten_curve *curve, double before, dou
     assert(curve && out);
     const double lengths[2] = {before, behind};
     cutting c = {before, behind, tolerance, {.complete = true}};
-    const bat_cutter cutter = {cut_corner, &c, 2 * tolerance + 1e-12 * bat_curve_size(curve)};
+    const bat_cutter cutter = {cut_corner, &c,
+                               2 * tolerance + BAT_ROUNDING * bat_curve_size(curve)};
     batten_status status = check(curve, curve, lengths, tolerance);
     if (status == BATTEN_OK)
         status = bat_curve_corner_count(curve, &c.report.corners);

@@ -1,5 +1,7 @@
+/* Where a curve has corners, and the curve with something else in their place. */
 #include "shape/curve_change/cut_corners.h"
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 #include <batten/continuity.h>
@@ -112,7 +114,7 @@ static batten_status cut_corner(work *w, int k)
 static batten_status take_part(work *w, int k)
 {
     const batten_interval domain = batten_curve_domain(w->part[k]);
-    const double rounding = 1e-12 * (domain.b - domain.a);
+    const double rounding = BAT_ROUNDING * (domain.b - domain.a);
     if (w->to[k] - w->from[k] < -rounding)
         return bat_fail(
             BATTEN_NOT_FOUND,

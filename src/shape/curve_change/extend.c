@@ -1,5 +1,7 @@
+/* Curves made longer at an end: straight, along an arc, naturally, by a length or to a parameter. */
 #include "shape/curve_change/extend.h"
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
@@ -62,9 +64,10 @@ static batten_status line_piece(const bat_tip *tip, double length, double b, bat
 static batten_status arc_piece(const bat_tip *tip, double length, double b, batten_curve **out)
 {
     enum { MOST = 4 };
+    /* A full quarter turn is one piece though its angle be rounded up. */
     const double k = tip->curvature, angle = k * length;
     const int d = tip->dimension,
-              count = bat_max_int(1, (int)ceil(angle / (BAT_PI / 2) - 1e-12));
+              count = bat_max_int(1, (int)ceil(angle / (BAT_PI / 2) - BAT_ROUNDING));
     double points[(2 * MOST + 1) * 3], weights[2 * MOST + 1], breaks[MOST + 1];
     if (count > MOST)
         return bat_fail(BATTEN_BAD_ARGUMENT,

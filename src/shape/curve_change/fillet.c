@@ -1,5 +1,7 @@
+/* Arcs of a given radius between two curves, or in the corners of one. */
 #include "base/plural.h"
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/extend.h"
@@ -37,7 +39,7 @@ static batten_status plane_of(const batten_curve *const curves[2], double size,
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the curves are a point");
     const batten_vec3 x = bat_vec3_scale(along, 1 / bat_vec3_norm(along));
     const batten_vec3 across = farthest(curves, o, x);
-    if (!(bat_vec3_norm(across) > 1e-13 * size))
+    if (!(bat_vec3_norm(across) > BAT_EXACT * size))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the curves lie on one straight line");
     *out = (batten_frame){o, x, bat_vec3_cross(x, across)};
     const batten_vec3 z = bat_vec3_scale(out->z, 1 / bat_vec3_norm(out->z));
@@ -143,7 +145,7 @@ static batten_status verify_join(const batten_curve *curve, const batten_curve *
                                  bool before, double tolerance)
 {
     const batten_interval domain = batten_curve_domain(curve);
-    const double rounding = 1e-12 * (domain.b - domain.a);
+    const double rounding = BAT_ROUNDING * (domain.b - domain.a);
     batten_curve *rest = NULL;
     batten_continuity join;
     if (before ? u <= domain.a + rounding : u >= domain.b - rounding)
@@ -263,7 +265,8 @@ batten_status batten_curve_fillet(const batten_curve *curve, int radius_count,
     assert(curve && radii && out);
     const batten_curve *const curves[2] = {curve, curve};
     rounding r = {radius_count, radii, tolerance, {.complete = true}};
-    const bat_cutter cutter = {round_corner, &r, 2 * tolerance + 1e-12 * bat_curve_size(curve)};
+    const bat_cutter cutter = {round_corner, &r,
+                               2 * tolerance + BAT_ROUNDING * bat_curve_size(curve)};
     batten_status status = check(curves, 1, tolerance);
     if (status == BATTEN_OK)
         status = bat_curve_corner_count(curve, &r.report.corners);

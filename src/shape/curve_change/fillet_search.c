@@ -9,6 +9,7 @@
  */
 #include "inspect/nearest/self_crossings.h"
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/cut_corners.h"
 #include "shape/curve_change/offset.h"
@@ -50,7 +51,7 @@ static batten_status center_at(const search *s, int k, int side, double u, doubl
 static bool turns(int side, const double *ta, const double *tb)
 {
     const double angle = atan2(side * (ta[0] * tb[1] - ta[1] * tb[0]), bat_dot(2, ta, tb));
-    return angle > 1e-9;
+    return angle > BAT_MEANT_SAME;
 }
 
 /* Newton's method from u within the domains; *good when centres and tangents agree. */
@@ -68,6 +69,7 @@ static batten_status refine(const search *s, int side, double u[2], bool *good)
         const double f[2] = {c[1][0] - c[0][0], c[1][1] - c[0][1]};
         const double det = d[0][1] * d[1][0] - d[0][0] * d[1][1];
         const double before[2] = {u[0], u[1]};
+        /* Both centres are one but for rounding. */
         *good = bat_norm(2, f) <= 1e-12 * (s->size + s->radius) && turns(side, t[0], t[1]);
         if (!isfinite(bat_norm(2, f)) || !(fabs(det) > 0))
             return BATTEN_OK;
@@ -97,7 +99,7 @@ static batten_status try(search *s, int side, double u0, double u1)
     batten_status status = refine(s, side, u, &good);
     if (status != BATTEN_OK || !good)
         return status;
-    const double tolerance = 1e-9 * s->size;
+    const double tolerance = BAT_MEANT_SAME * s->size;
     status =
         batten_curve_length_between(s->curves[0], u[0], first.b, tolerance, &lost[0], NULL);
     if (status == BATTEN_OK)
@@ -136,13 +138,13 @@ static batten_status search_lines(search *s, const line *a, const line *b)
     const double q[2] = {b->p[0] - a->p[0], b->p[1] - a->p[1]};
     const double cross = a->t[0] * b->t[1] - a->t[1] * b->t[0];
     const double turn = atan2(fabs(cross), bat_dot(2, a->t, b->t));
-    if (!(fabs(cross) > 1e-12))
+    if (!(fabs(cross) > BAT_ROUNDING))
         return bat_fail(BATTEN_NOT_COMPATIBLE, "the straight lines run along each other");
     /* They cross `far` along the first, and `near` along the second; the arc begins and ends
      * `leg` away from there. */
     const double far = (q[0] * b->t[1] - q[1] * b->t[0]) / cross;
     const double near = (q[0] * a->t[1] - q[1] * a->t[0]) / cross;
-    const double leg = s->radius * tan(turn / 2), rounding = 1e-13 * s->size;
+    const double leg = s->radius * tan(turn / 2), rounding = BAT_EXACT * s->size;
     double at[2] = {far - leg, near + leg}, u[2];
     if (far > a->length + leg + rounding || near < -leg - rounding)
         return bat_fail(BATTEN_NOT_FOUND,

@@ -1,6 +1,7 @@
 /* The offset of a curve in its plane, and of one in space across a normal. */
 #include "shape/curve_change/offset.h"
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 
@@ -9,7 +10,8 @@
 batten_curve_offset_options batten_curve_offset_defaults(void)
 {
     return (batten_curve_offset_options){.size = sizeof(batten_curve_offset_options),
-                                         .tolerance = 1e-4,
+                                         .tolerance =
+                                             1e-4, /* with metres, a tenth of a millimetre */
                                          .corners = BATTEN_OFFSET_ROUND,
                                          .mitre_limit = 4,
                                          .loops = BATTEN_LOOPS_REMOVE,
@@ -26,8 +28,8 @@ static batten_status keep_all(const bat_offset *o, batten_curves *out)
     for (int i = 0; status == BATTEN_OK && i < o->count; i++)
         runs[i] = o->runs[i].curve;
     if (status == BATTEN_OK && o->count)
-        status = bat_curves_chain(o->count, runs, 4 * o->options.tolerance + 1e-9 * o->size,
-                                  &made.at[0]);
+        status = bat_curves_chain(
+            o->count, runs, 4 * o->options.tolerance + BAT_MEANT_SAME * o->size, &made.at[0]);
     made.count = status == BATTEN_OK && o->count;
     if (status == BATTEN_OK)
         *out = made;

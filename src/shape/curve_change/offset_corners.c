@@ -1,3 +1,4 @@
+/* The outside of a corner of an offset: an arc, a mitre, or a mitre cut off. */
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"

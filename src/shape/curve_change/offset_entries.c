@@ -1,3 +1,4 @@
+/* Where the runs of an offset enter what is nearer to the curve than the distance. */
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"

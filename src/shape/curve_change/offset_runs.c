@@ -200,6 +200,7 @@ static batten_status is_arc(const bat_offset *o, const batten_curve *part, const
 {
     const int samples = 2 * part->degree + 1;
     const batten_interval domain = batten_curve_domain(part);
+    /* With a radius of a million times the size the centre has lost six digits: no arc then. */
     *arc = start->k != 0 && !start->singular && fabs(1 / start->k) < 1e6 * o->size;
     if (!*arc)
         return BATTEN_OK;
@@ -379,6 +380,7 @@ static bool goes_on(const bat_offset *o, const place *left, const place *right)
     if (left->singular || right->singular || cusp)
         return false;
     for (int m = 0; m < 3; m++) {
+        /* Ten digits of point, tangent and second derivative, which lose some in the divisions. */
         const double size = bat_max(bat_norm(d, left->q[m]), bat_norm(d, right->q[m]));
         if (bat_distance(d, left->q[m], right->q[m]) > 1e-10 * size)
             return false;
@@ -392,6 +394,7 @@ static batten_status add_corner(bat_offset *o, const place *left, const place *r
 {
     const double cross = left->t[0] * right->t[1] - left->t[1] * right->t[0];
     double turn = atan2(cross, bat_dot(2, left->t, right->t));
+    /* As close as the cross product of unit tangents tells the sign of half a turn. */
     const double half = BAT_PI - 1e-9;
     if (fabs(turn) > half) /* back the same way: around the tip */
         turn = o->distance > 0 ? -fabs(turn) : fabs(turn);

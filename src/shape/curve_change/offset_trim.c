@@ -7,6 +7,7 @@
  * changes within a part the place is found by halving.
  */
 #include "inspect/nearest/self_crossings.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
@@ -136,7 +137,7 @@ static batten_status add_samples(samples *s, int run, double a, double b, int br
 /* A cut, or the break that it means: subranges have no knots that rounding alone parts. */
 static double snapped(double cut, int count, const double *breaks)
 {
-    const double near = 1e-12 * (breaks[count - 1] - breaks[0]);
+    const double near = BAT_ROUNDING * (breaks[count - 1] - breaks[0]);
     for (int i = 0; i < count; i++)
         if (fabs(cut - breaks[i]) <= near)
             return breaks[i];
@@ -156,7 +157,7 @@ static batten_status sample_run(const trim *t, int run, int count, const double 
     for (int i = 0; status == BATTEN_OK && i + 1 < count; i++) {
         const double a = snapped(cuts[i], breaks, at), b = snapped(cuts[i + 1], breaks, at);
         /* What rounding leaves between two cuts at one place is no part. */
-        if (b - a > 1e-12 * (at[breaks - 1] - at[0]))
+        if (b - a > BAT_ROUNDING * (at[breaks - 1] - at[0]))
             status = add_samples(s, run, a, b, breaks, at);
     }
     bat_release(at);
@@ -468,10 +469,11 @@ batten_status bat_offset_trim(bat_offset *o, batten_curves *out)
 {
     const batten_curve **plans = bat_array((size_t)o->count, sizeof *plans);
     bat_crossings crossings = {0};
+    /* Distances are found to ten digits of the size, places to rounding. */
     const double tolerance = 4 * o->options.tolerance;
     trim t = {.o = o,
               .least = fabs(o->distance) - o->report.error - 1e-10 * o->size,
-              .near = tolerance + 1e-12 * o->size};
+              .near = tolerance + BAT_ROUNDING * o->size};
     batten_status status = plans ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; status == BATTEN_OK && i < o->count; i++)
         plans[i] = o->runs[i].plan;

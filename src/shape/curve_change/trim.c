@@ -1,4 +1,7 @@
+/* The part of a curve between two parameters, over the seam of a closed one too, and the parts of a
+ * curve on one side of a plane. */
 #include "inspect/singular.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include <batten/extend.h>
@@ -86,7 +89,7 @@ static batten_status judge(const cutting *c, double a, double b, bool *kept)
 static batten_status cut(cutting *c, const batten_parameters *crossings)
 {
     const batten_interval domain = batten_curve_domain(c->curve);
-    const double apart = 1e-13 * (domain.b - domain.a);
+    const double apart = BAT_EXACT * (domain.b - domain.a);
     c->at = bat_array((size_t)crossings->count + 2, sizeof *c->at);
     c->kept = bat_array((size_t)crossings->count + 1, sizeof *c->kept);
     if (!c->at || !c->kept)

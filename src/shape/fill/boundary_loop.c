@@ -1,4 +1,5 @@
 /* The sides of a hole in order, each smooth, polynomial, over [0, 2], in a box of size 1. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 #include "spline/curve/curve.h"
@@ -29,7 +30,7 @@ static batten_status settle_middle(const batten_curve *curve, batten_curve **out
     if (!settled)
         return BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < count; i++)
-        settled[i] = fabs(knots[i] - 1) < 1e-12 ? 1 : knots[i];
+        settled[i] = fabs(knots[i] - 1) < BAT_ROUNDING ? 1 : knots[i];
     const batten_status status = batten_curve_create(
         batten_curve_dimension(curve), batten_curve_degree(curve),
         batten_curve_point_count(curve), batten_curve_points(curve), NULL, settled, out);
@@ -244,7 +245,7 @@ static batten_status add_given(bat_fill_loop *loop, const batten_ribbon *ribbon,
         batten_affine_compose(batten_affine_translation(-o[0], -o[1], -o[2]), linear);
     bat_fill_side side = {.given = place->curve};
     /* A thousandth: planes at the ends are to be met as well as points. */
-    const double within = bat_max(1e-9, 1e-3 * tolerance / loop->size);
+    const double within = bat_max(BAT_MEANT_SAME, 1e-3 * tolerance / loop->size);
     double ignored = 0;
     batten_status status =
         take(ribbon->curve, place->reversed, &map, within, error, &side.curve);
@@ -342,6 +343,7 @@ batten_status bat_fill_loop_make(int count, const batten_ribbon *sides, double t
     find_frame(count, sides, &loop);
     if (!(loop.size > 0))
         return bat_fail(BATTEN_COINCIDENT, "all sides of the hole are one point");
+    /* A millionth of the hole, when no tolerance is given. */
     if (!(tolerance > 0))
         tolerance = 1e-6 * loop.size;
     for (int i = 0; i < count; i++)

@@ -1,5 +1,6 @@
 /* Holes of n sides. */
 #include "shape/fill/fill.h"
+#include "numeric/rounding.h"
 #include <string.h>
 
 batten_surface_fill_options batten_surface_fill_defaults(void)
@@ -53,8 +54,10 @@ static batten_status judge_gaps(const bat_fill_loop *loop,
                                 const batten_surface_fill_options *options,
                                 const batten_surface_fill_report *report)
 {
-    const double most = options->tolerance > 0 ? bat_max(options->tolerance, 1e-9 * loop->size)
-                                               : 1e-6 * loop->size;
+    /* A given tolerance is not asked for below nine digits; without one, a millionth of the hole. */
+    const double most = options->tolerance > 0
+                            ? bat_max(options->tolerance, BAT_MEANT_SAME * loop->size)
+                            : 1e-6 * loop->size;
     for (int i = 0; i < report->count; i++) {
         const batten_fill_edge *edge = &report->outer[i];
         if (!(edge->gap <= most))

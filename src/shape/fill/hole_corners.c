@@ -1,4 +1,5 @@
 /* The corners of a hole: where ribbons point, and how two contradict each other. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 
@@ -35,7 +36,7 @@ batten_status bat_fill_look(const bat_fill_place *place, int station, const doub
     double n[3];
     bat_fill_cross(C, T, n);
     const double size = bat_norm(3, n);
-    if (!(size > 1e-9 * bat_norm(3, C) * bat_norm(3, T)))
+    if (!(size > BAT_LEAST_SINE * bat_norm(3, C) * bat_norm(3, T)))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the ribbon of curve %d has no tangent plane at the %s of its side: "
                         "its slope runs along the curve",
@@ -117,9 +118,10 @@ static void report_corner(int i, const corner *c, batten_surface_fill_report *re
         report->corner = i;
     }
     if (c->side[0]->slope && c->side[1]->slope) {
+        /* Relative to the product of the speeds. */
         const double twist = fabs(c->seen[0].twist + c->seen[1].twist) / sqrt(product);
         report->twist = bat_max(report->twist, twist);
-        report->twisted += twist > 1e-9;
+        report->twisted += twist > BAT_MEANT_SAME;
     }
 }
 

@@ -276,6 +276,7 @@ static void hold(variation *b, int unknown, double value)
 {
     const size_t n = (size_t)b->fill->unknowns;
     double *diagonal = b->matrix + (size_t)unknown * n + (size_t)unknown;
+    /* Holds the unknown at 0 to eight digits, and leaves as many to the others. */
     const double weight = 1e8 * *diagonal;
     *diagonal += weight;
     b->right[unknown] += weight * value;

@@ -2,10 +2,11 @@
  * Fills that are formulas over a regular polygon: sides and ribbons, or corners, blended by the
  * distances from the sides. Quad i is the bilinear quarter of the polygon at its corner i.
  */
-#include "shape/formula/formula.h"
 #include "numeric/jet.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
+#include "shape/formula/formula.h"
 #include <string.h>
 
 /* A side over [0, 2] and the derivative D = a T + b C' across it, a and b linear, or linear
@@ -42,6 +43,7 @@ static batten_status end_factors(const bat_fill_loop *loop, int i, double t,
     const double TT = bat_dot(3, T, T), TC = bat_dot(3, T, C[1]), CC = bat_dot(3, C[1], C[1]);
     const double WT = bat_dot(3, wanted, T), WC = bat_dot(3, wanted, C[1]);
     const double D = TT * CC - TC * TC;
+    /* The square of a sine of 1e-9, see BAT_LEAST_SINE. */
     if (!(D > 1e-18 * TT * CC))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the ribbon of curve %d has no tangent plane at an end of its side",
@@ -215,6 +217,7 @@ static void corner_point(const double apex[3], const sight *back, const sight *a
 {
     const bat_jet x = along->t, y = bat_jet_subtract(bat_jet_constant(2), back->t);
     const bat_jet xy = bat_jet_multiply(x, y), sum = bat_jet_add(x, y);
+    /* Nearer to the corner than rounding both shares are one half. */
     bat_jet share = bat_jet_constant(0.5);
     if (sum.d[0] > 1e-14)
         share = bat_jet_divide(x, sum);

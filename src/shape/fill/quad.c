@@ -1,11 +1,12 @@
 /* One surface of a fill: the boolean sum of its four edges and the derivatives across them. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 #include "spline/product.h"
 #include <string.h>
 
 /* Products grow knots that are not needed; the loop has size 1. */
-static const double rounding = 1e-13;
+static const double rounding = BAT_EXACT;
 
 /* More control points than this are refused before they are made. */
 enum { MOST_POINTS = 4000000 };

@@ -1,4 +1,5 @@
 /* What is known and what is free along the sides and spokes of a hole. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/fill.h"
 #include <string.h>
@@ -112,7 +113,7 @@ static void set_turn(const bat_fill *fill, const corner_side c[2], double *turn,
         }
     if (c[0].side->has_slope && c[1].side->has_slope)
         twist /= 2;
-    if (!(bat_norm(3, normal) > 1e-9)) /* opposite planes have no mean */
+    if (!(bat_norm(3, normal) > BAT_MEANT_SAME)) /* opposite planes have no mean */
         memcpy(normal, c[0].seen.normal, sizeof normal);
     const double size = bat_norm(3, normal);
     for (int m = 0; m < 3; m++)

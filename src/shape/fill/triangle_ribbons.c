@@ -1,4 +1,5 @@
 /* The data of a transfinite triangle, from curves and ribbons in any order and direction. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/fill/triangle_patch.h"
 #include "spline/curve/curve.h"
@@ -98,8 +99,9 @@ static batten_status fit_end(bat_triangle_side *side, int end, const int numbers
         e[c] = C[3 + c] / le;
         x[c] = X[c] / lx;
     }
+    /* The square of a sine of 1e-6: `te` is rounded, and 1 - te^2 with it. */
     const double te = bat_dot(3, t, e), det = 1 - te * te;
-    if (!(det > 1e-12) || !(lx > 0))
+    if (!(det > BAT_ROUNDING) || !(lx > 0))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "curves %d and %d have no tangent plane where they meet", numbers[0],
                         numbers[1]);

@@ -1,3 +1,7 @@
+/*
+ * Surfaces through grids of points: curves along u through the rows, then along v through their
+ * control points.
+ */
 #include "shape/grid/interpolate.h"
 #include "base/work.h"
 #include "numeric/dense.h"

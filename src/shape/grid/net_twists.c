@@ -4,6 +4,7 @@
  */
 #include "shape/grid/net_twists.h"
 #include "base/plural.h"
+#include "numeric/rounding.h"
 
 #include "numeric/vector.h"
 #include <batten/grid.h>
@@ -206,6 +207,7 @@ static void selesnick(const bat_net *net, const batten_twist_shape *shape, int i
     const double area2 = e * g - f * f;
     double guess[3];
     adini(net, i, j, guess);
+    /* The square of a sine of 1e-10, below which there is no normal. */
     if (!(area2 > 1e-20 * e * g)) {
         memcpy(out, guess, sizeof guess);
         return;
@@ -221,7 +223,7 @@ static void selesnick(const bat_net *net, const batten_twist_shape *shape, int i
     const double k = shape->gaussian[i * net->count[1] + j];
     double square = bend_u * bend_v - k * area2;
     if (square < 0) {
-        *clamped += square < -1e-12 * (fabs(bend_u * bend_v) + fabs(k) * area2);
+        *clamped += square < -BAT_ROUNDING * (fabs(bend_u * bend_v) + fabs(k) * area2);
         square = 0;
     }
     const double mu = copysign(sqrt(square), bat_vec3_dot(bat_vec3_of(3, guess), normal));

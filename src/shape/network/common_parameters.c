@@ -1,4 +1,5 @@
 /* Common parameters for a network, and the curves drawn anew as the surface runs along them. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include "spline/curve/curve.h"
@@ -18,8 +19,9 @@ static batten_status snap_to_knots(const bat_network_curve *c, int nodes, double
     for (int k = p + 1; k < n; k++) {
         const bool corner = k + p <= n && U[k] == U[k + p - 1];
         for (int i = 1; i + 1 < nodes; i++) {
+            /* A node beside a corner is that corner if their parameters differ by less than 1/100. */
             double here[3], there[3];
-            if (c->at[i] == U[k] || fabs(c->at[i] - U[k]) > (corner ? 1e-2 : 1e-9))
+            if (c->at[i] == U[k] || fabs(c->at[i] - U[k]) > (corner ? 1e-2 : BAT_MEANT_SAME))
                 continue;
             batten_status status = batten_curve_evaluate(c->curve, c->at[i], 0, here);
             if (status == BATTEN_OK)
@@ -52,7 +54,7 @@ static batten_status find_parameters(bat_network *net, int family)
     }
     for (int i = 0; status == BATTEN_OK && i < nodes; i++) {
         const double own = f->curves[first].at[i], mean = f->parameters[i] / used;
-        f->parameters[i] = i == nodes - 1 ? 1 : fabs(mean - own) <= 1e-9 ? own : mean;
+        f->parameters[i] = i == nodes - 1 ? 1 : fabs(mean - own) <= BAT_MEANT_SAME ? own : mean;
     }
     for (int k = 0; status == BATTEN_OK && k < f->count; k++)
         for (int i = 0; i < nodes; i++) {

@@ -5,6 +5,7 @@
  * curve must meet them in that order, or in the reverse. On closed curves the order goes round,
  * and begins with the curve that comes first in the list.
  */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include <batten/curvature.h>
@@ -68,7 +69,7 @@ static void rank(const task *t, int family, int k, bool backward, double *ranked
 static int first_fall(int count, const double *x)
 {
     int i = 1;
-    while (i < count && x[i] > x[i - 1] + 1e-9)
+    while (i < count && x[i] > x[i - 1] + BAT_MEANT_SAME)
         i++;
     return i;
 }

@@ -7,6 +7,7 @@
  * knots, among them those of the cardinal functions. What the fit then lacks in the nodes is
  * added as a combination of cardinal functions, so that the nodes are met to rounding.
  */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/network/gordon.h"
 #include "shape/skin/common_knots.h"
@@ -119,7 +120,7 @@ static void snap_parameters(const task *t)
     const int count = batten_curve_knot_count(t->common[0]);
     for (int i = 1; i + 1 < t->nodes; i++)
         for (int k = 0; k < count; k++)
-            if (fabs(U[k] - u[i]) <= 1e-12)
+            if (fabs(U[k] - u[i]) <= BAT_ROUNDING)
                 u[i] = U[k];
 }
 

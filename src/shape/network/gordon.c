@@ -1,3 +1,4 @@
+/* Surfaces through networks of curves, after Gordon: options, the order of the steps, the report. */
 #include "shape/network/gordon.h"
 #include "spline/curve/curve.h"
 

@@ -89,6 +89,7 @@ static batten_status measure_guides(bat_network *net, const bat_network_side sid
 {
     const bat_network_family *f = &net->family[1];
     const int spans = net->family[0].count - 1;
+    /* About 4000 places in all, 2 to 8 for each span. */
     const int per = (int)bat_max(2, bat_min(8, 4000.0 / ((double)f->count * spans)));
     batten_surface *skin = NULL;
     double *points = bat_array3((size_t)per * (size_t)spans + 1, 3, sizeof *points);

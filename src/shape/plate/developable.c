@@ -1,3 +1,5 @@
+/* Developable surfaces between two edges: options, checks, and the condition of one ruling. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 #include <batten/skin.h>
@@ -6,10 +8,10 @@ enum { LOOKS = 65 };
 
 batten_surface_developable_options batten_surface_developable_defaults(void)
 {
-    return (batten_surface_developable_options){.size =
-                                                    sizeof(batten_surface_developable_options),
-                                                .tolerance = 1e-4,
-                                                .warp = BAT_PI / 360};
+    return (batten_surface_developable_options){
+        .size = sizeof(batten_surface_developable_options),
+        .tolerance = 1e-4, /* with metres, a tenth of a millimetre */
+        .warp = BAT_PI / 360};
 }
 
 batten_status batten_ruling_condition(const batten_curve *first, double s,
@@ -174,7 +176,7 @@ static batten_status make(const batten_curve *const edges[2],
                           batten_developable *out)
 {
     const double a = extent(edges[0]), b = extent(edges[1]);
-    const bool point = bat_min(a, b) <= 1e-12 * bat_max(a, b);
+    const bool point = bat_min(a, b) <= BAT_ROUNDING * bat_max(a, b);
     if (!(bat_max(a, b) > 0))
         return bat_fail(BATTEN_BAD_ARGUMENT, "both edges are points");
     batten_status status = point ? BATTEN_OK : check_directions(edges[0], edges[1]);

@@ -1,3 +1,5 @@
+/* The edges of a developable surface at their parameters, and the warp between them along a ruling. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 #include <batten/measure.h>
@@ -41,6 +43,7 @@ batten_status bat_plate_edge_make(const batten_curve *curve, const char *name,
     const batten_box box = batten_curve_box(curve);
     const double size = bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     out->curve = curve;
+    /* A hundred times what quadrature rounds by: parameters by length then have nine digits. */
     batten_status status = check_corners(curve, name);
     if (status == BATTEN_OK)
         status = batten_curve_length(curve, 1e-11 * size, &out->length, NULL);
@@ -48,8 +51,8 @@ batten_status bat_plate_edge_make(const batten_curve *curve, const char *name,
         return status;
     for (int i = 0; i <= BAT_EDGE_STEPS; i++)
         lengths[i] = out->length * i / BAT_EDGE_STEPS;
-    status =
-        batten_curve_at_length(curve, BAT_EDGE_STEPS + 1, lengths, 1e-9 * out->length, out->u);
+    status = batten_curve_at_length(curve, BAT_EDGE_STEPS + 1, lengths,
+                                    BAT_MEANT_SAME * out->length, out->u);
     const batten_interval domain = batten_curve_domain(curve);
     out->u[0] = domain.a;
     out->u[BAT_EDGE_STEPS] = domain.b;
@@ -57,7 +60,7 @@ batten_status bat_plate_edge_make(const batten_curve *curve, const char *name,
         double values[6];
         status = batten_curve_evaluate(curve, out->u[i], 1, values);
         const double speed = bat_norm(3, values + 3);
-        if (status == BATTEN_OK && !(speed * (domain.b - domain.a) > 1e-9 * size))
+        if (status == BATTEN_OK && !(speed * (domain.b - domain.a) > BAT_MEANT_SAME * size))
             status = bat_fail(BATTEN_SINGULAR_HERE, "the %s edge has no tangent at %g", name,
                               out->u[i]);
         out->rate[i] = out->length / speed;
@@ -93,7 +96,7 @@ bool bat_warp_of(const bat_edge_place *a, const bat_edge_place *b, double least,
     const batten_vec3 r = bat_vec3_scale(d, 1 / length);
     const batten_vec3 m = bat_vec3_cross(a->T, r), n = bat_vec3_cross(b->T, r);
     const double both = bat_vec3_norm(m) * bat_vec3_norm(n);
-    if (!(both > 1e-12))
+    if (!(both > BAT_ROUNDING))
         return false;
     *sine = bat_vec3_dot(r, bat_vec3_cross(m, n)) / both;
     *cosine = bat_vec3_dot(m, n) / both;
@@ -108,6 +111,6 @@ batten_status bat_plate_warp(const bat_plate *plate, bat_pair at, bool *has, dou
     if (status == BATTEN_OK)
         status = bat_plate_edge_at(&plate->edge[1], at.y, &b);
     if (status == BATTEN_OK)
-        *has = bat_warp_of(&a, &b, 1e-9 * plate->size, sine, cosine);
+        *has = bat_warp_of(&a, &b, BAT_MEANT_SAME * plate->size, sine, cosine);
     return status;
 }

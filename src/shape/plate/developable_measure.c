@@ -1,3 +1,5 @@
+/* What is reported of a developable surface: warp, area and the curvature of its rulings. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 
@@ -30,7 +32,7 @@ static batten_status look_at(const batten_surface *surface, double u, batten_sid
     if (size > 0)
         *before = bat_vec3_scale(middle, 1 / size);
     /* The end that rests in a cone moves by rounding only. */
-    if (!(bat_min(p, q) > 1e-9 * bat_max(p, q)))
+    if (!(bat_min(p, q) > BAT_MEANT_SAME * bat_max(p, q)))
         return BATTEN_OK;
     const batten_vec3 m1 = bat_vec3_scale(m, 1 / p), n1 = bat_vec3_scale(n, 1 / q);
     const double cosine = bat_vec3_dot(m1, n1);

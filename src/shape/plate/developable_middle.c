@@ -1,3 +1,5 @@
+/* The rulings of a developable surface in order: places on both edges, added where they are needed. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 #include <batten/interpolate.h>
@@ -84,7 +86,7 @@ static batten_status check_touch(const bat_plate *plate, const bat_edge_place at
 {
     const bool is_end = (pair.x == 0 && pair.y == 0) || (pair.x == 1 && pair.y == 1);
     const double distance = bat_vec3_norm(bat_vec3_subtract(at[1].P, at[0].P));
-    if (is_end || distance > 1e-9 * plate->size)
+    if (is_end || distance > BAT_MEANT_SAME * plate->size)
         return BATTEN_OK;
     return bat_fail(BATTEN_NOT_COMPATIBLE,
                     "the edges touch at %g of the first and %g of the second", at[0].u,
@@ -201,7 +203,8 @@ static bool is_exact(const bat_plate *plate, const bat_middle *m)
     const batten_interval a = batten_curve_domain(plate->edge[0].curve);
     const batten_interval b = batten_curve_domain(plate->edge[1].curve);
     for (int i = 0; i < m->count; i++)
-        if (fabs((m->u[0][i] - a.a) / (a.b - a.a) - (m->u[1][i] - b.a) / (b.b - b.a)) > 1e-9)
+        if (fabs((m->u[0][i] - a.a) / (a.b - a.a) - (m->u[1][i] - b.a) / (b.b - b.a)) >
+            BAT_MEANT_SAME)
             return false;
     return true;
 }

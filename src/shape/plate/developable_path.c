@@ -1,3 +1,5 @@
+/* The path of least warp: which point of one edge each point of the other is joined to. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 
@@ -34,7 +36,7 @@ static bool root_between(const node *a, const node *b)
 
 static batten_status fill_lattice(const bat_plate *plate, node *nodes)
 {
-    const double no_length = 1e-9 * plate->size;
+    const double no_length = BAT_MEANT_SAME * plate->size;
     bat_edge_place *places = bat_array((size_t)2 * SIDE, sizeof *places);
     batten_status status = places ? BATTEN_OK : BATTEN_OUT_OF_MEMORY;
     for (int i = 0; i < 2 * SIDE && status == BATTEN_OK; i++)
@@ -174,7 +176,7 @@ batten_status bat_plate_root(const bat_plate *plate, bat_pair from, bat_pair alo
         largest = bat_max(largest, fabs(sine[k]));
     }
     /* All directions do: a plane, or the rulings of a plane part. */
-    if (status != BATTEN_OK || largest < 1e-9)
+    if (status != BATTEN_OK || largest < BAT_MEANT_SAME)
         return status;
     for (int k = 0; k < BRACKETS && status == BATTEN_OK; k++) {
         if (!has[k] || !has[k + 1] || sine[k] * sine[k + 1] > 0)

@@ -1,3 +1,5 @@
+/* The surface along the path of least warp, its rulings, and its parts at corners. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/developable_parts.h"
 #include <batten/skin.h>
@@ -85,7 +87,7 @@ static batten_status put_ruling(const bat_plate *plate, bat_pair pair, double u,
     if (status != BATTEN_OK)
         return status;
     *ruling = (batten_ruling){.u = u, .s = a.u, .t = b.u};
-    if (bat_warp_of(&a, &b, 1e-9 * plate->size, &sine, &cosine))
+    if (bat_warp_of(&a, &b, BAT_MEANT_SAME * plate->size, &sine, &cosine))
         ruling->warp = atan2(fabs(sine), cosine);
     return BATTEN_OK;
 }
@@ -146,7 +148,7 @@ static batten_status only_ruling(const bat_plate *plate, bat_middle *m)
 static batten_status join_parts(const bat_plate *plate, bat_middle *m, batten_developable *out)
 {
     const bat_pair first = plate->pairs[0], last = plate->pairs[plate->count - 1];
-    const double tolerance = 1e-9 * plate->size;
+    const double tolerance = BAT_MEANT_SAME * plate->size;
     batten_surface *part = NULL, *whole = NULL;
     double before = 0, behind = 0;
     out->cone[0] = first.x > 0 || first.y > 0;

@@ -1,3 +1,4 @@
+/* One step in the plane of a curve that is known by how it turns. */
 #include "shape/plate/flat_step.h"
 
 #include "numeric/quadrature.h"

@@ -1,4 +1,6 @@
+/* A sheet folded along a curved crease: options, checks, both sheets in space and their edges. */
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/fold_parts.h"
 #include <batten/interpolate.h>
@@ -15,7 +17,8 @@ batten_fold_create_options batten_fold_create_defaults(void)
                                         .given = BATTEN_FOLD_ANGLE,
                                         .left = 1,
                                         .right = 1,
-                                        .tolerance = 1e-4};
+                                        .tolerance =
+                                            1e-4}; /* with metres, a tenth of a millimetre */
 }
 
 /* ---- rulings ---- */
@@ -154,7 +157,7 @@ static batten_status measure_sheet(bat_fold_task *t, int side, double width,
         double u, edge[3];
         bat_fold_place p;
         batten_status status =
-            batten_curve_at_length(t->space, 1, &s, 1e-13 * t->made.length, &u);
+            batten_curve_at_length(t->space, 1, &s, BAT_EXACT * t->made.length, &u);
         if (status == BATTEN_OK)
             status = bat_fold_find_place(t, s, u, &p);
         const double at = domain.a + (domain.b - domain.a) * (s / t->made.length);
@@ -185,7 +188,7 @@ static batten_status edge_length(const bat_fold_task *t, int d, const batten_fol
     batten_curve *edge = NULL;
     batten_status status = curve_of(t, d, sheet, &edge);
     if (status == BATTEN_OK)
-        status = batten_curve_length(edge, 1e-12 * t->made.length, length, NULL);
+        status = batten_curve_length(edge, BAT_ROUNDING * t->made.length, length, NULL);
     batten_curve_unref(edge);
     return status;
 }

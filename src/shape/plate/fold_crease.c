@@ -1,3 +1,5 @@
+/* The crease of a fold and what is known along it: lengths, frames, angles of the sheets. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/fold_parts.h"
 #include <batten/curvature.h>
@@ -109,7 +111,7 @@ batten_status bat_fold_find_places(bat_fold_task *t)
     for (int i = 0; i < n && status == BATTEN_OK; i++)
         s[i] = i == n - 1 ? t->made.length : t->made.length * i / (n - 1);
     if (status == BATTEN_OK)
-        status = batten_curve_at_length(t->space, n, s, 1e-13 * t->made.length, u);
+        status = batten_curve_at_length(t->space, n, s, BAT_EXACT * t->made.length, u);
     for (int i = 0; i < n && status == BATTEN_OK; i++)
         status = bat_fold_find_place(t, s[i], u[i], &t->at[i]);
     bat_release(s);
@@ -141,7 +143,8 @@ static batten_status flat_curvatures(const bat_fold_task *t, double s, double *k
 {
     double u, law[2], torsion[2] = {0, 0};
     batten_curve_local local;
-    batten_status status = batten_curve_at_length(t->crease, 1, &s, 1e-13 * t->made.length, &u);
+    batten_status status =
+        batten_curve_at_length(t->crease, 1, &s, BAT_EXACT * t->made.length, &u);
     if (status == BATTEN_OK)
         status = batten_curve_local_at(t->crease, u, BATTEN_FROM_RIGHT, &local);
     if (status == BATTEN_OK)
@@ -258,12 +261,13 @@ batten_status bat_fold_prepare(bat_fold_task *t)
 {
     const batten_fold_create_options *o = t->options;
     const bool is_flat = o->given == BATTEN_FOLD_FLAT;
+    /* First roughly, for the size; then as exactly as rounding allows. */
     double size = 0;
     batten_status status = batten_curve_length(t->crease, 1e-6, &size, NULL);
     if (status == BATTEN_OK && !(size > 0))
         status = bat_fail(BATTEN_BAD_ARGUMENT, "the crease has no length");
     if (status == BATTEN_OK)
-        status = batten_curve_length(t->crease, 1e-13 * size, &t->made.length, NULL);
+        status = batten_curve_length(t->crease, BAT_EXACT * size, &t->made.length, NULL);
     if (status == BATTEN_OK)
         status = bat_fold_function(o->count, o->values, t->made.length, &t->law);
     if (status == BATTEN_OK && o->torsion_count > 0)

@@ -1,3 +1,4 @@
+/* The crease and the edges of a fold on the flat sheet. */
 #include "numeric/vector.h"
 #include "shape/plate/flat_step.h"
 #include "shape/plate/fold_parts.h"

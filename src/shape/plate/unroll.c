@@ -1,3 +1,4 @@
+/* Developable surfaces laid flat: options, refinement until the tolerance is met, and the report. */
 #include "numeric/vector.h"
 #include "shape/plate/unroll_parts.h"
 
@@ -9,7 +10,8 @@ batten_surface_unroll_options batten_surface_unroll_defaults(void)
 {
     return (batten_surface_unroll_options){.size = sizeof(batten_surface_unroll_options),
                                            .straight = BATTEN_STRAIGHT_FIND,
-                                           .tolerance = 1e-4};
+                                           .tolerance =
+                                               1e-4}; /* with metres, a tenth of a millimetre */
 }
 
 /* ---- which lines are straight ---- */

@@ -1,4 +1,6 @@
+/* The rulings of a developable surface, and the strip of the plane that they become. */
 #include "numeric/quadrature.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/plate/flat_step.h"
 #include "shape/plate/unroll_parts.h"
@@ -9,7 +11,7 @@
 enum { ALONG = 4 };
 
 /* Shorter rulings, for the size of the strip, are points. */
-static const double no_length = 1e-12;
+static const double no_length = BAT_ROUNDING;
 
 static batten_status no_ruling(double u, const char *why)
 {
@@ -51,7 +53,8 @@ batten_status bat_strip_ruling_at(const bat_strip *strip, double u, batten_side 
     const batten_vec3 middle = bat_vec3_add(out->D[0], out->D[1]);
     const batten_vec3 n = bat_vec3_cross(middle, out->r);
     const double norm = bat_vec3_norm(n);
-    if (!(norm > 1e-12 * bat_vec3_norm(out->D[0]) + 1e-12 * bat_vec3_norm(out->D[1])))
+    if (!(norm >
+          BAT_ROUNDING * bat_vec3_norm(out->D[0]) + BAT_ROUNDING * bat_vec3_norm(out->D[1])))
         return no_ruling(u, "it has no tangent plane midway along its ruling");
     out->n = bat_vec3_scale(n, 1 / norm);
     out->m = bat_vec3_cross(out->n, out->r);

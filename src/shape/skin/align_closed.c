@@ -1,4 +1,5 @@
 /* Sections with another parameter, so that what belongs together stands at equal ones. */
+#include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 #include <batten/approximate.h>
 #include <batten/local.h>
@@ -134,7 +135,7 @@ static int by_value(const void *a, const void *b)
 int bat_skin_sort_knots(int count, double *breaks)
 {
     qsort(breaks, (size_t)count, sizeof *breaks, by_value);
-    const double end = breaks[count - 1], near = 1e-12 * (end - breaks[0]);
+    const double end = breaks[count - 1], near = BAT_ROUNDING * (end - breaks[0]);
     int kept = 1;
     for (int i = 1; i < count; i++)
         if (breaks[i] - breaks[kept - 1] > near && end - breaks[i] > near)
@@ -240,7 +241,8 @@ static batten_status by_marks(const bat_skin *t, int k, double *own, double *slo
     batten_status status = marks_of(t, k, own);
     bool same = true;
     for (int j = 1; j <= n; j++)
-        same = same && fabs((own[j] - own[0]) / (own[n + 1] - own[0]) - mean[j]) <= 1e-12;
+        same =
+            same && fabs((own[j] - own[0]) / (own[n + 1] - own[0]) - mean[j]) <= BAT_ROUNDING;
     if (status == BATTEN_OK && same) {
         *out = batten_curve_ref(t->placed[k]);
         return BATTEN_OK;

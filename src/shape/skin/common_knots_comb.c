@@ -1,4 +1,5 @@
 /* Combs: knots that many curves shall have. */
+#include "numeric/rounding.h"
 #include "shape/skin/common_knots_parts.h"
 
 #include <float.h>
@@ -174,12 +175,12 @@ static bool is_symmetric(const bat_fitting *f, const bat_spline *s)
         size = bat_max(size, leg(f, s, i, 1));
     for (int by = 1; by <= 3; by++)
         for (int i = 0; i + by < n; i++)
-            if (fabs(leg(f, s, i, by) - leg(f, s, n - 1 - i - by, by)) > 1e-12 * size)
+            if (fabs(leg(f, s, i, by) - leg(f, s, n - 1 - i - by, by)) > BAT_ROUNDING * size)
                 return false;
     for (int i = 0; i < n && f->rational; i++) {
         const double a = s->values[(size_t)i * f->width + f->width - 1],
                      b = s->values[(size_t)(n - 1 - i) * f->width + f->width - 1];
-        if (fabs(a - b) > 1e-12 * bat_max(a, b))
+        if (fabs(a - b) > BAT_ROUNDING * bat_max(a, b))
             return false;
     }
     return true;

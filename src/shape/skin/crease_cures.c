@@ -8,6 +8,7 @@
  * change of the parameter of each piece, which has just the two freedoms that a joint asks for.
  * What cannot be cured so is replaced by polynomial sections within a tolerance.
  */
+#include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 #include "spline/curve/curve.h"
 #include <batten/approximate.h>
@@ -236,9 +237,10 @@ static batten_status join(const chain *c, double size, batten_curve **out)
         }
         const double at = whole ? batten_curve_domain(whole).b : 0;
         if (status == BATTEN_OK)
-            status = batten_curve_join(whole, next, 1e-9 * size, &joined);
+            status = batten_curve_join(whole, next, BAT_MEANT_SAME * size, &joined);
         if (status == BATTEN_OK && !c->links[i].corner) {
-            status = batten_curve_remove_knot(joined, at, 1, 1e-9 * size, NULL, NULL, &thinner);
+            status = batten_curve_remove_knot(joined, at, 1, BAT_MEANT_SAME * size, NULL, NULL,
+                                              &thinner);
             if (status == BATTEN_OK)
                 bat_curve_take(&joined, thinner);
         }

@@ -1,4 +1,5 @@
 /* What is true of a skin: that it passes its sections, and what its report says. */
+#include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 
 #include <float.h>
@@ -99,7 +100,7 @@ static batten_status check_section(const bat_skin *t, const batten_surface *surf
     double worst = 0, size = 0;
     for (int i = 0; i < n; i++)
         size = bat_max(size, fabs(batten_curve_points(t->placed[k])[i]));
-    const double allowed = t->deviation[k] + 1e-13 * size;
+    const double allowed = t->deviation[k] + BAT_EXACT * size;
     const batten_status status = knots_distance(t, k, allowed, knots, &worst);
     if (status != BATTEN_OK)
         return status;

@@ -1,5 +1,6 @@
 /* Which way sections run, and where closed ones begin: by the least sum of squared distances
  * from the section before. */
+#include "numeric/rounding.h"
 #include "shape/skin/steps.h"
 
 #include <string.h>
@@ -27,7 +28,8 @@ batten_status bat_skin_closed(const batten_curve *curve, bool *closed, bool *poi
     for (int i = 0; i < n; i++)
         size = bat_max(size, bat_distance(d, P, P + (size_t)i * (size_t)d));
     *point = size == 0;
-    *closed = batten_curve_is_periodic(curve) || bat_distance(d, first, last) <= 1e-9 * size;
+    *closed = batten_curve_is_periodic(curve) ||
+              bat_distance(d, first, last) <= BAT_MEANT_SAME * size;
     return BATTEN_OK;
 }
 
@@ -68,8 +70,9 @@ static int best_start(const samples *a, const samples *b, bool closed, bool back
     int best = first;
     *least = apart(a, b, first, backwards);
     for (int by = 1; by < SAMPLES && closed; by++) {
+        /* Equal sums keep the first start: equal to nine digits, lest rounding turn a section. */
         const double here = apart(a, b, by, backwards);
-        if (here < *least * (1 - 1e-9)) {
+        if (here < *least * (1 - BAT_MEANT_SAME)) {
             *least = here;
             best = by;
         }
@@ -97,7 +100,7 @@ static batten_status refine_start(const samples *before, const batten_curve *cur
     batten_status status = shifted(before, curve, x, &low);
     if (status == BATTEN_OK)
         status = shifted(before, curve, y, &high);
-    while (status == BATTEN_OK && b - a > 1e-9) {
+    while (status == BATTEN_OK && b - a > BAT_MEANT_SAME) {
         if (low <= high) {
             b = y, y = x, high = low;
             x = b - golden * (b - a);
@@ -109,6 +112,7 @@ static batten_status refine_start(const samples *before, const batten_curve *cur
         }
     }
     if (status == BATTEN_OK)
+        /* A start between samples must gain more than a millionth: golden sections find flat minima no better. */
         status = shifted(before, curve, (double)best / SAMPLES, &at_best);
     if (status == BATTEN_OK)
         *shift =
@@ -148,11 +152,12 @@ static batten_status turn_clamped(const batten_curve *curve, double u, batten_cu
     for (int i = 0; i < n; i++)
         size = bat_max(size, fabs(batten_curve_points(curve)[i]));
     if (status == BATTEN_OK)
+        /* Ten times the gap at which a section still counts as closed. */
         status = batten_curve_join(high, low, 1e-8 * size, &joined);
     if (status == BATTEN_OK)
-        status =
-            batten_curve_remove_knot(joined, batten_curve_domain(high).b,
-                                     batten_curve_degree(curve), 1e-13 * size, NULL, NULL, out);
+        status = batten_curve_remove_knot(joined, batten_curve_domain(high).b,
+                                          batten_curve_degree(curve), BAT_EXACT * size, NULL,
+                                          NULL, out);
     batten_curve_unref(joined);
     batten_curve_unref(high);
     batten_curve_unref(low);
@@ -162,7 +167,7 @@ static batten_status turn_clamped(const batten_curve *curve, double u, batten_cu
 static batten_status turn_to(batten_curve **curve, double u)
 {
     const batten_interval domain = batten_curve_domain(*curve);
-    const double far = 1e-9 * (domain.b - domain.a);
+    const double far = BAT_MEANT_SAME * (domain.b - domain.a);
     if (u - domain.a <= far || domain.b - u <= far)
         return BATTEN_OK; /* it begins there */
     batten_curve *turned = NULL;

@@ -181,6 +181,7 @@ batten_status bat_row_through(const bat_shared_knots *shared, int p, int d, int 
 {
     row_system s = {.p = p, .count = shared->count + p + 1, .rows = count};
     *is_free = count < s.count;
+    /* 16 million numbers are 128 megabytes. */
     const double size = (double)count * ((double)count + s.count);
     if (*is_free && size > 16e6)
         return bat_fail(BATTEN_TOO_LARGE,

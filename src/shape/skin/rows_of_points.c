@@ -1,3 +1,4 @@
+/* Skins through rows of points: each row with the knots that it can have, few in all. */
 #include "shape/skin/rows_of_points.h"
 #include "base/plural.h"
 #include "numeric/vector.h"
@@ -178,6 +179,7 @@ static batten_status check_points(rows *r, const batten_surface *surface, const 
             const batten_status status = batten_surface_evaluate(surface, r->u[i], v[k], 0, at);
             if (status != BATTEN_OK)
                 return status;
+            /* A hundred times the rounding of a banded system on coordinates of this size. */
             const double miss = bat_distance(r->dimension, at, r->points + i * d);
             r->found.error = bat_max(r->found.error, miss);
             if (!(miss <= 1e-11 * size))

@@ -55,6 +55,7 @@ static bool step_across(const samples *a, const samples *b, int i, double size, 
     double step[3], length = bat_norm(3, t);
     for (int c = 0; c < 3; c++)
         step[c] = b->points[i][c] - a->points[i][c];
+    /* A millionth of the size: below that the direction across is made of rounded differences. */
     const double along = length > 0 ? bat_dot(3, step, t) / length : 0;
     for (int c = 0; c < 3; c++)
         out[c] = step[c] - (length > 0 ? along * (t[c] / length) : 0);

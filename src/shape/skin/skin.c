@@ -1,3 +1,4 @@
+/* Skins from sections: options, the order of the steps, and the report. */
 #include "base/plural.h"
 #include "shape/skin/steps.h"
 

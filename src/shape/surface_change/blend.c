@@ -4,6 +4,7 @@
  * at the edges are theirs to rounding.
  */
 #include "shape/surface_change/blend.h"
+#include "numeric/rounding.h"
 
 #include "numeric/vector.h"
 #include "shape/formula/formula.h"
@@ -138,7 +139,7 @@ static batten_status place_edges(task *t, double *distance)
         return status;
     t->report->reversed = apart[1] < apart[0];
     *distance = bat_min(apart[0], apart[1]);
-    const double least = 1e-12 * t->size;
+    const double least = BAT_ROUNDING * t->size;
     if (!(*distance > least))
         return bat_fail(BATTEN_COINCIDENT, "the edges are the same: their mean distance is %g",
                         *distance);
@@ -194,7 +195,7 @@ static bool weights_agree(int count, batten_curve *const *curves)
     for (int k = 1; k < count && first->weights; k++) {
         const double factor = curves[k]->weights[0] / first->weights[0];
         for (int i = 1; i < first->count; i++)
-            if (fabs(curves[k]->weights[i] / (factor * first->weights[i]) - 1) > 1e-13)
+            if (fabs(curves[k]->weights[i] / (factor * first->weights[i]) - 1) > BAT_EXACT)
                 return false;
     }
     return true;

@@ -104,6 +104,7 @@ batten_status bat_blend_measure(const bat_blend_contact *t, const batten_surface
         status = compare(t, made, i / SAMPLES, at[i % SAMPLES]);
     if (status != BATTEN_OK)
         return status;
+    /* A fifth above the error of the edges, which is sampled; and the rounding of a rational blend. */
     const double far = bat_max(t->report->gap[0], t->report->gap[1]);
     if (far > 1.2 * t->report->error + 1e-11 * t->size)
         return bat_fail(BATTEN_TOLERANCE_NOT_MET, "the blend misses an edge by %g", far);

@@ -1,5 +1,6 @@
 /* Surfaces made longer at an edge: turned so that it is the end of v, gone on, turned back. */
 #include "shape/surface_change/extend.h"
+#include "numeric/rounding.h"
 
 #include "numeric/vector.h"
 #include "shape/boundary/edge_fit.h"
@@ -118,7 +119,7 @@ static batten_status check_edge(const task *t, double *slowest, double *bend)
         far = bat_max(far, bat_distance(3, values, first));
         const double speed = bat_norm(3, values + 6);
         const double width = t->end - batten_surface_domain(t->surface, BATTEN_V).a;
-        if (!(speed * width > 1e-12 * size))
+        if (!(speed * width > BAT_ROUNDING * size))
             return bat_fail(BATTEN_SINGULAR_HERE,
                             "the surface stands still across the edge at %.9g along it: it has "
                             "no direction to go on",
@@ -129,7 +130,7 @@ static batten_status check_edge(const task *t, double *slowest, double *bend)
         *bend = bat_max(*bend, bat_vec3_norm(bat_vec3_cross(slope, second)));
         *slowest = bat_min(*slowest, speed);
     }
-    if (!(far > 1e-12 * size))
+    if (!(far > BAT_ROUNDING * size))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "the edge is a point: the surface has no way to go on there");
     return BATTEN_OK;
@@ -154,7 +155,7 @@ static batten_status find_way(const task *t, double guess, batten_surface **out)
         status = go_by(t, way, &made);
         if (status == BATTEN_OK)
             status = lengths(t, made, &least, &most);
-        if (status == BATTEN_OK && fabs(least - t->length) <= 1e-12 * t->length) {
+        if (status == BATTEN_OK && fabs(least - t->length) <= BAT_ROUNDING * t->length) {
             *out = made;
             return BATTEN_OK;
         }

@@ -132,6 +132,7 @@ static batten_status make(const batten_surface *surface, double way, batten_surf
 static batten_status check_weights(const bat_nurbs *nurbs)
 {
     const int m = nurbs->axes[0].count, n = nurbs->axes[1].count;
+    /* Weights that were given equal, but for some units in the last place. */
     for (int i = 1; nurbs->weights && i < m; i++)
         if (fabs(nurbs->weights[i * n + n - 1] / nurbs->weights[n - 1] - 1) > 1e-14)
             return bat_fail(BATTEN_UNSUPPORTED,

@@ -2,6 +2,7 @@
  * coordinates. */
 #include "shape/surface_change/fillet.h"
 #include "base/plural.h"
+#include "numeric/rounding.h"
 
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
@@ -238,7 +239,7 @@ static batten_status check_balls(task *t)
             if (status != BATTEN_OK)
                 return status;
             const double bend = bat_max(signed_r * local.kappa1, signed_r * local.kappa2);
-            if (bend > 1 + 1e-9)
+            if (bend > 1 + BAT_MEANT_SAME)
                 return bat_fail(BATTEN_SINGULAR_HERE,
                                 "the ball of radius %g does not fit on surface %d at (%.6g, "
                                 "%.6g), where it is hollow with the radius %g",

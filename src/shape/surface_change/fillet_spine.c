@@ -1,4 +1,5 @@
 /* The way of a ball that rolls on two surfaces: where their offsets meet. */
+#include "numeric/rounding.h"
 #include "shape/surface_change/fillet.h"
 
 #include "numeric/dense.h"
@@ -41,6 +42,7 @@ static batten_vec3 middle(const places *p)
 static bool find_tangent(const places *p, batten_vec3 *tangent)
 {
     const batten_vec3 cross = bat_vec3_cross(p->normal[0], p->normal[1]);
+    /* Normals of two surfaces, each wrong by up to 1e-10: a direction of four digits. */
     const double sine = bat_vec3_norm(cross);
     *tangent = bat_vec3_scale(cross, sine > 0 ? 1 / sine : 0);
     return sine > 1e-6;
@@ -90,7 +92,7 @@ batten_status bat_ball_in_plane(const bat_rolling *r, const double guess[4],
         const batten_vec3 centre = middle(&p);
         const double off = point ? bat_vec3_dot(*normal, bat_vec3_subtract(centre, *point)) : 0;
         const double apart = bat_distance(3, p.offset[0], p.offset[1]);
-        if (apart <= 1e-13 * r->size && fabs(off) <= 1e-13 * r->size) {
+        if (apart <= BAT_EXACT * r->size && fabs(off) <= BAT_EXACT * r->size) {
             memcpy(out->x, x, sizeof x);
             out->centre = centre;
             out->contact[0] = p.contact[0];
@@ -227,7 +229,7 @@ static batten_fillet_end why(const bat_rolling *r, const bat_ball *ball)
     for (int j = 0; j < 4; j++) {
         const batten_interval d =
             batten_surface_domain(r->surfaces[j / 2], (batten_direction)(j % 2));
-        if (bat_min(ball->x[j] - d.a, d.b - ball->x[j]) <= 1e-9 * (d.b - d.a))
+        if (bat_min(ball->x[j] - d.a, d.b - ball->x[j]) <= BAT_MEANT_SAME * (d.b - d.a))
             return j < 2 ? BATTEN_FILLET_BORDER_1 : BATTEN_FILLET_BORDER_2;
     }
     return BATTEN_FILLET_LOST;
@@ -244,6 +246,7 @@ static batten_status roll(const march *m, bat_spine *s, batten_fillet_end *end)
         batten_status status = advance(m, from, h, &next, &found);
         if (status != BATTEN_OK)
             return status;
+        /* Steps turn by less than 11 degrees, and are halved twenty times at most. */
         if (found && bat_vec3_dot(next.tangent, from->tangent) < 0.98 && h > 1e-6 * m->step) {
             h /= 2;
             continue;

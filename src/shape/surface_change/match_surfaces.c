@@ -3,6 +3,7 @@
 #include <batten/curvature.h>
 
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/boundary/edge_fit.h"
 #include "spline/curve/curve.h"
@@ -366,7 +367,7 @@ static double size_of(const batten_surface *surface)
 static bool is_point(const batten_curve *curve, double size)
 {
     const batten_box box = batten_curve_box(curve);
-    return !(bat_vec3_norm(bat_vec3_subtract(box.high, box.low)) > 1e-12 * size);
+    return !(bat_vec3_norm(bat_vec3_subtract(box.high, box.low)) > BAT_ROUNDING * size);
 }
 
 static batten_status check_edges(const match *m, const batten_surface *second)
@@ -473,7 +474,7 @@ batten_status batten_surface_match(const batten_surface *first, batten_edge firs
         status = move_rows(&m, &own.moved);
     if (status == BATTEN_OK)
         status = finish(&m, first_edge, second, second_edge, along, &own, &made);
-    if (status == BATTEN_OK && !(own.gap <= bat_max(tolerance, 1e-12 * size_of(second))))
+    if (status == BATTEN_OK && !(own.gap <= bat_max(tolerance, BAT_ROUNDING * size_of(second))))
         status = bat_fail(BATTEN_TOLERANCE_NOT_MET, "the edges are %g apart; %g was wanted",
                           own.gap, tolerance);
     if (status == BATTEN_OK) {

@@ -1,6 +1,7 @@
 /* The offset of a surface: exact where it can be, else a formula, as such or near it. */
 #include "shape/surface_change/offset.h"
 #include "base/plural.h"
+#include "numeric/rounding.h"
 
 #include "numeric/vector.h"
 #include "shape/formula/formula.h"
@@ -14,7 +15,8 @@ typedef struct {
 batten_surface_offset_options batten_surface_offset_defaults(void)
 {
     return (batten_surface_offset_options){.size = sizeof(batten_surface_offset_options),
-                                           .tolerance = 1e-4,
+                                           .tolerance =
+                                               1e-4, /* with metres, a tenth of a millimetre */
                                            .most_points = BAT_APPROXIMATE_MOST};
 }
 
@@ -98,6 +100,7 @@ static batten_status check_crease(const batten_surface *surface, batten_directio
             n[k] = bat_vec3_scale(bat_vec3_subtract(bat_vec3_of(3, one), bat_vec3_of(3, zero)),
                                   1 / far);
         }
+        /* A crease of a millionth of a radian is below what modellers keep. */
         const double jump = bat_vec3_norm(bat_vec3_subtract(n[0], n[1]));
         if (jump > 1e-6)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
@@ -145,7 +148,8 @@ static batten_status check(const batten_surface *surface, double distance,
 
 static batten_status check_turned(double distance, const batten_surface_offset_report *r)
 {
-    if (r->factor > 1e-9)
+    /* 1 minus the product of distance and curvature, of a curvature known to nine digits. */
+    if (r->factor > BAT_MEANT_SAME)
         return BATTEN_OK;
     const double kappa = (1 - r->factor) / distance;
     return bat_fail(BATTEN_SINGULAR_HERE,

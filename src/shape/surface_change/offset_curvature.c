@@ -37,6 +37,7 @@ static batten_status lay_samples(const batten_surface *surface, batten_direction
         batten_surface_spans(surface, direction, breaks);
     for (int s = 0; ready && s < spans; s++) {
         const double a = breaks[s], width = breaks[s + 1] - a;
+        /* Just inside the span, so that one-sided curvatures are those of its own piece. */
         for (int i = 0; i <= each; i++) {
             const double t = bat_max(1e-9, bat_min(1 - 1e-9, (double)i / each));
             out->at[out->count] = bat_min(a + t * width, breaks[s + 1]);

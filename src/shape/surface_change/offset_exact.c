@@ -3,6 +3,7 @@
  * has the knots and weights of the surface; so w (S + d n) is interpolated at Greville's
  * abscissae with them, and the result is compared with the truth.
  */
+#include "numeric/rounding.h"
 #include "shape/surface_change/offset.h"
 
 #include "numeric/banded.h"
@@ -112,7 +113,7 @@ static void keep_poles(const task *t, double *points)
             const size_t a = 3 * (size_t)first, b = 3 * (size_t)(first + i * step);
             pole = bat_distance(3, t->nurbs->points + a, t->nurbs->points + b) <=
                        8 * DBL_EPSILON * t->size &&
-                   bat_distance(3, points + a, points + b) <= 1e-12 * t->size;
+                   bat_distance(3, points + a, points + b) <= BAT_ROUNDING * t->size;
         }
         for (int i = 1; i < count && pole; i++)
             memcpy(points + 3 * (size_t)(first + i * step), points + 3 * (size_t)first,
@@ -155,7 +156,7 @@ static batten_status verify(const task *t, const batten_surface *made, bool *exa
                 status = batten_surface_evaluate(made, at[0], at[1], 0, point);
             if (status != BATTEN_OK)
                 break;
-            *exact = bat_distance(3, truth, point) <= 1e-12 * t->size;
+            *exact = bat_distance(3, truth, point) <= BAT_ROUNDING * t->size;
         }
     return status;
 }

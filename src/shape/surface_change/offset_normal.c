@@ -3,6 +3,7 @@
  * Su = (v - b) T with T = Suv + (v - b) Suvv / 2 + ..., and T x Sv has the direction that
  * Su x Sv has beside the edge, or the opposite one.
  */
+#include "numeric/rounding.h"
 #include "shape/surface_change/offset.h"
 
 #include "numeric/jet.h"
@@ -74,7 +75,7 @@ static bool spans(const bat_jet a[3], const bat_jet b[3])
         return false;
     const batten_vec3 x = {a[0].d[0] / la, a[1].d[0] / la, a[2].d[0] / la};
     const batten_vec3 y = {b[0].d[0] / lb, b[1].d[0] / lb, b[2].d[0] / lb};
-    return bat_vec3_norm(bat_vec3_cross(x, y)) > 1e-9;
+    return bat_vec3_norm(bat_vec3_cross(x, y)) > BAT_LEAST_SINE;
 }
 
 /* At a collapsed edge; `noise` of Su and Sv. */

@@ -1,4 +1,5 @@
 /* Sweeps that are NURBS surfaces: every control point is made of one of each curve. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "spline/curve/curve.h"
 #include "spline/surface/surface.h"
@@ -82,7 +83,7 @@ static batten_status has_area(const batten_surface *s, double u, double v, bool 
     const batten_status status = batten_surface_evaluate(s, u, v, 1, d);
     const double a = bat_norm(3, d + 3), b = bat_norm(3, d + 6);
     const batten_box box = batten_surface_box(s);
-    const double least = 1e-12 * bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
+    const double least = BAT_ROUNDING * bat_vec3_norm(bat_vec3_subtract(box.high, box.low));
     if (status != BATTEN_OK ||
         !(a * width(s, BATTEN_U) > least && b * width(s, BATTEN_V) > least))
         return status;
@@ -90,7 +91,8 @@ static batten_status has_area(const batten_surface *s, double u, double v, bool 
         d[3 + c] /= a;
         d[6 + c] /= b;
     }
-    *found = bat_vec3_norm(bat_vec3_cross(bat_vec3_of(3, d + 3), bat_vec3_of(3, d + 6))) > 1e-9;
+    *found = bat_vec3_norm(bat_vec3_cross(bat_vec3_of(3, d + 3), bat_vec3_of(3, d + 6))) >
+             BAT_LEAST_SINE;
     return BATTEN_OK;
 }
 
@@ -162,7 +164,7 @@ static batten_status check_plane(const batten_curve *curve, int axis, const char
                         curve->dimension);
     const double size = bat_largest(3 * curve->count, curve->points);
     for (int i = 0; i < curve->count; i++)
-        if (fabs(curve->points[3 * i + axis]) > 1e-12 * size)
+        if (fabs(curve->points[3 * i + axis]) > BAT_ROUNDING * size)
             return bat_fail(BATTEN_NOT_COMPATIBLE,
                             "control point %d of the %s has %c = %g: it must lie in the "
                             "%s-plane",

@@ -1,4 +1,6 @@
+/* Motions of all kinds: giving them back, and how smooth they are where their pieces meet. */
 #include "shape/sweep/motion.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 
 void bat_motion_free(bat_motion *motion)
@@ -23,7 +25,7 @@ static bool agrees(const bat_motion *motion, const bat_pose *a, const bat_pose *
     for (int c = 0; c < 4; c++) {
         const double *p = a->d[k][c], *q = b->d[k][c];
         const double allowed =
-            1e-9 * (bat_norm(3, p) + bat_norm(3, q) + unit[c == BAT_POSE_ORIGIN]);
+            BAT_MEANT_SAME * (bat_norm(3, p) + bat_norm(3, q) + unit[c == BAT_POSE_ORIGIN]);
         if (bat_distance(3, p, q) > allowed && !(motion->flat && c == BAT_POSE_Z))
             return false;
     }

@@ -1,5 +1,10 @@
+/*
+ * The motion of a section between two rails: pairs of points on both, the frame across the chord,
+ * and its scale.
+ */
 #include "shape/sweep/motion_rails.h"
 #include "numeric/jet3.h"
+#include "numeric/rounding.h"
 #include <batten/nearest.h>
 
 #include <stdlib.h>
@@ -144,7 +149,7 @@ static batten_status find_rise(const double (*rails)[15], const bat_jet3 *chord,
     }
     const bat_jet3 sum = bat_jet3_add(mean[0], mean[1]);
     const bat_jet3 square = bat_jet3_cross(sum, *chord);
-    if (!(bat_vec3_norm(bat_jet3_in_v(&square, 0)) > 1e-9))
+    if (!(bat_vec3_norm(bat_jet3_in_v(&square, 0)) > BAT_LEAST_SINE))
         return bat_fail(BATTEN_SINGULAR_HERE,
                         "at %g of the way the rails have no mean tangent across their chord",
                         v);
@@ -380,7 +385,7 @@ static batten_status lay_breaks(between *m)
     qsort(breaks, count, sizeof *breaks, by_value);
     int kept = 0;
     for (size_t i = 0; i < count; i++)
-        if (i == 0 || breaks[i] - breaks[kept - 1] > 1e-9)
+        if (i == 0 || breaks[i] - breaks[kept - 1] > BAT_MEANT_SAME)
             breaks[kept++] = breaks[i];
     breaks[0] = 0;
     breaks[kept - 1] = 1;
@@ -399,7 +404,7 @@ static batten_status build(between *m, const bat_rails *rails)
     m->across = rails->across;
     m->by_planes = bat_vec3_norm(rails->across) > 0;
     m->height = rails->height;
-    m->tolerance = bat_max(rails->tolerance, 1e-12 * m->base.size);
+    m->tolerance = bat_max(rails->tolerance, BAT_ROUNDING * m->base.size);
     batten_status status = check_length(m, 0);
     if (status == BATTEN_OK)
         status = check_length(m, 1);

@@ -1,3 +1,4 @@
+/* The motion along a screw: a turn about an axis, and a way along it. */
 #include "numeric/vector.h"
 #include "shape/sweep/motion.h"
 

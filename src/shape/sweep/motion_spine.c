@@ -1,6 +1,7 @@
 /* Frames that go along a spine: which way they look, how large they are, how they turn, and
  * what happens at corners. */
 #include "shape/sweep/motion_spine.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include <batten/curvature.h>
 #include <batten/measure.h>
@@ -39,7 +40,7 @@ typedef struct {
 static batten_status place_of_share(const bat_spine_motion *m, double share, double *u)
 {
     const double length = share * m->total;
-    return batten_curve_at_length(m->spine, 1, &length, 1e-13 * m->total, u);
+    return batten_curve_at_length(m->spine, 1, &length, BAT_EXACT * m->total, u);
 }
 
 static int count_law_knots(const bat_spine_motion *m)
@@ -69,7 +70,7 @@ static void add_break(bat_motion *motion, double u, double near)
 static batten_status add_law_breaks(building *b)
 {
     bat_spine_motion *m = b->m;
-    const double near = 1e-9 * (b->knots[b->knot_count - 1] - b->knots[0]);
+    const double near = BAT_MEANT_SAME * (b->knots[b->knot_count - 1] - b->knots[0]);
     for (int i = 0; i < 3; i++) {
         if (!m->laws[i])
             continue;
@@ -169,7 +170,7 @@ static batten_status make_room(building *b)
 
 static batten_status check_length(const building *b)
 {
-    const double least = bat_max(b->options->tolerance, 1e-12 * b->m->base.size);
+    const double least = bat_max(b->options->tolerance, BAT_ROUNDING * b->m->base.size);
     if (!(b->m->total > least))
         return bat_fail(BATTEN_COINCIDENT,
                         "the spine is %g long, no more than the tolerance of %g", b->m->total,

@@ -1,4 +1,5 @@
 /* Where a spine closes, and its corners. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/motion_spine.h"
 
@@ -8,8 +9,8 @@ batten_vec3 bat_unit_across(batten_vec3 v, batten_vec3 t)
 {
     const batten_vec3 rest = bat_vec3_along(v, -bat_vec3_dot(v, t), t);
     const double length = bat_vec3_norm(rest);
-    return length > 1e-9 * bat_vec3_norm(v) ? bat_vec3_scale(rest, 1 / length)
-                                            : (batten_vec3){0, 0, 0};
+    return length > BAT_LEAST_SINE * bat_vec3_norm(v) ? bat_vec3_scale(rest, 1 / length)
+                                                      : (batten_vec3){0, 0, 0};
 }
 
 batten_vec3 bat_turn_least(batten_vec3 x, batten_vec3 a, batten_vec3 b)
@@ -37,7 +38,8 @@ static batten_status look_at_seam(const bat_spine_motion *m, bool *closed,
     if (status == BATTEN_OK)
         status = bat_spine_tangent(m, domain.a, BATTEN_FROM_RIGHT, &point[1], &tangent[1]);
     if (status == BATTEN_OK)
-        *closed = bat_vec3_norm(bat_vec3_subtract(point[0], point[1])) <= 1e-9 * m->base.size;
+        *closed = bat_vec3_norm(bat_vec3_subtract(point[0], point[1])) <=
+                  BAT_MEANT_SAME * m->base.size;
     return status;
 }
 
@@ -107,7 +109,7 @@ batten_status bat_spine_mitre(bat_spine_motion *m)
     if (status != BATTEN_OK || !closed)
         return status;
     const double sine = bat_vec3_norm(bat_vec3_cross(tangent[0], tangent[1]));
-    if (sine <= 1e-9)
+    if (sine <= BAT_LEAST_SINE)
         return BATTEN_OK;
     const batten_interval domain = batten_curve_domain(m->spine);
     return mitre(m, &m->runs[m->run_count - 1], &m->runs[0], (double[2]){domain.b, domain.a});

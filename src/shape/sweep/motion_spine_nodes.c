@@ -1,4 +1,5 @@
 /* Nodes along a spine: its lengths, and the axes that turn least. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/motion_spine.h"
 
@@ -48,7 +49,7 @@ batten_status bat_spine_lay_nodes(bat_spine_motion *m, int knot_count, const dou
                 return status;
         }
         /* A smaller bend is rounding: sections there differ by less than that of themselves. */
-        if (angle > 1e-9) {
+        if (angle > BAT_MEANT_SAME) {
             const batten_status status = check_corner(corners, low, angle);
             if (status != BATTEN_OK)
                 return status;
@@ -89,8 +90,8 @@ static batten_status frame_run(bat_spine_motion *m, const bat_spine_run *r, batt
     else if (status == BATTEN_OK)
         status = batten_curve_subrange(m->spine, a, b, &part);
     if (status == BATTEN_OK)
-        status =
-            batten_curve_minimising_frames(part, count, m->u + r->first, 1e-9, frames, NULL);
+        status = batten_curve_minimising_frames(part, count, m->u + r->first, BAT_MEANT_SAME,
+                                                frames, NULL);
     const double angle = status == BATTEN_OK ? bat_angle_about(frames[0].z, frames[0].x, x) : 0;
     for (int i = 0; status == BATTEN_OK && i < count; i++) {
         const batten_vec3 y = bat_vec3_cross(frames[i].z, frames[i].x);

@@ -2,6 +2,7 @@
  * splines through sections at Greville's abscissae; sections are added where it is too far. */
 #include "base/plural.h"
 #include "numeric/banded.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/true_sweep.h"
 #include "spline/curve/curve.h"
@@ -229,6 +230,7 @@ static batten_status measure_last(fitting *f)
 /* Into how many parts a span should be cut: its error falls with the power degree + 1. */
 static int parts_of(const fitting *f, int span)
 {
+    /* The error falls with the power degree + 1 of the length, a tenth more to be safe; what is not finite asks for the most. */
     const double ratio = f->error[span] / f->tolerance;
     if (!(ratio > 1))
         return 1;
@@ -384,7 +386,7 @@ static void close_seam(fitting *f)
     double gap = 0;
     for (size_t c = 0; c < f->row; c++)
         gap = bat_max(gap, fabs(f->rows[c] - last[c]));
-    if (gap > bat_min(1e-9 * f->size, f->tolerance / 16))
+    if (gap > bat_min(BAT_MEANT_SAME * f->size, f->tolerance / 16))
         return;
     memcpy(last, f->rows, f->row * sizeof *last);
     f->worst += gap;

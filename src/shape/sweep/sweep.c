@@ -1,4 +1,9 @@
+/*
+ * Sweeps along a spine, pipes and helical surfaces: options, checks, and the choice between the
+ * exact surface, the true one and the NURBS near it.
+ */
 #include "base/plural.h"
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/true_sweep.h"
 #include "spline/curve/curve.h"
@@ -9,8 +14,9 @@
 
 batten_surface_sweep_options batten_surface_sweep_defaults(void)
 {
-    return (batten_surface_sweep_options){
-        .size = sizeof(batten_surface_sweep_options), .tolerance = 1e-6, .degree = 3};
+    return (batten_surface_sweep_options){.size = sizeof(batten_surface_sweep_options),
+                                          .tolerance = 1e-6, /* with metres, a micrometre */
+                                          .degree = 3};
 }
 
 /* ---- sections ---- */
@@ -140,7 +146,7 @@ typedef struct {
 
 static void note_fold(fold *f, double v, double clearance)
 {
-    const bool folds = clearance <= 1e-12; /* what rounding leaves of 0 */
+    const bool folds = clearance <= BAT_ROUNDING; /* what rounding leaves of 0 */
     if (folds && !f->found)
         *f = (fold){true, false, v, v};
     else if (folds && !f->over)

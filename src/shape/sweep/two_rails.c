@@ -1,4 +1,5 @@
 /* A section along two rails. */
+#include "numeric/rounding.h"
 #include "numeric/vector.h"
 #include "shape/sweep/motion_rails.h"
 #include "shape/sweep/true_sweep.h"
@@ -7,8 +8,9 @@
 
 batten_surface_two_rails_options batten_surface_two_rails_defaults(void)
 {
-    return (batten_surface_two_rails_options){
-        .size = sizeof(batten_surface_two_rails_options), .tolerance = 1e-6, .degree = 3};
+    return (batten_surface_two_rails_options){.size = sizeof(batten_surface_two_rails_options),
+                                              .tolerance = 1e-6, /* with metres, a micrometre */
+                                              .degree = 3};
 }
 
 /* The section with its ends in (0, 0) and (1, 0); *chord is how far they were apart. */
@@ -27,11 +29,11 @@ static batten_status stretch(const batten_curve *section, batten_curve **out, do
     const double size = bat_largest(3 * space->count, space->points);
     const double length = bat_norm(2, (const double[2]){x, y});
     *chord = length;
-    if (status == BATTEN_OK && !(*chord > 1e-12 * size))
+    if (status == BATTEN_OK && !(*chord > BAT_ROUNDING * size))
         status =
             bat_fail(BATTEN_COINCIDENT,
                      "the section begins and ends in the same place, (%g, %g)", a[0], a[1]);
-    if (status == BATTEN_OK && fabs(z) > 1e-12 * size)
+    if (status == BATTEN_OK && fabs(z) > BAT_ROUNDING * size)
         status =
             bat_fail(BATTEN_NOT_COMPATIBLE,
                      "the section begins at z = %g and ends at z = %g: its chord is laid from "
