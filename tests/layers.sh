@@ -14,6 +14,17 @@ for folder in base numeric spline inspect shape body mesh model fair exchange; d
     allowed="$allowed|$folder"
     bad="$bad$(includes "src/$folder" | grep -vE "\"($allowed)/")"
 done
+# The rooms of shape: each includes only itself and the rooms before it.
+rooms="formula|points|local|linear|arcs|near|grid|boundary|bent|cloud|skin|sweep|network|fill|curve_change|surface_change|plate"
+before=""
+for room in $(echo "$rooms" | tr '|' ' '); do
+    before="$before|$room"
+    bad="$bad$(includes "src/shape/$room" | grep '"shape/' | grep -vE "\"shape/(${before#|})/")"
+done
+for folder in src/shape/*; do
+    echo "$folder" | grep -qE "^src/shape/($rooms)$" || bad="$bad$folder is not in the list of rooms of shape
+"
+done
 for folder in picture design; do
     bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena)\.h\")")"
 done

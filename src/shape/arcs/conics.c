@@ -1,7 +1,7 @@
 /* Conics through points of the plane with tangents and curvatures. */
 #include "numeric/vector.h"
 #include "shape/arcs/biarc.h"
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 #include "spline/chain/chain.h"
 #include "spline/data_check.h"
 #include <batten/arcs.h>

@@ -1,7 +1,7 @@
 /* Curves that join the ends of two others smoothly, and which ends are nearest. */
 #include "inspect/affine/side.h"
 #include "numeric/vector.h"
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 #include "spline/curve/curve.h"
 #include <batten/blend.h>
 

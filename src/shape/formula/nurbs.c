@@ -4,6 +4,7 @@
  * the other where the spline is exact, so that only spans that need it are halved.
  */
 #include "shape/formula/nurbs.h"
+#include "shape/formula/evaluate.h"
 
 #include "numeric/banded.h"
 #include "numeric/dense.h"

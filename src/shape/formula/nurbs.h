@@ -1,10 +1,8 @@
-/* What formula.c has done by formula_nurbs.c. */
+/* The box, isocurves and NURBS near a surface that is a formula. */
 #ifndef BAT_FORMULA_NURBS_H
 #define BAT_FORMULA_NURBS_H
 #include "shape/formula/formula.h"
 
-/* How smooth a surface is known to be across its inner spans; of one that is no formula: 0. */
-int bat_formula_smoothness(const batten_surface *surface, batten_direction direction);
 /* The box of samples, widened by what they can miss as far as their second differences tell. */
 batten_status bat_formula_find_box(const batten_surface *surface, batten_box *out);
 /* The isocurve of a surface that is no NURBS, within 1e-9 of the size of its box. */

@@ -33,8 +33,6 @@ void bat_tension_slope(const bat_tension *t, int span, int end, double *slope);
 /* Raise tensions until the rule is satisfied. */
 batten_status bat_tension_convex(bat_tension *t, double slack);
 batten_status bat_tension_monotone(bat_tension *t, double slack);
-/* One span more: from 1 by its length, by halves. */
-void bat_tension_raise(bat_tension *t, int span);
 enum { BAT_TENSION_ROUNDS = 100 };
 
 #endif

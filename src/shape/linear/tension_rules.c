@@ -5,7 +5,8 @@
 #include <float.h>
 #include <string.h>
 
-void bat_tension_raise(bat_tension *t, int span)
+/* One span more: from 1 by its length, by halves. */
+static void raise_tension(bat_tension *t, int span)
 {
     const double least = 1 / (t->u[span + 1] - t->u[span]);
     t->sigma[span] = t->sigma[span] < least ? least : 1.5 * t->sigma[span];
@@ -32,7 +33,7 @@ static batten_status raise_until(bat_tension *t, mark_spans mark, const void *ru
         }
         for (int i = 0; i < t->spans; i++)
             if (marks[i])
-                bat_tension_raise(t, i);
+                raise_tension(t, i);
         memset(marks, 0, (size_t)t->spans);
         status = bat_tension_solve(t);
     }

@@ -43,11 +43,6 @@ static void scale_leg(const bat_correction *w, int foot, int tip, double factor)
             factor * (bat_correction_point(w, tip)[k] - bat_correction_point(w, foot)[k]);
 }
 
-bool bat_correction_is_bad(batten_cubic_region region)
-{
-    return region != BATTEN_REGION_REGULAR && region != BATTEN_REGION_S_SHAPED;
-}
-
 /* Bring one span into its good region; false when that cannot be. */
 static bool correct_span(bat_correction *w, int i)
 {
@@ -82,22 +77,6 @@ static void correct_spans(bat_correction *w)
 }
 
 /* ---- curvatures at the joins, in the plane ---- */
-
-double bat_correction_bend(const bat_correction *w, int i, int end)
-{
-    const double *a = bat_correction_point(w, end ? 3 * i + 3 : 3 * i);
-    const double *b = bat_correction_point(w, end ? 3 * i + 2 : 3 * i + 1);
-    const double *c = bat_correction_point(w, end ? 3 * i + 1 : 3 * i + 2);
-    const double leg[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {c[0] - b[0], c[1] - b[1]};
-    const double length = bat_norm(2, leg);
-    const double cross = leg[0] * next[1] - leg[1] * next[0];
-    return (end ? -1 : 1) * 2 * cross / (3 * length * length * length);
-}
-
-int bat_correction_before(const bat_correction *w, int j)
-{
-    return j == 0 ? w->count - 1 : j - 1;
-}
 
 /* How much two curvatures differ, of the larger one. */
 static double part(double left, double right)

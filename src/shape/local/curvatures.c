@@ -1,7 +1,7 @@
 /* Plane cubics with tangents and curvatures given. */
 #include "numeric/vector.h"
-#include "shape/linear/local.h"
 #include "shape/local/curvature_ends.h"
+#include "shape/local/hermite_data.h"
 #include "shape/points/parametrize.h"
 #include "spline/data_check.h"
 

@@ -1,6 +1,6 @@
 /* Curves from points and tangents. */
 #include "numeric/vector.h"
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 #include "spline/curve/curve.h"
 #include "spline/data_check.h"
 

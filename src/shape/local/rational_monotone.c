@@ -1,5 +1,5 @@
 /* The monotone rational quadratic of Gregory and Delbourgo. */
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 
 #include <string.h>
 

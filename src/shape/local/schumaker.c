@@ -1,5 +1,5 @@
 /* Quadratic splines that are monotone and convex where the data are. */
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 
 #include <string.h>
 

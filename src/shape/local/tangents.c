@@ -1,6 +1,6 @@
 /* Tangents at points from a few neighbours. */
 #include "numeric/vector.h"
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 #include "shape/points/parametrize.h"
 #include "spline/data_check.h"
 

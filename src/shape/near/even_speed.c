@@ -2,7 +2,6 @@
 #include "base/plural.h"
 #include "inspect/singular.h"
 #include "numeric/vector.h"
-#include "shape/curve_change/offset.h"
 #include "spline/curve/curve.h"
 
 #include <batten/measure.h>

@@ -1,6 +1,6 @@
 /* What local methods share: Hermite data that may be closed and may have corners. */
-#ifndef BAT_LOCAL_H
-#define BAT_LOCAL_H
+#ifndef BAT_HERMITE_DATA_H
+#define BAT_HERMITE_DATA_H
 #include "base/base.h"
 #include <batten/local.h>
 

@@ -1,6 +1,6 @@
 /* Will a cubic spline function be convex? Answered without solving for it. */
 #include "shape/linear/end_conditions.h"
-#include "shape/linear/local.h"
+#include "shape/local/hermite_data.h"
 
 /* A row of the equations of the second derivatives M: lower M[i - 1] + diagonal M[i] + upper
  * M[i + 1] = right. */

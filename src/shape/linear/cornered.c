@@ -1,3 +1,4 @@
+/* Curves through points with corners and straight lines: smooth runs are interpolated one by one. */
 #include "base/plural.h"
 #include "numeric/vector.h"
 #include <batten/local.h>
