@@ -63,12 +63,13 @@ void formats_manual(batten_text *text)
     batten_text_add(
         text,
         "\n"
-        "When reading, the content decides; --from-format (in a design 'format' of 'read') where it does\n"
-        "not tell. When writing, the ending decides, or --format.\n"
-        "Shapes become triangles in STL, PLY, glTF and 3MF, and bodies in OBJ, which keeps free-form curves\n"
-        "and surfaces, within --chord and --angle. What a format cannot hold is left out, and said.\n"
-        "A file that is damaged in part is read in part: what was left out is said, and the exit status is 3.\n"
-        "A format without unit takes the numbers as they are: --from-unit says what they mean.\n"
+        "When reading, the content decides, or --from-format (in a design 'format' of 'read')\n"
+        "where it does not tell. When writing, the ending decides, or --format.\n\n"
+        "Shapes become triangles in STL, PLY, glTF and 3MF, and bodies in OBJ, which keeps\n"
+        "free-form curves and surfaces, within --chord and --angle. What a format cannot hold is\n"
+        "left out and reported. A file that is damaged in part is read in part: what was left out\n"
+        "is reported, and the exit status is 3. A format without a unit takes the numbers as they\n"
+        "are: --from-unit says what they mean.\n\n"
         "Pictures are .svg, .pdf and .png of the commands and outputs that draw.\n");
 }
 

@@ -295,11 +295,11 @@ const command command_build = {
     .usage = "DESIGN [-o DIR] [--set NAME=VALUE] [--only FEATURE]",
     .summary = "make everything that a design file describes: the main job",
     .manual =
-        "Evaluates the features of DESIGN and writes its outputs, each to a temporary file that is then\n"
-        "renamed. What cannot be made is reported, and the status is 1; everything else is made all the same.\n"
-        "The report says how long each feature took, how far its result is from the data, how far\n"
-        "fairing moved any point. No output may be DESIGN itself or a file that it reads. 'batten help\n"
-        "design' describes design files.",
+        "Evaluates the features of DESIGN and writes its outputs, each to a temporary file that\n"
+        "is then renamed. What cannot be made is reported, and the exit status is 1; everything\n"
+        "else is still made. The report gives for each feature the time it took, the distance of\n"
+        "its result from the data, and how far fairing moved any point. No output may be DESIGN\n"
+        "itself or a file that it reads. 'batten help design' describes design files.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

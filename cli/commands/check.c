@@ -101,10 +101,11 @@ const command command_check = {
     .usage = "IN [--within TOL] [--json]",
     .summary = "how fair a shape is, and how far from its data; status 1 when a bound fails",
     .manual =
-        "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own checks are\n"
-        "then made. Of bodies gaps, loose edges, faces turned against each other and shells turned inside\n"
-        "out are told, of meshes edges at the rim, triangles turned against each other, edges of more\n"
-        "than two; with --within the status is 1 when there are any, of bodies beyond it.",
+        "IN is a file of curves, surfaces, bodies or meshes, or a design (.yaml), whose own\n"
+        "checks are then made. For bodies gaps, loose edges, faces turned against each other and\n"
+        "shells turned inside out are reported; for meshes edges at the rim, triangles turned\n"
+        "against each other and edges of more than two triangles. With --within the exit status\n"
+        "is 1 when there are any, for bodies when they exceed it.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

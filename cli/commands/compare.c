@@ -254,13 +254,13 @@ const command command_compare = {
     .usage = "POINTS -o PICTURE [--methods LIST]",
     .summary = "curves of several methods through the same points, side by side",
     .manual =
-        "Draws each method in a panel of its own with its curvature comb, all at one scale, and prints a\n"
-        "table: bending energy (infinite with corners), variation of curvature (infinite where it jumps),\n"
-        "inflections, extrema of curvature, the largest curvature, length and time. A method is the name of\n"
-        "a feature, with settings behind colons:\n"
-        "--methods interpolate:parameters=chord,tension:amount=8,elastica. 'batten help features' lists\n"
-        "them; --methods all takes every one that needs nothing but points. A method that fails is left\n"
-        "out, and says why.",
+        "Draws each method in a panel of its own with its curvature comb, all at one scale, and\n"
+        "prints a table: bending energy (infinite with corners), variation of curvature (infinite\n"
+        "where it jumps), inflections, extrema of curvature, the largest curvature, length and\n"
+        "time. A method is the name of a feature, with settings after colons: --methods\n"
+        "interpolate:parameters=chord,tension:amount=8,elastica. 'batten help features' lists the\n"
+        "methods; --methods all takes every one that needs nothing but points. A method that\n"
+        "fails is left out, with the reason.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

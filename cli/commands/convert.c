@@ -437,15 +437,16 @@ const command command_convert = {
     .usage = "IN OUT [--unit UNIT] or IN -o OUT",
     .summary = "write what is in one file into another format",
     .manual =
-        "IN is STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY, OFF, PCD, a table of offsets, points or an\n"
-        "aerofoil, told by its content; file#name means one object in it, as 'batten info' names it. OUT\n"
-        "ends in .step, .igs, .g2; for meshes, which shapes become within --chord and --angle, in .stl,\n"
-        ".ply, .glb or .3mf, and bodies in .obj, which keeps surfaces; for curves also in .dxf or .svg\n"
-        "(true scale, as seen along z) or .nc (G-code); for points and tables in .csv or .xyz, an\n"
-        "aerofoil in .dat. Points stay points in .step, .igs and .dxf: 'batten fit' makes curves of them.\n"
-        "'batten help formats' says what each keeps. What was read and written is\n"
-        "counted; what had to be approximated or left out is reported. OUT cannot be IN itself. Exit\n"
-        "status 3 when only a part of IN could be read, or meshed.",
+        "IN is STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY, OFF, PCD, a table of offsets, points or\n"
+        "an aerofoil, recognised by its content; file#name means one object in it, as named by\n"
+        "'batten info'. OUT ends in .step, .igs, .g2; for meshes, which shapes become within\n"
+        "--chord and --angle, in .stl, .ply, .glb or .3mf, and for bodies in .obj, which keeps\n"
+        "surfaces; for curves also in .dxf or .svg (true scale, as seen along z) or .nc (G-code);\n"
+        "for points and tables in .csv or .xyz, for an aerofoil in .dat. Points stay points in\n"
+        ".step, .igs and .dxf: 'batten fit' makes curves of them. 'batten help formats' says what\n"
+        "each format keeps. What was read and written is counted; what had to be approximated or\n"
+        "left out is reported. OUT cannot be IN itself. The exit status is 3 when only a part of\n"
+        "IN could be read, or meshed.",
     .least_files = 1,
     .most_files = 2,
     .option_count = sizeof options / sizeof options[0],

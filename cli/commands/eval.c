@@ -190,9 +190,9 @@ const command command_eval = {
     .usage = "IN --at U[,V] [--at ...] [--order K]",
     .summary = "points and derivatives of curves and surfaces",
     .manual =
-        "IN is a file, file#name for one object in it, or - for standard input. Derivatives are printed\n"
-        "behind the point: du, duu ... of a curve; du, dv, duu, duv, dvv ... of a surface. Numbers have\n"
-        "the fewest digits that read back to the same bits.",
+        "IN is a file, file#name for one object in it, or - for standard input. Derivatives are\n"
+        "printed after the point: du, duu ... for a curve; du, dv, duu, duv, dvv ... for a\n"
+        "surface. Numbers have the fewest digits that read back to the same bits.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -38,9 +38,10 @@ const command command_fair = {
     .usage = "IN -o OUT --within TOL",
     .summary = "fair a curve or a table of offsets, moving no point farther than allowed",
     .manual =
-        "IN is a table of offsets, or points, through which a curve is interpolated. Curves of IGES\n"
-        "files do not say through which points they go, and cannot be made fair. The report says how far\n"
-        "points were moved and how many excess inflections there were before and after.",
+        "IN is a table of offsets, or points, through which a curve is interpolated. Curves of\n"
+        "IGES files do not state the points they pass through, and cannot be made fair. The\n"
+        "report says how far points were moved and how many excess inflections there were before\n"
+        "and after.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

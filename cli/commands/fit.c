@@ -45,9 +45,10 @@ const command command_fit = {
     .usage = "POINTS -o OUT [--method NAME]",
     .summary = "a curve or a surface from points",
     .manual =
-        "POINTS is a file of points, an aerofoil or a table of offsets. The parameters of the method are\n"
-        "options; 'batten help NAME' describes them. They may also stand behind the name, as for compare,\n"
-        "and one that is called as an option of this command must: --method fit-grid:method=smooth.",
+        "POINTS is a file of points, an aerofoil or a table of offsets. The parameters of the\n"
+        "method are options; 'batten help NAME' describes them. They may also follow the name of\n"
+        "the method, as in compare, and a parameter with the name of an option of this command\n"
+        "must: --method fit-grid:method=smooth.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

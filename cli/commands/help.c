@@ -52,8 +52,8 @@ static void add_commands(batten_text *text, const command_table *table)
     batten_text_add(
         text,
         "\n"
-        "'batten help COMMAND' says more; 'batten help design' describes design files,\n"
-        "'batten help formats' lists the formats of files, 'batten help files' describes tables and points;\n"
+        "'batten help COMMAND' says more; 'batten help design' describes design files, 'batten help\n"
+        "formats' lists the formats of files, 'batten help files' describes tables and points;\n"
         "'batten help features' lists the operations, 'batten help NAME' describes one.\n\n"
         "Exit status: 0 done, 1 failed or a bound not met, 2 wrong usage, 3 partly read or measured.\n");
 }
@@ -155,44 +155,50 @@ static const char design_manual[] =
     "      lines.pdf:  {lines-plan: hull}\n"
     "      hull.png:   {picture: hull, shading: zebra}\n"
     "      report.txt: {check: hull}\n\n"
-    "The first key of a feature names the operation, its value is the principal input. Names refer to other\n"
-    "features, in any order. A value may carry a unit (2 mm, 30 deg) or be an expression over the parameters\n"
-    "(=beam/2). Paths are relative to the file and stay below its folder unless --allow-outside is given.\n\n"
-    "units: those of numbers without a unit: m (of itself), mm, cm, in, ft ... Numbers may have others.\n"
-    "tolerance: what counts as the same point, 0.1 mm unless it is given. Curves that shall meet may miss\n"
-    "each other by it, and what cannot be written exactly (arcs of clothoids, surfaces that are no NURBS)\n"
-    "comes that near; operations with a parameter 'within' take that instead. For models of a few\n"
-    "millimetres, or of kilometres, give one that suits them.\n\n"
+    "The first key of a feature names the operation, its value is the principal input. Names\n"
+    "refer to other features, in any order. A value may carry a unit (2 mm, 30 deg) or be an\n"
+    "expression over the parameters (=beam/2). Paths are relative to the file and stay below\n"
+    "its folder unless --allow-outside is given.\n\n"
+    "units: the unit of numbers without one: m (the default), mm, cm, in, ft ... A number may\n"
+    "have a unit of its own.\n"
+    "tolerance: what counts as the same point, 0.1 mm unless given. Curves that must meet may\n"
+    "miss each other by it, and what cannot be written exactly (arcs of clothoids, surfaces\n"
+    "that are not NURBS) is written to within it; operations with a parameter 'within' use\n"
+    "that instead. For models of a few millimetres, or of kilometres, give a tolerance that\n"
+    "suits them.\n\n"
     "'batten build FILE' makes the outputs. 'batten help features' lists the operations.\n";
 
 static const char files_manual[] =
     "Files that Batten reads, told apart by their content:\n\n"
-    "Tables of offsets (.csv), in three forms. An empty cell, x or - is a point that was not measured; a unit may\n"
-    "stand with a name, as height (mm), else it is that of the design, or 'unit: in' of 'read'.\n\n"
+    "Tables of offsets (.csv), in three forms. An empty cell, x or - is a point that was not\n"
+    "measured; a unit may follow a name, as in height (mm), otherwise it is that of the\n"
+    "design, or that of 'unit: in' of 'read'.\n\n"
     "  A row for each point, columns in any order (the line may be left out):\n\n"
     "    x_m,  z_m,   half_breadth_m, line\n"
     "    0,    0.24,  0,              keel\n"
     "    0,    0.30,  0.283,          wl 0.30\n"
     "    0.48, 0.618, 0.882,          sheer\n\n"
-    "  A matrix: the corner says what stands down and across, the cells are half-breadths:\n\n"
+    "  A matrix: the corner says what runs down and across, the cells are half-breadths:\n\n"
     "    station\\height, 0.1,  0.25, 0.5\n"
     "    0,              ,     0.40, 0.70\n"
     "    1.2,            0.15, 0.60, 0.90\n\n"
-    "  The loftsman's table: blocks of rows, each row one line with a height and a width at every station.\n"
-    "  2-8-6 is feet, inches and eighths:\n\n"
+    "  The loftsman's table: blocks of rows, each row one line with a height and a width at every\n"
+    "  station. 2-8-6 is feet, inches and eighths:\n\n"
     "    axis,    name,    stem,  1,     2\n"
     "    length,  station, 0,     24,    48\n"
     "    heights, sheer,   2-8-6, 2-6-1, 2-3-5\n"
     "    widths,  sheer,   0-0-7, 1-1-3, 1-11-0\n\n"
-    "Points (.xyz, .csv, .txt): two or three numbers in a row, or columns x, y and z, others are left out;\n"
-    "an empty line parts one curve from the next. A table of offsets has a column named station, half-breadth,\n"
-    "half-width, waterline, line or section.\n"
-    "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper and lower side.\n"
-    "Shapes and meshes come from STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY and others: 'batten help formats'\n"
-    "lists what is read and written. Besides there are reports (.txt, .json), pictures (.svg, .pdf, .png),\n"
-    "and drawings at true scale (.svg).\n"
-    "In a design 'plan.svg: plan' is a picture on a page, 'plan.svg: {write: plan}' the drawing at true scale.\n"
-    "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design reads it.\n";
+    "Points (.xyz, .csv, .txt): two or three numbers in a row, or columns x, y and z; other\n"
+    "columns are ignored. An empty line separates one curve from the next. A table of offsets\n"
+    "has a column named station, half-breadth, half-width, waterline, line or section.\n"
+    "Aerofoils (.dat): a name, then x and y from the trailing edge around the nose, or upper\n"
+    "and lower side.\n\n"
+    "Shapes and meshes come from STEP, IGES, G2, DXF, SVG, OBJ, STL, PLY and others: 'batten\n"
+    "help formats' lists what is read and written. Batten also writes reports (.txt, .json),\n"
+    "pictures (.svg, .pdf, .png), and drawings at true scale (.svg). In a design 'plan.svg:\n"
+    "plan' is a picture on a page, 'plan.svg: {write: plan}' the drawing at true scale.\n\n"
+    "'batten info FILE' says what Batten sees in a file; 'batten help read' how a design\n"
+    "reads it.\n";
 
 /* The whole manual in a form that other programs want. */
 static int print_as(const char *form, const command_table *table)
@@ -279,7 +285,7 @@ int help_show(const arguments *given, const command_table *table)
         return output_print(&text);
 
     const char *near = batten_feature_nearest(topic);
-    complain("batten help: there is nothing about '%s'%s%s%s; see 'batten help' and 'batten "
+    complain("batten help: there is no topic '%s'%s%s%s; see 'batten help' and 'batten "
              "help features'",
              topic, near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
     return EXIT_USAGE;

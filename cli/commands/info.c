@@ -320,11 +320,12 @@ const command command_info = {
     .usage = "IN [--from-format FORMAT] [--json] [--no-lint]",
     .summary = "what is in a file",
     .manual =
-        "IN is a file of any format that is read ('batten help formats'); file#name means one object in it, -\n"
-        "standard input. Boxes of curves, surfaces and bodies are those of their control points, which\n"
-        "hold them (\"box_of\" in --json); 'batten measure' finds the tight ones. What is odd is\n"
-        "said too: knots that nearly meet, poles, tiny or free edges, gaps, faces turned against each\n"
-        "other, loops that touch; --no-lint leaves that out. Exit status 3 when only a part could be read.",
+        "IN is a file of any format that can be read ('batten help formats'); file#name means one\n"
+        "object in it, - standard input. Boxes of curves, surfaces and bodies are those of their\n"
+        "control points, which contain them (\"box_of\" in --json); 'batten measure' finds the\n"
+        "tight ones. Oddities are reported too: knots that nearly coincide, poles, tiny or free\n"
+        "edges, gaps, faces turned against each other, loops that touch; --no-lint leaves that\n"
+        "out. The exit status is 3 when only a part could be read.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

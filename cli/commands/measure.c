@@ -25,10 +25,10 @@ const command command_measure = {
     .summary =
         "lengths, areas, moments and special places of curves; areas and volumes of shapes",
     .manual =
-        "IN is a file of curves, surfaces, bodies or meshes, as batten info takes it; of points and\n"
-        "tables of offsets number and box are told. The first line says the unit of all lengths. Exit\n"
-        "status 3 when only a part of it could be read, or faces could not be measured: the area is short\n"
-        "by these.",
+        "IN is a file of curves, surfaces, bodies or meshes, as for batten info; for points and\n"
+        "tables of offsets their number and box are reported. The first line states the unit of\n"
+        "all lengths. The exit status is 3 when only a part of IN could be read, or when faces\n"
+        "could not be measured and are missing from the area.",
     .least_files = 1,
     .most_files = 1,
     .option_count = sizeof options / sizeof options[0],

@@ -353,6 +353,7 @@ static bat_run begin_run(const state *s, const bat_entry *entry, const batten_jo
 {
     return (bat_run){.name = entry->name,
                      .feature = &entry->feature->shown,
+                     .family = entry->feature->family,
                      .arguments = entry->arguments,
                      .document = &s->document,
                      .results = s->results,

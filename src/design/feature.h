@@ -35,6 +35,7 @@ typedef struct bat_run bat_run;
 typedef struct {
     batten_feature shown;
     batten_status (*run)(bat_run *run);
+    int family; /* of features that share `run`: which of them this is, in its enumeration */
     /* The parameter that, when given, puts the result away from the points of its inputs: then
      * distances from them mean nothing. NULL for none. */
     const char *displacing;
@@ -50,6 +51,7 @@ typedef struct {
 struct bat_run {
     const char *name; /* of the feature, or the file of the output */
     const batten_feature *feature;
+    int family;                    /* of the feature, for those that share their body */
     const bat_argument *arguments; /* [feature->parameter_count] */
     const struct bat_document *document;
     const bat_result *results; /* of all features of the document */

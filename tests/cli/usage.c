@@ -1,4 +1,5 @@
 #include "support/process.h"
+#include "support/prose.h"
 
 #include <string.h>
 
@@ -95,6 +96,22 @@ TEST(help_says_what_there_is)
     CHECK_CONTAINS(RUN("batten", "help", "skin").out, "batten_surface_skin");
     CHECK_CONTAINS(RUN("batten", "build", "--help").out, "--allow-outside");
     CHECK_CONTAINS(RUN("batten", "--version").out, batten_version());
+}
+
+/* Behind the line of its usage, which is as long as it is. */
+TEST(no_help_text_has_an_orphan_line)
+{
+    static const char *const topics[] = {"build",   "fit",    "fair",    "check",   "info",
+                                         "measure", "eval",   "convert", "draw",    "compare",
+                                         "help",    "design", "files",   "formats", "features"};
+    for (size_t i = 0; i < sizeof topics / sizeof topics[0]; i++) {
+        const test_process run = RUN("batten", "help", topics[i]);
+        const char *text = strncmp(run.out, "usage:", 6) == 0 ? strchr(run.out, '\n') : run.out;
+        const char *orphan = test_orphan_line(text);
+        CHECK_TEXT(orphan ? orphan : "", "");
+    }
+    CHECK(test_orphan_line("one of many words in a line\nand two\nmore of them\n") != NULL);
+    CHECK(test_orphan_line("one of many words in a line\nand two\n\nmore of them\n") == NULL);
 }
 
 TEST(help_shows_the_tables_that_are_read)

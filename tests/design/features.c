@@ -1,6 +1,7 @@
 #include "design/feature.h"
 
 #include "support/bodies.h"
+#include "support/prose.h"
 #include "support/test.h"
 
 #include <batten/exchange.h>
@@ -195,4 +196,12 @@ TEST(a_misspelt_operation_has_a_nearest_name)
     CHECK_TEXT(batten_feature_nearest("pointz"), "points");
     CHECK_TEXT(batten_feature_nearest("colect"), "collect");
     CHECK(batten_feature_nearest("qqqqqq") == NULL);
+}
+
+TEST(no_help_text_has_an_orphan_line)
+{
+    for (int i = 0; i < batten_feature_count(); i++) {
+        const char *orphan = test_orphan_line(batten_feature_at(i)->manual);
+        CHECK_TEXT(orphan ? orphan : "", "");
+    }
 }

@@ -8,7 +8,7 @@ static const batten_parameter parameters[] = {
     {"affine-match", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "two curves or more; each is compared with the first"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far an image may be from its curve; standard is the tolerance of the design"},
+     "how far an image may be from its curve; the tolerance of the design by default"},
 };
 
 /* ---- text ---- */
@@ -159,13 +159,14 @@ const bat_feature bat_feature_affine_match = {
     .shown =
         {"affine-match",
          "A report: is one curve the affine image of another, and by which map?",
-         "For the second curve and each after it: the affine map that brings the first one there, the\n"
-         "parameters that correspond, and how far the image is from the curve, a bound. Splines are\n"
-         "compared end to end, in both directions; of single polynomials any two parts of one curve\n"
-         "are found to be the same, whatever their degree and length, by their invariants ('classify'\n"
-         "lists them as JSON). All parabolas are images of each other, and so are all cubics with a\n"
-         "loop. With 'within' a curve that is none fails the build's check. Rational curves are\n"
-         "refused. As JSON, with all digits, when the file ends in .json.",
+         "For the second curve and each after it: the affine map that brings the first one there,\n"
+         "the parameters that correspond, and how far the image is from the curve, a bound.\n"
+         "Splines are compared end to end, in both directions; of single polynomials any two parts\n"
+         "of one curve are found to be the same, whatever their degree and length, by their\n"
+         "invariants ('classify' lists them as JSON). All parabolas are images of each other, and\n"
+         "so are all cubics with a loop. With 'within' a curve that is not an image fails the\n"
+         "check of the build. Rational curves are refused. As JSON, with all digits, when the file\n"
+         "ends in .json.",
          "features:\n"
          "  corners: {points: [[0, 0], [1 m, 2 m], [3 m, 0], [4 m, 1 m], [5 m, 4 m]]}\n"
          "  frame: {bezier: corners}\n"

@@ -3,7 +3,7 @@
 #include <string.h>
 
 static const batten_parameter parameters[] = {
-    {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is looked at"},
+    {"check", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "what is checked"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far points may lie from the shape made of them, and edges from faces; meshes must "
      "close"},
@@ -55,20 +55,20 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_check = {
     .shown =
         {"check", "A report: what was done to the data, and how fair the result is",
-         "For each feature that the result is made from: what was moved and how far, inflections in\n"
-         "excess and energy before and after, what a skin kept of its sections. For each surface:\n"
-         "the distance of the points given, and of those after fairing, from the nearest of all\n"
-         "surfaces that are looked at; the fairness of its\n"
-         "stations and waterlines, and how far its edges are from the centre plane. Where ends of\n"
-         "curves or whole edges of surfaces meet within the tolerance of the design: the gap g0, the\n"
-         "angle g1 by which the direction turns, in radians, the difference g2 of the curvatures as a\n"
-         "part of the larger one, and for curves the difference g3 of the rates of curvature. Of bodies\n"
-         "edges of one face, of two and of more, faces turned against each other, gaps between edges,\n"
-         "vertices and faces, loops that cross, shells open or inside out; of meshes edges of one\n"
-         "triangle, of more than two, triangles turned against each other. With 'within' gaps and edges\n"
-         "off their faces must not be larger, and none of the rest may be there but edges of two faces\n"
-         "and the free edges of sheets; so meshes must be closed. As JSON, with all digits, when the file\n"
-         "ends in .json.",
+         "For each feature that the result is made from: what was moved and how far, inflections\n"
+         "in excess and energy before and after, and how far a skin moved its sections. For each\n"
+         "surface: the distance of the points given, and of those after fairing, from the nearest\n"
+         "of all surfaces that are checked; the fairness of its stations and waterlines, and how\n"
+         "far its edges are from the centre plane. Where ends of curves or whole edges of surfaces\n"
+         "meet within the tolerance of the design: the gap g0, the angle g1 by which the direction\n"
+         "turns, in radians, the difference g2 of the curvatures as a part of the larger one, and\n"
+         "for curves the difference g3 of the rates of curvature. For bodies: edges of one face,\n"
+         "of two and of more, faces turned against each other, gaps between edges, vertices and\n"
+         "faces, loops that cross, shells that are open or inside out. For meshes: edges of one\n"
+         "triangle, of more than two, triangles turned against each other. With 'within' the gaps,\n"
+         "and the distances of edges from their faces, must not be larger, and none of the other\n"
+         "defects may occur except the free edges of sheets; so meshes must be closed. As JSON,\n"
+         "with all digits, when the file ends in .json.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -8,7 +8,7 @@
 static const batten_parameter parameters[] = {
     {"classify", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "polynomial curves"},
     {"within", BATTEN_VALUE_NUMBER, false, false, "1e-9", NULL,
-     "relative: so near to a boundary a cubic is on it, to a line or plane any span in it"},
+     "relative: a cubic this close to a boundary counts as on it, a span this close to a line or plane as in it"},
 };
 
 /* ---- what is on a span, whatever its degree ---- */
@@ -371,19 +371,19 @@ const bat_feature bat_feature_classify = {
     .shown =
         {"classify",
          "A report: inflections, cusps, crossings of every polynomial span of curves",
-         "For each span of each curve: what it contains, with its parameters, and the margin, by how\n"
-         "large a part the numbers that decide would have to change before the answer does. Signs\n"
-         "are decided exactly. As JSON, with all digits, when the file ends in .json.\n"
-         "Cubics are called by their class and have a place (lambda, mu) among all cubics with the\n"
-         "same ends and end tangents, with the name of the region ('cubic-plane' draws it); JSON\n"
-         "adds the affine invariants p, q, r and I. Of higher degrees everything is counted that\n"
-         "no affine map changes, on the span and on the whole curve of which it is a part: also\n"
-         "isolated points, which belong to the equation of the curve though it does not pass there.\n"
-         "Up to degree 10 or so the list is proved to be complete; beyond that crossings are\n"
-         "searched for and the report says so. Spans in space that lie in no plane are called\n"
-         "so. JSON has the canonical form of each span under affine maps and changes of\n"
-         "parameter, with its invariants, and of quintics with two finite double points their\n"
-         "case. Rational curves are refused.",
+         "For each span of each curve: what it contains, with its parameters, and the margin: by\n"
+         "what share the deciding numbers would have to change before the answer does. Signs are\n"
+         "decided exactly. As JSON, with all digits, when the file ends in .json. Cubics are\n"
+         "called by their class and have a place (lambda, mu) among all cubics with the same ends\n"
+         "and end tangents, with the name of the region ('cubic-plane' draws it); JSON adds the\n"
+         "affine invariants p, q, r and I. For higher degrees everything is counted that no affine\n"
+         "map changes, on the span and on the whole curve of which it is a part: also isolated\n"
+         "points, which belong to the equation of the curve though it does not pass there. Up to\n"
+         "degree 10 or so the list is proved to be complete; beyond that crossings are searched\n"
+         "for and the report says so. Spans in space that lie in no plane are reported as such.\n"
+         "JSON has the canonical form of each span under affine maps and changes of parameter,\n"
+         "with its invariants, and of quintics with two finite double points their case. Rational\n"
+         "curves are refused.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -277,11 +277,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_compare = {
     .shown =
         {"compare", "Curves through the same points, side by side",
-         "A picture (.png, .svg, .pdf) with a panel for each feature, all at one scale and with one scale\n"
-         "of their combs; or the same numbers as a table (any other ending) or as JSON (.json): bending\n"
-         "energy, the variation of curvature, inflections and extrema of curvature, the largest curvature,\n"
-         "the length, and how long it took to make the curves. 'batten compare POINTS -o PICTURE' does it\n"
-         "for a file of points and the methods one names.",
+         "A picture (.png, .svg, .pdf) with a panel for each feature, all at one scale and with\n"
+         "one scale of their combs; or the same numbers as a table (any other ending) or as JSON\n"
+         "(.json): bending energy, the variation of curvature, inflections and extrema of\n"
+         "curvature, the largest curvature, the length, and how long it took to make the curves.\n"
+         "'batten compare POINTS -o PICTURE' does it for a file of points and the methods you\n"
+         "name.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  chord: {interpolate: ducks, parameters: chord}\n"

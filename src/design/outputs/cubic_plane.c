@@ -39,13 +39,13 @@ const bat_feature bat_feature_cubic_plane = {
     .shown =
         {"cubic-plane",
          "A map of what a cubic can be, with a mark for each span of your curves",
-         "The end points of a cubic span and its two end tangents are kept, their lengths\n"
-         "lambda and mu are the axes, 1 being the way to the point T where the tangents meet. The\n"
+         "The end points of a cubic span and its two end tangents are kept, their lengths lambda\n"
+         "and mu are the axes, 1 being the distance to the point T where the tangents meet. The\n"
          "map shows where the span has inflections, a cusp or a loop. In R, the square from 0 to\n"
-         "1, it has none of them: a curve that was meant to be simple has all its marks there,\n"
-         "or in the S-shaped regions where its data turn the other way. The nearer a mark is to\n"
-         "the edge of its region, the less it takes to change the span. Spans whose end\n"
-         "tangents are parallel, straight or twisted spans have no place; the legend counts\n"
+         "1, it has none of them: a curve that was meant to be simple has all its marks there, or\n"
+         "in the S-shaped regions where its data turn the other way. The nearer a mark is to the\n"
+         "edge of its region, the less it takes to change the span. Straight spans, spans in space\n"
+         "and spans whose end tangents are parallel have no place on the map; the legend counts\n"
          "them. See 'classify' for the numbers, 'corrected' for what to do.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"

@@ -57,8 +57,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_frame_table = {
     .shown =
         {"frame-table", "A table (CSV): the frames along curves, for machines and robots",
-         "A row for each frame: the number of the curve, parameter and arc length, the point, and the\n"
-         "axes x, y and t (the tangent), with all digits. The frames are those of 'frames'.",
+         "A row for each frame: the number of the curve, parameter and arc length, the point, and\n"
+         "the axes x, y and t (the tangent), with all digits. The frames are those of 'frames'.",
          "features:\n"
          "  ducks: {points: [[0, 0, 0], [1 m, 0, 0], [1 m, 1 m, 50 cm], [0, 1 m, 1 m]]}\n"
          "  pipe: {interpolate: ducks}\n"

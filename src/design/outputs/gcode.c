@@ -6,9 +6,9 @@ typedef enum { CENTRES_RELATIVE, CENTRES_ABSOLUTE } centres;
 
 static const batten_parameter parameters[] = {
     {"g-code", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "curves of lines and arcs; each is cut in the order in which it stands here"},
+     "curves of lines and arcs, cut in the order given here"},
     {"depth", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "height at which is cut; that of each path by default"},
+     "height at which to cut; that of each path by default"},
     {"clearance", BATTEN_VALUE_LENGTH, false, false, "5 mm", NULL,
      "how far above the highest path the tool travels"},
     {"feed", BATTEN_VALUE_LENGTH, false, false, "1000 mm", NULL, "along the path, a minute"},
@@ -21,7 +21,7 @@ static const batten_parameter parameters[] = {
     {"decimals", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
      "4 for millimetres, 5 for inches by default"},
     {"greatest-radius", BATTEN_VALUE_LENGTH, false, false, "10 m", NULL,
-     "of an arc that the control takes; larger ones become lines within the last decimal"},
+     "the largest radius the control accepts; larger arcs become lines within the last decimal"},
 };
 
 static batten_status run(bat_run *run)
@@ -48,10 +48,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gcode = {
     .shown =
         {"g-code", "A program for a machine that cuts",
-         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve that is lines and\n"
-         "arcs exactly is cut so: circles, polylines, what 'fillet', 'join' and 'offset' make of them.\n"
-         "Any other must be made of arcs first; 'arcs' does that within a tolerance. An arc that is flatter\n"
-         "than half the last decimal is a line. Inches when the design is in inches, else millimetres.",
+         "G0 travels above, G1 goes down and along lines, G2 and G3 along arcs. A curve that\n"
+         "consists exactly of lines and arcs is cut so: circles, polylines, and what 'fillet',\n"
+         "'join' and 'offset' make of them. Any other curve must first be converted to arcs;\n"
+         "'arcs' does that within a tolerance. An arc flatter than half the last decimal becomes a\n"
+         "line. Inches when the design is in inches, else millimetres.",
          "units: mm\n"
          "features:\n"
          "  frame: {polyline: [[0, 0], [80, 0], [80, 50], [0, 50], [0, 0]]}\n"

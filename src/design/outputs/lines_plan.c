@@ -98,8 +98,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_lines_plan = {
     .shown =
         {"lines-plan", "The lines drawing of a hull",
-         "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to the side,\n"
-         "z up.",
+         "Body plan, profile and half-breadth plan of half a hull: x along the ship, y to the\n"
+         "side, z up.",
          "features:\n"
          "  offsets: {read: offsets.csv}\n"
          "  stations: {interpolate: offsets, each: station}\n"

@@ -9,7 +9,7 @@ static const batten_parameter parameters[] = {
      "auto plain isolines zebra gaussian mean isophotes",
      "of surfaces, in .png; auto is isolines"},
     {"view", BATTEN_VALUE_WORD, false, false, "auto",
-     "auto top front side axonometric isometric", "from where it is seen"},
+     "auto top front side axonometric isometric", "the direction from which it is seen"},
     {"azimuth", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
      "of the eye, for the axonometric view"},
     {"elevation", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
@@ -160,9 +160,10 @@ const bat_feature bat_feature_picture = {
     .shown =
         {"picture", "A drawing of curves, a shaded picture of surfaces, bodies, meshes",
          "Curves as .svg, .pdf or .png, with their curvature combs, polygons and points; surfaces,\n"
-         "bodies and meshes shaded as .png, with dots for points, else as isoparametric lines and edges; small\n"
-         "meshes with all edges of their triangles unless 'shading' is plain. With 'hidden',\n"
-         "'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in every format.",
+         "bodies and meshes shaded as .png, with dots for points, else as isoparametric lines and\n"
+         "edges; small meshes with all edges of their triangles unless 'shading' is plain. With\n"
+         "'hidden', 'silhouettes', 'contours', 'sheet' or 'distance' they are drawn as lines in\n"
+         "every format.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks}\n"

@@ -68,12 +68,13 @@ static bool is_any(const char *name)
 const bat_feature bat_feature_write = {
     .shown =
         {"write", "A file for other programs",
-         "The ending names the format: .step and .stp, .igs and .iges, .g2; .stl, .obj, .ply for meshes,\n"
-         "which shapes become within 'chord' and 'angle'; .csv for tables and points; .dxf with arcs as\n"
-         "bulges, .svg as seen along z at true scale for cutting, .nc for G-code with the usual settings ('g-code' has\n"
-         "the others). 'batten help formats' lists all, and what they keep.\n"
-         "'hull.step: hull' is short for 'hull.step: {write: hull}'. Not so of .svg, .pdf and .png: there\n"
-         "'plan.svg: plan' is a page with a picture, and '{write: plan}' the drawing at true scale.",
+         "The ending names the format: .step and .stp, .igs and .iges, .g2; .stl, .obj, .ply for\n"
+         "meshes, which shapes become within 'chord' and 'angle'; .csv for tables and points; .dxf\n"
+         "with arcs as bulges, .svg as seen along z at true scale for cutting, .nc for G-code with\n"
+         "the usual settings ('g-code' offers the others). 'batten help formats' lists all formats\n"
+         "and what they keep. 'hull.step: hull' is short for 'hull.step: {write: hull}'. This is\n"
+         "different for .svg, .pdf and .png: 'plan.svg: plan' is a page with a picture, and\n"
+         "'{write: plan}' the drawing at true scale.",
          "features:\n"
          "  ducks: {points: [[0, 0, 0], [1 m, 20 cm, 0], [2 m, 30 cm, 0]]}\n"
          "outputs:\n"

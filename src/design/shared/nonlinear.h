@@ -7,6 +7,13 @@
 
 #define BAT_NONLINEAR_WORDS "natural circular tangent curvature"
 
+/* The last paragraph of their manual. */
+#define BAT_NONLINEAR_ENDS_TEXT                                                               \
+    "'ends', or 'start' and 'end', set the conditions at the ends: 'natural' is curvature\n"  \
+    "0; 'circular' is constant curvature over the last span; 'tangent' takes its direction\n" \
+    "from 'start-angle' and 'end-angle', 'curvature' its value from 'start-curvature' and\n"  \
+    "'end-curvature'."
+
 /* Their parameters besides the input: give them all, and BAT_EACH and BAT_CLOSED. */
 #define BAT_NONLINEAR_ENDS                                                                   \
     {"ends",                                                                                 \

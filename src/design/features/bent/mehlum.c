@@ -5,7 +5,7 @@ static const batten_parameter parameters[] = {
      "a table of offsets, rows of points, or curves that have points"},
     {"arcs", BATTEN_VALUE_COUNT, false, false, "4", NULL, "in each span, 2 or more"},
     {"within", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
-     "more arcs where they are farther than this from the elastica; 0: as many everywhere"},
+     "more arcs where they are farther than this from the elastica; 0: the same number everywhere"},
     BAT_EACH,
     BAT_NONLINEAR_ENDS,
     BAT_CLOSED,
@@ -38,14 +38,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_mehlum = {
     .shown =
         {"mehlum", "The mechanical spline as a chain of arcs, as KURGLA and AUTOKON had it",
-         "For machines and drawings that know arcs alone, and the shape of a batten all the same:\n"
-         "each span of the elastica through the points becomes a few arcs of equal length, tangent\n"
-         "to one another, whose curvatures go in steps as that of the batten does. Points and\n"
-         "directions at them are those of the elastica; with twice as many arcs the chain is eight\n"
-         "times as near. 'within' takes as many arcs as that distance needs. How near it is, and\n"
-         "by how much curvature steps, is noted. It exists where 'elastica' does. For the fewest\n"
-         "arcs near any curve use 'arcs'.\n"
-         "What holds at the ends is said as for 'elastica'.",
+         "For machines and drawings that know only arcs, when the shape should still be that of a\n"
+         "batten: each span of the elastica through the points becomes a few arcs of equal length,\n"
+         "tangent to one another, whose curvatures follow that of the batten in steps. The points,\n"
+         "and the directions at them, are those of the elastica; with twice as many arcs the chain\n"
+         "is eight times as close. 'within' uses as many arcs as that distance needs. The\n"
+         "distance, and the largest step of curvature, are noted. It exists where 'elastica' does.\n"
+         "For the fewest arcs near any curve use 'arcs'. End conditions are those of 'elastica'.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  frame: {mehlum: ducks, within: 1 mm}\n",

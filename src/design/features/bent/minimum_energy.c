@@ -31,10 +31,11 @@ batten_status bat_least_energy(bat_run *run)
 const bat_feature bat_feature_minimum_energy = {
     .shown =
         {"minimum-energy", "The curve that bends least, in the plane or in space",
-         "Quintics with continuous curvature whose integral of curvature squared is the least near the elastica\n"
-         "or the cubic spline through the points. In the plane 'elastica' is the same curve exactly; this one also knows\n"
-         "space and tension. Where a curve could bend less and less by growing, no least exists: the feature\n"
-         "then fails, and some 'tension' helps.",
+         "Quintics with continuous curvature whose integral of squared curvature is a minimum near\n"
+         "the elastica or the cubic spline through the points. In the plane 'elastica' gives the\n"
+         "same curve exactly; this one also works in space and under tension. Where a curve could\n"
+         "bend less and less by growing there is no minimum: the feature then fails, and some\n"
+         "'tension' helps.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 10 cm]]}\n"
          "  strip: {minimum-energy: ducks}\n",

@@ -9,10 +9,10 @@ static const batten_parameter parameters[] = {
 const bat_feature bat_feature_minimum_variation = {
     .shown =
         {"minimum-variation", "The curve whose curvature varies least",
-         "Quintics with continuous curvature; the integral of the square of the rate of curvature is the\n"
-         "least near Spiro's curve through the points. Points on a circle give the circle to a few parts in\n"
-         "a thousand million; ends are free, so they curl with the curvature that suits the rest. In space the turning of\n"
-         "the normal counts as well.",
+         "Quintics with continuous curvature; the integral of the squared rate of curvature is a\n"
+         "minimum near Spiro's curve through the points. Points on a circle give the circle to a\n"
+         "few parts in a thousand million; ends are free and take the curvature that suits the\n"
+         "rest. In space the turning of the normal counts as well.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 10 cm]]}\n"
          "  strip: {minimum-variation: ducks}\n",

@@ -12,9 +12,9 @@ static const batten_parameter parameters[] = {
     {"corners", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
      "points where the direction may jump, counted from 0"},
     {"left", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "one-way points: what comes before does not mind what follows"},
+     "one-way points: what comes before is not affected by what follows"},
     {"right", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "one-way points: what follows does not mind what comes before"},
+     "one-way points: what follows is not affected by what comes before"},
     {"ends", BATTEN_VALUE_WORD, false, false, "free", END_WORDS,
      "what holds at both ends: curvature does not change, is 0, or what is given"},
     {"start", BATTEN_VALUE_WORD, false, false, NULL, END_WORDS, "what holds at the start"},
@@ -104,18 +104,20 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_spiro = {
     .shown =
         {"spiro", "Curvature cubic in arc length, joined as smoothly as each point asks",
-         "For outlines drawn with few points: letters, keels, handles. At ordinary points curvature and its\n"
-         "first two derivatives continue, which is smoother than the eye can tell; points of a circle give the\n"
-         "circle, and the curve is near that of 'minimum-variation' at a fraction of its cost. At the points in\n"
-         "'curvature' only direction and curvature continue: moving a point then moves less of the curve, and\n"
-         "sharp turns are stood better. The points in 'corners' part one curve from the next, and a span between\n"
-         "two corners or ends is a straight line. One-way points join a line to a curve: the points in 'left' have\n"
-         "the line before them, those in 'right' after them; the line stays straight, and the curve begins along\n"
-         "it with curvature 0. Ends are 'free', which suits arcs; 'natural' is curvature 0, and holds a wild\n"
-         "curve better; 'tangent' takes 'start-angle' and 'end-angle', 'curvature' takes 'start-curvature' and\n"
-         "'end-curvature', 'both' takes both.\n"
-         "Points must lie in a plane. Where they turn sharply one after another no such curve exists: the span is\n"
-         "named, and what would work there.",
+         "For outlines drawn with few points: letters, keels, handles. At ordinary points\n"
+         "curvature and its first two derivatives are continuous, which is smoother than the eye\n"
+         "can tell; points of a circle give the circle, and the curve is near that of\n"
+         "'minimum-variation' at a fraction of its cost. At the points in 'curvature' only\n"
+         "direction and curvature are continuous: moving a point then moves less of the curve, and\n"
+         "sharp turns are tolerated better. The points in 'corners' separate one curve from the\n"
+         "next, and a span between two corners or ends is a straight line. One-way points join a\n"
+         "line to a curve: the points in 'left' have the line before them, those in 'right' after\n"
+         "them; the line stays straight, and the curve leaves it with curvature 0. Ends are\n"
+         "'free', which suits arcs; 'natural' is curvature 0, and restrains a wild curve better;\n"
+         "'tangent' takes 'start-angle' and 'end-angle', 'curvature' takes 'start-curvature' and\n"
+         "'end-curvature', 'both' takes both. Points must lie in a plane. Where they turn sharply\n"
+         "one after another no such curve exists: the message names the span and what would work\n"
+         "there.",
          "features:\n"
          "  points: {points: [[0, 0], [3, 0], [4.5, 0.5], [5, 2], [4, 3.2], [1, 4]]}\n"
          "  handle: {spiro: points, left: [1], right: [4]}\n",

@@ -6,11 +6,11 @@ static const batten_parameter parameters[] = {
     {"blend", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "two curves, or two surfaces"},
     BAT_PAIR_ENDS,
     {"first", BATTEN_VALUE_WORD, false, false, "G2", "G0 G1 G2 G3",
-     "how it joins the first curve: place, tangent, curvature, rate of curvature"},
+     "how it joins the first curve: position, tangent, curvature, rate of curvature"},
     {"second", BATTEN_VALUE_WORD, false, false, "G2", "G0 G1 G2 G3",
      "how it joins the second curve"},
     {"bulge", BATTEN_VALUE_NUMBER, true, false, "1", NULL,
-     "how far it goes on along the curves before it turns, one factor or one for either end"},
+     "how far it follows the curves before it turns, one factor or one for each end"},
     {"whole", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "curves: they and the blend as one, from the far end of the first"},
     {"edges", BATTEN_VALUE_WORD, true, false, NULL, "v0 u1 v1 u0",
@@ -139,15 +139,15 @@ const bat_feature bat_feature_blend = {
     .shown =
         {"blend",
          "A curve between two curves, or a surface between two surfaces, smooth at both",
-         "A single Bezier curve of the least degree, 1 to 7, that has the tangent, the\n"
-         "curvature and its rate of the curves as far as 'first' and 'second' ask. The two\n"
-         "curves stay as they are. A bulge above 1 makes the blend follow the curve longer,\n"
-         "below 1 turn sooner; where the ends are far apart for how sharply the curves bend,\n"
-         "smaller bulges, or G1, help. The joins are measured, and a note says what they are.\n"
-         "Ends that already meet are the business of 'match'.\n"
-         "With 'edges' it is the surface between an edge of one surface and one of another, with their\n"
-         "tangent planes (G1) or curvatures (G2), exact where their weights allow. The second edge may run\n"
-         "either way. A note says how it joins, and whether it folds.",
+         "A single Bezier curve of the least degree, 1 to 7, that has the tangent, the curvature\n"
+         "and its rate of change of the two curves, as far as 'first' and 'second' ask. The curves\n"
+         "themselves stay as they are. A bulge above 1 makes the blend follow the curve longer,\n"
+         "below 1 turn sooner; where the ends are far apart compared with how sharply the curves\n"
+         "bend, smaller bulges or G1 help. The joins are measured and noted. For ends that already\n"
+         "meet use 'match'. With 'edges' it is the surface between an edge of one surface and one\n"
+         "of another, with their tangent planes (G1) or curvatures (G2), exact where their weights\n"
+         "allow. The second edge may run either way. A note says how it joins, and whether it\n"
+         "folds.",
          "features:\n"
          "  aft: {line: [[0, 0], [2 m, 0.2 m]]}\n"
          "  fore: {line: [[4 m, 1.5 m], [5 m, 3 m]]}\n"

@@ -6,7 +6,7 @@ static const batten_parameter parameters[] = {
     {"chamfer", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "curves with corners, or two curves between which there is one"},
     {"by", BATTEN_VALUE_LENGTH, true, true, NULL, NULL,
-     "the length that goes on either side of a corner, or one before and one behind it"},
+     "the length cut off on either side of a corner, or one before and one behind it"},
     BAT_PAIR_ENDS,
 };
 
@@ -73,9 +73,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_chamfer = {
     .shown =
         {"chamfer", "Corners cut off by straight lines",
-         "At every corner of a curve, or between two curves that meet, the given lengths along\n"
-         "the curve go and a line takes their place. Curves that end before the length, or\n"
-         "corners so close that their cuts overlap, are refused, naming the corner.",
+         "At every corner of a curve, or between two curves that meet, the given lengths along the\n"
+         "curve are removed and a line takes their place. Curves shorter than the length, or\n"
+         "corners so close that their cuts overlap, are refused; the message names the corner.",
          "features:\n"
          "  plan: {polyline: [[0, 0], [4 m, 0], [4 m, 3 m], [1 m, 3 m]]}\n"
          "  plate: {chamfer: plan, by: [0.2 m, 0.4 m]}\n",

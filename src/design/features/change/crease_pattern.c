@@ -134,10 +134,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_crease_pattern = {
     .shown =
         {"crease-pattern", "The flat sheet of a fold",
-         "What is cut out and folded, in the xy-plane: the outline on the layer 'cut', the crease on\n"
-         "'mountain' or 'valley' by the sign of the angle, and some rulings on 'rulings', along which the\n"
-         "sheets stay straight. Write it as .dxf, or as 'sheet.svg: {write: sheet}', both at true\n"
-         "scale; 'sheet.svg: sheet' alone is a page with a picture. The parameters are those of 'fold'.",
+         "What is cut out and folded, in the xy-plane: the outline on the layer 'cut', the crease\n"
+         "on 'mountain' or 'valley' by the sign of the angle, and on 'rulings' some of the lines\n"
+         "along which the sheets stay straight. Write it as .dxf, or as 'sheet.svg: {write:\n"
+         "sheet}', both at true scale; 'sheet.svg: sheet' alone is a page with a picture. The\n"
+         "parameters are those of 'fold'.",
          "features:\n"
          "  edge: {arc: 1 m, angle: 120 deg}\n"
          "  sheet: {crease-pattern: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n"

@@ -32,10 +32,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_even_speed = {
     .shown =
         {"even-speed", "Nearly the same curves, with their arc length as parameter",
-         "For feeds, cameras, and whatever steps along a curve by its parameter. Only straight\n"
-         "lines have such a form exactly: the others are followed 'within' the tolerance, at\n"
-         "equal lengths, by pieces of degree 5 with the tangents and curvatures of the curve.\n"
-         "The result has more control points; corners and cusps stay what they are.",
+         "For feeds, cameras and whatever else steps along a curve by its parameter. Only straight\n"
+         "lines have such a form exactly; other curves are followed 'within' the tolerance, at\n"
+         "equal lengths, by pieces of degree 5 with the tangents and curvatures of the curve. The\n"
+         "result has more control points; corners and cusps stay what they are.",
          "features:\n"
          "  oval: {ellipse: 2 m, b: 1 m}\n"
          "  track: {even-speed: oval, within: 0.1 mm}\n",

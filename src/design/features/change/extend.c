@@ -11,7 +11,7 @@ static const batten_parameter parameters[] = {
     {"to", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
      "instead of 'end': the parameter at which it ends"},
     {"shape", BATTEN_VALUE_WORD, false, false, "arc", "line arc spiral natural",
-     "how the curve or surface goes on"},
+     "how the curve or surface continues"},
     {"by", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "surfaces: by how much, on the shortest line across the edge"},
     {"edges", BATTEN_VALUE_WORD, true, false, NULL, "v0 u1 v1 u0",
@@ -144,16 +144,16 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_extend = {
     .shown =
         {"extend", "Curves made longer at their ends, surfaces at their edges",
-         "By an arc length, or to a parameter outside the domain. The old part stays where it\n"
-         "is and keeps its parameters. 'line' goes on along the tangent; 'arc' along the circle\n"
-         "of curvature, exactly; 'spiral' lets curvature go on as it changes at the end, like\n"
-         "a clothoid, within a tenth of the tolerance of the design; 'natural' evaluates the\n"
-         "last piece beyond its end, which is the smoothest and may go astray far out. A note\n"
-         "says how each end joins. A periodic curve has no end, a curve that stands still\n"
-         "there no direction, and an arc goes around once at most.\n"
-         "Surfaces go on beyond 'edges', all lines across an edge at once, the shortest of them 'by' as\n"
-         "much: straight, along circles of curvature, or naturally; 'line' and 'natural' are exact. The\n"
-         "result is one surface, and a note says how it joins and how far it turns.",
+         "By an arc length, or to a parameter outside the domain. The old part stays where it is\n"
+         "and keeps its parameters. 'line' continues along the tangent; 'arc' along the circle of\n"
+         "curvature, exactly; 'spiral' lets curvature keep changing at the rate it has at the end,\n"
+         "like a clothoid, within a tenth of the tolerance of the design; 'natural' evaluates the\n"
+         "last piece beyond its end, which is the smoothest but may stray far out. A note says how\n"
+         "each end joins. A periodic curve has no end to extend, a curve that stands still at its\n"
+         "end has no direction there, and an arc goes around once at most. Surfaces continue\n"
+         "beyond 'edges', on all lines across an edge at once, by the length 'by' on the shortest\n"
+         "of them: straight, along circles of curvature, or naturally; 'line' and 'natural' are\n"
+         "exact. The result is one surface, and a note says how it joins and how far it turns.",
          "features:\n"
          "  d: {points: [[0, 0], [1 m, 0.6 m], [2 m, 0.7 m]]}\n"
          "  rail: {interpolate: d, ends: circle}\n"

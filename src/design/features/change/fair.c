@@ -19,7 +19,7 @@ static const batten_parameter parameters[] = {
     {"order", BATTEN_VALUE_WORD, false, false, "sweeps", "worst-first sweeps alternate",
      "which duck is released next"},
     {"corner-angle", BATTEN_VALUE_ANGLE, false, false, "25 deg", NULL,
-     "of a table: a station that turns by so much more than beside has a corner, which stays"},
+     "of a table: a station that turns by this much more than beside it has a corner, which stays"},
     {"hold-ends", BATTEN_VALUE_YES_NO, false, false, "yes", NULL, "the end points stay"},
     {"stop-when-fair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "stop as soon as no inflection is in excess"},
@@ -292,11 +292,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fair = {
     .shown =
         {"fair", "Points moved within a bound until their curves are fair",
-         "Each duck in turn is released and the batten takes its place between the others, but no\n"
-         "point moves farther than 'within' from where it was given. A table of offsets stays a\n"
-         "table; curves are interpolated anew through the moved points, with the parameters and\n"
-         "ends they had; points alone get a curve as 'interpolate' makes it. Curves of IGES and STEP\n"
-         "files have no points to move. Points that look like blunders are reported, not repaired.",
+         "Each duck in turn is released and the batten settles between the others, but no point\n"
+         "moves farther than 'within' from where it was given. A table of offsets stays a table;\n"
+         "curves are interpolated anew through the moved points, with the parameters and ends they\n"
+         "had; points alone get a curve as 'interpolate' makes it. Curves of IGES and STEP files\n"
+         "have no points to move. Points that look like blunders are reported, not repaired.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 31 cm], [3 m, 29 cm], [4 m, 0]]}\n"
          "  sheer: {interpolate: ducks}\n"

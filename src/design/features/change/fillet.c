@@ -108,13 +108,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fillet = {
     .shown =
         {"fillet", "Corners rounded by arcs of a radius",
-         "Every corner of a polyline or of a kinked curve, in a plane or, where the curves\n"
-         "beside a corner are in one plane, in space; or, with two names, the corner between\n"
-         "two curves, which may also cross or end short of each other. The arcs are exact\n"
-         "and begin and end with the tangents of the curves. A radius that is too large is\n"
-         "refused, naming the corner, counted from 1. Between curves that are not straight the\n"
-         "arc that takes least from them is chosen; where several hardly touch one may be\n"
-         "overlooked, and a note says so.",
+         "Every corner of a polyline or of a kinked curve, in a plane or, where the curves beside\n"
+         "a corner are in one plane, in space; or, with two names, the corner between two curves,\n"
+         "which may also cross or end short of each other. The arcs are exact and tangent to the\n"
+         "curves at both ends. A radius that is too large is refused; the message names the\n"
+         "corner, counted from 1. Between curves that are not straight the arc that cuts off least\n"
+         "of them is chosen; where several arcs barely touch, one may be overlooked, and a note\n"
+         "says so.",
          "features:\n"
          "  plan: {polyline: [[0, 0], [4 m, 0], [4 m, 3 m], [1 m, 3 m]]}\n"
          "  kerb: {fillet: plan, radius: 0.5 m}\n"

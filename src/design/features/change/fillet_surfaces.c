@@ -77,10 +77,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fillet_surfaces = {
     .shown =
         {"fillet-surfaces", "The surface that a rolling ball leaves between two surfaces",
-         "A ball of the radius touches both surfaces, and rolls along them until it reaches a border;\n"
-         "the arcs between its contacts make the fillet, tangent to both surfaces. Sections are exact\n"
-         "arcs, and the spline through them is 'within' its tolerance. The surfaces need not meet. A ball\n"
-         "larger than a hollow is refused, and the place named. The surfaces stay as they are.",
+         "A ball of this radius rolls along both surfaces, touching both, until it reaches a\n"
+         "border; the arcs between its contacts make the fillet, tangent to both surfaces.\n"
+         "Sections are exact arcs, and the spline through them is 'within' its tolerance. The\n"
+         "surfaces need not meet. A ball larger than a hollow is refused, and the message says\n"
+         "where. The surfaces stay as they are.",
          "features:\n"
          "  deck: {bilinear: [[0, 0, 0], [4 m, 0, 0], [4 m, 3 m, 0], [0, 3 m, 0]]}\n"
          "  wall: {bilinear: [[0, 0, 0], [0.5 m, 0, 2 m], [0.5 m, 3 m, 2 m], [0, 3 m, 0]]}\n"

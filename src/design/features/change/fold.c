@@ -106,12 +106,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fold = {
     .shown =
         {"fold", "A sheet folded along a curve",
-         "The two developable surfaces that meet in a space curve when a flat sheet is folded along it:\n"
-         "surfaces 'NAME left' and 'NAME right', and the crease. Each stands at 'angle' to the osculating\n"
-         "plane of the crease, so they meet at 180 degrees less twice the angle; a negative angle folds the\n"
-         "other way. The crease must be curved all along, more than it is in the flat sheet. A sheet wider\n"
-         "than its edge of regression allows is refused, with the width that would do. 'crease-pattern'\n"
-         "draws the flat sheet.",
+         "The two developable surfaces that meet in a space curve when a flat sheet is folded\n"
+         "along it: surfaces 'NAME left' and 'NAME right', and the crease. Each stands at 'angle'\n"
+         "to the osculating plane of the crease, so they meet at 180 degrees less twice the angle;\n"
+         "a negative angle folds the other way. The crease must be curved all along, more than it\n"
+         "is in the flat sheet. A sheet wider than its edge of regression allows is refused, with\n"
+         "the width that would do. 'crease-pattern' draws the flat sheet.",
          "features:\n"
          "  edge: {arc: 1 m, angle: 120 deg}\n"
          "  roof: {fold: edge, angle: 30 deg, left: 40 cm, right: 30 cm}\n",

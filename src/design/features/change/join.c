@@ -84,7 +84,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_join = {
     .shown = {"join", "Curves or surfaces end to end as one",
-              "Each must begin where the one before it ends, within the gap allowed.",
+              "Each must start where the one before it ends, within the gap allowed.",
               "features:\n"
               "  aft: {line: [[0, 0], [2 m, 0]]}\n"
               "  fore: {line: [[2 m, 0], [4 m, 1 m]]}\n"

@@ -15,9 +15,9 @@ static const batten_parameter parameters[] = {
     {"match", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "two curves, or two surfaces, in order"},
     {"continuity", BATTEN_VALUE_WORD, false, false, "G2", "G0 G1 G2 C1 C2 C3",
-     "how they shall join: place, tangent, curvature; or, curves, equal derivatives"},
+     "how they join: position, tangent, curvature; or, for curves, equal derivatives"},
     {"moves", BATTEN_VALUE_WORD, false, false, "second", "second first both",
-     "which one gives way; surfaces: not both"},
+     "which one moves; surfaces: not both"},
 };
 
 static batten_status match_curves(bat_run *run, const bat_objects *all)
@@ -86,13 +86,14 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_match = {
     .shown =
         {"match", "Two curves or surfaces made to join smoothly by moving control points",
-         "The end of the first and the start of the second; only the one to three control points next\n"
-         "to the join move, weights and knots stay. 'G1' and 'G2' keep each curve's own speed and make\n"
-         "tangents and curvatures equal; 'C1' to 'C3' make derivatives equal with the least movement.\n"
-         "Curves that are far apart, or point away from each other, become kinked near the join:\n"
-         "use 'blend' for these. The report says how far the farthest control point moved.\n"
-         "Of surfaces the two edges that are nearest are joined; the one that moves takes over the other's\n"
-         "edge, with its tangent planes (G1) and curvatures (G2), exactly; it must be without weights.",
+         "The end of the first and the start of the second; only the one to three control points\n"
+         "next to the join move, weights and knots stay. 'G1' and 'G2' keep each curve's own speed\n"
+         "and make tangents and curvatures equal; 'C1' to 'C3' make derivatives equal with the\n"
+         "least movement. Curves that are far apart, or point away from each other, become kinked\n"
+         "near the join: use 'blend' for these. The report says how far the farthest control point\n"
+         "moved. For surfaces the two nearest edges are joined; the surface that moves takes over\n"
+         "the other's edge, with its tangent planes (G1) and curvatures (G2), exactly. It must not\n"
+         "have weights.",
          "features:\n"
          "  a: {points: [[0, 0], [1 m, 0.3 m], [2 m, 0.3 m]]}\n"
          "  f: {points: [[2 m, 0.35 m], [3 m, 0.1 m], [4 m, 0]]}\n"

@@ -55,8 +55,8 @@ const bat_feature bat_feature_mirror = {
     .shown =
         {"mirror", "The image in a plane, with what it is the image of",
          "Half a hull becomes a whole one. The image of 'hull' is named 'hull mirrored'; with\n"
-         "'keep: no' only the image is left, under the old name. The outside of surfaces stays outside:\n"
-         "u of the image runs the other way, over the same domain; v is as it was.",
+         "'keep: no' only the image is left, under the old name. The outside of surfaces stays\n"
+         "outside: u of the image runs the other way, over the same domain; v is as it was.",
          "features:\n"
          "  side: {line: [[0, 1 m, 0], [3 m, 1 m, 1 m]]}\n"
          "  both: {mirror: side, plane: centre}\n",

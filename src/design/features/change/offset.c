@@ -13,11 +13,11 @@ static const batten_parameter parameters[] = {
     {"side", BATTEN_VALUE_WORD, false, false, "left", "left right both",
      "seen along the curve with the normal up; of a surface left is to its normal"},
     {"corners", BATTEN_VALUE_WORD, false, false, "round", "round mitre square",
-     "what goes around the outside of a corner"},
+     "how the outside of a corner is filled"},
     {"mitre-limit", BATTEN_VALUE_NUMBER, false, false, "4", NULL,
      "longer mitres, as multiples of the distance, become square"},
     {"loops", BATTEN_VALUE_WORD, false, false, "remove", "remove keep",
-     "what comes nearer to the curve than the distance"},
+     "what lies closer to the curve than the distance"},
     {"normal", BATTEN_VALUE_POINT, false, false, "z", NULL, "across the plane of the offset"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
      "how far from the true offset; a tenth of the tolerance of the design by default"},
@@ -114,16 +114,17 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_offset = {
     .shown =
         {"offset", "Curves and surfaces at a distance from others",
-         "Each point goes by the distance across the curve, in the plane across 'normal'. Lines and\n"
-         "arcs give lines and arcs, which DXF and G-code then have as such; other curves are followed\n"
-         "'within' a tolerance by pieces of degree 5, with cusps where the radius of the curve equals the\n"
-         "distance. What then comes nearer to the curve than the distance is removed, so a narrow curve\n"
-         "may fall into several or nothing; 'loops: keep' leaves all in one piece. Where several curves\n"
-         "are offset each minds itself only.\n"
-         "Surfaces go by the distance along their normals. Spheres, cylinders, cones, tori and what else\n"
-         "allows it stay exactly such, with the same knots; others are met 'within'. An offset beyond a\n"
-         "radius of curvature turns over; it is refused, and the place named, unless 'turned: keep'.\n"
-         "A surface with a crease must be split there first.",
+         "Each point moves by the distance at right angles to the curve, in the plane across\n"
+         "'normal'. Lines and arcs give lines and arcs, which DXF and G-code keep as such; other\n"
+         "curves are followed 'within' a tolerance by pieces of degree 5, with cusps where the\n"
+         "radius of the curve equals the distance. What then lies closer to the curve than the\n"
+         "distance is removed, so a narrow curve may fall into several or nothing; 'loops: keep'\n"
+         "leaves all in one piece. Several curves are offset each on its own. Surfaces move by the\n"
+         "distance along their normals. Spheres, cylinders, cones, tori and whatever else allows\n"
+         "it are offset exactly, with the same knots; others are approximated 'within' a\n"
+         "tolerance. An offset beyond a radius of curvature turns over; it is refused, and the\n"
+         "message says where, unless 'turned: keep' is given. A surface with a crease must be\n"
+         "split there first.",
          "features:\n"
          "  corners: {points: [[0, 0], [4 m, 0], [4 m, 3 m], [0, 3 m]]}\n"
          "  floor: {interpolate: corners, periodic: yes}\n"

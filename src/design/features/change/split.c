@@ -110,10 +110,11 @@ const bat_feature bat_feature_split = {
     .shown =
         {"split", "Both parts of what is cut at a parameter, or all pieces of one kind",
          "Exact; the parts of 'keel' are named 'keel 1' and 'keel 2' and keep their parameters.\n"
-         "Instead of a parameter 'pieces' says what the parts of curves are: 'monotone' ones run one\n"
-         "way in each coordinate (or 'along' one direction), 'spiral' ones have curvature that rises or\n"
-         "falls and keeps its sign, without corners and jumps, 'convex' ones in the plane bend one way\n"
-         "and turn by half a turn at most, 'spans' lie between knots. Each piece is checked once more.",
+         "Instead of a parameter 'pieces' says what the parts of curves are: 'monotone' ones rise\n"
+         "or fall in each coordinate (or 'along' one direction), 'spiral' ones have curvature that\n"
+         "rises or falls and keeps its sign, without corners or jumps, 'convex' ones bend one way\n"
+         "in the plane and turn by half a turn at most, 'spans' lie between knots. Each piece is\n"
+         "checked again afterwards.",
          "features:\n"
          "  keel: {line: [[0, 0], [3 m, 0]]}\n"
          "  halves: {split: keel, parameter: 0.5}\n"

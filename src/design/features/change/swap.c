@@ -18,7 +18,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_swap = {
     .shown = {"swap", "The same surface with u and v exchanged",
-              "Exact; the normal changes its side.",
+              "Exact; the normal points to the other side.",
               "features:\n"
               "  buoy: {sphere: 30 cm}\n"
               "  turned: {swap: buoy}\n",

@@ -13,7 +13,7 @@ static const batten_parameter parameters[] = {
     {"lengths", BATTEN_VALUE_LENGTH, true, false, NULL, NULL,
      "two lengths along the curve from its start; negative: from its end"},
     {"points", BATTEN_VALUE_POINT, true, false, NULL, NULL,
-     "two points: the part between the places nearest to them"},
+     "two points: the part between the points of the curve nearest to them"},
     {"plane", BATTEN_VALUE_WORD, false, false, NULL, "x y z",
      "what is on one side of the plane with this normal"},
     {"at", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
@@ -152,11 +152,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_trim = {
     .shown =
         {"trim", "What is left of curves between two places, or beside a plane",
-         "Between two parameters, two lengths along the curve, the places nearest to two\n"
-         "points, or on one side of a plane, which may leave several parts ('rail 1', 'rail\n"
-         "2'); curves with none are noted. What is left is exact and keeps its parameters. The first place may\n"
-         "lie behind the second one on a closed curve only: the part then goes over its seam.\n"
-         "A plane that touches without crossing cuts nothing.",
+         "Between two parameters, two lengths along the curve, the points nearest to two given\n"
+         "ones, or on one side of a plane, which may leave several parts ('rail 1', 'rail 2');\n"
+         "curves of which nothing is left are noted. What is left is exact and keeps its\n"
+         "parameters. Only on a closed curve may the first end lie behind the second: the part\n"
+         "then crosses the seam. A plane that touches without crossing cuts nothing.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  upper: {trim: rim, plane: y, at: 0.5 m}\n"

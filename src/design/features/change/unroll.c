@@ -18,9 +18,9 @@ static const batten_parameter parameters[] = {
     {"marks", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "curves on the surface, laid flat with it on the layer 'marks'"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how near the outline is; the tolerance of the design by default"},
+     "how accurate the outline is; the tolerance of the design by default"},
     {"strain", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
-     "the largest that the sheet may suffer; more is refused"},
+     "the largest strain the sheet may undergo; more is refused"},
 };
 
 static const double black[3] = {0, 0, 0}, grey[3] = {0.6, 0.6, 0.6}, blue[3] = {0, 0, 1};
@@ -313,10 +313,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_unroll = {
     .shown =
         {"unroll", "A plate laid flat",
-         "The outline of a surface of straight lines, laid flat in the xy-plane, on the layer 'cut', and some\n"
-         "of its rulings on 'rulings', with 'marks' where they go. Developable surfaces, cones and cylinders keep every length; of others\n"
-         "it is said what the sheet suffers: lengths of edges, area and strain, in space and flat. Closed\n"
-         "surfaces are cut at their seam. Write it as .dxf, or as 'sheet.svg: {write: sheet}', both at true\n"
+         "The outline of a surface of straight lines, laid flat in the xy-plane, on the layer\n"
+         "'cut', and some of its rulings on 'rulings', with 'marks' where they go. Developable\n"
+         "surfaces, cones and cylinders keep every length; for others the distortion of the sheet\n"
+         "is reported: lengths of edges, area and strain, in space and flat. Closed surfaces are\n"
+         "cut at their seam. Write it as .dxf, or as 'sheet.svg: {write: sheet}', both at true\n"
          "scale.",
          "features:\n"
          "  funnel: {cone: 30 cm, top: 10 cm, height: 40 cm}\n"

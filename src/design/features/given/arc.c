@@ -25,7 +25,7 @@ const bat_feature bat_feature_arc = {
     .shown =
         {"arc", "A circular arc, exactly",
          "An arc of degree 2 about 'at', in the plane at right angles to 'axis', counter-clockwise\n"
-         "seen against the axis. Angle 0 is along 'from', or where the plane meets the\n"
+         "as seen from the tip of the axis. Angle 0 is along 'from', or where the plane meets the\n"
          "horizontal plane.",
          "features:\n"
          "  bilge: {arc: 0.6 m, start: 270 deg, angle: 90 deg, axis: x, from: y}\n",

@@ -28,11 +28,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_b_spline = {
     .shown =
         {"b-spline", "The uniform B-spline of a polygon",
-         "A smooth curve near a polygon: every corner moves the curve only beside it. Ends: 'clamped' begins\n"
-         "at the first corner along the first edge; 'free' begins inside the polygon, as Coons' segments do;\n"
-         "'phantom' (degree 3) begins at the first corner without curvature, by prolonging the first edge;\n"
-         "'repeated' begins straight, by repeating the end corners; 'closed' goes around. Two equal corners\n"
-         "draw the curve near, as many as the degree make it a corner of the curve.",
+         "A smooth curve near a polygon: moving a corner changes the curve only nearby. Ends:\n"
+         "'clamped' starts at the first corner along the first edge; 'free' starts inside the\n"
+         "polygon, as Coons' segments do; 'phantom' (degree 3) starts at the first corner with\n"
+         "curvature 0, by prolonging the first edge; 'repeated' starts straight, by repeating the\n"
+         "end corners; 'closed' goes around. A corner given twice draws the curve close; given as\n"
+         "often as the degree it is a corner of the curve.",
          "features:\n"
          "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0], [6, 1]]}\n"
          "  hood: {b-spline: corners, ends: phantom}\n",

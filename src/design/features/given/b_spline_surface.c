@@ -4,7 +4,7 @@
 
 static const batten_parameter parameters[] = {
     {"b-spline-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the net: rows of points, each with as many"},
+     "the net: rows of points, all of the same length"},
     {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "along the rows"},
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
     {"ends-u", BATTEN_VALUE_WORD, false, false, "clamped",
@@ -29,8 +29,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_b_spline_surface = {
     .shown =
         {"b-spline-surface", "The uniform B-spline surface of a net",
-         "A smooth surface near a net: every point moves it only nearby. The ends are those of 'b-spline'.\n"
-         "Rows or columns that stand twice draw the surface near, as often as the degree make a knuckle.",
+         "A smooth surface near a net: moving a point changes it only nearby. The ends are those\n"
+         "of 'b-spline'. A row or column given twice draws the surface close; given as often as\n"
+         "the degree it makes a knuckle.",
          "features:\n"
          "  net:\n"
          "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0],\n"

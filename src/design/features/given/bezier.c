@@ -47,11 +47,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_bezier = {
     .shown =
         {"bezier", "The Bezier curve of a polygon",
-         "One polynomial whose degree is one less than the number of corners, up to 25. It begins and ends\n"
-         "with the polygon, along its first and last edge, and lies within its hull; every corner moves all\n"
-         "of it. Values of a function at even steps as heights give Bernstein's approximation of it. With\n"
-         "'edges' the first point is the start and the others are the edges of the polygon: the form of\n"
-         "UNISURF.",
+         "One polynomial whose degree is one less than the number of corners, up to 25. It starts\n"
+         "and ends with the polygon, along its first and last edges, and lies within its convex\n"
+         "hull; moving a corner moves the whole curve. Values of a function at even steps, taken\n"
+         "as heights, give its Bernstein approximation. With 'edges' the first point is the start\n"
+         "and the others are the edges of the polygon: the form of UNISURF.",
          "features:\n"
          "  corners: {points: [[0, 0], [1, 2], [3, 2], [4, 0]]}\n"
          "  hood: {bezier: corners}\n",

@@ -3,7 +3,7 @@
 
 static const batten_parameter parameters[] = {
     {"bezier-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "the net: rows of points, each with as many"},
+     "the net: rows of points, all of the same length"},
     {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "of the points, row by row: a rational surface"},
 };
@@ -54,9 +54,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_bezier_surface = {
     .shown =
         {"bezier-surface", "The Bezier surface of a net",
-         "One patch whose degrees are one less than the numbers of points, up to 25. Its edges are the Bezier\n"
-         "curves of the rims of the net, at its corners it touches the net, and it lies within its hull.\n"
-         "'match' joins such patches smoothly, 'part' cuts pieces out, 'elevate' raises degrees.",
+         "One patch whose degrees are one less than the numbers of points, up to 25. Its edges are\n"
+         "the Bezier curves of the rims of the net, it touches the net at its corners, and it lies\n"
+         "within its convex hull. 'match' joins such patches smoothly, 'part' cuts pieces out,\n"
+         "'elevate' raises degrees.",
          "features:\n"
          "  net:\n"
          "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 1], [3, 0, 0],\n"

@@ -11,7 +11,7 @@ static const batten_parameter parameters[] = {
     {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "of all points: rational triangles"},
     {"halve", BATTEN_VALUE_COUNT, false, false, "0", NULL,
-     "cut every triangle into four, so many times"},
+     "cut every triangle into four, this many times"},
 };
 
 /* All points of the principal input, one object after the other. */
@@ -115,11 +115,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_bezier_triangle = {
     .shown =
         {"bezier-triangle", "Bezier triangles from their control nets",
-         "A net of degree n has n + 1 points on every side and (n + 1)(n + 2) / 2 in all: the first corner,\n"
-         "then row after row, the last of which is the side from the second corner to the third. The surface\n"
-         "goes through the corners, has the sides' polygons for the polygons of its edges, and lies within\n"
-         "the hull of its net. 'write' puts every triangle into files as three exact NURBS patches; 'check'\n"
-         "measures gaps and angles between triangles.",
+         "A net of degree n has n + 1 points on every side and (n + 1)(n + 2) / 2 in all: the\n"
+         "first corner, then row after row, the last of which is the side from the second corner\n"
+         "to the third. The surface goes through the corners, its edges have the sides of the net\n"
+         "as control polygons, and it lies within the convex hull of its net. 'write' puts every\n"
+         "triangle into files as three exact NURBS patches; 'check' measures gaps and angles\n"
+         "between triangles.",
          "features:\n"
          "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  sail: {bezier-triangle: net}\n",

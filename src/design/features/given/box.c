@@ -11,8 +11,7 @@ static const batten_parameter parameters[] = {
     {"axes", BATTEN_VALUE_WORD, false, false, "world", "world turned",
      "along those of the world, or as the curve lies"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how near the polyline is that turned boxes are found with; the tolerance of the design "
-     "by default"},
+     "how close the polyline is from which turned boxes are found; the tolerance of the design by default"},
 };
 
 /* The corner on the sides that `signs` names. */
@@ -122,10 +121,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_box = {
     .shown =
         {"box", "The edges of boxes that just hold curves",
-         "Along the axes of the world the box is tight: its sides touch the curve. With 'axes: turned'\n"
-         "it lies as the curve does; in a plane across z no rectangle is smaller, within the tolerance,\n"
-         "in space the box is small but not proved to be the smallest. Stock for a part, or the size\n"
-         "of a sheet. A flat box is one rectangle; a straight curve has none.",
+         "For the stock of a part, or the size of a sheet. Along the axes of the world the box is\n"
+         "tight: its sides touch the curve. With 'axes: turned' it is aligned with the curve; in a\n"
+         "plane across z no rectangle is smaller, within the tolerance, while in space the box is\n"
+         "small but not proved to be the smallest. A flat box is one rectangle; a straight curve\n"
+         "has no box.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 80 cm], [3 m, 2 m]]}\n"
          "  rib: {interpolate: ducks}\n"

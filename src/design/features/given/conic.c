@@ -69,8 +69,8 @@ const bat_feature bat_feature_conic = {
     .shown =
         {"conic", "An arc of an ellipse, parabola or hyperbola, exactly",
          "From three points: the ends, and between them the point where the tangents at the ends\n"
-         "meet; a weight or a further point decides which conic it is. From five points: the\n"
-         "conic through them.",
+         "meet; a weight or a further point decides which conic it is. From five points: the conic\n"
+         "through them.",
          "features:\n"
          "  stem: {conic: [[0, 0], [1 m, 0], [1.4 m, 1 m]], weight: 0.8}\n",
          "[PT97]", "batten_curve_conic", BAT_PARAMETERS(parameters), false},

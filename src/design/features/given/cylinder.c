@@ -21,7 +21,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_cylinder = {
     .shown = {"cylinder", "A circular cylinder, exactly",
-              "From 'at' up along 'axis'; u runs around, v up. It has no lids.",
+              "From 'at' up along 'axis'; u runs around, v up. It has no end caps.",
               "features:\n"
               "  tank: {cylinder: 0.4 m, height: 1.2 m, axis: x}\n",
               "[PT97]", "batten_surface_cylinder", BAT_PARAMETERS(parameters), false},

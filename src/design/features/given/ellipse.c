@@ -4,8 +4,8 @@
 
 static const batten_parameter parameters[] = {
     {"ellipse", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
-     "the first half axis, along 'from'"},
-    {"b", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the second half axis"},
+     "the first semi-axis, along 'from'"},
+    {"b", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "the second semi-axis"},
     {"start", BATTEN_VALUE_ANGLE, false, false, "0", NULL, "where it begins"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, "360 deg", NULL,
      "how far it goes, up to 360 deg"},

@@ -3,7 +3,7 @@
 #include <batten/standard.h>
 
 static const batten_parameter parameters[] = {
-    {"ellipsoid", BATTEN_VALUE_POINT, false, true, NULL, NULL, "the three half axes"},
+    {"ellipsoid", BATTEN_VALUE_POINT, false, true, NULL, NULL, "the three semi-axes"},
     BAT_PLACE,
 };
 

@@ -4,7 +4,7 @@
 
 static const batten_parameter parameters[] = {
     {"hyperboloid", BATTEN_VALUE_POINT, false, true, NULL, NULL,
-     "the half axes: both of the waist, and how fast it opens"},
+     "the semi-axes: both of the waist, and how fast it opens"},
     {"heights", BATTEN_VALUE_RANGE, false, true, NULL, NULL, "from and to, from the waist"},
     BAT_PLACE,
 };
@@ -25,8 +25,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_hyperboloid = {
     .shown =
         {"hyperboloid", "A hyperboloid of one sheet, exactly",
-         "x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1, with its waist in 'at' and z along 'axis';\n"
-         "v runs along its straight lines.",
+         "x^2 / a^2 + y^2 / b^2 - z^2 / c^2 = 1, with its waist at 'at' and z along 'axis'; v runs\n"
+         "along its straight lines.",
          "features:\n"
          "  tower: {hyperboloid: [20 m, 20 m, 30 m], heights: [-60 m, 20 m]}\n",
          "[PT97]", "batten_surface_hyperboloid", BAT_PARAMETERS(parameters), false},

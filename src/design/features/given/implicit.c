@@ -9,10 +9,10 @@ static const batten_parameter parameters[] = {
     {"implicit", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "plane curves, each span of degree 8 at most"},
     {"beyond", BATTEN_VALUE_NUMBER, false, false, "0.5", NULL,
-     "how far around the curve is looked, as a part of its size"},
+     "how far around the curve to look, as a share of its size"},
     {"cells", BATTEN_VALUE_COUNT, false, false, "120", NULL, "of the grid in either direction"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how near the polylines are; the tolerance of the design by default"},
+     "how accurate the polylines are; the tolerance of the design by default"},
 };
 
 /* Where a point of the plane lies in space. */
@@ -166,11 +166,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_implicit = {
     .shown =
         {"implicit", "The whole algebraic curves that the spans of plane curves belong to",
-         "Each span satisfies an equation f(x, y) = 0 of its degree, a determinant; it is traced on a\n"
-         "grid around the curve, as far 'beyond' it as is asked. The polylines are as near as 'within';\n"
-         "points at which curve and gradient vanish (crossings, cusps, points alone) come with it. The\n"
-         "error is by how much f, scaled to a distance, misses 0 on the span. Branches smaller than a\n"
-         "cell can be missed. Degrees above 8 are refused, and spans that are run over more than once.",
+         "Each span satisfies an equation f(x, y) = 0 of its degree, a determinant; it is traced\n"
+         "on a grid around the curve, as far 'beyond' it as is asked. The polylines are accurate\n"
+         "to 'within'; points at which f and its gradient vanish (crossings, cusps, isolated\n"
+         "points) come with them. The error is how far f, scaled to a distance, is from 0 on the\n"
+         "span. Branches smaller than a cell can be missed. Degrees above 8, and spans that are\n"
+         "traced more than once, are refused.",
          "features:\n"
          "  legs: {points: [[0, 0], [3 m, 2 m], [-1 m, 2 m], [2 m, 0]]}\n"
          "  loop: {bezier: legs}\n"

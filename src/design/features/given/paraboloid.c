@@ -4,9 +4,9 @@
 
 static const batten_parameter parameters[] = {
     {"paraboloid", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
-     "the half axis of the rim along 'from'"},
+     "the semi-axis of the rim along 'from'"},
     {"b", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "the half axis across it; the same if not given"},
+     "the semi-axis across it; the same if not given"},
     {"height", BATTEN_VALUE_LENGTH, false, true, NULL, NULL, "from the pole to the rim"},
     BAT_PLACE,
 };
@@ -25,7 +25,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_paraboloid = {
     .shown = {"paraboloid", "An elliptic paraboloid, exactly",
-              "From its pole in 'at' along 'axis' up to an elliptic rim.",
+              "From its pole at 'at' along 'axis' up to an elliptic rim.",
               "features:\n"
               "  dish: {paraboloid: 1 m, height: 25 cm}\n",
               "[PT97]", "batten_surface_paraboloid", BAT_PARAMETERS(parameters), false},

@@ -5,7 +5,7 @@
 static const batten_parameter parameters[] = {
     {"points", BATTEN_VALUE_POINT, true, true, NULL, NULL, "the points, in order"},
     {"columns", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
-     "so many points make one row; all in one row by default"},
+     "this many points make one row; all in one row by default"},
 };
 
 static batten_status add_row(bat_run *run, const char *name, int count, const bat_item *items,

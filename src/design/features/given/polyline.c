@@ -51,8 +51,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_polyline = {
     .shown =
         {"polyline", "Straight lines through points",
-         "A curve of degree 1 with a corner at each inner point; its parameter is the length.\n"
-         "Of features with points each row becomes a polyline.",
+         "A curve of degree 1 with a corner at each inner point; its parameter is the length. Of\n"
+         "features with points each row becomes a polyline.",
          "features:\n"
          "  chine: {polyline: [[0, 0], [2 m, 0.5 m], [5 m, 0.6 m]]}\n",
          "", "batten_curve_polyline", BAT_PARAMETERS(parameters), false},

@@ -133,10 +133,11 @@ const bat_feature bat_feature_read = {
     .shown =
         {"read",
          "What is in a file: points, curves, surfaces, bodies, meshes, tables of offsets",
-         "The path is relative to the design and stays below its folder. Lengths become those of the\n"
-         "design; a file that names no unit is taken to be in that of the design. What instances place is\n"
-         "put where they have it, named 'instance/object'. Tables of offsets can be turned, cut and\n"
-         "trimmed. 'batten help formats' lists the formats; those that are only written are refused.",
+         "The path is relative to the design and stays below its folder. Lengths become those of\n"
+         "the design; a file that names no unit is taken to be in that of the design. Objects\n"
+         "placed by instances are put where the instance has them, and are named\n"
+         "'instance/object'. Tables of offsets can be turned, cut and trimmed. 'batten help\n"
+         "formats' lists the formats; those that are only written are refused.",
          "features:\n"
          "  offsets: {read: offsets.csv, z: [0, 2 m], trim-centre: yes}\n",
          "", "batten_read_file", BAT_PARAMETERS(parameters), false},

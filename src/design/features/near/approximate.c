@@ -45,13 +45,14 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_approximate = {
     .shown =
         {"approximate", "Nearly the same curve as a plain B-spline of a wanted degree",
-         "For systems that know no rational curves, no high degrees, no clothoids or elastica, and for\n"
-         "curves with far too many knots. The new curve is polynomial, of 'degree', and has as few\n"
-         "control points as are found; it is nowhere farther from the given one than 'within', at equal\n"
-         "parameters, which is proved by the control points of the difference and not sampled (but the\n"
-         "way from arcs, clothoids, elastica and splines in tension to a curve is). Ends and corners stay.\n"
-         "A curve that closes smoothly still does. The fourth root counts: with cubics a sixteenth of the\n"
-         "tolerance takes twice the spans. Tolerances below the rounding of the points are refused.",
+         "For systems without rational curves, high degrees, clothoids or elastica, and for curves\n"
+         "with far too many knots. The new curve is polynomial, of 'degree', with as few control\n"
+         "points as can be found; at equal parameters it is nowhere farther from the given one\n"
+         "than 'within', which is proved by the control points of the difference and not sampled\n"
+         "(only the conversion of arcs, clothoids, elastica and splines in tension to a curve is\n"
+         "sampled). Ends and corners stay. A curve that closes smoothly still does. With cubics a\n"
+         "sixteenth of the tolerance takes twice the spans. Tolerances below the rounding of the\n"
+         "points are refused.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  plain: {approximate: rim, within: 0.1 mm}\n",

@@ -12,11 +12,12 @@ static const batten_parameter parameters[] = {
      "without corners, with small ones, or with the directions of the curve"},
     {"one-sided", BATTEN_VALUE_WORD, false, false, "either", "either left right inside outside",
      "the side of the curve, seen along it, or of a closed curve, on which the arcs may lie"},
-    {"least-radius", BATTEN_VALUE_LENGTH, false, false, "0", NULL, "that an arc may have"},
+    {"least-radius", BATTEN_VALUE_LENGTH, false, false, "0", NULL,
+     "the least radius that an arc may have"},
     {"most", BATTEN_VALUE_COUNT, false, false, "0", NULL,
-     "the number of arcs that are allowed; 0 for any"},
+     "the largest number of arcs allowed; 0 for any"},
     {"spread", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
-     "with the same number of arcs, the largest deviation as small as can be"},
+     "with the same number of arcs, make the largest deviation as small as possible"},
     {"closed", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "of points: the last is followed by the first, which is not repeated"},
     BAT_EACH,
@@ -144,18 +145,18 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_arcs = {
     .shown =
         {"arcs", "The fewest arcs within a tolerance of curves or points",
-         "For machines that follow arcs and lines only: cutters, routers, benders. Each arc is as long\n"
-         "as 'within' allows, so few are needed; 'spread' then makes the largest deviation as\n"
+         "For machines that follow only arcs and lines: cutters, routers, benders. Each arc is as\n"
+         "long as 'within' allows, so few are needed; 'spread' then makes the largest deviation as\n"
          "small as the same number of arcs can. 'smooth' arcs turn only at corners of the curve;\n"
          "'plain' ones may have small corners where they meet, and are lines where the curve is\n"
          "nearly straight; 'biarcs' have the directions of the curve at their ends, which takes\n"
-         "nearly half as many more. 'one-sided' keeps the cutter off one side: it\n"
-         "takes a quarter more arcs. Ends and corners of the curve stay, and so does what is lines and arcs\n"
-         "exactly from corner to corner: circles, polylines, what 'fillet' and 'offset' make\n"
-         "of them. The number, the deviation to either side and the least radius are noted. Of points,\n"
-         "arcs begin and end at points and pass the others within the\n"
-         "tolerance; rough points are better served by 'plain'. A radius that the curve does not\n"
-         "have itself cannot be asked for: it is refused with the place.",
+         "nearly half as many arcs again. 'one-sided' keeps the cutter off one side, which takes a\n"
+         "quarter more arcs. Ends and corners of the curve stay, and so does whatever consists\n"
+         "exactly of lines and arcs from corner to corner: circles, polylines, and what 'fillet'\n"
+         "and 'offset' make of them. The number of arcs, the deviation to either side and the\n"
+         "least radius are noted. Arcs through points start and end at points and pass the others\n"
+         "within the tolerance; 'plain' suits rough points better. A least radius larger than the\n"
+         "curve itself has somewhere is refused, and the message says where.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  edge: {interpolate: ducks}\n"

@@ -54,17 +54,17 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_biarcs = {
     .shown =
         {"biarcs", "Two arcs between any two points, with smooth tangents",
-         "For shapes that a machine or a draughtsman makes of arcs: templates, plates, tool\n"
-         "paths. The direction at a point is that of the circle through it and its neighbours;\n"
-         "between two points two arcs meet with a common tangent at the 'joint'. 'equal-chord'\n"
-         "makes the step of curvature least, 'least-ratio' the radii most alike,\n"
-         "'least-curvature' the smaller radius as large as can be, 'equal-legs' the legs of the\n"
-         "control polygon equal. 'automatic' is equal-chord, and least-ratio where equal-chord\n"
-         "would turn both ways between points that turn one way. Points of a circle give the\n"
-         "circle. Curvature has steps at points and joints; a point moves only its two neighbour\n"
-         "spans and theirs. Where the points turn sharply arcs can turn by more than 180 degrees,\n"
-         "which is noted; points that turn back on themselves are refused. In space, 'joint' is not\n"
-         "used, and the arcs lie in different planes.",
+         "For shapes that a machine or a draughtsman makes of arcs: templates, plates, tool paths.\n"
+         "The direction at a point is that of the circle through it and its neighbours; between\n"
+         "two points two arcs meet with a common tangent at the 'joint'. 'equal-chord' makes the\n"
+         "step of curvature least, 'least-ratio' the radii most alike, 'least-curvature' the\n"
+         "smaller radius as large as possible, 'equal-legs' the legs of the control polygon equal.\n"
+         "'automatic' is equal-chord, and least-ratio where equal-chord would bend both ways\n"
+         "between points that turn one way. Points of a circle give the circle. Curvature has\n"
+         "steps at points and joints; moving a point changes four spans, two on either side. Where\n"
+         "the points turn sharply arcs can turn by more than 180 degrees, which is noted; points\n"
+         "that turn back on themselves are refused. In space, 'joint' is not used, and the arcs\n"
+         "lie in different planes.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 40 cm], [3 m, 1 m]]}\n"
          "  template: {biarcs: ducks, joint: equal-chord}\n",

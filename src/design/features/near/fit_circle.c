@@ -6,7 +6,7 @@ static const batten_parameter parameters[] = {
     {"fit-circle", BATTEN_VALUE_MODEL, false, true, NULL, NULL,
      "points, or a table of offsets"},
     {"by", BATTEN_VALUE_WORD, false, false, "distances", "distances taubin pratt kasa",
-     "what is made least: the distances, or a formula near to them that needs no rounds"},
+     "what is made least: the distances, or an expression close to them that needs no iteration"},
     BAT_WHOLE,
     BAT_EACH,
 };
@@ -39,11 +39,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_circle = {
     .shown =
         {"fit-circle", "The circle nearest to points, in any plane",
-         "For measured holes, pipes, rims and corner rounds: the points may go all around or lie on a\n"
-         "short arc. In space the plane nearest to them is found first. 'distances' makes the sum of\n"
-         "squared distances least; 'taubin' and 'pratt' come close to it, 'kasa' comes out too small on\n"
-         "short arcs. Radius and centre are noted. With 'whole: no' the arc ends beside the first and\n"
-         "the last point. Points on a straight line have no circle and are refused.",
+         "For measured holes, pipes, rims and corner rounds: the points may go all around or lie\n"
+         "on a short arc. In space the plane nearest to them is found first. 'distances' makes the\n"
+         "sum of squared distances least; 'taubin' and 'pratt' come close to it, and 'kasa' gives\n"
+         "circles that are too small on short arcs. Radius and centre are noted. With 'whole: no'\n"
+         "the arc ends beside the first and the last point. Points on a straight line have no\n"
+         "circle and are refused.",
          "features:\n"
          "  marks: {points: [[1 m, 0], [71 cm, 70 cm], [0, 1.01 m], [-70 cm, 71 cm]]}\n"
          "  rim: {fit-circle: marks}\n",

@@ -32,12 +32,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_clothoid = {
     .shown =
         {"fit-clothoid", "The clothoid nearest to points of a plane",
-         "One span whose curvature runs evenly along its length: a measured transition of a road or a\n"
-         "rail, the run of a plank. A line and an arc are clothoids too, and points on them give them\n"
-         "back. Length and end curvatures are noted. The points must follow each other along the curve,\n"
-         "neighbours apart, and the curve may turn by less than a right angle between two of them.\n"
-         "Points that no clothoid passes near are refused when the rounds find no way to one; for a\n"
-         "curve of many spans use 'euler-spiral'.",
+         "One span whose curvature changes evenly along its length: a measured transition of a\n"
+         "road or a rail, the run of a plank. Lines and arcs are clothoids too, and points on them\n"
+         "give them back. The length and the curvatures at the ends are noted. The points must be\n"
+         "given in their order along the curve, no two neighbours coinciding, and the curve may\n"
+         "turn by less than a right angle between two of them. Points that no clothoid passes near\n"
+         "are refused when the iteration finds none; for a curve of many spans use 'euler-spiral'.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 1 cm], [2 m, 7 cm], [3 m, 22 cm], [4 m, 53 cm]]}\n"
          "  ramp: {fit-clothoid: marks}\n",

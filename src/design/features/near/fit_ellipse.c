@@ -64,11 +64,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_ellipse = {
     .shown =
         {"fit-ellipse", "The ellipse nearest to points of a plane",
-         "For holes seen at an angle, pipe cuts, sterns and arches. A direct fit that cannot give any\n"
-         "other conic is the start; then the squared distances at right angles are made least. The half\n"
-         "axes are noted. With 'whole: no' only the part beside the points is drawn. Five points are\n"
-         "needed; a short arc determines its ellipse badly. Points on a line, and points from which the\n"
-         "ellipse grows without end because they bend as a parabola or a hyperbola does, are refused.",
+         "For holes seen at an angle, pipe cuts, sterns and arches. It starts from a direct fit\n"
+         "that cannot give any other conic, and then makes the sum of squared perpendicular\n"
+         "distances least. The semi-axes are noted. With 'whole: no' only the part beside the\n"
+         "points is drawn. Five points are needed; a short arc determines its ellipse poorly.\n"
+         "Points on a line, and points from which the ellipse grows without end because they bend\n"
+         "as a parabola or a hyperbola does, are refused.",
          "features:\n"
          "  marks: {points: [[2 m, 0], [1.4 m, 0.7 m], [0, 1 m], [-1.4 m, 0.7 m], [-2 m, 0], [0, -1 m]]}\n"
          "  arch: {fit-ellipse: marks}\n",

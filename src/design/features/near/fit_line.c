@@ -45,11 +45,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_line = {
     .shown =
         {"fit-line", "The straight line nearest to points",
-         "Distances count at right angles to the line, in all directions alike, so the line does not\n"
-         "depend on the axes: for edges that shall be straight, keels, axes of holes. It goes from the\n"
-         "foot of the first point to that of the last along it. Every point counts, an outlier most.\n"
-         "Points that spread alike in several directions, as the corners of a square, have no nearest\n"
-         "line and are refused; so are points that are all one.",
+         "Distances are measured at right angles to the line, so the line does not depend on the\n"
+         "axes: for edges that should be straight, keels, axes of holes. It runs from the foot of\n"
+         "the perpendicular from the first point to that from the last. Every point counts,\n"
+         "outliers most. Points that spread equally in several directions, such as the corners of\n"
+         "a square, have no nearest line and are refused; so are points that all coincide.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 11 cm], [2 m, 19 cm], [3 m, 31 cm]]}\n"
          "  keel: {fit-line: marks}\n",

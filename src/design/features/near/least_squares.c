@@ -11,19 +11,19 @@ static const batten_parameter parameters[] = {
     {"knots", BATTEN_VALUE_WORD, false, false, "data", "data curvature",
      "as many points between any two, or close where the curve bends"},
     {"corrections", BATTEN_VALUE_COUNT, false, false, "10", NULL,
-     "of a curve: how often at most points get the parameters of their feet"},
+     "of a curve: how often at most points get the parameters of their nearest points"},
     {"hold-ends", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
-     "an open curve begins and ends in the end points"},
+     "an open curve starts and ends at the end points"},
     {"weights", BATTEN_VALUE_NUMBER, true, false, "1", NULL,
      "of the points, one for each or one for all; 0 leaves a point out"},
     {"pass", BATTEN_VALUE_POINT, true, false, NULL, NULL,
-     "points that the curve shall pass: of a curve some of its points, of a function any"},
+     "points that the curve must pass: of a curve some of its points, of a function any"},
     {"start-direction", BATTEN_VALUE_POINT, false, false, NULL, NULL,
      "the direction in which the curve begins"},
     {"end-direction", BATTEN_VALUE_POINT, false, false, NULL, NULL,
      "the direction in which it ends"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "no coordinate farther than this from that of its point"},
+     "no coordinate is farther than this from that of its point"},
     {"shape", BATTEN_VALUE_WORD, true, false, NULL, "increasing decreasing convex concave",
      "of a function: one or two of these"},
     {"side", BATTEN_VALUE_WORD, false, false, "both", "both over under",
@@ -80,15 +80,15 @@ const bat_feature bat_feature_least_squares = {
     .shown =
         {"least-squares", "A spline with the least sum of squared distances from points",
          "The plain way to draw a calm curve through many measured points: give fewer control\n"
-         "points than data, and noise is averaged away. With 'corrections' the distances are\n"
-         "those at right angles to the curve, not at parameters guessed from the chords. Knots\n"
-         "by 'curvature' gather where a first fit bends, for data with steep fronts. It bounds no\n"
-         "single distance unless 'within' does, and outliers pull at it unless it is 'robust':\n"
-         "then points farther than five times the median distance are listed.\n"
-         "'pass', the directions, 'shape', 'side', 'over' and 'under' are met exactly; when\n"
-         "they cannot, the message names one that does not go with the others. Ends that are\n"
-         "held count with them: 'hold-ends: no' where measured ends would break the shape.\n"
-         "It fails, naming the control point, when a part of the curve has no data.",
+         "points than data, and noise is averaged out. With 'corrections' distances are measured\n"
+         "at right angles to the curve, not at parameters estimated from the chords. Knots by\n"
+         "'curvature' gather where a first fit bends, for data with steep fronts. No single\n"
+         "distance is bounded unless 'within' does so, and outliers pull at it unless it is\n"
+         "'robust': then points farther than five times the median distance are listed. 'pass',\n"
+         "the directions, 'shape', 'side', 'over' and 'under' are met exactly; when they cannot\n"
+         "be, the message names one that conflicts with the others. Held ends count among them:\n"
+         "give 'hold-ends: no' where measured ends would break the shape. It fails, naming the\n"
+         "control point, when a part of the curve has no data.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {least-squares: marks, points: 4}\n"

@@ -33,11 +33,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_minimax = {
     .shown =
         {"minimax", "The polynomial whose largest distance from points is least",
-         "Of all functions of this degree none stays nearer to all points at once: the error\n"
-         "that is reported is the half width of the narrowest band around a polynomial that\n"
-         "holds them. Use it for tables of exact values that a machine or a program shall\n"
-         "evaluate, and to see whether points can lie within a tolerance of such a shape at\n"
-         "all. One wrong point spoils it; for measured points take 'least-squares'.",
+         "No other polynomial of this degree stays closer to all points at once: the error that is\n"
+         "reported is half the width of the narrowest band around a polynomial that holds them.\n"
+         "Use it for tables of exact values that a machine or a program has to evaluate, and to\n"
+         "see whether points can lie within a tolerance of such a shape at all. One wrong point\n"
+         "spoils it; for measured points take 'least-squares'.",
          "features:\n"
          "  table: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 5 cm]]}\n"
          "  near: {minimax: table, degree: 2}\n",

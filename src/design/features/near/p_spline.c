@@ -9,7 +9,7 @@ static const batten_parameter parameters[] = {
     {"lambda", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
      "how much differences of control points weigh, instead of 'rms'"},
     {"order", BATTEN_VALUE_COUNT, false, false, "2", NULL,
-     "1 to 4: which differences of the control points shall be small"},
+     "1 to 4: which differences of the control points are kept small"},
     BAT_PARAMETRIZATION,
     BAT_CLOSED,
     BAT_AS,
@@ -33,10 +33,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_p_spline = {
     .shown =
         {"p-spline", "A spline on equal spans whose control points differ little",
-         "Much like 'smooth', with as many control points as 'spans' says however many points\n"
-         "there are: for long series of measurements. Give plenty of spans; 'rms', 'lambda' or\n"
-         "cross validation decide how smooth the curve is. It goes on smoothly where points are\n"
-         "missing. Details finer than a span are lost.",
+         "Much like 'smooth', but the number of control points follows from 'spans' and not from\n"
+         "the number of points: for long series of measurements. Give plenty of spans; 'rms',\n"
+         "'lambda' or cross validation decide how smooth the curve is. It continues smoothly where\n"
+         "points are missing. Details finer than a span are lost.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {p-spline: marks, spans: 8, rms: 1 cm}\n",

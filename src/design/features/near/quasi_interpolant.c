@@ -39,12 +39,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_quasi_interpolant = {
     .shown =
         {"quasi-interpolant", "A spline of full order near points, without equations",
-         "Each control point is a sum over the few points around it, so moving a point moves\n"
-         "the curve only nearby, and points may come by the million. Polynomials of the degree\n"
-         "are reproduced; dense points of a smooth shape are met almost, noisy ones are\n"
-         "smoothed a little: the error is reported. Where the points must be met exactly take\n"
-         "'interpolate'; where there is much noise, 'smooth'. A corner makes it swing as\n"
-         "interpolation does.",
+         "Each control point is a sum over the few points around it, so moving a point moves the\n"
+         "curve only nearby, and there may be millions of points. Polynomials of this degree are\n"
+         "reproduced; dense points of a smooth shape are almost met, noisy ones are smoothed a\n"
+         "little; the error is reported. Use 'interpolate' where the points must be met exactly,\n"
+         "and 'smooth' where there is much noise. A corner makes it swing as interpolation does.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  near: {quasi-interpolant: ducks}\n",

@@ -19,13 +19,14 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_remove_knots = {
     .shown =
         {"remove-knots", "Nearly the same curve with fewer knots and control points",
-         "For curves that carry more knots than their shape needs: from other systems, from digitised\n"
-         "points, after joining and refining. The whole curve moves by no more than 'within', at equal\n"
-         "parameters; the bound is proved by the control points of the difference. Knots go in groups,\n"
-         "those first that matter least, and the rest is fitted to the given curve by least squares, so\n"
-         "far fewer stay than when they go one by one. Both ends stay; so does the degree. With 'within: 0'\n"
-         "only knots go whose going moves nothing at all. A closed curve without ends comes out with\n"
-         "ends that meet; 'approximate' keeps it smooth there.",
+         "For curves that carry more knots than their shape needs: from other systems, from\n"
+         "digitised points, after joining and refining. The whole curve moves by no more than\n"
+         "'within', at equal parameters; the bound is proved by the control points of the\n"
+         "difference. Knots are removed in groups, the least important first, and what is left is\n"
+         "fitted to the given curve by least squares, so far fewer remain than when knots are\n"
+         "removed one by one. Both ends stay, and so does the degree. With 'within: 0' only knots\n"
+         "are removed whose removal moves nothing at all. A closed curve without ends comes out\n"
+         "with ends that meet; 'approximate' keeps it smooth there.",
          "features:\n"
          "  keel: {polyline: [[0, 0], [1 m, 1 mm], [3 m, 0]]}\n"
          "  bare: {remove-knots: keel, within: 2 mm}\n",

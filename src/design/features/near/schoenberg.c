@@ -42,12 +42,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_schoenberg = {
     .shown =
         {"schoenberg", "A spline near points that never turns more often than they do",
-         "Schoenberg's variation diminishing spline: it is convex, rising or positive wherever\n"
-         "the polyline through the points is, for curves and for functions, and meets no line\n"
-         "more often. It ends in the end points and rounds the others off: the coarser the\n"
-         "points, the more. Take it where a shape must not gain a bump at any price, and\n"
-         "'quasi-interpolant' or 'least-squares' where nearness counts more. No equations are\n"
-         "solved; two points that coincide are refused.",
+         "Schoenberg's variation diminishing spline: it is convex, rising or positive wherever the\n"
+         "polyline through the points is, for curves and for functions, and meets no line more\n"
+         "often. It ends in the end points and rounds off the others: the coarser the points, the\n"
+         "more. Use it where a shape must not gain a bump at any price, and 'quasi-interpolant' or\n"
+         "'least-squares' where closeness counts more. No equations are solved; two points that\n"
+         "coincide are refused.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  calm: {schoenberg: ducks}\n",

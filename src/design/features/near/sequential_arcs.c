@@ -42,13 +42,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_sequential_arcs = {
     .shown =
         {"sequential-arcs", "One arc from point to point, each going on from the one before",
-         "The oldest way to draw with arcs: from the start, each arc goes on in the direction in\n"
+         "The oldest way to draw with arcs: from the start, each arc continues in the direction in\n"
          "which the one before ends, to the next point. It has one arc for each pair of points,\n"
-         "half as many as biarcs, and the joints are the points themselves. But whatever is wrong\n"
-         "at the start, or at any point, swings on to the end to both sides and is never damped:\n"
-         "the note tells by how much. Use it for few points that lie well, of a template made of\n"
-         "arcs, say; else 'arc-spline', which solves for all arcs at once, or 'biarcs'. Without a\n"
-         "start angle it takes the one with which the squares of the jumps of curvature are\n"
+         "half as many as biarcs, and the joints are the points themselves. But any error at the\n"
+         "start, or at a point, swings from side to side up to the end and is never damped: a note\n"
+         "says by how much. Use it for a few accurate points, such as those of a template made of\n"
+         "arcs; otherwise use 'arc-spline', which solves for all arcs at once, or 'biarcs'.\n"
+         "Without a start angle the one is taken that makes the sum of squared jumps of curvature\n"
          "least; points of a circle then give the circle. The points lie in a plane.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 50 cm], [2 m, 60 cm], [3 m, 30 cm]]}\n"

@@ -7,7 +7,7 @@ static const batten_parameter parameters[] = {
     {"lambda", BATTEN_VALUE_NUMBER, false, false, NULL, NULL,
      "how much bending weighs against distance, instead of 'rms'"},
     {"order", BATTEN_VALUE_COUNT, false, false, "2", NULL,
-     "1 to 4: which derivative shall be small"},
+     "1 to 4: which derivative is kept small"},
     BAT_PARAMETRIZATION,
     BAT_CLOSED,
     BAT_AS,
@@ -29,12 +29,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_smooth = {
     .shown =
         {"smooth", "The smoothing spline: a batten tied to its points by springs",
-         "A knot stands at every point, and the curve gives way to noise: 'rms' says how far, as a\n"
-         "length; or 'lambda' how stiff the batten is (0 interpolates, a huge one gives the straight\n"
-         "line). Without either, cross validation chooses: each point is foretold from the others\n"
-         "as well as can be, which needs some thirty points whose errors have nothing to do\n"
-         "with each other. Use 'order: 3' where curvature shall vary gently. Corners are\n"
-         "rounded; single bad points show as bumps.",
+         "There is a knot at every point, and the curve gives way to noise: 'rms' says how far, as\n"
+         "a length, or 'lambda' how stiff the batten is (0 interpolates, a huge value gives the\n"
+         "straight line). Without either, cross validation chooses the stiffness with which each\n"
+         "point is predicted best from the others, which needs some thirty points whose errors are\n"
+         "independent. Use 'order: 3' where curvature should vary gently. Corners are rounded;\n"
+         "single bad points show as bumps.",
          "features:\n"
          "  marks: {points: [[0, 0], [1 m, 19 cm], [2 m, 31 cm], [3 m, 42 cm], [4 m, 41 cm], [5 m, 33 cm], [6 m, 22 cm]]}\n"
          "  sheer: {smooth: marks, rms: 1 cm}\n",

@@ -7,7 +7,7 @@ static const batten_parameter parameters[] = {
     {"thin-points", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
      "points, tables of offsets, or polylines"},
     {"within", BATTEN_VALUE_LENGTH, false, true, NULL, NULL,
-     "how far a point that goes may lie from the chord that takes its place"},
+     "how far a removed point may lie from the chord that takes its place"},
     {"closed", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "of points: the last is followed by the first, which is not repeated"},
     BAT_EACH,
@@ -106,12 +106,13 @@ const bat_feature bat_feature_thin_points = {
     .shown =
         {"thin-points", "Fewer points, none of the others farther than a bound",
          "For digitised outlines, scans and long polylines: of the points on a straight or nearly\n"
-         "straight run only the ends stay. Each point that goes lies within 'within' of the chord\n"
-         "between its neighbours that stay. That is said of the points, not of the chords: where a row\n"
-         "runs to and fro, a chord may cut a corner by more. Ends and corners stay, for a row is split\n"
-         "where it is farthest from its chord. How many stay is noted. Of a table each station, or line,\n"
-         "becomes a row of points. For curved shapes 'fit-within' needs fewer control points still;\n"
-         "curves that are no polylines are refused, and made simpler by 'remove-knots'.",
+         "straight run only the ends stay. Each point that is removed lies within 'within' of the\n"
+         "chord between its neighbours that stay. This bounds the points, not the chords: where a\n"
+         "row runs to and fro, a chord may cut a corner by more. Ends and corners stay, for a row\n"
+         "is split where it is farthest from its chord. How many stay is noted. Of a table each\n"
+         "station, or line, becomes a row of points. For curved shapes 'fit-within' needs fewer\n"
+         "control points still; curves that are not polylines are refused; simplify them with\n"
+         "'remove-knots'.",
          "features:\n"
          "  scan: {points: [[0, 0], [1 m, 1 mm], [2 m, 0], [3 m, 1 mm], [3 m, 1 m]]}\n"
          "  edge: {thin-points: scan, within: 2 mm}\n",

@@ -26,7 +26,7 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_bilinear = {
     .shown =
         {"bilinear", "The patch of straight lines between four corners",
-         "A plane when the corners are in one, else a hyperbolic paraboloid; both families of\n"
+         "A plane when the corners lie in one, otherwise a hyperbolic paraboloid; both families of\n"
          "its lines are straight. u runs from the first corner to the second.",
          "features:\n"
          "  sail: {bilinear: [[0, 0, 0], [4 m, 0, 2 m], [4 m, 4 m, 0], [0, 4 m, 2 m]]}\n",

@@ -3,7 +3,7 @@
 
 static const batten_parameter parameters[] = {
     {"catmull-rom-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many, or a table of offsets without gaps"},
+     "rows of points, all of the same length, or a table of offsets without gaps"},
     {"blend", BATTEN_VALUE_COUNT, false, false, "2", NULL,
      "degree of the B-splines that blend: 2 is smooth, 3 has curvature"},
     {"local", BATTEN_VALUE_COUNT, false, false, "1", NULL,
@@ -38,9 +38,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_catmull_rom_surface = {
     .shown =
         {"catmull-rom-surface", "The local surface of Catmull and Rom through a grid of points",
-         "No equations are solved: a point moves the surface only near it. With the standard values bicubic\n"
-         "and smooth; blend 3 with local 2 is of degree 5 and its curvature goes on too. Where 'local' is less\n"
-         "than 'blend' less one the surface comes near the points instead.",
+         "No equations are solved: moving a point changes the surface only near it. With the\n"
+         "default values it is bicubic and smooth; blend 3 with local 2 is of degree 5, with\n"
+         "continuous curvature. Where 'local' is less than 'blend' - 1 the surface passes near the\n"
+         "points instead.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0],\n"

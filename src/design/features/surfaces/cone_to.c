@@ -23,11 +23,12 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_cone_to = {
-    .shown = {"cone-to", "The cone of straight lines from a curve to a point",
-              "Exact, for any curve. u runs along the curve, v from it to the apex, where the\n"
-              "surface has a pole.",
-              "features:\n"
-              "  oval: {ellipse: 2 m, b: 1 m}\n"
-              "  tent: {cone-to: oval, apex: [1 m, 0, 3 m]}\n",
-              "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"cone-to", "The cone of straight lines from a curve to a point",
+         "Exact, for any curve. u runs along the curve, v from it to the apex, where the surface\n"
+         "has a pole.",
+         "features:\n"
+         "  oval: {ellipse: 2 m, b: 1 m}\n"
+         "  tent: {cone-to: oval, apex: [1 m, 0, 3 m]}\n",
+         "[PT97]", "batten_surface_conical", BAT_PARAMETERS(parameters), false},
     .run = run};

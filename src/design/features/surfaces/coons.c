@@ -5,23 +5,23 @@ static const batten_parameter parameters[] = {
      "the boundary curves, in any order and direction"},
     BAT_BOUNDARY_SIDES,
     {"kind", BATTEN_VALUE_WORD, false, false, NULL, "first twists second third",
-     "what it takes from the sides; of itself 'first', with 'along' 'second'"},
+     "what it takes from the sides; by default 'first', with 'along' 'second'"},
     {"blend", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
-     "the blending functions; of itself as the kind needs them"},
+     "the blending functions; by default those that the kind needs"},
     {"blend-v", BATTEN_VALUE_WORD, false, false, NULL, "linear cubic quintic coons",
-     "other ones from the first side to the one across it"},
+     "others from the first side to the opposite one"},
     {"functions", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "blending functions of one's own, F0 F1 G0 G1 H0 H1: graphs over 0 .. 1 in the xy-plane"},
+     "your own blending functions, F0 F1 G0 G1 H0 H1: graphs over 0 .. 1 in the xy-plane"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
      "surfaces beside it that it continues smoothly; found by where they are"},
     {"twists", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for all corners, or four: at the ends of the first side, then across"},
     {"policy", BATTEN_VALUE_WORD, false, false, "gregory", "refuse keep-u keep-v mean gregory",
-     "where slopes of two sides ask for different twists"},
+     "what to do where slopes of two sides ask for different twists"},
     {"repair", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "correct slopes that do not fit the boundary curves at a corner; it says the angle left"},
+     "correct slopes that do not fit the boundary curves at a corner; the remaining angle is reported"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far corners may be open, curves from surfaces; of itself the design's tolerance"},
+     "how far corners may be open, and curves be from surfaces; the design's tolerance by default"},
 };
 
 /* What a run takes and holds. */
@@ -216,18 +216,18 @@ const bat_feature bat_feature_coons = {
     .shown =
         {"coons", "The Coons patch between four sides",
          "u runs along the first side, v along the second. A side may be several curves end to\n"
-         "end, with corners, or a point: 'sides' says how many curves each has. Kinds: 'first'\n"
-         "goes through the curves alone, 'twists' also has chosen twists at its corners (else\n"
-         "those of the bilinear patch), which cure flat spots; 'second' has the slopes of the\n"
-         "surfaces it lies along, 'third' their curvatures too. Blending functions: 'linear'\n"
-         "('first' only), 'cubic', and 'quintic' or 'coons' for patchworks with continuous\n"
-         "curvature. Of itself 'linear' for 'first', 'quintic' for 'third', else 'cubic'.\n"
-         "A slope fits its neighbours when the boundary curves beside it leave the surface within its\n"
-         "tangent plane. Such curves come from 'curve-of' (the ends of the surface) and 'blend' between\n"
-         "them with continuity G1; 'repair: yes' corrects the slopes instead and says by how many degrees\n"
-         "the patch then leaves the tangent planes. Gaps of slopes are vectors per unit of the parameter.\n"
-         "Unless curves are rational, or twists differ under the policy 'gregory',\n"
-         "the result is exact.",
+         "end, with corners, or a single point: 'sides' says how many curves each has. Kinds:\n"
+         "'first' passes through the curves and no more, 'twists' also has given twists at its\n"
+         "corners (instead of those of the bilinear patch), which cures flat spots; 'second' has\n"
+         "the slopes of the surfaces it lies along, 'third' their curvatures too. Blending\n"
+         "functions: 'linear' ('first' only), 'cubic', and 'quintic' or 'coons' for patchworks\n"
+         "with continuous curvature. By default 'linear' for 'first', 'quintic' for 'third',\n"
+         "otherwise 'cubic'. A slope fits its neighbours when the boundary curves beside it leave\n"
+         "the surface within its tangent plane. Such curves come from 'curve-of' (the ends of the\n"
+         "surface) and 'blend' between them with continuity G1; 'repair: yes' corrects the slopes\n"
+         "instead and reports by how many degrees the patch then leaves the tangent planes. Gaps\n"
+         "between slopes are vectors per unit of the parameter. Unless curves are rational, or\n"
+         "twists differ under the policy 'gregory', the result is exact.",
          "features:\n"
          "  keel: {line: [[0, 0, 0], [4, 0, 0]]}\n"
          "  stern: {conic: [[0, 0, 0], [0, 1, 0.2], [0, 1, 1.5]], weight: 1}\n"

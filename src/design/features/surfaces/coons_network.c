@@ -6,12 +6,12 @@
 
 static const batten_parameter parameters[] = {
     {"coons-network", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many; or, with 'across', the curves along u, in order"},
+     "rows of points, all of the same length; or, with 'across', the curves along u, in order"},
     {"across", BATTEN_VALUE_MODEL, true, false, NULL, NULL, "the curves along v, in order"},
     {"at-u", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
-     "where the curves across stand, on a scale of one's own; of itself evenly"},
+     "where the curves across are, on a scale of your own; evenly by default"},
     {"at-v", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
-     "where the curves along u stand; of itself evenly"},
+     "where the curves along u are; evenly by default"},
     {"blend", BATTEN_VALUE_WORD, false, false, "coons", "linear cubic quintic coons",
      "the blending functions; patches join with tangents ('cubic') or curvatures"},
     {"twists", BATTEN_VALUE_WORD, false, false, "adini",
@@ -21,7 +21,7 @@ static const batten_parameter parameters[] = {
     {"ends", BATTEN_VALUE_WORD, false, false, "not-a-knot", BAT_END_WORDS,
      "what holds at the ends of the splines through points"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how far curves may miss each other; of itself the design's tolerance"},
+     "how far curves may miss each other; the design's tolerance by default"},
 };
 
 static batten_status from_points(bat_run *run,
@@ -148,12 +148,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_coons_network = {
     .shown =
         {"coons-network", "A net of Coons patches as one surface",
-         "The patches of a grid of curves, each from the four curves around it, with slopes\n"
-         "that neighbours share: one B-spline through all curves. Of points the curves are\n"
-         "the splines through rows and columns. Given curves must cross at the values\n"
-         "'at-u' and 'at-v' of their parameters, mapped onto that scale; nets that cross\n"
-         "anywhere are the business of 'gordon'. The twists decide how full the patches\n"
-         "are; 'zero' leaves flat spots.",
+         "The patches of a grid of curves, each from the four curves around it, with slopes that\n"
+         "neighbours share: one B-spline through all curves. From points the curves are the\n"
+         "splines through rows and columns. Given curves must cross at the values 'at-u' and\n"
+         "'at-v' of their parameters, mapped onto that scale; for curves that cross anywhere use\n"
+         "'gordon'. The twists decide how full the patches are; 'zero' leaves flat spots.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, 1, 0.1],\n"

@@ -6,7 +6,7 @@
 
 static const batten_parameter parameters[] = {
     {"corner-net", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many: the corners of the faces"},
+     "rows of points, all of the same length: the corners of the faces"},
     {"tangents-u", BATTEN_VALUE_POINT, true, false, "origin", NULL,
      "derivatives along the rows, one for all corners or one for each, row by row"},
     {"tangents-v", BATTEN_VALUE_POINT, true, false, "origin", NULL,
@@ -105,9 +105,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_corner_net = {
     .shown =
         {"corner-net", "Bicubic patches from points, tangents and twists at their corners",
-         "Each face of the grid is a bicubic Coons patch over a unit square; neighbours have\n"
-         "the same tangents, so the surface is smooth. The boundaries of the faces depend on\n"
-         "points and tangents alone, the twists change what is inside.",
+         "Each face of the grid is a bicubic Coons patch over a unit square; neighbours have the\n"
+         "same tangents, so the surface is smooth. The boundaries of the faces depend only on\n"
+         "points and tangents; the twists change the inside.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]\n"

@@ -13,7 +13,7 @@ static const batten_parameter parameters[] = {
     {"regression", BATTEN_VALUE_WORD, false, false, "refuse", "refuse keep",
      "what becomes of plates whose rulings meet between the edges, or that fold back"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how near the edges are followed; the tolerance of the design by default"},
+     "how closely the edges are followed; the tolerance of the design by default"},
 };
 
 static void say(bat_run *run, const batten_developable *made)
@@ -70,10 +70,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_developable = {
     .shown =
         {"developable", "A plate that bends from flat sheet",
-         "The developable surface between two edges: along each ruling one plane touches it, so it is made\n"
-         "from sheet without stretch. Where one edge ends before the other, the rest is a cone. Between edges\n"
-         "that allow none, the surface of nearly the least warp, and how large that is. 'unroll' lays it flat;\n"
-         "'cone-to' makes cones. u runs along the edges, v from the first to the second.",
+         "The developable surface between two edges: along each ruling one plane touches it, so it\n"
+         "is made from sheet without stretching. Where one edge ends before the other, the rest is\n"
+         "a cone. Between edges that allow no developable surface it is the surface of nearly the\n"
+         "least warp, and the warp is reported. 'unroll' lays it flat; 'cone-to' makes cones. u\n"
+         "runs along the edges, v from the first to the second.",
          "features:\n"
          "  k: {points: [[0, 0, 0], [2 m, 0, -0.1 m], [4 m, 0, 0.2 m]]}\n"
          "  keel: {interpolate: k}\n"

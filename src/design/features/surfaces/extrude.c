@@ -26,7 +26,7 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_extrude = {
     .shown =
         {"extrude", "The surface that a curve leaves when it is moved straight on",
-         "Every curve of the input makes one surface; u runs along the curve, v along the way.",
+         "Every curve of the input makes one surface; u runs along the curve, v along the path.",
          "features:\n"
          "  deck-edge: {polyline: [[0, 1 m, 1 m], [4 m, 1.2 m, 1 m]]}\n"
          "  bulwark: {extrude: deck-edge, along: [0, 0, 30 cm]}\n",

@@ -11,7 +11,7 @@
 static const batten_parameter parameters[] = {
     {"fill", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "the sides, in any order"},
     {"along", BATTEN_VALUE_MODEL, true, false, NULL, NULL,
-     "surfaces around the hole: the fill goes on smoothly from those that have a side as edge"},
+     "surfaces around the hole: the fill continues smoothly those that have a side as an edge"},
     {"continuity", BATTEN_VALUE_WORD, false, false, "G1", "G0 G1 G2",
      "what the fill takes over from them: the edge, the tangent planes, the curvature"},
     {"form", BATTEN_VALUE_WORD, false, false, "split", "split kato charrot-gregory",
@@ -21,7 +21,7 @@ static const batten_parameter parameters[] = {
     {"angle", BATTEN_VALUE_ANGLE, false, false, "0.002 deg", NULL,
      "how far the tangent plane may leave surfaces that twist against each other at a corner"},
     {"folds", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "give a fill that folds over, too, which is refused else"},
+     "also return a fill that folds over, which is otherwise refused"},
 };
 
 /* The ribbons of one fill; the sides are those of the surfaces where these lie beside them. */
@@ -296,12 +296,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fill = {
     .shown =
         {"fill", "Surfaces in a hole of 2 to 8 sides",
-         "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the middle of the hole.\n"
-         "They have the same tangent plane where they meet, and that of the surfaces 'along' the sides;\n"
-         "what is left free bends as little as it can. Sides with corners are divided there. The report\n"
-         "says where gaps, angles and differences of curvature are largest. A fill that folds over is\n"
-         "refused, and one with G2 when curvatures around contradict each other so much that between its\n"
-         "own surfaces curvature would jump by more than what is around bends at most.",
+         "As many surfaces as sides, named feature.1, feature.2 ..., that meet in the middle of\n"
+         "the hole. They have the same tangent plane where they meet, and that of the surfaces\n"
+         "'along' the sides; what is left free bends as little as possible. Sides with corners are\n"
+         "divided there. A note says where gaps, angles and differences of curvature are largest.\n"
+         "A fill that folds over is refused; so is one with G2 when the curvatures around it\n"
+         "contradict each other so much that curvature would jump between its own surfaces by more\n"
+         "than the largest curvature around it.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"

@@ -5,7 +5,7 @@
 
 static const batten_parameter parameters[] = {
     {"fit-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many, or a table of offsets without gaps"},
+     "rows of points, all of the same length, or a table of offsets without gaps"},
     {"as", BATTEN_VALUE_WORD, false, false, "surface", "surface function",
      "a surface in space, or heights z over x and y: rows along x, each at one y"},
     {"method", BATTEN_VALUE_WORD, false, false, "least-squares", "least-squares smooth",
@@ -26,7 +26,7 @@ static const batten_parameter parameters[] = {
     {"penalty", BATTEN_VALUE_WORD, false, false, "energy", "energy differences",
      "smoothing: integrals of derivatives, or differences of control points with even knots"},
     {"order", BATTEN_VALUE_COUNT, false, false, "2", NULL,
-     "smoothing, 1 to 4: which derivative shall be small"},
+     "smoothing, 1 to 4: which derivative is kept small"},
     {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
     {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the first row follows the last"},
@@ -193,12 +193,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_grid = {
     .shown =
         {"fit-grid", "A calm surface near a grid of points",
-         "Least squares with fewer control points than data, so that noise is averaged away;\n"
-         "or a smoothing surface, whose stiffness 'rms' (how far it may be off), 'lambda' or\n"
-         "else cross validation decides. With held rims two surfaces that share the points of\n"
-         "a rim, and as many control points along it, meet there. The largest distance, and\n"
-         "where it is, are reported. In a file of points the rows of a grid are separated by\n"
-         "empty lines; in the design 'columns' says how long they are.",
+         "Least squares with fewer control points than data, so that noise is averaged out; or a\n"
+         "smoothing surface, whose stiffness is set by 'rms' (how far it may be off) or 'lambda',\n"
+         "or else by cross validation. With held rims two surfaces that share the points of a rim,\n"
+         "and have as many control points along it, meet there. The largest distance and its\n"
+         "location are reported. In a file of points the rows of a grid are separated by empty\n"
+         "lines; in the design 'columns' says how long they are.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [3, 0, 0.1], [4, 0, 0],\n"

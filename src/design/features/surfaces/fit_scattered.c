@@ -25,10 +25,10 @@ static const batten_parameter parameters[] = {
     {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "2 to 9"},
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "2 to 9"},
     {"levels", BATTEN_VALUE_COUNT, false, false, "0", NULL,
-     "of 'multilevel', at most; 0: as many as the points are good for, up to nine"},
+     "of 'multilevel', at most; 0: as many as the points support, up to nine"},
     {"robust", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "far points count less"},
     {"corrections", BATTEN_VALUE_COUNT, false, false, "20", NULL,
-     "of a cloud: how often at most points get the parameters of their feet"},
+     "of a cloud: how often at most points get the parameters of their nearest points"},
 };
 
 /* [count][3] */
@@ -167,11 +167,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_fit_scattered = {
     .shown =
         {"fit-scattered", "A surface near points in no order",
-         "Heights over a plane ('as: function'), or a cloud in space, whose points are projected\n"
-         "to a base surface first and then follow their feet. 'within' bounds every distance, or\n"
-         "fails saying where; 'rms' and 'lambda' say how calm the surface shall be, else cross\n"
-         "validation does. 'multilevel' is for very many points. The largest distance, and where\n"
-         "it is, are reported, and how many cells between knots hold no point.",
+         "Heights over a plane ('as: function'), or a cloud in space, whose points are first\n"
+         "projected onto a base surface and then take the parameters of their nearest points.\n"
+         "'within' bounds every distance, or fails and says where; 'rms' and 'lambda' set how calm\n"
+         "the surface is, otherwise cross validation does. 'multilevel' is for very many points.\n"
+         "The largest distance and its location are reported, and how many cells between knots\n"
+         "hold no point.",
          "features:\n"
          "  soundings: {points: [[0, 0, 1], [4, 0, 2], [0, 3, 1], [4, 3, 0], [2, 1, 2], [1, 2, 1], [3, 2, 1]]}\n"
          "  bed: {fit-scattered: soundings, as: function, rms: 0.1}\n",

@@ -16,7 +16,7 @@ static const batten_parameter parameters[] = {
     {"blend", BATTEN_VALUE_WORD, false, false, "spline", "spline linear lagrange",
      "how a curve fades out towards its neighbours"},
     {"cut", BATTEN_VALUE_YES_NO, false, false, "yes", NULL,
-     "cut curves that go on beyond the network; else they are refused"},
+     "cut curves that extend beyond the network; otherwise they are refused"},
 };
 
 /* One family: its curves and what they are called. */
@@ -253,12 +253,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gordon = {
     .shown =
         {"gordon", "The surface through a network of curves",
-         "Two families of curves, each of which meets all those of the other once. Their order\n"
-         "and directions are found, and where they meet; curves of different speed are\n"
+         "Two families of curves, each of which meets all those of the other once. Their order,\n"
+         "their directions and where they meet are found; curves of different speed are\n"
          "reparametrised. Closed curves make a closed surface, periodic where smooth; curves of\n"
          "one family may end in a common point. A surface can be within a small tolerance of\n"
-         "curves that miss each other by more: it runs midway in such gaps. Without 'guides' one list holds both families,\n"
-         "and it is found out which curve crosses which. u runs along the profiles.",
+         "curves that miss each other by more: it runs midway in such gaps. Without 'guides' one\n"
+         "list holds both families, and which curve crosses which is found. u runs along the\n"
+         "profiles.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [3 m, 0, 1 m]]}\n"
          "  b: {polyline: [[0, 2 m, 0], [3 m, 2 m, 0.5 m]]}\n"

@@ -52,9 +52,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_gregory = {
     .shown =
         {"gregory", "Patches over a mesh of cubic curves, each made alone",
-         "Three or four cubics become a patch whose tangent planes along a side follow from this side and\n"
-         "from the planes at its ends alone: so patches on both sides of it join smoothly, though they know\n"
-         "nothing of each other, when the curves that meet in a corner have a common tangent plane there.",
+         "Three or four cubics become a patch whose tangent planes along a side follow only from\n"
+         "this side and from the planes at its ends. So patches on both sides of it join smoothly,\n"
+         "without knowing of each other, when the curves that meet in a corner have a common\n"
+         "tangent plane there.",
          "features:\n"
          "  p: {points: [[0, 0, 0], [1 m, 0, 0.4 m], [2 m, 0, 0.4 m], [3 m, 0, 0]]}\n"
          "  q: {points: [[3 m, 0, 0], [3 m, 1 m, 0.3 m], [2 m, 2 m, 0.3 m], [1.5 m, 3 m, 0]]}\n"

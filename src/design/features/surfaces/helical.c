@@ -37,12 +37,13 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_helical = {
-    .shown = {"helical", "The surface that a curve leaves when it is screwed about an axis",
-              "Stairs, threads, propellers. Exact along the curve, within the tolerance along\n"
-              "the screw. u runs along the curve, v is the angle.",
-              "units: m\n"
-              "features:\n"
-              "  tread: {line: [[0.3, 0, 0], [1, 0, 0]]}\n"
-              "  stair: {helical: tread, pitch: 2.6 m, turns: 1.5}\n",
-              "[PT97]", "batten_surface_helical", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"helical", "The surface that a curve leaves when it is screwed about an axis",
+         "Stairs, threads, propellers. Exact along the curve, within the tolerance along the\n"
+         "screw. u runs along the curve, v is the angle.",
+         "units: m\n"
+         "features:\n"
+         "  tread: {line: [[0.3, 0, 0], [1, 0, 0]]}\n"
+         "  stair: {helical: tread, pitch: 2.6 m, turns: 1.5}\n",
+         "[PT97]", "batten_surface_helical", BAT_PARAMETERS(parameters), false},
     .run = run};

@@ -6,7 +6,7 @@
 
 static const batten_parameter parameters[] = {
     {"interpolate-grid", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many, or a table of offsets without gaps"},
+     "rows of points, all of the same length, or a table of offsets without gaps"},
     {"degree-u", BATTEN_VALUE_COUNT, false, false, "3", NULL, "along the rows"},
     {"degree-v", BATTEN_VALUE_COUNT, false, false, "3", NULL, "across the rows"},
     {"parameters", BATTEN_VALUE_WORD, false, false, "centripetal",
@@ -18,7 +18,7 @@ static const batten_parameter parameters[] = {
     {"weights", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "of the points in their order, above 0, or one for all: a rational surface"},
     {"gaps", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "points, counted from 0, that are none: what stands there is not looked at"},
+     "missing points, counted from 0: the numbers given there are ignored"},
     {"periodic-u", BATTEN_VALUE_YES_NO, false, false, "no", NULL, "the rows close smoothly"},
     {"periodic-v", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
      "the first row follows the last"},
@@ -120,10 +120,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_interpolate_grid = {
     .shown =
         {"interpolate-grid", "The surface through a grid of points",
-         "Every row must have as many points; u runs along the rows, v across them. Where there\n"
-         "is no point, 'gaps' says so, and least energy puts one: the surface passes all others.\n"
-         "In a file of points the rows are separated by empty lines; in the design 'columns' says\n"
-         "how long they are.",
+         "Every row must have as many points; u runs along the rows, v across them. 'gaps' lists\n"
+         "where points are missing; least energy fills them, and the surface passes through all\n"
+         "others. In a file of points the rows are separated by empty lines; in the design\n"
+         "'columns' says how long they are.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0.1], [2, 0, 0], [0, 1, 0.1], [1, 1, 0.3], [2, 1, 0.1],\n"

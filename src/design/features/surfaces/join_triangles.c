@@ -78,9 +78,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_join_triangles = {
     .shown =
         {"join-triangles", "Two Bezier triangles with one tangent plane along their edge",
-         "The first of them stays as it is. Of the second the points next to the shared edge move, so that its\n"
-         "derivative across becomes a blend of that of the first and of that along the edge; where both have\n"
-         "one tangent plane at the corners already, these tangents stay. The result is one degree higher.",
+         "The first of them stays as it is. In the second the points next to the shared edge move,\n"
+         "so that its derivative across the edge becomes a blend of that of the first and of that\n"
+         "along the edge; where both already share a tangent plane at the corners, these tangents\n"
+         "stay. The result is one degree higher.",
          "features:\n"
          "  low: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  high: {points: [[2, 2, -1], [2, 1, 0], [1, 2, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"

@@ -4,7 +4,7 @@
 
 static const batten_parameter parameters[] = {
     {"nu-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many, or a table of offsets without gaps"},
+     "rows of points, all of the same length, or a table of offsets without gaps"},
     {"nu-u", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
      "at the lines that the rows cross, of all or one for each: 0 is the spline, 10 much"},
     {"nu-v", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
@@ -41,9 +41,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_nu_surface = {
     .shown =
         {"nu-surface", "The bicubic surface with a tension at each line of its grid",
-         "Nu-splines along the rows and across them. A large nu draws the bend of the surface into its line,\n"
-         "in the end as a knuckle, while the rest stays round. The surface is one bicubic B-spline surface;\n"
-         "tangents go on over every line, and along the lines curvature too.",
+         "Nu-splines along the rows and across them. A large nu draws the bend of the surface into\n"
+         "its line, in the limit as a knuckle, while the rest stays round. The surface is one\n"
+         "bicubic B-spline surface; tangents are continuous across every line, and curvature along\n"
+         "the lines too.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 1], [2, 0, 0],\n"

@@ -39,8 +39,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_patches_of = {
     .shown =
         {"patches-of", "Bezier triangles as NURBS surfaces",
-         "Exact, of the degree of the triangle in both directions. Three patches share the centre of the\n"
-         "triangle and have no poles; with 'form: pole' there is one, whose side u = 0 is the first corner.",
+         "Exact, of the degree of the triangle in both directions. Three patches share the centre\n"
+         "of the triangle and have no poles; with 'form: pole' there is one patch, whose side u =\n"
+         "0 is the first corner.",
          "features:\n"
          "  net: {points: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [2, 0, 0], [1, 1, 1], [0, 2, 0]]}\n"
          "  sail: {bezier-triangle: net}\n"

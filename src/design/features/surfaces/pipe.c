@@ -43,9 +43,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_pipe = {
     .shown =
         {"pipe", "A round pipe around a curve",
-         "A circle swept along the curve, exact around and within the tolerance along it.\n"
-         "Where the radius is not below the radius of curvature the pipe is refused, with\n"
-         "the place. A closed curve makes a closed pipe; corners are mitred or split.",
+         "A circle swept along the curve, exact around and within the tolerance along it. Where\n"
+         "its radius is not below the radius of curvature the pipe is refused, and the message\n"
+         "says where. A closed curve makes a closed pipe; corners are mitred or split.",
          "units: m\n"
          "features:\n"
          "  way: {points: [[0, 0, 0], [2, 0, 0], [3, 1, 0], [3, 2, 1]]}\n"

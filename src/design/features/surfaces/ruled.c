@@ -42,9 +42,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_ruled = {
     .shown =
         {"ruled", "The surface of straight lines between two curves",
-         "Points of equal parameter are joined, or, with 'match: length', points of equal\n"
-         "shares of the arc length: then the curves are followed within the tolerance of\n"
-         "the design. u runs along the curves, v from the first to the second.",
+         "Points of equal parameter are joined, or, with 'match: length', points of equal shares\n"
+         "of the arc length: then the curves are followed within the tolerance of the design. u\n"
+         "runs along the curves, v from the first to the second.",
          "features:\n"
          "  chine: {polyline: [[0, 0.5 m, 0], [4 m, 0.6 m, 0.1 m]]}\n"
          "  sheer: {polyline: [[0, 0.7 m, 0.6 m], [4 m, 0.9 m, 0.8 m]]}\n"

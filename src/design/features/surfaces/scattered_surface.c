@@ -100,9 +100,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_scattered_surface = {
     .shown =
         {"scattered-surface", "A smooth surface through heights in no order",
-         "Triangles between the points in the plane of x and y, and over them pieces that meet with one tangent\n"
-         "plane: every point is met. The result is a set of Bezier triangles; 'patches-of' makes surfaces of it.\n"
-         "Points of one place give their mean, and a note. For noisy heights take 'fit-scattered'.",
+         "Triangles between the points in the plane of x and y, and over them pieces that meet\n"
+         "with one tangent plane: every point is met. The result is a set of Bezier triangles;\n"
+         "'patches-of' makes surfaces of it. Points with the same x and y give their mean, and a\n"
+         "note. For noisy heights use 'fit-scattered'.",
          "features:\n"
          "  spots: {points: [[0, 0, 1], [4, 0, 2], [0, 3, 1], [4, 3, 0], [2, 1, 2], [1, 2, 1], [3, 2, 1]]}\n"
          "  ground: {scattered-surface: spots, method: powell-sabin}\n",

@@ -29,9 +29,9 @@ static const batten_parameter parameters[] = {
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
     {"turn", BATTEN_VALUE_YES_NO, false, false, "no", NULL,
-     "closed sections begin where they are nearest to the one before"},
+     "closed sections start where they are nearest to the one before"},
     {"starts", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
-     "where each closed section begins: a share of its parameter, 0 to 1"},
+     "where each closed section starts: a share of its parameter, 0 to 1"},
     {"match", BATTEN_VALUE_WORD, false, false, "parameters", "parameters arc-length marks",
      "which points of the sections belong together"},
     {"marks", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
@@ -211,16 +211,16 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_skin = {
     .shown =
         {"skin", "The surface through sections",
-         "u runs along the sections, v across them. Sections have knots of their own; to keep all\n"
-         "of them makes a heavy surface, so with 'within' few common knots are found such that no\n"
-         "section moves farther. With 'spine' the sections are drawn in the xy-plane and placed\n"
-         "along it.\n\n"
+         "u runs along the sections, v across them. Sections have knots of their own, and keeping\n"
+         "all of them makes a heavy surface; with 'within' a few common knots are found such that\n"
+         "no section moves farther than that. With 'spine' the sections are drawn in the xy-plane\n"
+         "and placed along it.\n\n"
          "A skin twists when points are joined that do not belong together: 'align' finds the\n"
-         "direction of each section, 'turn' or 'starts' the begin of closed ones, 'match' what lies\n"
-         "between. Closed and open sections do not go together; neighbours that cross or stand in\n"
-         "another order are named.\n\n"
+         "direction of each section, 'turn' or 'starts' where closed ones start, and 'match' what\n"
+         "lies between. Closed and open sections cannot be mixed; neighbours that cross or are out\n"
+         "of order are named in a note.\n\n"
          "Between sections whose speeds or weights jump differently the surface has a crease where\n"
-         "no section has a corner; it is found, and cured as 'creases' says.",
+         "no section has a corner; it is found, and cured or kept as 'creases' says.",
          "features:\n"
          "  aft: {arc: 1 m, angle: 180 deg, axis: x, from: y}\n"
          "  mid: {arc: 1.4 m, angle: 180 deg, axis: x, from: y, at: [2 m, 0, 0]}\n"

@@ -8,11 +8,11 @@ static const batten_parameter parameters[] = {
     {"frames", BATTEN_VALUE_WORD, false, false, "rotation-minimising",
      "rotation-minimising fixed frenet closing", "how the sections turn along the spine"},
     {"x-axis", BATTEN_VALUE_POINT, false, false, NULL, NULL,
-     "where the x-axis of the section looks at the start"},
+     "where the x-axis of the section points at the start"},
     {"up", BATTEN_VALUE_POINT, false, false, NULL, NULL,
-     "where the y-axis of the section looks all along, instead of 'frames'"},
+     "where the y-axis of the section points all along, instead of 'frames'"},
     {"guide", BATTEN_VALUE_MODEL, false, false, NULL, NULL,
-     "a curve at which the y-axis looks, instead of 'frames'"},
+     "a curve to which the y-axis points, instead of 'frames'"},
     {"scale", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
      "at equal steps of the spine's length; one value holds all along"},
     {"scale-y", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
@@ -20,7 +20,7 @@ static const batten_parameter parameters[] = {
     {"twist", BATTEN_VALUE_ANGLE, true, false, NULL, NULL,
      "about the spine, at equal steps of its length"},
     {"at", BATTEN_VALUE_NUMBER, true, false, NULL, NULL,
-     "where several sections stand: shares of the spine's length, from 0 to 1"},
+     "where several sections are placed: shares of the spine's length, from 0 to 1"},
     BAT_SWEEP_CORNERS,
     BAT_SWEEP_BOUNDS,
 };
@@ -119,15 +119,15 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_sweep = {
     .shown =
         {"sweep", "A section swept along a spine",
-         "The section is drawn in the xy-plane around the origin, which runs along the\n"
-         "spine; x, y and z of a space curve go along the axes of the moving frame, z along\n"
-         "the spine. Rotation-minimising frames turn as little as they can; 'closing' ones also\n"
-         "meet again at the end of a closed spine; with 'up' or 'guide' the y-axis looks one\n"
-         "way. 'scale' and 'twist' are laws over the length of the spine. Several sections\n"
-         "are blended. At corners sections lean into the 'mitre' plane, or the surface is\n"
-         "'split'. Sweeps are no NURBS surfaces: sections are added until the true sweep is\n"
-         "met 'within' the tolerance. Where the spine is bent too sharply for the section\n"
-         "the sweep is refused, with the place.",
+         "The section is drawn in the xy-plane around the origin, which moves along the spine; x,\n"
+         "y and z of a space curve are taken along the axes of the moving frame, z along the\n"
+         "spine. Rotation-minimising frames turn as little as possible; 'closing' ones also meet\n"
+         "again at the end of a closed spine; with 'up' or 'guide' the y-axis points in a given\n"
+         "direction. 'scale' and 'twist' are laws over the length of the spine. Several sections\n"
+         "are blended. At corners sections lean into the 'mitre' plane, or the surface is 'split'.\n"
+         "A sweep is not a NURBS surface: sections are added until the true sweep is met 'within'\n"
+         "the tolerance. Where the spine bends too sharply for the section the sweep is refused,\n"
+         "and the message says where.",
          "units: m\n"
          "features:\n"
          "  way: {points: [[0, 0, 0], [2, 1, 0.5], [4, 0, 1], [6, 1, 1]]}\n"

@@ -47,10 +47,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_swing = {
     .shown =
         {"swing", "A profile swung along a trajectory around the z-axis",
-         "Exact. At each height the trajectory is as large as the profile is wide there; a\n"
-         "circle of radius 1 makes the surface of revolution. The profile lies in the\n"
-         "xz-plane, the trajectory in the xy-plane around the origin; the widths of the two\n"
-         "are multiplied, in units of the design, and by the factor.",
+         "Exact. At each height the trajectory is scaled by the width of the profile there; a\n"
+         "circle of radius 1 makes the surface of revolution. The profile lies in the xz-plane,\n"
+         "the trajectory in the xy-plane around the origin; the widths of the two are multiplied,\n"
+         "in units of the design, and by the factor.",
          "units: m\n"
          "features:\n"
          "  profile: {line: [[1, 0, 0], [0.6, 0, 2]]}\n"

@@ -32,11 +32,12 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_tabulate = {
-    .shown = {"tabulate", "The cylinder of parallel lines through a curve",
-              "Exact: lines of given lengths, to one or both sides of the curve; v is the\n"
-              "distance from it.",
-              "features:\n"
-              "  seam: {arc: 1 m, angle: 120 deg, axis: x, from: y}\n"
-              "  plate: {tabulate: seam, direction: [2, 0, 1], from: -50 cm, to: 80 cm}\n",
-              "[PT97]", "batten_surface_tabulated", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"tabulate", "The cylinder of parallel lines through a curve",
+         "Exact: lines of given lengths, to one or both sides of the curve; v is the distance from\n"
+         "it.",
+         "features:\n"
+         "  seam: {arc: 1 m, angle: 120 deg, axis: x, from: y}\n"
+         "  plate: {tabulate: seam, direction: [2, 0, 1], from: -50 cm, to: 80 cm}\n",
+         "[PT97]", "batten_surface_tabulated", BAT_PARAMETERS(parameters), false},
     .run = run};

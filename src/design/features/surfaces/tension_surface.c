@@ -4,7 +4,7 @@
 
 static const batten_parameter parameters[] = {
     {"tension-surface", BATTEN_VALUE_MODEL, true, true, NULL, NULL,
-     "rows of points, each with as many, or a table of offsets without gaps"},
+     "rows of points, all of the same length, or a table of offsets without gaps"},
     {"amount-u", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
      "along the rows, of all strips or one for each: 0 is the spline, 2 a little, 10 much"},
     {"amount-v", BATTEN_VALUE_NUMBER, true, false, "0", NULL, "the same across the rows"},
@@ -42,10 +42,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_tension_surface = {
     .shown =
         {"tension-surface", "The surface in tension through a grid of points",
-         "Splines in tension along the rows and across them. Each strip between two lines of the grid can\n"
-         "be pulled by itself: none is the bicubic spline, much draws the strip straight, so that a surface\n"
-         "beside a steep place loses its waves. Tangent planes and curvatures go on over all lines. It is no\n"
-         "NURBS surface; one within the design's tolerance is made.",
+         "Splines in tension along the rows and across them. Each strip between two lines of the\n"
+         "grid can be pulled by itself: no tension gives the bicubic spline, much tension draws\n"
+         "the strip straight, so that a surface beside a steep place loses its waves. Tangent\n"
+         "planes and curvatures are continuous across all lines. It is not a NURBS surface; one\n"
+         "within the design's tolerance is made.",
          "features:\n"
          "  grid:\n"
          "    points: [[0, 0, 0], [1, 0, 0], [2, 0, 1], [3, 0, 1],\n"

@@ -28,7 +28,7 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_translational = {
     .shown =
         {"translational", "The surface that a curve leaves when it is moved along another",
-         "Exact: the curve does not turn, and all its copies are alike, as are those of the\n"
+         "Exact: the curve does not turn; all copies of it are congruent, and so are those of the\n"
          "path. The first copy is the curve itself. u runs along the curve, v along the path.",
          "features:\n"
          "  rib: {arc: 2 m, angle: 120 deg, axis: y, from: x}\n"

@@ -217,12 +217,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_triangle_patch = {
     .shown =
         {"triangle-patch", "The surface between three curves",
-         "It is a formula that meets the whole curves, and with 'along' the tangent planes of the surfaces\n"
-         "beside them; what goes into the design is the NURBS surface near it, within the tolerance. All three\n"
-         "methods reproduce what is cubic over a triangle. 'side-vertex' draws lines from each side to the corner\n"
-         "opposite, 'parallels' lines parallel to the sides; 'corners' blends expansions about each corner with\n"
-         "polynomials: in the corner between three cylinders of radius 1 these leave the ball by 0.063, 0.041\n"
-         "and 0.016. The first curve is the side opposite the pole of the parameters.",
+         "A formula that meets the whole curves, and with 'along' the tangent planes of the\n"
+         "surfaces beside them; the result is a NURBS surface within the tolerance of it. All\n"
+         "three methods reproduce whatever is cubic over a triangle. 'side-vertex' draws lines\n"
+         "from each side to the corner opposite, 'parallels' lines parallel to the sides;\n"
+         "'corners' blends expansions about each corner with polynomials: in the corner between\n"
+         "three cylinders of radius 1 the three methods deviate from the ball by 0.063, 0.041 and\n"
+         "0.016. The first curve is the side opposite the pole of the parameters.",
          "features:\n"
          "  a: {polyline: [[0, 0, 0], [2 m, 0, 0.2 m]]}\n"
          "  b: {polyline: [[2 m, 0, 0.2 m], [1 m, 1.8 m, 0]]}\n"

@@ -22,8 +22,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_triangles_of = {
     .shown =
         {"triangles-of", "A surface as Bezier triangles",
-         "Every Bezier patch of degrees m and n becomes two triangles of degree m + n, along the diagonal\n"
-         "from its first corner: exactly the same surface.",
+         "Every Bezier patch of degrees m and n becomes two triangles of degree m + n, along the\n"
+         "diagonal from its first corner: exactly the same surface.",
          "features:\n"
          "  chine: {polyline: [[0, 0.5 m, 0], [4 m, 0.6 m, 0.1 m]]}\n"
          "  sheer: {polyline: [[0, 0.7 m, 0.6 m], [4 m, 0.9 m, 0.8 m]]}\n"

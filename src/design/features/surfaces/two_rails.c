@@ -9,7 +9,7 @@ static const batten_parameter parameters[] = {
     {"match", BATTEN_VALUE_WORD, false, false, "parameter", "parameter length planes",
      "which points of the rails belong together"},
     {"across", BATTEN_VALUE_POINT, false, false, "x", NULL,
-     "with 'planes': square to them; the rails go this way"},
+     "with 'planes': at right angles to them; the direction of the rails"},
     {"height", BATTEN_VALUE_WORD, false, false, "scaled", "scaled fixed",
      "of the section, when the distance of the rails changes"},
     BAT_SWEEP_BOUNDS,
@@ -54,10 +54,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_two_rails = {
     .shown =
         {"two-rails", "A section swept along two rails",
-         "The section is drawn in the xy-plane; its chord comes to lie between the rails,\n"
-         "its y-axis across them; the z of a section that leaves the plane goes the way of the\n"
-         "rails. As the rails part it grows as a whole, or keeps its\n"
-         "'height'. Rails may meet at their ends, but not cross.",
+         "The section is drawn in the xy-plane; its chord is placed between the rails, its y-axis\n"
+         "across them; the z of a section that leaves the plane is taken along the rails. As the\n"
+         "rails diverge it grows as a whole, or keeps its 'height'. Rails may meet at their ends,\n"
+         "but not cross.",
          "units: m\n"
          "features:\n"
          "  left points: {points: [[0, 0, 0], [2, -0.3, 0], [4, 0, 0.5]]}\n"

@@ -32,7 +32,7 @@ static batten_status run(bat_run *run)
 
 const bat_feature bat_feature_collect = {
     .shown = {"collect", "The objects of several features as one",
-              "What stands under the same name in two of them gets a number: 'row (2)'.",
+              "Objects with the same name in two of them get a number: 'row (2)'.",
               "features:\n"
               "  low: {points: [[0, 0], [1, 0]]}\n"
               "  high: {points: [[0, 1], [1, 1]]}\n"

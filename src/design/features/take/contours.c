@@ -16,9 +16,9 @@ static const batten_parameter parameters[] = {
      "its values, increasing: lengths for heights and light lines, else numbers"},
     BAT_FIELD_PARAMETERS,
     {"eye", BATTEN_VALUE_POINT, false, false, "x", NULL,
-     "the direction to the one who sees reflection lines"},
+     "the direction to the eye that sees reflection lines"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "how near the curves are to the contours; the tolerance of the design by default"},
+     "how close the curves are to the contours; the tolerance of the design by default"},
     {"as", BATTEN_VALUE_WORD, false, false, "curves", "curves polylines",
      "smooth curves with few control points, or chords"},
 };
@@ -273,10 +273,11 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_contours = {
     .shown =
         {"contours", "Lines of equal height, curvature or light on surfaces",
-         "They lie on the true surface, are closed or end on its rim, and run straight through saddles.\n"
-         "Silhouettes, parting lines and isophotes are contours of 'isophote' and 'draft'; 'highlight'\n"
-         "and 'reflection' lines belong to a line of light 'through' a point along 'direction'. Points\n"
-         "where the field stands still are remarked: there lines appear, vanish or cross.",
+         "They lie on the true surface, are closed or end on its rim, and run straight through\n"
+         "saddles. Silhouettes, parting lines and isophotes are contours of 'isophote' and\n"
+         "'draft'; 'highlight' and 'reflection' lines belong to a line of light 'through' a point\n"
+         "along 'direction'. Stationary points of the field, where lines appear, vanish or cross,\n"
+         "are noted.",
          "features:\n"
          "  ring: {torus: 3 m, minor: 1 m}\n"
          "  waterlines: {contours: ring, levels: [0, 0.5 m]}\n"

@@ -7,13 +7,13 @@ static const batten_parameter parameters[] = {
     {"divide", BATTEN_VALUE_MODEL, false, true, NULL, NULL, "the curves"},
     {"count", BATTEN_VALUE_COUNT, false, false, NULL, NULL, "parts of equal length"},
     {"by", BATTEN_VALUE_WORD, false, false, "length", "length affine",
-     "which length 'count' makes equal; affine: that which affine maps do not change"},
+     "which length 'count' makes equal; affine: the one that affine maps do not change"},
     {"chords", BATTEN_VALUE_COUNT, false, false, NULL, NULL,
      "instead: parts with chords of equal length"},
     {"within", BATTEN_VALUE_LENGTH, false, false, NULL, NULL,
-     "instead: as many parts as it takes that no chord is farther from the curve"},
+     "instead: as many parts as needed to keep each chord this close to the curve"},
     {"angle", BATTEN_VALUE_ANGLE, false, false, NULL, NULL,
-     "instead or besides: as many as it takes that the curve turns by no more along each"},
+     "instead or as well: as many as needed for the curve to turn by no more than this along each"},
     BAT_PIECES_PARAMETERS,
 };
 
@@ -102,15 +102,15 @@ const bat_feature bat_feature_divide = {
         {"divide",
          "Points on curves: equal lengths, equal chords, chords that stay near, ends of pieces",
          "With 'count' the points cut each curve into parts of equal length; with 'chords' the\n"
-         "straight lines between them are equally long, as compasses step them off. Both ends\n"
-         "are points. 'by: affine' takes affine arc length for 'count', so that the points of a\n"
-         "curve and of its image under any affine map correspond; they are dense where the\n"
-         "curve bends, and a straight line is refused. With 'within' the polyline through them\n"
-         "stays that near to the curve, by a bound; it has a point at each knot, and at most a\n"
-         "few times as many as are needed. A curve that turns back close beside itself may have\n"
-         "no equal chords, and says so. With 'angle' the tangents along each part are within\n"
-         "that angle of each other. With 'pieces' the points stand where pieces of that kind\n"
-         "begin and end, as 'split' would cut them.",
+         "straight lines between them are equally long, as compasses step them off. Both ends are\n"
+         "points. 'by: affine' takes affine arc length for 'count', so that the points of a curve\n"
+         "and of its image under any affine map correspond; they are dense where the curve bends,\n"
+         "and a straight line is refused. With 'within' the polyline through them is proved to\n"
+         "stay that close to the curve; it has a point at each knot, and at most a few times as\n"
+         "many points as are needed. A curve that turns back close to itself may have no equal\n"
+         "chords, which is an error. With 'angle' the tangents along each part are within that\n"
+         "angle of each other. With 'pieces' the points are where pieces of that kind start and\n"
+         "end, as 'split' would cut them.",
          "features:\n"
          "  rim: {circle: 1 m}\n"
          "  bolts: {divide: rim, count: 12}\n"

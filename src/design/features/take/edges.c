@@ -84,8 +84,8 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_edges = {
     .shown =
         {"edges", "The edges of bodies and surfaces as curves",
-         "Each edge once, named by its number in the body: 'block.7'. Of a surface they are its border;\n"
-         "borders that are the same curve are one edge, with two uses, and so shared.",
+         "Each edge once, named by its number in the body: 'block.7'. The edges of a surface are\n"
+         "its border; borders that are the same curve are one edge, used twice and so shared.",
          "features:\n"
          "  tank: {cylinder: 0.4 m, height: 1 m}\n"
          "  rims: {edges: tank, which: free}\n",

@@ -132,9 +132,9 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_faces = {
     .shown =
         {"faces", "The surfaces of a body, whole",
-         "One surface for each face, named by its number in the body and its own name: 'block.5 top',\n"
-         "with its normals outside. Surfaces go beyond the loops of trimmed faces, and fill their holes:\n"
-         "a note says how many there are. 'mesh' keeps to the loops.",
+         "One surface for each face, named by its number in the body and its own name: 'block.5\n"
+         "top', with its normals outside. The surfaces of trimmed faces extend beyond their loops\n"
+         "and fill their holes: a note says how many there are. 'mesh' respects the loops.",
          "features:\n"
          "  block: {read: block.step}\n"
          "  sides: {faces: block}\n",

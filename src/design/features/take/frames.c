@@ -168,12 +168,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_frames = {
     .shown =
         {"frames", "Frames along curves, as crosses or as a ribbon",
-         "Each frame stands across the tangent. 'rotation-minimising' ones turn about it as little as\n"
-         "can be, by double reflections, with an error of the fourth order of their steps; 'frenet' ones\n"
-         "point to where the curve bends and are refused where it is straight; 'fixed' ones keep their\n"
-         "axes. Around a closed curve the minimising frame does not come back to itself: 'closing' turns\n"
-         "it back evenly by arc length. A cross has x, and y half as long; 'frame-table' writes the\n"
-         "numbers.",
+         "Each frame stands across the tangent. 'rotation-minimising' ones turn about it as little\n"
+         "as possible, by double reflections, with an error of fourth order in their steps;\n"
+         "'frenet' ones point to where the curve bends and are refused where it is straight;\n"
+         "'fixed' ones keep their axes. Around a closed curve the minimising frame does not return\n"
+         "to itself: 'closing' turns it back evenly by arc length. A cross has x, and y half as\n"
+         "long; 'frame-table' writes the numbers.",
          "features:\n"
          "  ducks: {points: [[0, 0, 0], [1 m, 0, 0], [1 m, 1 m, 50 cm], [0, 1 m, 1 m]]}\n"
          "  pipe: {interpolate: ducks}\n"

@@ -87,9 +87,10 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_mesh = {
     .shown =
         {"mesh", "Triangles of surfaces and bodies",
-         "One mesh for each shape. Triangles are no farther from the shape than 'chord', measured at\n"
-         "samples of each; the largest distance is reported. Faces of a body that share an edge share\n"
-         "its vertices, so that the mesh of a solid is closed. Normals are those of the shape.",
+         "One mesh for each shape. Triangles are no farther from the shape than 'chord', measured\n"
+         "at samples of each; the largest distance is reported. Faces of a body that share an edge\n"
+         "share its vertices, so that the mesh of a solid is closed. Normals are those of the\n"
+         "shape.",
          "features:\n"
          "  ball: {sphere: 1 m}\n"
          "  facets: {mesh: ball, chord: 1 cm}\n",

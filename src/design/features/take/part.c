@@ -32,11 +32,12 @@ static batten_status run(bat_run *run)
 }
 
 const bat_feature bat_feature_part = {
-    .shown = {"part", "The part between two parameters",
-              "Exact; the part keeps its parameters. Of curves made of arcs, spirals and\n"
-              "elastica the part is made of them too.",
-              "features:\n"
-              "  keel: {line: [[0, 0], [3 m, 0]]}\n"
-              "  fore: {part: keel, from: 0.5, to: 1}\n",
-              "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
+    .shown =
+        {"part", "The part between two parameters",
+         "Exact; the part keeps its parameters. Of curves made of arcs, spirals and elastica the\n"
+         "part is made of them too.",
+         "features:\n"
+         "  keel: {line: [[0, 0], [3 m, 0]]}\n"
+         "  fore: {part: keel, from: 0.5, to: 1}\n",
+         "[PT97]", "batten_curve_subrange", BAT_PARAMETERS(parameters), false},
     .run = run};

@@ -28,14 +28,14 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_akima = {
     .shown =
         {"akima", "Akima's local cubics: as one would draw by hand",
-         "Each slope is a mean of those of the two chords at the point; the one beyond which the\n"
+         "Each slope is a mean of those of the two chords at the point; the chord beyond which the\n"
          "slopes change less counts more. So outliers and steps disturb only their neighbours, and\n"
-         "straight runs of three points stay straight. As a curve, Akima's weights by areas are taken,\n"
-         "which do not depend on the axes, with tangents of length 1 over the chords; 'renner' is the\n"
-         "same with even speed. Cubic, with continuous first derivative. It does not promise to be\n"
-         "monotone: on uneven abscissae it can overshoot a little, which fritsch-butland never does.\n"
-         "'modified: yes' (makima) does not overshoot beside a level run of three points, but keeps only\n"
-         "level runs straight.",
+         "straight runs of three points stay straight. As a curve, Akima's weights by areas are\n"
+         "taken, which do not depend on the axes, with tangents of length 1 over the chords;\n"
+         "'renner' is the same with even speed. Cubic, with continuous first derivative. It does\n"
+         "not promise to be monotone: on uneven abscissae it can overshoot a little, which\n"
+         "fritsch-butland never does. 'modified: yes' (makima) does not overshoot beside a level\n"
+         "run of three points, but keeps only level runs straight.",
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {akima: tank, as: function}\n",

@@ -25,9 +25,10 @@ const bat_feature bat_feature_bessel = {
         {"bessel", "Cubics with the derivatives of parabolas through three points",
          "At each point the derivative of the parabola through it and its two neighbours, at the\n"
          "parameters of the chords, or as a function at the abscissae: parabolas are reproduced\n"
-         "exactly. Simple, local, and a good first look at smooth data. Cubic, with continuous first\n"
-         "derivative. It overshoots beside steps, where 'as: function' has better choices in akima,\n"
-         "fritsch-carlson and fritsch-butland; in sharp turns between unequal chords it slows down.",
+         "exactly. Simple, local, and a good first look at smooth data. Cubic, with continuous\n"
+         "first derivative. It overshoots beside steps, where 'as: function' has better choices in\n"
+         "akima, fritsch-carlson and fritsch-butland; in sharp turns between unequal chords it\n"
+         "slows down.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {bessel: ducks}\n",

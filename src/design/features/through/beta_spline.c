@@ -34,12 +34,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_beta_spline = {
     .shown =
         {"beta-spline", "Uniform splines with one bias and one tension for all joints",
-         "Uniform Beta-splines: near a control polygon, whose ends they pass, or through points. Two\n"
-         "numbers shape all joints: beta2 draws the curve to the polygon, beta1 above 1 pulls its bends\n"
-         "to the later side of each point, below 1 to the earlier. Tangent and curvature go on over the\n"
-         "joints, the speed jumps by beta1. Near points a curve changes only within two steps of a point\n"
-         "that is moved. Through points all steps count alike: for uneven points 'nu-spline' is fairer,\n"
-         "and beta1 far from 1 makes large swings.",
+         "Uniform Beta-splines: near a control polygon, whose ends they pass, or through points.\n"
+         "Two numbers shape all joints: beta2 draws the curve to the polygon, beta1 above 1 pulls\n"
+         "its bends to the later side of each point, below 1 to the earlier. Tangent and curvature\n"
+         "are continuous at the joints; the speed jumps by the factor beta1. A curve near points\n"
+         "changes only within two steps of a point that is moved. Through points all steps count\n"
+         "alike: for uneven points 'nu-spline' is fairer, and beta1 far from 1 makes large swings.",
          "features:\n"
          "  cage: {points: [[0, 0], [1 m, 2 m], [3 m, 1 m], [4 m, 0]]}\n"
          "  soft: {beta-spline: cage, beta2: 5}\n",

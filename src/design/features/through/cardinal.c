@@ -36,12 +36,13 @@ const bat_feature bat_feature_cardinal = {
     .shown =
         {"cardinal",
          "Cardinal splines: a tangent along the chord of both neighbours, shortened",
-         "The tangent at a point is half the step from the point before to the one after, times\n"
-         "1 - tension: the curve of drawing programs and of graphs. Tension takes out roundness at all\n"
-         "points or at single ones, and 1 gives the polygon, with a halt at each corner. A point moved\n"
-         "changes four spans. Steps are equal by default: where points are uneven, 'alpha: 0.5' keeps\n"
-         "it from swinging. Direction is continuous, curvature is not. The tension of 'tension' and of\n"
-         "'nu-spline' is another, which leaves curvature continuous.",
+         "The tangent at a point is half the step from the point before to the one after, times 1\n"
+         "- tension: the curve of drawing programs and of graphs. Tension takes out roundness at\n"
+         "all points or at single ones, and 1 gives the polygon, with a halt at each corner.\n"
+         "Moving a point changes four spans. Steps are equal by default: where points are uneven,\n"
+         "'alpha: 0.5' keeps it from swinging. Direction is continuous, curvature is not. The\n"
+         "tension of 'tension' and of 'nu-spline' is a different one, which leaves curvature\n"
+         "continuous.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {cardinal: ducks, tension: 0.3}\n",

@@ -49,14 +49,15 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_catmull_rom = {
     .shown =
         {"catmull-rom", "Local polynomials blended with B-splines, after Catmull and Rom",
-         "Through every few points runs a polynomial; B-splines blend them. The curve is smooth\n"
-         "without solving anything, and a point moved changes four spans. With the default alpha,\n"
-         "0.5, no span has a cusp or crosses itself, however uneven the points; 0 swings beside short\n"
-         "spans, 1 bulges on long ones. The default is the classical cubic, with continuous first\n"
-         "derivative; 'blend: 3, local: 2' a quintic with continuous curvature, which suits few,\n"
-         "even points better than many, uneven ones. 'local: 0' gives the B-spline with the points\n"
-         "for its control points. Where 'blend' and 'local' are both even or both odd, the order of\n"
-         "the points matters. For fair curves take 'interpolate': here curvature jumps at the points.",
+         "A polynomial runs through each few neighbouring points, and B-splines blend these\n"
+         "polynomials. The curve is smooth without solving any equations, and moving a point\n"
+         "changes four spans. With the default alpha, 0.5, no span has a cusp or crosses itself,\n"
+         "however uneven the points; 0 swings beside short spans, 1 bulges on long ones. The\n"
+         "default is the classical cubic, with continuous first derivative; 'blend: 3, local: 2' a\n"
+         "quintic with continuous curvature, which suits few, even points better than many, uneven\n"
+         "ones. 'local: 0' gives the B-spline that has the points as its control points. Where\n"
+         "'blend' and 'local' are both even or both odd, the order of the points matters. For fair\n"
+         "curves use 'interpolate': here curvature jumps at the points.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [1.2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  sheer: {catmull-rom: ducks}\n",

@@ -45,8 +45,8 @@ const bat_feature bat_feature_conic_pair = {
     .shown =
         {"conic-pair", "Two conics from point to point with given directions and curvatures",
          "Joins two points in given directions by two conics that meet with one tangent. With\n"
-         "curvatures given they have these at the ends, and the same one where they meet: so a\n"
-         "pair closes the gap between two curves with curvature continuous. Without curvatures it\n"
+         "curvatures given they have these at the ends, and equal curvatures where they meet: so a\n"
+         "pair closes the gap between two curves with continuous curvature. Without curvatures it\n"
          "is two parabolas, the quadratic spline with one knot in its middle. The curve stays in\n"
          "the triangle of its tangents; the shares say how far along them the control points lie.\n"
          "Directions that bend to both sides give two conics that meet on the chord, and a note.",

@@ -40,16 +40,16 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_conic_spline = {
     .shown =
         {"conic-spline", "Pairs of conics through points, curvature continuous without a solve",
-         "Between two points stand two conics, which have the tangents and the curvatures at both\n"
-         "points and the same curvature where they meet. So the curve is exact to write in any\n"
-         "system that knows conics, a point that moves changes four spans and no others, and\n"
-         "spans whose tangents bend to one side have no inflection. Data of one ellipse, parabola\n"
-         "or hyperbola, with its tangents and curvatures, give it back; other smooth curves are\n"
-         "met with the fifth power of the step. Tangents and curvatures that are not given come\n"
-         "from circles through three points. The shares may be set to draw a span fuller or\n"
-         "flatter in its middle. A conic has no inflection: a span that bends to both sides is\n"
-         "cut on its chord, and curvature jumps there, which is noted, as are spans whose\n"
-         "curvatures bend against their tangents. The points lie in a plane.",
+         "Between two points there are two conics, which have the tangents and the curvatures at\n"
+         "both points and equal curvatures where they meet. So any system that knows conics can\n"
+         "hold the curve exactly, moving a point changes four spans and no others, and spans whose\n"
+         "tangents bend to one side have no inflection. Data of one ellipse, parabola or\n"
+         "hyperbola, with its tangents and curvatures, give it back; other smooth curves are\n"
+         "approximated with an error of the fifth power of the step. Tangents and curvatures that\n"
+         "are not given come from circles through three points. The shares may be set to draw a\n"
+         "span fuller or flatter in its middle. A conic has no inflection: a span that bends to\n"
+         "both sides is cut on its chord, and curvature jumps there, which is noted, as are spans\n"
+         "whose curvatures bend against their tangents. The points lie in a plane.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [3.2 m, -40 cm]]}\n"
          "  rim: {conic-spline: ducks}\n",

@@ -11,11 +11,11 @@ static const batten_parameter parameters[] = {
     {"lines", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "points of lines or planes on one side of which the curve stays"},
     {"sides", BATTEN_VALUE_POINT, true, false, NULL, NULL,
-     "one for each of these: square to it, towards the side of the curve"},
+     "one for each of these: at right angles to it, towards the side of the curve"},
     {"from", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "one for each of these: the point where it begins to count, from 0"},
+     "one for each of these: the point from which it applies, counted from 0"},
     {"to", BATTEN_VALUE_COUNT, true, false, NULL, NULL,
-     "one for each of these: the point where it ceases to count; 0: the last"},
+     "one for each of these: the point up to which it applies; 0: the last"},
     {"forward", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "directions in which the curve never goes back"},
     {"bent", BATTEN_VALUE_POINT, true, false, NULL, NULL,
@@ -25,14 +25,14 @@ static const batten_parameter parameters[] = {
     {"directions", BATTEN_VALUE_POINT, true, false, NULL, NULL,
      "one for each of these; their lengths do not matter"},
     {"speed", BATTEN_VALUE_NUMBER, false, false, "0.5", NULL,
-     "how fast a curve passes there at least, by its mean speed; 0: it may stand still"},
+     "the least speed with which a curve passes there, relative to its mean speed; 0: it may stand still"},
     {"degree", BATTEN_VALUE_COUNT, false, false, "3", NULL, "of the curve, 1 to 25"},
     {"pieces", BATTEN_VALUE_COUNT, false, false, "4", NULL,
      "spans between neighbouring points; 0: one Bezier curve"},
     {"minimise", BATTEN_VALUE_WORD, false, false, "bending", "stretching bending variation",
      "the squared derivative that is least: the first, the second, the third"},
     {"checks", BATTEN_VALUE_COUNT, false, false, "4", NULL,
-     "parts of each span on which inequalities are asked, 1 to 64"},
+     "parts of each span on which inequalities are imposed, 1 to 64"},
     BAT_PARAMETRIZATION,
 };
 
@@ -194,15 +194,16 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_constrained = {
     .shown =
         {"constrained", "A curve through points that obeys inequalities",
-         "Where an ordinary spline would cross a keel line, leave a band of clearance, swing back or bulge:\n"
-         "among all curves through the points that keep what is asked this is the one of least squared\n"
-         "derivative. A line or plane is given by a point in 'lines' and the side by a vector in 'sides'; two\n"
-         "of them make a band; 'from' and 'to' let one count between two points only. The curve never goes back\n"
-         "in the directions of 'forward' (a function rises with [0, 1], falls with [0, -1]), and is bent\n"
-         "towards those of 'bent' (a function is convex with [0, 1]). What is asked holds everywhere, not at\n"
-         "samples only. 'pieces: 0' with a degree of 5 to 9 is one Bezier curve with given tangents.\n"
-         "Constraints that contradict the points or each other are named. For some dozens of points: the cost\n"
-         "grows with the cube of their number.",
+         "For places where an ordinary spline would cross a keel line, leave a band of clearance,\n"
+         "swing back or bulge: among all curves through the points that obey the inequalities this\n"
+         "is the one with the least integral of a squared derivative. A line or plane is given by\n"
+         "a point in 'lines' and the side by a vector in 'sides'; two of them make a band; 'from'\n"
+         "and 'to' limit one to the part between two points. The curve never goes back in the\n"
+         "directions of 'forward' (a function rises with [0, 1], falls with [0, -1]), and is bent\n"
+         "towards those of 'bent' (a function is convex with [0, 1]). The inequalities hold\n"
+         "everywhere, not only at samples. 'pieces: 0' with a degree of 5 to 9 is one Bezier curve\n"
+         "with given tangents. Constraints that contradict the points or each other are named. It\n"
+         "suits some dozens of points: the cost grows with the cube of their number.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 0], [2, 0.05], [3, 1], [4, 1.05], [5, 1.1]]}\n"
          "  ramp: {constrained: ducks, lines: [[0, 0]], sides: [[0, 1]], forward: [[0, 1]]}\n",

@@ -50,13 +50,13 @@ const bat_feature bat_feature_cornered_spline = {
     .shown =
         {"cornered-spline", "A spline through points with corners and straight runs",
          "For outlines that are smooth in parts: a keel with a straight run, a bracket, a letter.\n"
-         "The points in 'corners' end one smooth run and begin the next; from those in 'lines'\n"
-         "the curve is straight to the next point, and the runs beside it begin with the\n"
-         "direction of the line. 'transition: curvature' also lets curvature begin with 0\n"
-         "there, as a fair curve does; a free end of such a run can be 'natural', while the other\n"
-         "'ends' leave it as it comes. A point between two straight runs is a corner. Points\n"
-         "are counted from 0. Where corners stand close together a smooth run has few points\n"
-         "and little reason to bend: one span alone between two corners is straight.",
+         "The points in 'corners' end one smooth run and start the next; from those in 'lines' the\n"
+         "curve is straight to the next point, and the runs beside it start in the direction of\n"
+         "the line. 'transition: curvature' also lets them start with curvature 0, as a fair curve\n"
+         "does; a free end of such a run can be 'natural', while the other 'ends' leave its\n"
+         "curvature free. A point between two straight runs is a corner. Points are counted from\n"
+         "0. Where corners stand close together a smooth run has few points and little reason to\n"
+         "bend: one span alone between two corners is straight.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 1], [5, 0.5], [6, 0.6], [6.6, 1.2]]}\n"
          "  keel: {cornered-spline: ducks, lines: [3], corners: [1], transition: curvature}\n",

@@ -7,7 +7,7 @@ typedef enum { TANGENT, CURVATURE } joins;
 static const batten_parameter parameters[] = {
     {"corrected", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "curves of degree 3 at most"},
     {"within", BATTEN_VALUE_NUMBER, false, false, "0.95", NULL,
-     "the part of the longest allowed tangent that a corrected one gets, 0 to 1"},
+     "the share of the longest allowed tangent that a corrected one gets, 0 to 1"},
     {"joins", BATTEN_VALUE_WORD, false, false, "tangent", "tangent curvature",
      "what holds at the joins of corrected spans; curvature: in a plane"},
 };
@@ -88,14 +88,13 @@ const bat_feature bat_feature_corrected = {
     .shown =
         {"corrected", "Cubic curves without inflections in excess, cusps and loops",
          "A cubic span whose end tangents are too long for its chord has two inflections, a cusp\n"
-         "or a loop that nobody asked for. Here such tangents are shortened, to the part\n"
-         "'within' of what is allowed; points and directions stay, and the other spans. The\n"
-         "joins keep their tangents but lose the equal speed, and mostly the equal curvature;\n"
-         "with 'joins: curvature' the lengths of these spans and of their neighbours are chosen\n"
-         "together such that curvatures agree at as many joins as they can: not where the\n"
-         "directions bend both sides oppositely. Spans that turn by half a circle or more\n"
-         "cannot be cured by lengths; a note counts them. Better parameters ('chord',\n"
-         "'centripetal') often make the correction needless.",
+         "or a loop that nobody asked for. Here such tangents are shortened, to the share 'within'\n"
+         "of what is allowed; points, directions and the other spans stay. The joins keep their\n"
+         "tangents but lose equal speed, and mostly equal curvature; with 'joins: curvature' the\n"
+         "lengths of these spans and of their neighbours are chosen together such that curvatures\n"
+         "agree at as many joins as possible: not where the two sides bend in opposite directions.\n"
+         "Spans that turn by half a circle or more cannot be cured by lengths; a note counts them.\n"
+         "Better parameters ('chord', 'centripetal') often make the correction unnecessary.",
          "features:\n"
          "  ducks: {points: [[0, 0], [3 m, 0.4 m], [3.3 m, 1 m], [3.4 m, 2 m], [2.2 m, 3 m]]}\n"
          "  loopy: {interpolate: ducks, parameters: uniform}\n"

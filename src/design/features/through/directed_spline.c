@@ -86,14 +86,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_directed_spline = {
     .shown =
         {"directed-spline", "A spline through points with given directions at some of them",
-         "The cubic spline of least energy that passes the points and has, at those named in\n"
-         "'at', the directions given; how fast it passes is found. Use it where a curve must\n"
-         "leave along a frame, stand upright at the bow, be level at the crown. At all other\n"
-         "points its second derivative is continuous; at those with a direction only what of it\n"
-         "is along that direction, so that curvature may jump there. 'tension' draws the curve\n"
-         "tight at points, as a weight on a batten does: its curvature stays continuous.\n"
-         "Directions that lead against the order of the points are followed slowly, and a note\n"
-         "says so.",
+         "The cubic spline of least energy that passes through the points and has the given\n"
+         "directions at those listed in 'at'; its speed there is found. Use it where a curve must\n"
+         "leave along a frame, be upright at the bow or level at the crown. At all other points\n"
+         "its second derivative is continuous; at those with a direction only the component along\n"
+         "that direction is, so that curvature may jump there. 'tension' draws the curve tight at\n"
+         "points, as a weight on a batten does: its curvature stays continuous. Directions against\n"
+         "the order of the points are passed slowly, which is noted.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1, 1], [2, 1.2], [3, 0.6], [4, 0]]}\n"
          "  crown: {directed-spline: ducks, at: [0, 2], directions: [[0, 1], [1, 0]]}\n",

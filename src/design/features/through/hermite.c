@@ -102,13 +102,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_hermite = {
     .shown =
         {"hermite", "Cubics or quintics with given or estimated tangents",
-         "Through the points with a tangent at each: given as a list, one vector for a point, or\n"
-         "estimated from neighbours by the rule in 'estimate'. 'lengths' says what their length is: 1\n"
+         "Through the points with a tangent at each: given as a list, one vector for each point,\n"
+         "or estimated from neighbours by the rule in 'estimate'. 'lengths' sets their lengths: 1\n"
          "over the chords, 1 with steps such that spans have speed 1 in the middle too, or as they\n"
-         "are, as derivatives by the sum of chords. A cubic has a continuous derivative; 'degree:\n"
-         "quintic' has second derivatives too, given in 'second' or the means of those of the cubics.\n"
-         "Only spans beside a point change with it. A wrong tangent bends both of its spans: look at\n"
-         "the comb.",
+         "are, as derivatives with respect to the sum of chords. A cubic has a continuous\n"
+         "derivative; 'degree: quintic' has second derivatives too, given in 'second' or the means\n"
+         "of those of the cubics. Only spans beside a point change with it. A wrong tangent bends\n"
+         "both of its spans: look at the comb.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 0]]}\n"
          "  bow: {hermite: ducks, tangents: [[0, 1], [1, 0], [0, -1]], lengths: middle}\n",

@@ -258,15 +258,15 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_interpolate = {
     .shown =
         {"interpolate", "The cubic spline, or one of another degree, through points",
-         "Through each station or line of a table of offsets, or through each row of points. Cubics\n"
-         "have their knots at the data and need a condition at both ends: 'ends', or 'start' and\n"
-         "'end'; 'clamped', 'second' and 'curvature' take their vector from 'start-vector' and\n"
-         "'end-vector', 'direction' only its direction. Stations with a single point become\n"
-         "curves that stay there, in which a skin can end. A note says where the curves of a table go\n"
-         "far beyond their points, as at corners. The curves keep their points for 'fair'\n"
-         "and 'check'. 'as: function' gives a spline function of the first coordinate, whose vectors\n"
-         "are slopes or second derivatives (the first number counts); a note says where it bends back\n"
-         "though its points do not.",
+         "Through each station or line of a table of offsets, or through each row of points.\n"
+         "Cubics have their knots at the data and need a condition at both ends: 'ends', or\n"
+         "'start' and 'end'; 'clamped', 'second' and 'curvature' take their vector from\n"
+         "'start-vector' and 'end-vector', 'direction' only its direction. Stations with a single\n"
+         "point become curves that stay at that point, in which a skin can end. A note says where\n"
+         "the curves of a table swing far beyond their points, as at corners. The curves keep\n"
+         "their points for 'fair' and 'check'. 'as: function' gives a spline function of the first\n"
+         "coordinate, whose end vectors are slopes or second derivatives (the first number\n"
+         "counts); a note says where it bends back though its points do not.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 20 cm], [2 m, 30 cm], [3 m, 20 cm]]}\n"
          "  sheer: {interpolate: ducks, parameters: chord, ends: natural}\n",

@@ -44,12 +44,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_kochanek_bartels = {
     .shown =
         {"kochanek-bartels", "Cubics shaped point by point: tension, continuity and bias",
-         "Made for paths of moving things: three numbers at each point say how the curve passes it.\n"
-         "Tension tightens, continuity below or above 0 makes a corner, bias moves the bend behind the\n"
-         "point or before it; all 0 is 'catmull-rom'. Useful numbers lie from -1 to 1. A point and its\n"
-         "numbers change four spans. Not for fair lines: curvature jumps at the points, and where\n"
-         "continuity is not 0 the direction does. Steps are equal by default; 'alpha: 0.5' suits uneven\n"
-         "points.",
+         "Made for paths of moving things: three numbers at each point say how the curve passes\n"
+         "it. Tension tightens, continuity below or above 0 makes a corner, bias moves the bend\n"
+         "behind the point or before it; 0 for all three is 'catmull-rom'. Useful numbers lie\n"
+         "between -1 and 1. A point and its numbers affect four spans. Not for fair lines:\n"
+         "curvature jumps at the points, and where continuity is not 0 the direction does. Steps\n"
+         "are equal by default; 'alpha: 0.5' suits uneven points.",
          "features:\n"
          "  keys: {points: [[0, 0], [1 m, 60 cm], [2 m, 0], [3 m, 60 cm], [4 m, 0]]}\n"
          "  path: {kochanek-bartels: keys, tension: [0, 0.5, 0, 0, 0], continuity: [0, 0, -1, 0, 0]}\n",

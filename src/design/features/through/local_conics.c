@@ -36,12 +36,12 @@ const bat_feature bat_feature_local_conics = {
     .shown =
         {"local-conics", "One conic between two points, tangents continuous",
          "For fuselage and hull sections as they were drawn with conics, and where a curve must\n"
-         "not bend more often than its tangents say: one conic between two points, in the\n"
-         "triangle of its tangents. The weight makes it full or flat; without one, points of a\n"
-         "circle give the circle. Tangents come from circles through three points, or are given.\n"
-         "Curvature jumps at the points; use 'conic-spline' where it must not. A span that bends\n"
-         "to both sides is two conics that meet on the chord; one whose tangents do not meet near\n"
-         "it is a biarc; both are noted. The points lie in a plane.",
+         "not bend more often than its tangents do: one conic between two points, in the triangle\n"
+         "of its tangents. The weight makes it full or flat; without one, points of a circle give\n"
+         "the circle. Tangents come from circles through three points, or are given. Curvature\n"
+         "jumps at the points; use 'conic-spline' where it must not. A span that bends to both\n"
+         "sides is two conics that meet on the chord; one whose tangents do not meet near it is a\n"
+         "biarc; both are noted. The points lie in a plane.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm]]}\n"
          "  section: {local-conics: ducks, weight: 0.8}\n",

@@ -40,16 +40,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_local_tension = {
     .shown =
         {"local-tension", "Local cubics pulled towards their chords",
-         "As local-cubic, but each span is a spline in tension over its chord. Without 'tension' spans get\n"
-         "as much as it takes that the curve bends to one side where the points do: no waves\n"
-         "beside flat parts. With it every span gets the same: 0 is local-cubic, 10 is nearly\n"
-         "the polygon with rounded corners. Tangents stay below a right angle from the chord; where\n"
-         "the points turn sharply between spans in tension there may be no solution: use\n"
-         "euler-spiral there.\n"
-         "What holds at the ends is said by 'ends', or 'start' and 'end': 'natural' is curvature 0,\n"
-         "'circular' the same curvature at both ends of the last span; 'tangent' takes its direction from\n"
-         "'start-angle' and 'end-angle', 'curvature' its value from 'start-curvature' and\n"
-         "'end-curvature'.",
+         "As local-cubic, but each span is a spline in tension over its chord. Without 'tension'\n"
+         "each span gets as much as is needed for the curve to bend to one side where the points\n"
+         "do: no waves beside flat parts. With it every span gets the same: 0 is local-cubic, 10\n"
+         "is nearly the polygon with rounded corners. Tangents stay below a right angle from the\n"
+         "chord; where the points turn sharply between spans in tension there may be no solution:\n"
+         "use euler-spiral there.\n\n" BAT_NONLINEAR_ENDS_TEXT,
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 1 cm], [2 m, 4 cm], [3 m, 30 cm], [4 m, 150 cm]]}\n"
          "  batten: {local-tension: ducks}\n",

@@ -35,12 +35,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_nu_spline = {
     .shown =
         {"nu-spline", "Cubic splines with a tension at each point",
-         "A large nu draws the bend into its point, in the end\n"
-         "as a corner; large ones at all points give the polygon. Tangent and curvature go on over the\n"
-         "points, so it suits plane and space curves; the second derivative does not, so a function\n"
-         "is smooth only to the eye. Use it to tighten single places; 'tension' works span by span and\n"
-         "can find its amounts itself. nu has no unit. Some below 0 loosen a point; too far below there\n"
-         "is no such curve, which is refused. Those at the ends of an open curve say nothing.",
+         "A large nu draws the bend into its point, in the limit as a corner; large ones at all\n"
+         "points give the polygon. Tangent and curvature are continuous at the points, so it suits\n"
+         "plane and space curves; the second derivative is not, so a function is smooth only to\n"
+         "the eye. Use it to tighten single places; 'tension' works span by span and can find its\n"
+         "amounts itself. nu has no unit. Values somewhat below 0 loosen a point; too far below\n"
+         "there is no such curve, and the values are refused. Those at the ends of an open curve\n"
+         "have no effect.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 1 m], [3 m, 1 m]]}\n"
          "  knuckle: {nu-spline: ducks, nu: [0, 30, 0, 0]}\n",

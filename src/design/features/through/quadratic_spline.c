@@ -39,13 +39,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_quadratic_spline = {
     .shown =
         {"quadratic-spline", "Parabolas that join with one tangent",
-         "Curvature jumps at the knots. Knots 'between' the points\n"
-         "suit any data. 'midpoints' is for values that belong to cells, given at their middles and at\n"
-         "both ends of the whole; a curve gets even cells, whatever 'parameters' says. 'sequential' has\n"
-         "its knots at the points and passes from one to the next: it is what one does by hand, and it\n"
-         "swings: an error of the one slope never dies out. The best slope makes it swing least, but\n"
-         "cubics are then the better choice. Curves of this degree are of use where a machine or a\n"
-         "format takes no other.",
+         "Curvature jumps at the knots. Knots 'between' the points suit any data. 'midpoints' is\n"
+         "for values that belong to cells, given at their middles and at both ends of the whole; a\n"
+         "curve gets even cells, whatever 'parameters' says. 'sequential' has its knots at the\n"
+         "points and passes from one to the next: it is what one does by hand, and it swings: an\n"
+         "error in the one slope never dies out. The best slope makes it swing least, but cubics\n"
+         "are then the better choice. Curves of this degree are useful where a machine or a format\n"
+         "accepts no other.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 1 m], [2 m, 1 m], [3 m, 0]]}\n"
          "  low: {quadratic-spline: ducks}\n",

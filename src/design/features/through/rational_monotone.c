@@ -26,10 +26,11 @@ const bat_feature bat_feature_rational_monotone = {
     .shown =
         {"rational-monotone",
          "A rational quadratic function that is monotone where the data are",
-         "Spans are quotients of parabolas, exactly represented as a rational curve: monotone for any\n"
-         "slopes of the right sign, where a cubic must shorten them. The slopes are those of fritsch-\n"
-         "butland; where the data turn they are 0. Smoother than cubics at steep rises between flat\n"
-         "parts. The result is rational, which not every format carries as well as cubics.",
+         "Spans are quotients of quadratics, represented exactly as a rational curve: monotone for\n"
+         "any slopes of the right sign, where a cubic must shorten them. The slopes are those of\n"
+         "fritsch-butland; where the data turn they are 0. Smoother than cubics at steep rises\n"
+         "between flat parts. The result is rational, and not every format supports that as well\n"
+         "as cubics.",
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {rational-monotone: tank}\n",

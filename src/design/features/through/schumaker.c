@@ -25,12 +25,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_schumaker = {
     .shown =
         {"schumaker", "A quadratic function that is monotone and convex where the data are",
-         "For tables whose bend has a meaning, as costs and stiffnesses: a spline of parabolas that is\n"
-         "monotone and also convex or concave wherever the points are, with at most one more knot in\n"
-         "each span. Three points in line give that line. The curvature is constant in pieces, so it\n"
-         "looks less round than cubics. Where a straight run ends in an extremum of the data, or in\n"
-         "another straight run, no smooth function is both convex and monotone; then a span beside it\n"
-         "bends twice.",
+         "For tables whose bend has a meaning, such as costs and stiffnesses: a spline of\n"
+         "parabolas that is monotone and also convex or concave wherever the points are, with at\n"
+         "most one additional knot in each span. Three points in line give that line. The second\n"
+         "derivative is piecewise constant, so it looks less round than cubics. Where a straight\n"
+         "run ends in an extremum of the data, or in another straight run, no smooth function is\n"
+         "both convex and monotone; then a span beside it bends twice.",
          "features:\n"
          "  tank: {points: [[0, 0], [1 m, 5 cm], [2 m, 10 cm], [3 m, 90 cm], [5 m, 1 m]]}\n"
          "  level: {schumaker: tank}\n",

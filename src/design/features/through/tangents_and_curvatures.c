@@ -80,14 +80,14 @@ const bat_feature bat_feature_tangents_and_curvatures = {
     .shown =
         {"tangents-and-curvatures",
          "Cubics with given directions and curvatures: curvature continuous, order six",
-         "For curves of which direction and curvature are known at the points, or for circle-like data\n"
-         "of which circles through three points tell both: one cubic between two points matches\n"
-         "direction and curvature at both, so curvature is continuous, and a smooth curve is met with\n"
-         "the sixth power of the step. A quarter of a circle is off by 0.002 of its radius. Of up to\n"
-         "three solutions the one is taken whose legs are nearest to a third of the chord. A span that\n"
-         "has none, as where the curvatures bend against the tangents, keeps the tangents alone; that\n"
-         "is noted. The points lie in a plane. The speed jumps at the points, for direction and\n"
-         "curvature alone are given.",
+         "For curves whose direction and curvature are known at the points, or for circle-like\n"
+         "data where circles through three points give both: one cubic between two points matches\n"
+         "direction and curvature at both, so curvature is continuous, and a smooth curve is\n"
+         "approximated with an error of the sixth power of the step. A quarter of a circle is off\n"
+         "by 0.002 of its radius. Of up to three solutions the one is taken whose legs are closest\n"
+         "to a third of the chord. A span that has no solution, as where the curvatures bend\n"
+         "against the tangents, keeps only the tangents, which is noted. The points lie in a\n"
+         "plane. The speed jumps at the points, for only direction and curvature are given.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 60 cm], [2 m, 70 cm], [3 m, 20 cm], [4 m, 0]]}\n"
          "  arc: {tangents-and-curvatures: ducks}\n",

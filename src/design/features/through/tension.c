@@ -11,9 +11,9 @@ static const batten_parameter parameters[] = {
     {"amount", BATTEN_VALUE_NUMBER, true, false, "0", NULL,
      "of all spans or one for each: 0 is the cubic spline, 2 a little, 10 much"},
     {"rule", BATTEN_VALUE_WORD, false, false, "given", "given convex monotone",
-     "what tension is added for, where the amount is too little"},
+     "the property for which tension is added where the amount is too small"},
     {"slack", BATTEN_VALUE_NUMBER, false, false, "0.01", NULL,
-     "how much a rule lets pass beside points in line and level spans"},
+     "how much deviation a rule allows beside points in line and level spans"},
     BAT_PARAMETRIZATION,
     BAT_PLAIN_ENDS,
 };
@@ -49,13 +49,13 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_tension = {
     .shown =
         {"tension", "Splines in tension: a batten pulled at its ends",
-         "More tension takes out the bulges and extra\n"
-         "turns of a cubic spline beside steep places, and in the end gives the polygon. The amount\n"
-         "has no unit; it can be given span by span. 'convex' finds it: the curve then bends back only\n"
-         "where its points do. 'monotone' lets each coordinate rise and fall only as the points do,\n"
-         "and suits functions: as a curve it depends on the axes. Tangent and second derivative go on\n"
-         "over all points, but much tension draws the bend close to them: fair curves come of little\n"
-         "tension. Points that should be in line must be so exactly, else the rules keep their turns.",
+         "More tension takes out the bulges and extra turns of a cubic spline beside steep places,\n"
+         "and in the limit gives the polygon. The amount has no unit; it can be given span by\n"
+         "span. 'convex' finds it: the curve then bends back only where its points do. 'monotone'\n"
+         "lets each coordinate rise and fall only as the points do, and suits functions: as a\n"
+         "curve it depends on the axes. Tangent and second derivative are continuous at all\n"
+         "points, but much tension draws the bend close to them: fair curves need little tension.\n"
+         "Points that should be in line must be so exactly, otherwise the rules keep their turns.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 0], [2.3 m, 80 cm], [4 m, 1 m]]}\n"
          "  sheer: {tension: ducks, rule: convex}\n",

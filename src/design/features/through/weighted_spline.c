@@ -37,12 +37,12 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_weighted_spline = {
     .shown =
         {"weighted-spline", "Cubic splines whose spans are of unequal stiffness",
-         "A span of large weight bends little, its\n"
-         "neighbours take the bend. Tangents go on over the points, curvature jumps where weights differ.\n"
-         "Without weights each span gets (1 + slope^2)^-3, after Salkauskas: for functions with steep\n"
-         "places (as: function), which then do not swing beside them. The slope counts in the unit of\n"
-         "the design, so axes of different kinds must be scaled to fit. A curve by chord has slope 1\n"
-         "everywhere and is then the plain cubic spline.",
+         "A span of large weight bends little, and its neighbours take the bend. Tangents are\n"
+         "continuous at the points; curvature jumps where weights differ. Without weights each\n"
+         "span gets (1 + slope^2)^-3, after Salkauskas: for functions with steep places (as:\n"
+         "function), which then do not swing beside them. The slope counts in the unit of the\n"
+         "design, so axes of different kinds must be scaled to fit. A curve over chord lengths has\n"
+         "slope 1 everywhere and is then the plain cubic spline.",
          "features:\n"
          "  ducks: {points: [[0, 0], [1 m, 0], [2 m, 6 m], [3 m, 6 m]]}\n"
          "  rise: {weighted-spline: ducks, as: function}\n",
