@@ -1,6 +1,6 @@
 #!/bin/sh
 # A folder of src/ includes only itself and the folders before it in this list; the sister libraries and the
-# programs see the public headers alone, but for the inline helpers of base.
+# programs see the public headers alone; the sisters also the inline helpers of base, and the vectors and boxes of numeric.
 # Usage: layers.sh SOURCE
 cd "$1" || exit 2
 allowed="."
@@ -26,7 +26,7 @@ for folder in src/shape/*; do
 "
 done
 for folder in picture design; do
-    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena)\.h\")")"
+    bad="$bad$(includes "src/$folder" | grep -vE "\"($folder/|base/(base|plural|list|sort|arena)\.h\"|numeric/(vector|box)\.h\")")"
 done
 for folder in cli studio examples; do
     [ -d "$folder" ] || continue

@@ -8,7 +8,7 @@
 static const batten_parameter parameters[] = {
     {"classify", BATTEN_VALUE_MODEL, true, true, NULL, NULL, "polynomial curves"},
     {"within", BATTEN_VALUE_NUMBER, false, false, "1e-9", NULL,
-     "relative: a cubic this close to a boundary counts as on it, a span this close to a line or plane as in it"},
+     "relative: this close to a boundary a cubic is on it, and any span in a line or plane"},
 };
 
 /* ---- what is on a span, whatever its degree ---- */

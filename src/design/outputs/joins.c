@@ -1,4 +1,5 @@
 #include "design/outputs/fairness.h"
+#include "numeric/vector.h"
 
 #include <batten/continuity.h>
 #include <stdlib.h>
@@ -19,32 +20,6 @@ typedef struct {
 
 /* ---- vectors ---- */
 
-static batten_vec3 of(int d, const double *a)
-{
-    return (batten_vec3){a[0], d > 1 ? a[1] : 0, d > 2 ? a[2] : 0};
-}
-
-static batten_vec3 scale(batten_vec3 a, double factor)
-{
-    return (batten_vec3){a.x * factor, a.y * factor, a.z * factor};
-}
-
-/* a + factor b */
-static batten_vec3 plus(batten_vec3 a, double factor, batten_vec3 b)
-{
-    return (batten_vec3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
-}
-
-static double dot(batten_vec3 a, batten_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static batten_vec3 cross(batten_vec3 a, batten_vec3 b)
-{
-    return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 static double norm(batten_vec3 a)
 {
     return hypot(hypot(a.x, a.y), a.z);
@@ -52,7 +27,7 @@ static double norm(batten_vec3 a)
 
 static double gap(batten_vec3 p, batten_vec3 q)
 {
-    return norm(plus(p, -1, q));
+    return norm(bat_vec3_along(p, -1, q));
 }
 
 /* ---- what surfaces compare ---- */
@@ -60,7 +35,7 @@ static double gap(batten_vec3 p, batten_vec3 q)
 /* The angle by which a way out of one shape turns on its way into the other. */
 static double turn(batten_vec3 out_of, batten_vec3 into)
 {
-    return atan2(norm(cross(out_of, into)), dot(out_of, into));
+    return atan2(norm(bat_vec3_cross(out_of, into)), bat_vec3_dot(out_of, into));
 }
 
 /* |a - b| of two curvatures as a part of the larger one; what bulges by less than the tolerance
@@ -106,23 +81,25 @@ static bool leave_surface(const batten_surface *surface, int side, double t, bat
     if (batten_surface_evaluate(surface, fixed_v ? t : fixed, fixed_v ? fixed : t, 2, s) !=
         BATTEN_OK)
         return false;
-    const batten_vec3 su = of(d, s + d), sv = of(d, s + 2 * d);
-    const batten_vec3 suu = of(d, s + 3 * d), suv = of(d, s + 4 * d), svv = of(d, s + 5 * d);
+    const batten_vec3 su = bat_vec3_of(d, s + d), sv = bat_vec3_of(d, s + 2 * d);
+    const batten_vec3 suu = bat_vec3_of(d, s + 3 * d), suv = bat_vec3_of(d, s + 4 * d),
+                      svv = bat_vec3_of(d, s + 5 * d);
     const batten_vec3 across = fixed_v ? sv : su, along = fixed_v ? su : sv;
     const batten_vec3 across2 = fixed_v ? svv : suu, along2 = fixed_v ? suu : svv;
-    const batten_vec3 product = cross(su, sv);
-    const double area = norm(product), g = dot(along, along);
+    const batten_vec3 product = bat_vec3_cross(su, sv);
+    const double area = norm(product), g = bat_vec3_dot(along, along);
     if (!(area > 1e-12 * norm(su) * norm(sv)) || !(g > 0))
         return false;
     /* x = (across - f along) / length: square to the edge, a unit vector in the tangent plane.
      */
-    const double f = dot(across, along) / g;
-    const batten_vec3 square = plus(across, -f, along);
+    const double f = bat_vec3_dot(across, along) / g;
+    const batten_vec3 square = bat_vec3_along(across, -f, along);
     const double length = norm(square);
-    const batten_vec3 n = scale(product, 1 / area);
-    const batten_vec3 second = plus(plus(across2, -2 * f, suv), f * f, along2);
-    *into = scale(square, (high ? -1 : 1) / length);
-    *curvature = scale(n, dot(second, n) / (length * length));
+    const batten_vec3 n = bat_vec3_scale(product, 1 / area);
+    const batten_vec3 second =
+        bat_vec3_along(bat_vec3_along(across2, -2 * f, suv), f * f, along2);
+    *into = bat_vec3_scale(square, (high ? -1 : 1) / length);
+    *curvature = bat_vec3_scale(n, bat_vec3_dot(second, n) / (length * length));
     return true;
 }
 
@@ -149,7 +126,7 @@ static batten_status compare_at(const batten_surface *a, int side_a, const batte
     join->g0 = bat_max(join->g0, foot.max);
     if (leave_surface(a, side_a, t, &into_a, &curvature_a) &&
         leave_surface(b, side_b, foot.at[0], &into_b, &curvature_b)) {
-        join->g1 = fmax(join->g1, turn(scale(into_a, -1), into_b));
+        join->g1 = fmax(join->g1, turn(bat_vec3_scale(into_a, -1), into_b));
         join->g2 = fmax(join->g2, part(curvature_a, curvature_b, straight));
     }
     return BATTEN_OK;
@@ -209,11 +186,12 @@ static batten_status add_ends(const bat_checked *checked, int object, double tol
         if (status == BATTEN_OK)
             status = batten_curve_evaluate(at, domain.a + (domain.b - domain.a) / 2, 0, middle);
         /* An edge that is collapsed to a pole joins nothing. */
-        if (status == BATTEN_OK && (is_curve || gap(of(d, p[0]), of(d, p[1])) > tolerance ||
-                                    gap(of(d, p[0]), of(d, middle)) > tolerance))
+        if (status == BATTEN_OK &&
+            (is_curve || gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])) > tolerance ||
+             gap(bat_vec3_of(d, p[0]), bat_vec3_of(d, middle)) > tolerance))
             ends[(*count)++] = (end){object,
                                      side,
-                                     {of(d, p[0]), of(d, p[1])},
+                                     {bat_vec3_of(d, p[0]), bat_vec3_of(d, p[1])},
                                      p[0][0] + p[1][0],
                                      batten_curve_box(at)};
         batten_curve_unref(curve);

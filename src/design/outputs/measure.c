@@ -456,8 +456,7 @@ static batten_status run(bat_run *run)
 const bat_feature bat_feature_measure = {
     .shown =
         {"measure",
-         "A report: lengths, boxes, areas, moments and special places of curves; areas of "
-         "surfaces; areas and volumes of bodies and meshes",
+         "A report: lengths, areas, volumes, boxes, moments and special points of shapes",
          "For each curve its length, the tight box, and a small box at an angle. Of one that is\n"
          "closed and lies in a plane x, y or z = constant: the area (clockwise negative), the\n"
          "centroid, the second moments about it (the integrals of x x, x y, y y in that plane)\n"

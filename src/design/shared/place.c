@@ -1,9 +1,5 @@
 #include "design/shared/place.h"
-
-static batten_vec3 cross(batten_vec3 a, batten_vec3 b)
-{
-    return (batten_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+#include "numeric/vector.h"
 
 static double length_of(batten_vec3 v)
 {
@@ -34,12 +30,12 @@ batten_status bat_frame(const bat_run *run, batten_frame *out)
     if (bat_has(run, "from"))
         x = bat_point(run, "from");
     else if (z.x != 0 || z.y != 0)
-        x = cross((batten_vec3){0, 0, 1}, z);
+        x = bat_vec3_cross((batten_vec3){0, 0, 1}, z);
     status = bat_check_direction("from", x);
     if (status != BATTEN_OK)
         return status;
     /* Parallel to rounding: the sine of the angle between them is a few eps. */
-    if (length_of(cross(unit(x), z)) <= 1e-14)
+    if (length_of(bat_vec3_cross(unit(x), z)) <= 1e-14)
         return bat_fail(BATTEN_BAD_ARGUMENT, "'from' is parallel to 'axis'");
     *out = (batten_frame){bat_point(run, "at"), x, z};
     return BATTEN_OK;
@@ -47,7 +43,8 @@ batten_status bat_frame(const bat_run *run, batten_frame *out)
 
 static batten_affine to_frame(const batten_frame *frame)
 {
-    const batten_vec3 z = unit(frame->z), y = unit(cross(z, frame->x)), x = cross(y, z);
+    const batten_vec3 z = unit(frame->z), y = unit(bat_vec3_cross(z, frame->x)),
+                      x = bat_vec3_cross(y, z);
     const batten_vec3 o = frame->origin;
     return (batten_affine){{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}},
                            {o.x, o.y, o.z}};

@@ -30,12 +30,12 @@ static batten_status find_away(const batten_surface *surface, const bat_eye *eye
     n[0] = su[1] * sv[2] - su[2] * sv[1];
     n[1] = su[2] * sv[0] - su[0] * sv[2];
     n[2] = su[0] * sv[1] - su[1] * sv[0];
-    const double E = bat_dot(su, su), F = bat_dot(su, sv), G = bat_dot(sv, sv);
-    const double x = bat_dot(e, su), y = bat_dot(e, sv), det = E * G - F * F;
+    const double E = bat_dot(3, su, su), F = bat_dot(3, su, sv), G = bat_dot(3, sv, sv);
+    const double x = bat_dot(3, e, su), y = bat_dot(3, e, sv), det = E * G - F * F;
     const double a = (G * x - F * y) / det, b = (E * y - F * x) / det;
-    const double bends =
-        a * a * bat_dot(d + 9, n) + 2 * a * b * bat_dot(d + 12, n) + b * b * bat_dot(d + 15, n);
-    const double length = sqrt(bat_dot(n, n));
+    const double bends = a * a * bat_dot(3, d + 9, n) + 2 * a * b * bat_dot(3, d + 12, n) +
+                         b * b * bat_dot(3, d + 15, n);
+    const double length = sqrt(bat_dot(3, n, n));
     const bool known = length > 0 && isfinite(bends);
     for (int k = 0; k < 3; k++)
         away[k] = known ? (bends > 0 ? -n[k] : n[k]) / length : 0;

@@ -45,7 +45,7 @@ void bat_triangle_normal(const batten_mesh_parts *mesh, int triangle, double n[3
     n[0] = s[1] * t[2] - s[2] * t[1];
     n[1] = s[2] * t[0] - s[0] * t[2];
     n[2] = s[0] * t[1] - s[1] * t[0];
-    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double length = sqrt(bat_dot(3, n, n));
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : 0;
 }
@@ -62,7 +62,7 @@ static bool is_feature(const batten_mesh_parts *mesh, const side *sides, size_t 
     bat_triangle_normal(mesh, sides[0].triangle, m);
     bat_triangle_normal(mesh, sides[1].triangle, n);
     /* Triangles without area have normal 0, and are edges by that. */
-    const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+    const double cosine = bat_dot(3, m, n);
     return cosine < 0.866;
 }
 

@@ -27,7 +27,7 @@ static double bulge(const bat_facets *f, const bat_tiles *t, size_t base, size_t
 {
     const double *m = t->normals + 3 * a, *n = t->normals + 3 * b;
     const double length = distance(f->points + 3 * (base + a), f->points + 3 * (base + b));
-    const bool known = bat_dot(m, m) > 0 && bat_dot(n, n) > 0;
+    const bool known = bat_dot(3, m, m) > 0 && bat_dot(3, n, n) > 0;
     return 0.125 * length * (known ? distance(m, n) : 1);
 }
 

@@ -149,8 +149,8 @@ static batten_status is_crease(const batten_surface *surface, batten_direction d
             status = normal_at(surface, direction, after, across, BATTEN_FROM_RIGHT, b);
         if (status != BATTEN_OK)
             return status;
-        const double length = sqrt(bat_dot(a, a)) * sqrt(bat_dot(b, b));
-        *out = length > 0 && bat_dot(a, b) < cos(0.5 * BAT_PI / 180) * length;
+        const double length = sqrt(bat_dot(3, a, a)) * sqrt(bat_dot(3, b, b));
+        *out = length > 0 && bat_dot(3, a, b) < cos(0.5 * BAT_PI / 180) * length;
     }
     return BATTEN_OK;
 }

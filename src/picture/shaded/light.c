@@ -2,7 +2,7 @@
 
 static void normalise(double v[3])
 {
-    const double length = sqrt(bat_dot(v, v));
+    const double length = sqrt(bat_dot(3, v, v));
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }
@@ -45,7 +45,7 @@ static bat_light times(bat_light light, double factor)
 /* The normal on the side of the eye. */
 static void face(const bat_scene *scene, const double n[3], double out[3])
 {
-    const double sign = bat_dot(n, scene->eye) < 0 ? -1 : 1;
+    const double sign = bat_dot(3, n, scene->eye) < 0 ? -1 : 1;
     for (int k = 0; k < 3; k++)
         out[k] = sign * n[k];
 }
@@ -53,8 +53,8 @@ static void face(const bat_scene *scene, const double n[3], double out[3])
 /* How much light a white surface throws back, without gloss. */
 static double diffuse(const bat_scene *scene, const double n[3])
 {
-    const double key = bat_max(0, bat_dot(n, scene->key));
-    const double fill = bat_max(0, bat_dot(n, scene->fill));
+    const double key = bat_max(0, bat_dot(3, n, scene->key));
+    const double fill = bat_max(0, bat_dot(3, n, scene->fill));
     const double sky = 0.5 + 0.5 * n[2];
     return 0.15 + 0.16 * sky + 0.66 * key + 0.52 * fill;
 }
@@ -62,10 +62,10 @@ static double diffuse(const bat_scene *scene, const double n[3])
 /* The gloss of the key light, and a thin bright rim where the surface turns away. */
 static double gloss(const bat_scene *scene, const double n[3])
 {
-    double shine = bat_max(0, bat_dot(n, scene->half));
+    double shine = bat_max(0, bat_dot(3, n, scene->half));
     for (int i = 0; i < 5; i++)
         shine *= shine; /* to the power 32 */
-    const double away = 1 - bat_max(0, bat_dot(n, scene->eye));
+    const double away = 1 - bat_max(0, bat_dot(3, n, scene->eye));
     return 0.14 * shine + 0.08 * away * away * away * away;
 }
 
@@ -82,12 +82,12 @@ bat_light bat_light_zebra(const bat_scene *scene, const double normal[3])
 {
     double n[3], mirrored[3];
     face(scene, normal, n);
-    const double facing = bat_dot(n, scene->eye);
+    const double facing = bat_dot(3, n, scene->eye);
     for (int k = 0; k < 3; k++)
         mirrored[k] = 2 * facing * n[k] - scene->eye[k];
     /* As the normal makes a half turn, its mirror image of the eye goes once around. */
     const double angle =
-        atan2(bat_dot(mirrored, scene->third), bat_dot(mirrored, scene->across));
+        atan2(bat_dot(3, mirrored, scene->third), bat_dot(3, mirrored, scene->across));
     const double phase = angle * scene->stripes / (2 * BAT_PI);
     const bat_light dark = {0.006, 0.012, 0.028}, bright = {0.90, 0.92, 0.94};
     const bat_light stripe = phase - floor(phase) < 0.5 ? dark : bright;
@@ -98,7 +98,7 @@ bat_light bat_light_isophotes(const bat_scene *scene, const double normal[3])
 {
     double n[3];
     face(scene, normal, n);
-    const double angle = acos(bat_max(-1, bat_min(1, bat_dot(n, scene->key))));
+    const double angle = acos(bat_max(-1, bat_min(1, bat_dot(3, n, scene->key))));
     const double phase = angle * scene->stripes / BAT_PI;
     const bat_light dark = {0.10, 0.16, 0.24}, bright = {0.90, 0.92, 0.94};
     return times(phase - floor(phase) < 0.5 ? bright : dark, 0.55 + 0.45 * diffuse(scene, n));

@@ -70,7 +70,7 @@ static void shade(const void *user, const bat_fragment *f, float colour[3])
 {
     const bat_mesh_solid *s = user;
     double n[3] = {f->value[NORMAL], f->value[NORMAL + 1], f->value[NORMAL + 2]};
-    const double length = sqrt(bat_dot(n, n));
+    const double length = sqrt(bat_dot(3, n, n));
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : s->scene->eye[k];
     const bat_light own = {f->value[DYE], f->value[DYE + 1], f->value[DYE + 2]};

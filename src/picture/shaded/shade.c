@@ -1,3 +1,4 @@
+#include "numeric/box.h"
 #include "picture/lines/stroke.h"
 #include "picture/shaded/light.h"
 #include "picture/shaded/mesh_solid.h"
@@ -75,18 +76,6 @@ static double diagonal(const batten_box *box)
                  box->high.z - box->low.z);
 }
 
-static void extend(batten_box *box, const batten_box *b, bool is_first)
-{
-    if (is_first) {
-        *box = *b;
-        return;
-    }
-    box->low = (batten_vec3){bat_min(box->low.x, b->low.x), bat_min(box->low.y, b->low.y),
-                             bat_min(box->low.z, b->low.z)};
-    box->high = (batten_vec3){bat_max(box->high.x, b->high.x), bat_max(box->high.y, b->high.y),
-                              bat_max(box->high.z, b->high.z)};
-}
-
 /* Count the surfaces and meshes, and find their box. */
 static void count_shapes(picture *p, batten_box *box)
 {
@@ -97,7 +86,7 @@ static void count_shapes(picture *p, batten_box *box)
             continue;
         const batten_box b =
             is_mesh ? batten_mesh_box(object->mesh) : batten_surface_box(object->surface);
-        extend(box, &b, p->solid_count + p->mesh_count == 0);
+        bat_box_join(box, b);
         p->solid_count += !is_mesh;
         p->mesh_count += is_mesh;
     }
@@ -378,7 +367,7 @@ static void shade_solid(const void *user, const bat_fragment *f, float colour[3]
 {
     const solid *s = user;
     double n[3] = {f->value[NORMAL], f->value[NORMAL + 1], f->value[NORMAL + 2]};
-    const double length = sqrt(bat_dot(n, n));
+    const double length = sqrt(bat_dot(3, n, n));
     /* Where no corner has a normal, the surface is taken to face the eye. */
     for (int k = 0; k < 3; k++)
         n[k] = length > 0 ? n[k] / length : s->scene->eye[k];
@@ -655,7 +644,7 @@ static batten_status check_options(const batten_draw_options *o)
 
 static batten_status prepare(picture *p)
 {
-    batten_box box = {{0, 0, 0}, {0, 0, 0}};
+    batten_box box = bat_box_of_nothing();
     const batten_draw_options *o = p->options;
     count_shapes(p, &box);
     const double size = diagonal(&box);

@@ -2,6 +2,7 @@
 #ifndef BAT_VIEW_H
 #define BAT_VIEW_H
 #include "base/base.h"
+#include "numeric/vector.h"
 #include <batten/picture.h>
 
 /* Three unit vectors at right angles; `eye` points to the one who looks. */
@@ -13,16 +14,11 @@ typedef struct {
  * only for the axonometric view, which is also what BATTEN_VIEW_AUTO gives here. */
 bat_view bat_view_make(batten_view view, double azimuth, double elevation);
 
-static inline double bat_dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* To the right, up, and towards the eye. */
 static inline void bat_view_project(const bat_view *view, const double point[3], double out[3])
 {
-    const double x = bat_dot(view->right, point), y = bat_dot(view->up, point);
-    const double z = bat_dot(view->eye, point);
+    const double x = bat_dot(3, view->right, point), y = bat_dot(3, view->up, point);
+    const double z = bat_dot(3, view->eye, point);
     out[0] = x, out[1] = y, out[2] = z;
 }
 

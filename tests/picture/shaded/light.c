@@ -80,7 +80,7 @@ TEST(isophotes_are_stripes_of_equal_angle_to_the_light)
     const double stripes = 18;
     const bat_scene scene = bat_scene_make(BATTEN_SHADING_ISOPHOTES, &view, 0, stripes);
     /* From the light through the eye and on, through 2 radians: all of it faces the eye. */
-    const double facing = bat_dot(scene.eye, scene.key), off = sqrt(1 - facing * facing);
+    const double facing = bat_dot(3, scene.eye, scene.key), off = sqrt(1 - facing * facing);
     int changes = 0;
     double before = -1;
     for (int i = 0; i <= 20000; i++) {

@@ -7,9 +7,9 @@ TEST(every_view_is_three_unit_vectors_at_right_angles)
     for (int view = BATTEN_VIEW_AUTO; view <= BATTEN_VIEW_AXONOMETRIC; view++)
         for (int k = 0; k < 10; k++) {
             const bat_view v = bat_view_make(view, 0.7 * k, 0.4 * k - 1.5);
-            CHECK_NEAR(bat_dot(v.right, v.right), 1, 1e-15);
-            CHECK_NEAR(bat_dot(v.up, v.up), 1, 1e-15);
-            CHECK_NEAR(bat_dot(v.right, v.up), 0, 1e-15);
+            CHECK_NEAR(bat_dot(3, v.right, v.right), 1, 1e-15);
+            CHECK_NEAR(bat_dot(3, v.up, v.up), 1, 1e-15);
+            CHECK_NEAR(bat_dot(3, v.right, v.up), 0, 1e-15);
             /* right x up = eye */
             CHECK_NEAR(v.right[1] * v.up[2] - v.right[2] * v.up[1], v.eye[0], 1e-15);
             CHECK_NEAR(v.right[2] * v.up[0] - v.right[0] * v.up[2], v.eye[1], 1e-15);

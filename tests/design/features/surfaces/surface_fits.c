@@ -128,6 +128,6 @@ TEST(what_is_no_function_over_a_grid_is_refused)
 
 TEST(help_says_how_a_grid_is_written)
 {
-    CHECK_CONTAINS(batten_feature_find("fit-grid")->manual, "empty lines");
-    CHECK_CONTAINS(batten_feature_find("interpolate-grid")->manual, "empty lines");
+    CHECK_CONTAINS(batten_feature_find("fit-grid")->manual, "separated by");
+    CHECK_CONTAINS(batten_feature_find("interpolate-grid")->manual, "separated by");
 }
