@@ -171,9 +171,9 @@ static batten_status nearest_surface(const bat_check *check, const bat_checked *
     return status;
 }
 
-static bat_distance sum_up(const char *feature, const cloud *all, const double *nearest)
+static bat_data_distance sum_up(const char *feature, const cloud *all, const double *nearest)
 {
-    bat_distance sum = {.feature = feature, .count = all->count};
+    bat_data_distance sum = {.feature = feature, .count = all->count};
     double squares = 0;
     int worst = 0;
     for (int i = 0; i < all->count; i++) {
@@ -198,7 +198,7 @@ static batten_status add_distance(bat_check *check, bat_checked *checked, int fe
     if (status == BATTEN_OK && all.count > 0)
         status = nearest_surface(check, checked, &all, nearest, nearest + all.count);
     if (status == BATTEN_OK && all.count > 0) {
-        bat_distance *d = &checked->distances[checked->distance_count++];
+        bat_data_distance *d = &checked->distances[checked->distance_count++];
         *d = sum_up(check->run->document->features[feature].name, &all, nearest);
         d->is_faired = feature == checked->faired;
         check->ok &= d->is_faired || d->max <= check->within;
@@ -410,12 +410,12 @@ static batten_status add_curve_distance(bat_check *check, bat_checked *checked)
     bat_release(points);
     if (status != BATTEN_OK)
         return status;
-    bat_distance *to = &checked->distances[checked->distance_count++];
-    *to = (bat_distance){.feature = object->name,
-                         .is_faired = checked->faired >= 0,
-                         .count = object->point_count,
-                         .max = deviation.max,
-                         .rms = deviation.rms};
+    bat_data_distance *to = &checked->distances[checked->distance_count++];
+    *to = (bat_data_distance){.feature = object->name,
+                              .is_faired = checked->faired >= 0,
+                              .count = object->point_count,
+                              .max = deviation.max,
+                              .rms = deviation.rms};
     memcpy(to->worst, object->points + 3 * deviation.worst, sizeof to->worst);
     check->ok &= to->is_faired || to->max <= check->within;
     check->bounded_count += !to->is_faired;

@@ -14,7 +14,7 @@ typedef struct {
     int count;
     double max, rms;
     double worst[3]; /* the point that lies farthest */
-} bat_distance;
+} bat_data_distance;
 
 /* A plane section of a surface where the data have a row. */
 typedef struct {
@@ -46,7 +46,7 @@ typedef struct {
     double triangle_gap, triangle_angle;   /* the largest at these; the angle in radians */
     bat_solid_faults faults;               /* of a body or mesh */
     int distance_count, section_count, edge_count;
-    bat_distance distances[2]; /* from the points given, from those after fairing */
+    bat_data_distance distances[2]; /* from the points given, from those after fairing */
     bat_section *sections;
     bat_edge edges[4];
 } bat_checked;

@@ -108,7 +108,7 @@ static void json_distances(batten_text *out, const bat_checked *c)
 {
     batten_text_add(out, ",\n     \"distances\": [");
     for (int i = 0; i < c->distance_count; i++) {
-        const bat_distance *d = &c->distances[i];
+        const bat_data_distance *d = &c->distances[i];
         batten_text_add(out, "%s{\"from\": ", i ? ", " : "");
         batten_text_json(out, d->feature);
         batten_text_add(out, ", \"faired\": %s, \"points\": %d, ",
@@ -343,7 +343,7 @@ static void text_fairness(batten_text *out, const batten_fairness *f)
 static void text_distances(batten_text *out, const bat_check *check, const bat_checked *c)
 {
     for (int i = 0; i < c->distance_count; i++) {
-        const bat_distance *d = &c->distances[i];
+        const bat_data_distance *d = &c->distances[i];
         batten_text_add(out, "    distance from the %d points %s '%s': at most ", d->count,
                         d->is_faired ? "after fairing," : "given,", d->feature);
         add_length(out, check, d->max);

@@ -1,4 +1,5 @@
 /* The lines by which a mesh is drawn. */
+#include "numeric/vector.h"
 #include "picture/lines/stroke.h"
 
 #include <stdlib.h>
